@@ -19,9 +19,9 @@ import numpy as np
 from scipy.signal import lfilter
 
 import pkmodes
-from pkmodes.campaign.campaign import read_campaign
-from pkmodes.campaign.identify import identify
-from pkmodes.support.threads import one_blas_thread
+from pkmodes.core.support.threads import one_blas_thread
+from pkmodes.modaltest.campaign.campaign import read_campaign
+from pkmodes.modaltest.campaign.identify import identify
 from timing import seconds
 
 ROBOT = Path(__file__).parents[1] / "robots/linear-delta-2022.toml"

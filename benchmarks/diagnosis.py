@@ -17,9 +17,9 @@ import numpy as np
 
 from pkmodes import updating
 from pkmodes.core.robot.robot import Robot
-from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.measured.measurements import Measurements
-from pkmodes.support.threads import one_blas_thread
+from pkmodes.core.support.threads import one_blas_thread
+from pkmodes.loop.diagnosis.verdict.result import Diagnosis
+from pkmodes.loop.measured.measurements import Measurements
 from pkmodes_rig.suites import mechanism_cases, mechanism_suites
 from pkmodes_rig.suites.cases import measured
 from pkmodes_rig.suites.specimens import measurements, measurements_of, robot_of

@@ -14,10 +14,10 @@ from functools import partial
 import numpy as np
 
 import pkmodes
-from pkmodes.response.equations import EquationsOfMotion, equations
-from pkmodes.response.linearised import LinearisedRobot
-from pkmodes.response.ports import input_vectors, inputs_of, output_vectors, outputs_of, prescribed
-from pkmodes.support.threads import one_blas_thread
+from pkmodes.core.support.threads import one_blas_thread
+from pkmodes.machine.response.equations import EquationsOfMotion, equations
+from pkmodes.machine.response.linearised import LinearisedRobot
+from pkmodes.machine.response.ports import input_vectors, inputs_of, output_vectors, outputs_of, prescribed
 from timing import interleaved
 
 FREQUENCIES = np.linspace(0.5, 400.0, 1000)

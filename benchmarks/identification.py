@@ -22,10 +22,10 @@ from numpy.typing import NDArray
 from scipy.signal import decimate
 
 from backends_report import paragraph, put, table
-from pkmodes.identification.estimates import Mode, alike
-from pkmodes.identification.frf_identification import identify_frf
-from pkmodes.identification.ssi_identification import identify_responses
-from pkmodes.support.threads import one_blas_thread
+from pkmodes.core.support.threads import one_blas_thread
+from pkmodes.modaltest.identification.estimates import Mode, alike
+from pkmodes.modaltest.identification.frf_identification import identify_frf
+from pkmodes.modaltest.identification.ssi_identification import identify_responses
 from pkmodes_rig.structures import driven, forced
 from timing import seconds
 

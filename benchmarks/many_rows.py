@@ -15,7 +15,7 @@ import numpy as np
 
 import pkmodes
 from pkmodes import updating
-from pkmodes.diagnosis import Measurements
+from pkmodes.loop.diagnosis import Measurements
 
 ROBOT = Path(__file__).resolve().parents[1] / "examples" / "closed_loop" / "robot.toml"
 EFFECT = {"effects.gearbox_compliance.compliance": 2e-4}

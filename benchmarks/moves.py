@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 import pkmodes
-from pkmodes.support.threads import one_blas_thread
+from pkmodes.core.support.threads import one_blas_thread
 from timing import interleaved
 
 TIME = np.arange(0.0, 0.5, 1e-3)

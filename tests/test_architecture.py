@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+from pkmodes import names
 from pkmodes.api import APPLICATIONS
 
 ROOT = Path(__file__).parents[1]
@@ -24,8 +25,8 @@ BY_MECHANISM = {
     "src/pkmodes/core/mechanism/packages.py",
     "src/pkmodes/codegen/checking/consistency.py",
 }
-#: What loads the functions that applications attach to classes of the core.
-ATTACHES = {"src/pkmodes/core/base/attached.py"}
+#: What loads the functions that applications attach to classes of the core, and packages by their public names.
+ATTACHES = {"src/pkmodes/core/base/attached.py", "src/pkmodes/names.py"}
 
 
 def imports(file: Path, *, top_level_only: bool = False) -> set[str]:
@@ -111,7 +112,7 @@ def test_the_runtime_is_light_to_import() -> None:
 
 
 #: The core, from the ground up: each imports itself and those before it.
-CORE = ("base", "linalg", "mechanism", "robot", "compiled", "system", "solve", "model")
+CORE = ("base", "linalg", "mechanism", "robot", "compiled", "system", "solve", "model", "support")
 #: Of the diagnosis likewise.
 DIAGNOSIS_PARTS = (
     "problem",
@@ -133,33 +134,37 @@ DIAGNOSIS_PARTS = (
     "compare",
     "update",
 )
-#: The core and the applications around it, from the ground up: each imports itself and those before it.
-FOLDERS = (
-    "core",
-    "support",
-    "robot_files",
-    "identification",
-    "measured",
-    "signals",
-    "diagnosis",
-    "dataset",
-    "codegen",
-    "sensitivity",
-    "shaping",
-    "response",
-    "maps",
-    "updating",
-    "campaign",
-    "view",
-    "plots",
-    "figures",
-    "report",
-    "cli",
-)
+#: The rooms from the ground up, with their folders in the same order: each imports itself and those before it.
+ROOMS = {
+    "core": (),
+    "codegen": (),
+    "loop": ("robot_files", "measured", "diagnosis", "sensitivity", "updating"),
+    "modaltest": ("identification", "signals", "campaign"),
+    "machine": ("dataset", "shaping", "response", "maps"),
+    "pages": ("view", "plots", "figures", "report"),
+    "cli": (),
+}
+#: Which rooms a room knows: an arrow is an entry here.
+KNOWS = {
+    "core": (),
+    "codegen": ("core",),
+    "loop": ("core",),
+    "modaltest": ("core", "loop"),
+    "machine": ("core", "loop", "modaltest"),
+    "pages": ("core", "loop", "modaltest", "machine"),
+    "cli": ("core", "codegen", "loop", "modaltest", "machine", "pages"),
+}
 #: Modules beside the folders: names that users import, and the entry of the command line.
-NAMES = {"__init__.py", "__main__.py", "api.py", "interrupts.py", "mechanism.py"}
+NAMES = {"__init__.py", "__main__.py", "api.py", "interrupts.py", "mechanism.py", "names.py"}
 #: What the engine of the diagnosis may import besides itself: it knows no robots.
-DIAGNOSIS = ("core.base", "core.linalg", "core.robot.columns", "support", "measured", "diagnosis")
+DIAGNOSIS = (
+    "core.base",
+    "core.linalg",
+    "core.robot.columns",
+    "core.support",
+    "loop.measured",
+    "loop.diagnosis",
+)
 #: Most lines of a module.
 MOST = 400
 #: Modules of one idea that is longer, most of it docstrings or a table: the evaluator of a robot, its fields, what a
@@ -167,7 +172,7 @@ MOST = 400
 LONG = {
     "src/pkmodes/core/model.py": 725,
     "src/pkmodes/core/solve/fields.py": 440,
-    "src/pkmodes/diagnosis/problem.py": 420,
+    "src/pkmodes/loop/diagnosis/problem.py": 420,
     "src/pkmodes_description/structure.py": 450,
     "derive/pkmodes_derive/machine.py": 630,
     "derive/pkmodes_derive/parts.py": 440,
@@ -189,7 +194,13 @@ def modules_imported(file: Path) -> set[str]:
 def test_every_folder_of_the_runtime_has_its_place() -> None:
     root = ROOT / "src/pkmodes"
     assert {file.name for file in root.glob("*.py")} == NAMES
-    assert {file.parent.name for file in root.glob("*/__init__.py")} == set(FOLDERS)
+    assert {file.parent.name for file in root.glob("*/__init__.py")} == set(ROOMS)
+    for room, folders in ROOMS.items():
+        if folders:
+            assert {file.parent.name for file in (root / room).glob("*/__init__.py")} == set(folders)
+    assert {room: folders for room, folders in ROOMS.items() if folders} == {
+        room: packages for room, packages in names.ROOMS.items() if room != "core"
+    }
     assert {
         file.stem if file.name != "__init__.py" else file.parent.name
         for file in [*(root / "core").glob("*.py"), *(root / "core").glob("*/__init__.py")]
@@ -199,7 +210,13 @@ def test_every_folder_of_the_runtime_has_its_place() -> None:
 
 def test_the_page_on_the_architecture_lists_the_folders_and_names_files_that_exist() -> None:
     page = (ROOT / "docs/architecture.md").read_text(encoding="utf-8")
-    assert re.findall(r"^\| `(\w+)/` \|", page, re.MULTILINE) == list(FOLDERS)
+    expected = [
+        name for room, folders in ROOMS.items() for name in (room, *(f"{room}/{one}" for one in folders))
+    ]
+    listed = [
+        name for name in re.findall(r"^\| `([\w/]+)/` \|", page, re.MULTILINE) if not name.startswith("core/")
+    ]
+    assert listed == expected
     assert re.findall(r"^\| `core/(\w+)(?:/|\.py)` \|", page, re.MULTILINE) == list(CORE)
     named = re.findall(r"`((?:src|derive|tests|docs)/[\w/.]+)`", page)
     assert len(named) > 15
@@ -207,46 +224,58 @@ def test_the_page_on_the_architecture_lists_the_folders_and_names_files_that_exi
         assert (ROOT / name).exists(), name
 
 
-@pytest.mark.parametrize("name", ["core", "diagnosis"])
+@pytest.mark.parametrize("name", [*ROOMS, "loop/diagnosis"])
 def test_the_readme_of_a_folder_names_files_that_exist(name: str) -> None:
     folder = ROOT / "src/pkmodes" / name
     named = re.findall(r"`([\w/]+\.py)`", (folder / "README.md").read_text(encoding="utf-8"))
-    assert len(named) > 10
+    assert len(named) >= 6
     for name in named:
         assert (folder / name).is_file(), name
 
 
-@pytest.mark.parametrize("folder", FOLDERS)
-def test_a_folder_imports_only_those_before_it(folder: str) -> None:
-    before = set(FOLDERS[: FOLDERS.index(folder) + 1]) | ({"api"} if folder == "cli" else set())
-    for file in files(f"src/pkmodes/{folder}"):
-        used = {name.split(".")[1] for name in modules_imported(file)}
-        assert used <= before, file
+@pytest.mark.parametrize("room", ROOMS)
+def test_a_room_imports_only_those_that_it_knows(room: str) -> None:
+    assert list(KNOWS) == list(ROOMS)
+    known = {room, *KNOWS[room]} | ({"api"} if room == "cli" else set())
+    used = {name.split(".")[1] for file in files(f"src/pkmodes/{room}") for name in modules_imported(file)}
+    assert used <= known
+    assert used >= set(KNOWS[room]), "an arrow that nobody needs"
+
+
+@pytest.mark.parametrize(
+    ("room", "folder"), [(room, one) for room, folders in ROOMS.items() for one in folders]
+)
+def test_a_folder_of_a_room_imports_only_those_before_it(room: str, folder: str) -> None:
+    before = set(ROOMS[room][: ROOMS[room].index(folder) + 1])
+    for file in files(f"src/pkmodes/{room}/{folder}"):
+        inside = (name.split(".") for name in modules_imported(file))
+        assert {parts[2] for parts in inside if parts[1] == room} <= before, file
 
 
 @pytest.mark.parametrize(
     ("folder", "part"),
-    [*(("core", part) for part in CORE), *(("diagnosis", part) for part in DIAGNOSIS_PARTS)],
+    [*(("core", part) for part in CORE), *(("loop/diagnosis", part) for part in DIAGNOSIS_PARTS)],
 )
 def test_a_part_of_a_folder_imports_only_those_before_it(folder: str, part: str) -> None:
-    parts = {"core": CORE, "diagnosis": DIAGNOSIS_PARTS}[folder]
+    parts = {"core": CORE, "loop/diagnosis": DIAGNOSIS_PARTS}[folder]
     before = set(parts[: parts.index(part) + 1])
     found = ROOT / "src/pkmodes" / folder / part
     for file in sorted(found.rglob("*.py")) or [found.with_suffix(".py")]:
         inside = (name.split(".") for name in modules_imported(file))
-        used = {names[2] for names in inside if names[1] == folder}
+        place = folder.split("/")
+        used = {parts[len(place) + 1] for parts in inside if parts[1 : len(place) + 1] == place}
         assert used <= before, file
 
 
 def test_every_part_of_the_diagnosis_has_its_place() -> None:
-    found = (ROOT / "src/pkmodes/diagnosis").iterdir()
+    found = (ROOT / "src/pkmodes/loop/diagnosis").iterdir()
     named = {one.stem for one in found if one.suffix == ".py" or (one / "__init__.py").is_file()}
     assert named == {*DIAGNOSIS_PARTS, "__init__"}
 
 
 def test_the_engine_of_the_diagnosis_knows_no_robots() -> None:
     allowed = tuple(f"pkmodes.{name}." for name in DIAGNOSIS)
-    for file in files("src/pkmodes/diagnosis"):
+    for file in files("src/pkmodes/loop/diagnosis"):
         assert all(f"{name}.".startswith(allowed) for name in modules_imported(file)), file
 
 

@@ -21,9 +21,9 @@ from helpers.pages.documentation import ELSEWHERE, HINT, PAGES, ROOT, Block, blo
 from helpers.robots.robot_text import published
 from helpers.runs.processes import without_progress
 from pkmodes import updating
-from pkmodes.campaign.campaign import read_campaign
 from pkmodes.cli import run
 from pkmodes.core.robot.reading import robot_from_document
+from pkmodes.modaltest.campaign.campaign import read_campaign
 
 COMMENT = re.compile(r"(^|\s)#.*")
 #: Characters with a meaning beside words, quotation marks, comments and lines that go on.

@@ -15,7 +15,7 @@ import pkmodes
 from helpers.generated.compiled import COMPILER, FLAGS
 from helpers.runs.shared import Shared
 from pkmodes.codegen.generation import generate
-from pkmodes.shaping import shaper
+from pkmodes.machine.shaping import shaper
 
 pytestmark = pytest.mark.compiler
 

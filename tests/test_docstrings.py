@@ -38,7 +38,7 @@ ATTACHED = {module: (name,) for module, name in (place.split(":") for place in A
 #: of every name.
 CHECKS = re.compile(r"GL0[35-9]|GL10|SS0[1-6]|PR0[1-9]|PR10|RT0[1-5]|YD01")
 #: The interface between a model and the engine, which few implement: one sentence says what to return.
-ENGINE = ("pkmodes.diagnosis.problem.Structure", "pkmodes.diagnosis.matrices.MatrixStructure.")
+ENGINE = ("pkmodes.loop.diagnosis.problem.Structure", "pkmodes.loop.diagnosis.matrices.MatrixStructure.")
 
 
 def public() -> Iterator[tuple[str, object]]:

@@ -18,7 +18,7 @@ from helpers.commands.answers import answer, from_json
 from helpers.robots.robot_text import PUBLISHED, edited, published
 from pkmodes.cli import cli
 from pkmodes.cli.schemas import schema_files
-from pkmodes.support.documents import Document, schema_of
+from pkmodes.core.support.documents import Document, schema_of
 from pkmodes_rig.robots import ROBOTS
 
 ROOT = Path(__file__).parents[1]

@@ -9,10 +9,10 @@ import pytest
 
 from pkmodes import updating
 from pkmodes.core.mechanism.registry import mechanism
-from pkmodes.updating import frame
-from pkmodes.updating.candidates import suspects
-from pkmodes.updating.corrected_robot import corrections
-from pkmodes.updating.robot_structure import RobotStructure
+from pkmodes.loop.updating import frame
+from pkmodes.loop.updating.candidates import suspects
+from pkmodes.loop.updating.corrected_robot import corrections
+from pkmodes.loop.updating.robot_structure import RobotStructure
 from pkmodes_rig.measurements import measure
 from pkmodes_rig.robots import POSES, read
 

@@ -18,7 +18,7 @@ import pytest
 
 import pkmodes
 from helpers.robots.robot_text import PUBLISHED
-from pkmodes.updating import compare, diagnose, read
+from pkmodes.loop.updating import compare, diagnose, read
 from pkmodes_generated import linear_delta
 
 ROOT = Path(__file__).parents[1]

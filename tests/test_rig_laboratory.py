@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from pkmodes.core.mechanism.registry import mechanism
-from pkmodes.updating.channels import channels
+from pkmodes.loop.updating.channels import channels
 from pkmodes_rig.engine import TrueModes, true_modes
 from pkmodes_rig.laboratory import SENSORS, Laboratory, seen
 from pkmodes_rig.measurements import exact, identified, measure_modes, written

@@ -14,7 +14,7 @@ import pytest
 import scipy.io
 
 import pkmodes
-from pkmodes.maps import dataset
+from pkmodes.machine.maps import dataset
 
 ROOT = Path(__file__).parents[1]
 ROBOT = ROOT / "robots" / "linear-delta-2022.toml"

@@ -15,10 +15,10 @@ import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
-from pkmodes.campaign.campaign import read_campaign
-from pkmodes.campaign.identify import identify
-from pkmodes.plots import fits
-from pkmodes.plots.style import styled
+from pkmodes.modaltest.campaign.campaign import read_campaign
+from pkmodes.modaltest.campaign.identify import identify
+from pkmodes.pages.plots import fits
+from pkmodes.pages.plots.style import styled
 
 HERE = Path(__file__).parent
 PAGE = HERE.parent / "signals.md"

@@ -22,7 +22,7 @@ from scipy.optimize import least_squares
 
 import pkmodes
 from pkmodes.diagnosis import Diagnosis, Measurements
-from pkmodes.support.numbers import rounded
+from pkmodes.core.support.numbers import rounded
 from pkmodes.updating import compare, diagnose, read
 
 Array = NDArray[np.float64]

@@ -11,8 +11,10 @@ watch_the_start()  # before anything else is loaded
 from lazy_loader import attach_stub  # noqa: E402
 
 from pkmodes.core.base.version import VERSION  # noqa: E402
+from pkmodes.names import install  # noqa: E402
 
 # A name is loaded when it is first used, from the module that __init__.pyi states: the command line has to start
 # before NumPy is loaded, and modules that compare with measurements need SciPy, which takes even longer.
 __version__ = VERSION
+install()
 __getattr__, __dir__, __all__ = attach_stub(__name__, __file__)

@@ -14,31 +14,31 @@ from pkmodes.core.base.attached import Attached
 from pkmodes.core.robot.reading import read_robot
 
 if TYPE_CHECKING:
-    from pkmodes.maps.mapping import map_of
-    from pkmodes.response.compliance import compliance
-    from pkmodes.response.frequency_response import frequency_response
-    from pkmodes.response.moves import simulate
-    from pkmodes.response.poles import poles_at
-    from pkmodes.response.state_space import state_space
-    from pkmodes.sensitivity.sensitivities import sensitivities_at
-    from pkmodes.sensitivity.spread import frequency_sigmas
-    from pkmodes.shaping.at_poses import shaper_at
-    from pkmodes.shaping.comparison import shapers_over
+    from pkmodes.loop.sensitivity.sensitivities import sensitivities_at
+    from pkmodes.loop.sensitivity.spread import frequency_sigmas
+    from pkmodes.machine.maps.mapping import map_of
+    from pkmodes.machine.response.compliance import compliance
+    from pkmodes.machine.response.frequency_response import frequency_response
+    from pkmodes.machine.response.moves import simulate
+    from pkmodes.machine.response.poles import poles_at
+    from pkmodes.machine.response.state_space import state_space
+    from pkmodes.machine.shaping.at_poses import shaper_at
+    from pkmodes.machine.shaping.comparison import shapers_over
 
 __all__ = ["Model", "load", "read_robot"]
 
 #: The methods of applications: where each function is.  The class below declares the same for type checkers.
 APPLICATIONS = {
-    "sensitivities": "pkmodes.sensitivity.sensitivities:sensitivities_at",
-    "frequency_sigmas": "pkmodes.sensitivity.spread:frequency_sigmas",
-    "poles": "pkmodes.response.poles:poles_at",
-    "frf": "pkmodes.response.frequency_response:frequency_response",
-    "state_space": "pkmodes.response.state_space:state_space",
-    "compliance": "pkmodes.response.compliance:compliance",
-    "simulate": "pkmodes.response.moves:simulate",
-    "shaper": "pkmodes.shaping.at_poses:shaper_at",
-    "shapers": "pkmodes.shaping.comparison:shapers_over",
-    "map": "pkmodes.maps.mapping:map_of",
+    "sensitivities": "pkmodes.loop.sensitivity.sensitivities:sensitivities_at",
+    "frequency_sigmas": "pkmodes.loop.sensitivity.spread:frequency_sigmas",
+    "poles": "pkmodes.machine.response.poles:poles_at",
+    "frf": "pkmodes.machine.response.frequency_response:frequency_response",
+    "state_space": "pkmodes.machine.response.state_space:state_space",
+    "compliance": "pkmodes.machine.response.compliance:compliance",
+    "simulate": "pkmodes.machine.response.moves:simulate",
+    "shaper": "pkmodes.machine.shaping.at_poses:shaper_at",
+    "shapers": "pkmodes.machine.shaping.comparison:shapers_over",
+    "map": "pkmodes.machine.maps.mapping:map_of",
 }
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pkmodes.support.grouping import grouped
+from pkmodes.core.support.grouping import grouped
 
 
 def near(member: int, other: int) -> bool:

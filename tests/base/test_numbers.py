@@ -11,8 +11,8 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 import pkmodes
-from pkmodes.plots.labels import typeset
-from pkmodes.support.numbers import hertz, p_in_words, plain, rounded, signed, times
+from pkmodes.core.support.numbers import hertz, p_in_words, plain, rounded, signed, times
+from pkmodes.pages.plots.labels import typeset
 
 #: What a rounded number with its standard deviation looks like.
 FORM = re.compile(r"\((-?\d+(?:\.\d+)?) \+- (\d+(?:\.\d+)?)\)e(-?\d+)|(-?\d+(?:\.\d+)?) \+- (\d+(?:\.\d+)?)")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from pkmodes.support.ordering import in_order, joined, listed, sorted_labels
+from pkmodes.core.support.ordering import in_order, joined, listed, sorted_labels
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from pkmodes.core.base.errors import OutputError
-from pkmodes.support import writing
+from pkmodes.core.support import writing
 
 ROOT = Path(__file__).parents[2]
 #: Larger than a page of memory, so that a file written in place would be seen in parts.
@@ -23,7 +23,7 @@ NAMES = ("a.json", "b.json", "c.json")
 KILLED = """
 import os, signal, sys
 from pathlib import Path
-from pkmodes.support import writing
+from pkmodes.core.support import writing
 
 folder, names = Path(sys.argv[1]), sys.argv[2].split(",")
 old, new = "o" * 50_000, "n" * 50_000

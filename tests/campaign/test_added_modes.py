@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from campaign.structures import HEAD, Frame, accelerations, identify, record, refused, sensors, write_frf
-from pkmodes.campaign.campaign import read_campaign
-from pkmodes.campaign.edits import edited
-from pkmodes.campaign.results import IdentifiedMode, Parts
-from pkmodes.identification.asked import RequestedModes
+from pkmodes.modaltest.campaign.campaign import read_campaign
+from pkmodes.modaltest.campaign.edits import edited
+from pkmodes.modaltest.campaign.results import IdentifiedMode, Parts
+from pkmodes.modaltest.identification.asked import RequestedModes
 
 F = np.arange(10.0, 220.0, 0.25)
 ALIKE = HEAD + sensors("m/s^2", "m/s^2", "m/s^2")

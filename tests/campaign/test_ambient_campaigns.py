@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 
 from campaign.structures import CHANNELS, HEAD, Frame, accelerations, identify, record, refused, sensors
-from pkmodes.campaign.found import FileFit
-from pkmodes.campaign.time_records import with_bridges
-from pkmodes.identification.estimates import Estimate, Mode, Stabilisation
-from pkmodes.measured.reading import read_modes
+from pkmodes.loop.measured.reading import read_modes
+from pkmodes.modaltest.campaign.found import FileFit
+from pkmodes.modaltest.campaign.time_records import with_bridges
+from pkmodes.modaltest.identification.estimates import Estimate, Mode, Stabilisation
 
 SENSORS = sensors("m/s^2", "g0", "mm/s")
 STEP = 1.0 / 1024.0
@@ -207,7 +207,7 @@ def test_a_record_too_long_for_memory_is_reduced_to_fewer_samples(
     write_ambient(tmp_path / "a.csv", np.random.default_rng(33))
     text = HEAD.replace("200 Hz", "120 Hz") + SENSORS + record("ambient", "a.csv")
     whole = identify(tmp_path, text).record
-    monkeypatch.setattr("pkmodes.signals.reduction.LONG", 10_000)
+    monkeypatch.setattr("pkmodes.modaltest.signals.reduction.LONG", 10_000)
     fewer = identify(tmp_path, text).record
     pairs = list(zip(whole["modes"], fewer["modes"], strict=True))
     assert len(pairs) == 2

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 from campaign.structures import Identified, identify, refused
-from pkmodes.campaign.boards import with_clocks
-from pkmodes.identification.clocks import Delay
-from pkmodes.identification.estimates import Mode
-from pkmodes.measured.reading import read_modes
+from pkmodes.loop.measured.reading import read_modes
+from pkmodes.modaltest.campaign.boards import with_clocks
+from pkmodes.modaltest.identification.clocks import Delay
+from pkmodes.modaltest.identification.estimates import Mode
 
 NAMES = ("ax", "ay", "az", "bx", "by", "bz")
 FREQUENCIES = np.array([31.0, 47.0, 88.0])

@@ -8,14 +8,14 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from pkmodes.campaign.averaging import Mean, averaged, mean_shape
-from pkmodes.campaign.found import Found, mac
-from pkmodes.campaign.grouping import _apart, grouped, reunited
-from pkmodes.campaign.joining import joined_setups
-from pkmodes.campaign.motion import motion
-from pkmodes.campaign.revisits import revisited
-from pkmodes.campaign.sensors import Transducer
-from pkmodes.campaign.shapes import combined
+from pkmodes.modaltest.campaign.averaging import Mean, averaged, mean_shape
+from pkmodes.modaltest.campaign.found import Found, mac
+from pkmodes.modaltest.campaign.grouping import _apart, grouped, reunited
+from pkmodes.modaltest.campaign.joining import joined_setups
+from pkmodes.modaltest.campaign.motion import motion
+from pkmodes.modaltest.campaign.revisits import revisited
+from pkmodes.modaltest.campaign.sensors import Transducer
+from pkmodes.modaltest.campaign.shapes import combined
 
 
 def test_neighbours_of_one_file_are_never_one_mode() -> None:

@@ -10,9 +10,9 @@ import pytest
 from scipy.io import wavfile
 
 from campaign.structures import CHANNELS, HEAD, Frame, accelerations, identify, record, refused, sensors
-from pkmodes.campaign.sensors import signed
-from pkmodes.measured.reading import read_modes
-from pkmodes.signals.reading import read_signals
+from pkmodes.loop.measured.reading import read_modes
+from pkmodes.modaltest.campaign.sensors import signed
+from pkmodes.modaltest.signals.reading import read_signals
 from signals.universal import dataset58b, packed
 
 STEP = 1.0 / 2048.0

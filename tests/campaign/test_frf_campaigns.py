@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from campaign.structures import CHANNELS, HEAD, Frame, identify, record, refused, sensors, write_frf
-from pkmodes.measured.reading import read_modes
+from pkmodes.loop.measured.reading import read_modes
 
 F = np.arange(10.0, 220.0, 0.25)
 SENSORS = sensors("m/s^2", "g0", "mm/s")

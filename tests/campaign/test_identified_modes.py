@@ -12,9 +12,9 @@ from helpers.commands.answers import answer
 from helpers.commands.printed_tables import printed_table
 from helpers.pages.page_reading import read
 from pkmodes import updating
-from pkmodes.campaign.averaging import averaged
-from pkmodes.campaign.found import Found
-from pkmodes.measured.reading import read_modes
+from pkmodes.loop.measured.reading import read_modes
+from pkmodes.modaltest.campaign.averaging import averaged
+from pkmodes.modaltest.campaign.found import Found
 
 ROOT = Path(__file__).parents[2]
 ROBOT = ROOT / "robots/linear-delta-2022.toml"

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from campaign.structures import CHANNELS, HEAD, Frame, accelerations, identify, record, refused, sensors
-from pkmodes.measured.reading import read_modes
+from pkmodes.loop.measured.reading import read_modes
 from signals.universal import dataset58b, packed
 
 IMPACT = HEAD + sensors("m/s^2", "g0", "m/s^2")

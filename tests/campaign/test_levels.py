@@ -10,8 +10,8 @@ import pytest
 
 from campaign.structures import HEAD, identify, record, sensors
 from modal_analysis.test_level import F0, RATE, ring_down
-from pkmodes.campaign.found import Found
-from pkmodes.campaign.levels import between_files
+from pkmodes.modaltest.campaign.found import Found
+from pkmodes.modaltest.campaign.levels import between_files
 
 CAMPAIGN = HEAD.replace('"200 Hz"', '"150 Hz"') + 'repeatability = "0.01 %"\n' + sensors("m/s^2", "m/s^2")
 

@@ -13,7 +13,7 @@ from campaign.structures import CHANNELS, HEAD, Frame, identify, record, refused
 from campaign.test_impact_campaigns import STEP, write_blows
 from campaign.test_universal_quotients import STEP as LINE
 from campaign.test_universal_quotients import accelerances
-from pkmodes.measured.reading import read_modes
+from pkmodes.loop.measured.reading import read_modes
 from signals.universal import dataset58b, frf58, packed
 
 F = np.arange(10.0, 220.0, 0.25)

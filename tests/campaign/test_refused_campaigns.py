@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from pkmodes.campaign.campaign import read_campaign
 from pkmodes.cli import run
 from pkmodes.core.base.errors import MeasurementError
+from pkmodes.modaltest.campaign.campaign import read_campaign
 
 ROOT = Path(__file__).parents[2]
 ROBOT = ROOT / "robots/linear-delta-2022.toml"

@@ -13,7 +13,7 @@ from scipy.io import savemat
 from campaign.structures import CHANNELS, HEAD, Frame, Identified, identify, refused, write_frf
 from campaign.test_impact_campaigns import roving as in_time
 from campaign.test_impact_campaigns import write_blows
-from pkmodes.measured.reading import read_modes
+from pkmodes.loop.measured.reading import read_modes
 from signals.universal import frf58
 
 STEP = 0.25

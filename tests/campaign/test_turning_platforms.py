@@ -15,12 +15,12 @@ from numpy.typing import NDArray
 from scipy.linalg import expm
 
 from campaign.structures import identify, write_frf
-from pkmodes.campaign.description import ForceTable, SensorTable
-from pkmodes.campaign.motion import motion
-from pkmodes.campaign.mounts import Platform
-from pkmodes.campaign.sensors import Transducer, check_motion, forces_of, sensors_of
-from pkmodes.campaign.shapes import UNDETERMINED, combined, left_blank
 from pkmodes.core.base.errors import MeasurementError
+from pkmodes.modaltest.campaign.description import ForceTable, SensorTable
+from pkmodes.modaltest.campaign.motion import motion
+from pkmodes.modaltest.campaign.mounts import Platform
+from pkmodes.modaltest.campaign.sensors import Transducer, check_motion, forces_of, sensors_of
+from pkmodes.modaltest.campaign.shapes import UNDETERMINED, combined, left_blank
 
 Array = NDArray[np.float64]
 ROBOT = Path(__file__).parents[2] / "robots/hexapod.toml"

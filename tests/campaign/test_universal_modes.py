@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from pkmodes.cli import run
-from pkmodes.measured.reading import read_modes
+from pkmodes.loop.measured.reading import read_modes
 
 CHANNELS = ("floor_1", "floor_2")
 HEAD = 'format = 1\nchannels = ["floor_1", "floor_2"]\nband = ["1 Hz", "400 Hz"]\n'

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from campaign.structures import CHANNELS, HEAD, Frame, identify, record, refused
-from pkmodes.measured.reading import read_modes
+from pkmodes.loop.measured.reading import read_modes
 from signals.universal import dataset, frf58
 
 STEP = 0.25

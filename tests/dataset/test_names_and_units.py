@@ -12,8 +12,8 @@ import pytest
 
 import pkmodes
 from pkmodes.core.solve.fields import FIELDS
-from pkmodes.dataset.table import table_of, write_table
-from pkmodes.dataset.variables import EVENTS
+from pkmodes.machine.dataset.table import table_of, write_table
+from pkmodes.machine.dataset.variables import EVENTS
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 pytest.importorskip("xarray")

@@ -11,7 +11,7 @@ import pytest
 from pkmodes.core.mechanism.registry import mechanism as registered
 from pkmodes.core.mechanism.regular import sample, sample_pose
 from pkmodes.core.system.evaluation import ExtendedSystem
-from pkmodes.updating.term_changes import Surroundings, change_of
+from pkmodes.loop.updating.term_changes import Surroundings, change_of
 from pkmodes_derive import mechanisms
 from pkmodes_derive.assembly import models
 from pkmodes_derive.assembly.derived import derive

@@ -15,13 +15,13 @@ import pytest
 from scipy.linalg import eigh
 
 from helpers.robots.small_structures import in_a_row
-from pkmodes.diagnosis import MatrixStructure, Measurements, Parameter, compare, diagnose, update
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.problem import Candidate
-from pkmodes.diagnosis.readings.amplitude import dependence
-from pkmodes.diagnosis.verdict.document import DiagnoseDocument
-from pkmodes.measured.amplitude import AmplitudeDependence, amplitude_dependence, level_steps
-from pkmodes.support.documents import schema_of
+from pkmodes.core.support.documents import schema_of
+from pkmodes.loop.diagnosis import MatrixStructure, Measurements, Parameter, compare, diagnose, update
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.problem import Candidate
+from pkmodes.loop.diagnosis.readings.amplitude import dependence
+from pkmodes.loop.diagnosis.verdict.document import DiagnoseDocument
+from pkmodes.loop.measured.amplitude import AmplitudeDependence, amplitude_dependence, level_steps
 
 SIGMA, STIFFNESS, DAMPING = 1e-3, 4e5, 0.01
 FLOORS = [f"floor {i}" for i in range(1, 5)]

@@ -9,9 +9,9 @@ import pytest
 
 from helpers.diagnoses.frame_diagnoses import SIX, causes, checked, drawn, spoiled
 from helpers.robots.small_structures import SIGMA, frame
-from pkmodes.diagnosis import Measurements
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.loop.diagnosis import Measurements
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
 
 
 @pytest.mark.parametrize("truth", [{}, {"brace 2": 6.0e4}])

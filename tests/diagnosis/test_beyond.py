@@ -14,14 +14,14 @@ from scipy.linalg import eigh
 
 from helpers.diagnoses.chains import Frame, at, joined
 from helpers.diagnoses.resonators import Resonant, hanging
-from pkmodes.diagnosis import Diagnosis, MatrixStructure, Measurements, diagnose
-from pkmodes.diagnosis.beyond import tried
-from pkmodes.diagnosis.fit.hypothesis import Fit
-from pkmodes.diagnosis.problem import Candidate, Parameter
-from pkmodes.diagnosis.search.score import MANY, Score, p_of_smallest
-from pkmodes.report.action import action
-from pkmodes.report.diagnosis import verdict_headline
-from pkmodes.report.setting import ReportSetting
+from pkmodes.loop.diagnosis import Diagnosis, MatrixStructure, Measurements, diagnose
+from pkmodes.loop.diagnosis.beyond import tried
+from pkmodes.loop.diagnosis.fit.hypothesis import Fit
+from pkmodes.loop.diagnosis.problem import Candidate, Parameter
+from pkmodes.loop.diagnosis.search.score import MANY, Score, p_of_smallest
+from pkmodes.pages.report.action import action
+from pkmodes.pages.report.diagnosis import verdict_headline
+from pkmodes.pages.report.setting import ReportSetting
 
 FRAME = Frame()
 NOTHING = np.zeros((6, 6))

@@ -20,9 +20,9 @@ from helpers.references.textbook_fits import (
     structure,
 )
 from helpers.robots.small_structures import LogLinear, logs_measured
-from pkmodes.diagnosis import Parameter
-from pkmodes.diagnosis.fit.hypothesis import Hypothesis
-from pkmodes.updating.candidates import suspects
+from pkmodes.loop.diagnosis import Parameter
+from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.loop.updating.candidates import suspects
 
 ROBOT = Path(__file__).parents[2] / "robots/clavel-delta.toml"
 

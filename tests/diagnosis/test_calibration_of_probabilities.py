@@ -7,7 +7,12 @@ from pathlib import Path
 
 import pytest
 
-from pkmodes.diagnosis.posterior.document import ClassProbability, PairProbability, Probabilities, Statement
+from pkmodes.loop.diagnosis.posterior.document import (
+    ClassProbability,
+    PairProbability,
+    Probabilities,
+    Statement,
+)
 from pkmodes_rig.suites import calibration
 from pkmodes_rig.suites.cases import Case
 from pkmodes_rig.suites.specimens import Specimen

@@ -12,8 +12,8 @@ from scipy import sparse
 
 from helpers.robots.small_structures import altered, frame, frame_matrices, frame_measured
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.diagnosis import MatrixStructure, Parameter, diagnose
-from pkmodes.diagnosis.structure.kept import Kept
+from pkmodes.loop.diagnosis import MatrixStructure, Parameter, diagnose
+from pkmodes.loop.diagnosis.structure.kept import Kept
 
 
 def built(matrices: Any, **options: Any) -> MatrixStructure:
@@ -178,7 +178,7 @@ def test_progress_says_when_the_callable_dominates_the_time(
     slow: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     clock = itertools.count(0.0, 0.25 if slow else 1e-4)
-    monkeypatch.setattr("pkmodes.diagnosis.structure.supplied.time.perf_counter", lambda: next(clock))
+    monkeypatch.setattr("pkmodes.loop.diagnosis.structure.supplied.time.perf_counter", lambda: next(clock))
     loads, said = {"empty": 0.0, "loaded": 5.0}, list[str]()
     diagnose(frame(loads), frame_measured(loads, {}, np.random.default_rng(0)), progress=said.append)
     text = "each call for the matrices takes 0.25 s: a few hundred calls dominate the computing time"

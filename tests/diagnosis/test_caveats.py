@@ -10,10 +10,10 @@ import pytest
 from helpers.pages.page_reading import read
 from helpers.pages.report_examples import made_up
 from helpers.robots.small_structures import of_signatures, with_changes
-from pkmodes.diagnosis import Diagnosis, diagnose
-from pkmodes.diagnosis.verdict import caveats
-from pkmodes.diagnosis.verdict.findings import Corrected, Unseen, believed, why_larger
-from pkmodes.report import report
+from pkmodes.loop.diagnosis import Diagnosis, diagnose
+from pkmodes.loop.diagnosis.verdict import caveats
+from pkmodes.loop.diagnosis.verdict.findings import Corrected, Unseen, believed, why_larger
+from pkmodes.pages.report import report
 
 
 def refitted(

@@ -13,15 +13,15 @@ import pytest
 from helpers.commands.answers import answer
 from pkmodes import read_robot, updating
 from pkmodes.core.base.errors import MeasurementError, PkmodesError
-from pkmodes.diagnosis.criteria import Criteria
-from pkmodes.diagnosis.states.counterparts import close_groups, expected_modes, paired_with
-from pkmodes.diagnosis.states.shared_shapes import shapes_without_errors
-from pkmodes.measured.measurements import Measurements
-from pkmodes.measured.writing import as_csv
-from pkmodes.updating.changes import exchanged
-from pkmodes.updating.measured_robot import MeasuredRobot
-from pkmodes.updating.reading import read_states
-from pkmodes.updating.shared_values import axis_deviations, in_use
+from pkmodes.loop.diagnosis.criteria import Criteria
+from pkmodes.loop.diagnosis.states.counterparts import close_groups, expected_modes, paired_with
+from pkmodes.loop.diagnosis.states.shared_shapes import shapes_without_errors
+from pkmodes.loop.measured.measurements import Measurements
+from pkmodes.loop.measured.writing import as_csv
+from pkmodes.loop.updating.changes import exchanged
+from pkmodes.loop.updating.measured_robot import MeasuredRobot
+from pkmodes.loop.updating.reading import read_states
+from pkmodes.loop.updating.shared_values import axis_deviations, in_use
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "changed_printer"
 ROBOT, BEFORE, AFTER = (str(EXAMPLE / name) for name in ("robot.toml", "before.csv", "after.csv"))
@@ -178,7 +178,7 @@ def test_parts_that_act_like_what_changes_in_use_are_no_candidates() -> None:
 
 
 def test_lengths_and_ratios_do_not_change_in_use() -> None:
-    from pkmodes.diagnosis.problem import Candidate
+    from pkmodes.loop.diagnosis.problem import Candidate
 
     robot = read_robot(ROBOT)
     for name, changes in {

@@ -17,8 +17,8 @@ from helpers.diagnoses.examples import example
 from helpers.runs.shared import Shared
 from pkmodes import read_robot, updating
 from pkmodes.core.robot.robot import Robot
-from pkmodes.diagnosis import Measurements, diagnose
-from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.loop.diagnosis import Measurements, diagnose
+from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 ROBOT, MEASURED = (EXAMPLES / "closed_loop" / name for name in ("robot.toml", "measured.csv"))

@@ -10,8 +10,8 @@ import pytest
 
 from helpers.diagnoses.robot_structures import declared, index, suspected
 from pkmodes import read_robot
-from pkmodes.diagnosis import Prediction
-from pkmodes.updating.robot_structure import RobotStructure
+from pkmodes.loop.diagnosis import Prediction
+from pkmodes.loop.updating.robot_structure import RobotStructure
 
 pytestmark = pytest.mark.compiler
 

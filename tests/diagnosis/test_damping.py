@@ -14,8 +14,8 @@ import pytest
 from helpers.diagnoses.damped_cases import bare, columns, made, measured
 from pkmodes import read_robot, updating
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.measured.measurements import Measurements
+from pkmodes.loop.diagnosis.verdict.result import Diagnosis
+from pkmodes.loop.measured.measurements import Measurements
 
 ROBOT = read_robot(Path(__file__).parents[2] / "robots" / "linear-delta-2022.toml")
 

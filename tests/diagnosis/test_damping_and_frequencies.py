@@ -10,8 +10,8 @@ import pytest
 
 from helpers.diagnoses.damped_cases import bare, columns, made, measured, of_frequencies, strange
 from pkmodes import updating
-from pkmodes.diagnosis.damping.words import NO_LOSSES, UNSETTLED
-from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.loop.diagnosis.damping.words import NO_LOSSES, UNSETTLED
+from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes_rig.suites.specimens import robot_of
 
 ROBOT = robot_of("published")

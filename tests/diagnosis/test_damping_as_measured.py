@@ -18,10 +18,10 @@ from helpers.pages.page_reading import read
 from pkmodes import read_robot, updating
 from pkmodes.cli.compare import show_comparison as print_comparison
 from pkmodes.cli.diagnosis_tables import show_diagnosis as print_diagnosis
-from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.measured.measurements import Measurements
-from pkmodes.measured.writing import as_csv
-from pkmodes.report import report
+from pkmodes.loop.diagnosis.verdict.result import Diagnosis
+from pkmodes.loop.measured.measurements import Measurements
+from pkmodes.loop.measured.writing import as_csv
+from pkmodes.pages.report import report
 from pkmodes_rig.suites.specimens import robot_of
 
 MACHINES = ["published", "rotary_delta", "corexy"]

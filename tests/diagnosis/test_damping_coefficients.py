@@ -11,7 +11,7 @@ from helpers.references.damping_by_hand import friction_by_hand, loss_by_hand
 from helpers.references.motors_by_hand import followers
 from helpers.references.whole_system import whole_modes
 from helpers.robots.one_of_each import FILES, POSES, model_of
-from pkmodes.updating.robot_structure import RobotStructure
+from pkmodes.loop.updating.robot_structure import RobotStructure
 
 EFFECTS = {"gearbox_compliance.compliance": 2e-3, "belt_end_compliance.compliance": 2e-6}
 #: What the motors do at each pose, and a payload that is set there.

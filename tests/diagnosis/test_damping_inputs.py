@@ -12,8 +12,8 @@ import pytest
 from helpers.diagnoses.damped_cases import columns, made, measured
 from pkmodes import updating
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.diagnosis import Measurements
-from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.loop.diagnosis import Measurements
+from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes_rig.suites.specimens import MACHINES, robot_of
 
 ROBOT = robot_of("published")

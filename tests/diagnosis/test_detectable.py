@@ -17,12 +17,12 @@ from helpers.pages.report_examples import diagnosed
 from helpers.pages.without_drawing import without_drawing
 from helpers.robots.small_structures import log_linear, logs_measured
 from helpers.runs.shared import Shared
-from pkmodes.diagnosis import Candidate, Diagnosis, Parameter
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.search.score import Score, Scores
-from pkmodes.diagnosis.verdict.detectable import examined
-from pkmodes.diagnosis.verdict.findings import Examined
-from pkmodes.report import report
+from pkmodes.loop.diagnosis import Candidate, Diagnosis, Parameter
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.search.score import Score, Scores
+from pkmodes.loop.diagnosis.verdict.detectable import examined
+from pkmodes.loop.diagnosis.verdict.findings import Examined
+from pkmodes.pages.report import report
 
 #: p-value of a score that no chance explains.
 SIGNIFICANT = 1e-3

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from pkmodes import updating
-from pkmodes.diagnosis import Candidate, Criteria, MatrixStructure, Measurements, Parameter
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Hypothesis
-from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.verdict.dispersion import dispersion
+from pkmodes.loop.diagnosis import Candidate, Criteria, MatrixStructure, Measurements, Parameter
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.loop.diagnosis.fit.store import FitStore
+from pkmodes.loop.diagnosis.verdict.dispersion import dispersion
 from pkmodes_rig import POSES, SENSORS, TrueModes, drawn_values, identified, written
 from pkmodes_rig.suites.specimens import Specimen, measurements, robot_of
 

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from helpers.robots.small_structures import SIGMA, LogLinear, each, log_linear, logs_measured
-from pkmodes.diagnosis import Parameter
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
-from pkmodes.diagnosis.verdict.elsewhere import Elsewhere, MeasuringCondition, apart, elsewhere
+from pkmodes.loop.diagnosis import Parameter
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis
+from pkmodes.loop.diagnosis.verdict.elsewhere import Elsewhere, MeasuringCondition, apart, elsewhere
 
 SETUPS, MODES = 6, 4
 #: Standard deviations of the components of a position.

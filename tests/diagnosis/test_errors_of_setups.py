@@ -21,9 +21,9 @@ from helpers.references.textbook_fits import (
     structure,
 )
 from helpers.robots.small_structures import LogLinear, frame, frame_measured, logs_measured
-from pkmodes.diagnosis import Measurements, Parameter
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.loop.diagnosis import Measurements, Parameter
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
 
 
 def shared(y: np.ndarray, tau: float) -> np.ndarray:

@@ -7,9 +7,9 @@ from typing import Any
 
 import pytest
 
-from pkmodes.diagnosis import Candidate
-from pkmodes.diagnosis.posterior.document import ClassProbability, PairProbability, Probabilities
-from pkmodes.diagnosis.verdict.explanations import explanations
+from pkmodes.loop.diagnosis import Candidate
+from pkmodes.loop.diagnosis.posterior.document import ClassProbability, PairProbability, Probabilities
+from pkmodes.loop.diagnosis.verdict.explanations import explanations
 
 
 def fit(*causes: str, criterion: float = 0.0, at_bound: tuple[str, ...] = ()) -> Any:

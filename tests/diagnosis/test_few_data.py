@@ -15,7 +15,7 @@ from helpers.robots.small_structures import (
     relative_modes,
     with_changes,
 )
-from pkmodes.diagnosis import Diagnosis, MatrixStructure, Measurements, diagnose
+from pkmodes.loop.diagnosis import Diagnosis, MatrixStructure, Measurements, diagnose
 
 
 def four_storeys(prior: float = 0.1) -> MatrixStructure:

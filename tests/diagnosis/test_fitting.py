@@ -22,10 +22,10 @@ from helpers.references.textbook_fits import (
     structure,
 )
 from helpers.robots.small_structures import LogLinear, logs_measured, some_rows
-from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter
-from pkmodes.diagnosis.fit.cross_validation import left_out
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.loop.diagnosis import Candidate, MatrixStructure, Measurements, Parameter
+from pkmodes.loop.diagnosis.fit.cross_validation import left_out
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
 
 
 @pytest.mark.parametrize(

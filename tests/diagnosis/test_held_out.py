@@ -25,14 +25,14 @@ from helpers.robots.small_structures import (
     with_changes,
 )
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.diagnosis import Diagnosis, MatrixStructure, Measurements, Parameter, diagnose
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Hypothesis
-from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.one_state import split
-from pkmodes.diagnosis.search.search import Search
-from pkmodes.diagnosis.verdict.all_setups import AllSetups
-from pkmodes.diagnosis.verdict.held_out import p_held_out
+from pkmodes.loop.diagnosis import Diagnosis, MatrixStructure, Measurements, Parameter, diagnose
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.loop.diagnosis.fit.store import FitStore
+from pkmodes.loop.diagnosis.one_state import split
+from pkmodes.loop.diagnosis.search.search import Search
+from pkmodes.loop.diagnosis.verdict.all_setups import AllSetups
+from pkmodes.loop.diagnosis.verdict.held_out import p_held_out
 
 
 def test_held_out_setups_are_not_used() -> None:

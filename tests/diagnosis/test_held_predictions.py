@@ -8,7 +8,7 @@ import pytest
 import pkmodes
 from helpers.diagnoses.robot_structures import declared, index, structure_at
 from helpers.robots.one_of_each import FILES, ROBOTS
-from pkmodes.updating.robot_structure import RobotStructure
+from pkmodes.loop.updating.robot_structure import RobotStructure
 
 PLACES = {
     "linear_delta": [[0.55, 0.06, -0.26], [0.5, -0.05, -0.24], [0.71, -0.04, -0.25]],

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy import integrate, stats
 
-from pkmodes.diagnosis.verdict.information import information, separations
+from pkmodes.loop.diagnosis.verdict.information import information, separations
 
 #: Normal distributions of one number: probabilities, means, standard deviations.
 MIXTURES = {

@@ -13,7 +13,7 @@ from helpers.robots.small_structures import (
     ladder,
     some_rows,
 )
-from pkmodes.diagnosis import Candidate, Diagnosis, MatrixStructure, Measurements, Parameter
+from pkmodes.loop.diagnosis import Candidate, Diagnosis, MatrixStructure, Measurements, Parameter
 
 
 def assert_same(found: Diagnosis, plain: Diagnosis, unit: float = 1.0) -> None:

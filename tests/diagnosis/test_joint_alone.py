@@ -10,14 +10,14 @@ import pytest
 
 import pkmodes
 from pkmodes import updating
-from pkmodes.diagnosis import Candidate, Diagnosis, MatrixStructure, Measurements, Parameter, diagnose
-from pkmodes.diagnosis.problem import Joint
-from pkmodes.diagnosis.verdict import joint_alone
-from pkmodes.report.action import action
-from pkmodes.report.diagnosis import verdict_headline
-from pkmodes.report.setting import ReportSetting
-from pkmodes.updating.candidates import suspects
-from pkmodes.view import typical_pose
+from pkmodes.loop.diagnosis import Candidate, Diagnosis, MatrixStructure, Measurements, Parameter, diagnose
+from pkmodes.loop.diagnosis.problem import Joint
+from pkmodes.loop.diagnosis.verdict import joint_alone
+from pkmodes.loop.updating.candidates import suspects
+from pkmodes.pages.report.action import action
+from pkmodes.pages.report.diagnosis import verdict_headline
+from pkmodes.pages.report.setting import ReportSetting
+from pkmodes.pages.view import typical_pose
 from pkmodes_rig.suites import clear_cases
 from pkmodes_rig.suites.clear_cases import ClearCase
 from pkmodes_rig.suites.specimens import ROBOTS, Specimen, measurements_of, robot_of

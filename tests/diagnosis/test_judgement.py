@@ -20,7 +20,7 @@ from helpers.robots.small_structures import (
     of_signatures,
     with_changes,
 )
-from pkmodes.diagnosis import Candidate, Diagnosis, Measurements, diagnose
+from pkmodes.loop.diagnosis import Candidate, Diagnosis, Measurements, diagnose
 
 SETUPS, MODES = 10, 5
 #: The signatures of the causes.

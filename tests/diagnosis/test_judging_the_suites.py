@@ -14,8 +14,8 @@ import pytest
 from msgspec import structs
 
 from pkmodes import updating
-from pkmodes.diagnosis.verdict.findings import Finding
-from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.loop.diagnosis.verdict.findings import Finding
+from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes_rig.laboratory import Laboratory
 from pkmodes_rig.measurements import Identified
 from pkmodes_rig.robots import ROBOTS, read

@@ -10,11 +10,11 @@ from scipy import optimize, stats
 
 from helpers.diagnoses.frame_diagnoses import SIX, TWO, checked, drawn
 from helpers.robots.small_structures import SIGMA, each, frame, of_signatures, with_changes
-from pkmodes.diagnosis import MatrixStructure, Measurements, Parameter, diagnose
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Hypothesis
-from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.search.limits import bounds
+from pkmodes.loop.diagnosis import MatrixStructure, Measurements, Parameter, diagnose
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.loop.diagnosis.fit.store import FitStore
+from pkmodes.loop.diagnosis.search.limits import bounds
 
 #: Rise of chi2 at a one-sided limit at 95 %.
 RISE = stats.norm.ppf(0.95) ** 2

@@ -8,7 +8,7 @@ import pytest
 
 from helpers.diagnoses.frame_diagnoses import SIX, TWO, causes, checked, drawn
 from helpers.robots.small_structures import altered, frame, frame_matrices
-from pkmodes.diagnosis import Candidate, MatrixStructure, Parameter
+from pkmodes.loop.diagnosis import Candidate, MatrixStructure, Parameter
 
 
 def test_one_setup_is_enough_for_a_large_cause() -> None:

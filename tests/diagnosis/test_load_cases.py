@@ -15,11 +15,11 @@ from pkmodes import Robot, read_robot, updating
 from pkmodes.cli import run
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.system.evaluation import ExtendedSystem
-from pkmodes.diagnosis import Measurements, Prediction
-from pkmodes.sensitivity.paths import resolve
-from pkmodes.updating.candidates import suspects
-from pkmodes.updating.predictions import Moves, derived, solved_together
-from pkmodes.updating.robot_structure import RobotStructure
+from pkmodes.loop.diagnosis import Measurements, Prediction
+from pkmodes.loop.sensitivity.paths import resolve
+from pkmodes.loop.updating.candidates import suspects
+from pkmodes.loop.updating.predictions import Moves, derived, solved_together
+from pkmodes.loop.updating.robot_structure import RobotStructure
 from pkmodes_rig.robots import POSES, read
 
 COREXY = Path(__file__).parents[2] / "robots" / "corexy-printer.toml"

@@ -8,10 +8,10 @@ from scipy.optimize import lsq_linear
 
 from helpers.diagnoses.robot_structures import declared, index, suspected
 from helpers.robots.small_structures import SIGMA, LogLinear, each, log_linear, logs_measured
-from pkmodes.diagnosis import Parameter
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Hypothesis
-from pkmodes.diagnosis.fit.solver import bounded_least_squares
+from pkmodes.loop.diagnosis import Parameter
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.loop.diagnosis.fit.solver import bounded_least_squares
 from pkmodes_rig.robots import POSES, ROBOTS, read
 
 SETUPS, MODES = 8, 5

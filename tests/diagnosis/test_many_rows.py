@@ -10,10 +10,10 @@ import pytest
 
 from helpers.robots.robot_text import PUBLISHED
 from pkmodes import PkmodesError, load, updating
-from pkmodes.diagnosis import Measurements
-from pkmodes.diagnosis.criteria import Criteria
-from pkmodes.diagnosis.match.pairing import neighbours
-from pkmodes.diagnosis.match.shape_errors import shape_errors
+from pkmodes.loop.diagnosis import Measurements
+from pkmodes.loop.diagnosis.criteria import Criteria
+from pkmodes.loop.diagnosis.match.pairing import neighbours
+from pkmodes.loop.diagnosis.match.shape_errors import shape_errors
 
 #: Far below what any sensor can do, so that `shape_errors` replaces it.
 TOO_GOOD = 1e-9

@@ -10,8 +10,8 @@ from scipy import linalg, sparse
 
 from helpers.robots.small_structures import mixture
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.diagnosis import MatrixStructure, Parameter
-from pkmodes.diagnosis.matrices import at_measured
+from pkmodes.loop.diagnosis import MatrixStructure, Parameter
+from pkmodes.loop.diagnosis.matrices import at_measured
 
 
 def test_a_coordinate_without_mass_follows_the_others() -> None:

@@ -10,9 +10,9 @@ from scipy import stats
 
 from helpers.diagnoses.robot_structures import declared
 from helpers.robots.small_structures import LOADS, frame
-from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter, compare
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.loop.diagnosis import Candidate, MatrixStructure, Measurements, Parameter, compare
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
 
 MASS, STIFFNESS, STOREYS = 20.0, 4.0e5, 4
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.diagnosis import Candidate, MatrixStructure, Parameter
+from pkmodes.loop.diagnosis import Candidate, MatrixStructure, Parameter
 
 
 def build(**changes: Any) -> MatrixStructure:

@@ -10,11 +10,11 @@ import pytest
 
 from helpers.robots.small_structures import SIGMA, each, of_signatures, with_changes
 from pkmodes.core.mechanism import registry
-from pkmodes.diagnosis import Candidate, Diagnosis, Parameter, diagnose
-from pkmodes.diagnosis.verdict import naming
-from pkmodes.diagnosis.verdict.findings import Finding, Member
-from pkmodes.diagnosis.verdict.possible import member, possible
-from pkmodes.updating.kinds import KINDS, with_kinds
+from pkmodes.loop.diagnosis import Candidate, Diagnosis, Parameter, diagnose
+from pkmodes.loop.diagnosis.verdict import naming
+from pkmodes.loop.diagnosis.verdict.findings import Finding, Member
+from pkmodes.loop.diagnosis.verdict.possible import member, possible
+from pkmodes.loop.updating.kinds import KINDS, with_kinds
 
 SERIES = "a compliance in series with the belt"
 ABOUT = {

@@ -19,12 +19,12 @@ from helpers.robots.small_structures import (
     of_signatures,
     with_changes,
 )
-from pkmodes.diagnosis import Candidate, Diagnosis, Measurements, diagnose
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.search.search import Search
-from pkmodes.diagnosis.verdict.stability import trials
-from pkmodes.updating.candidates import suspects
+from pkmodes.loop.diagnosis import Candidate, Diagnosis, Measurements, diagnose
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.store import FitStore
+from pkmodes.loop.diagnosis.search.search import Search
+from pkmodes.loop.diagnosis.verdict.stability import trials
+from pkmodes.loop.updating.candidates import suspects
 from pkmodes_rig.robots import read
 
 SETUPS, MODES = 10, 5

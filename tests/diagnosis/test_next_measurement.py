@@ -11,9 +11,9 @@ import pkmodes
 from helpers.diagnoses.frame_diagnoses import checked
 from helpers.robots.one_of_each import EVERY, POSES, ROBOTS
 from helpers.robots.small_structures import SIGMA, LogLinear, errors, of_signatures, with_changes
-from pkmodes.diagnosis import Diagnosis, Measurements
-from pkmodes.updating.load_cases import LoadCase, LoadCases
-from pkmodes.updating.robot_structure import RobotStructure
+from pkmodes.loop.diagnosis import Diagnosis, Measurements
+from pkmodes.loop.updating.load_cases import LoadCase, LoadCases
+from pkmodes.loop.updating.robot_structure import RobotStructure
 
 #: Modes of each of three setups; causes a and b differ by two standard deviations there, and n moves nothing.
 MODES = 4

@@ -24,10 +24,10 @@ from helpers.robots.small_structures import (
     some_rows,
     with_changes,
 )
-from pkmodes.diagnosis import Diagnosis, MatrixStructure, Measurements, Parameter, compare, diagnose
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Hypothesis
-from pkmodes.diagnosis.search.unmeasured import p_unmeasured, seen
+from pkmodes.loop.diagnosis import Diagnosis, MatrixStructure, Measurements, Parameter, compare, diagnose
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.loop.diagnosis.search.unmeasured import p_unmeasured, seen
 
 FLOORS = [f"floor {i}" for i in range(1, 5)]
 LOADS = {f"{load:g} kg": load for load in (0.0, 2.0, 4.0, 6.0, 8.0)}
@@ -97,7 +97,7 @@ def test_a_wrong_unit_in_the_header_is_recognised_from_the_numbers() -> None:
         assert f"write frequency [{is_in}]" in found.reason
     assert notes(replace(data, unit="Hz")).verdict == "adequate"
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("pkmodes.diagnosis.readings.units.ENOUGH", 2)  # of the setups tell the unit of all
+        patch.setattr("pkmodes.loop.diagnosis.readings.units.ENOUGH", 2)  # of the setups tell the unit of all
         assert "write frequency [Hz]" in notes(changed).reason
         assert notes(data).verdict == "adequate"
 

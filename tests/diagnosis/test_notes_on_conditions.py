@@ -12,7 +12,7 @@ import pytest
 import pkmodes
 from helpers.robots.small_structures import some_rows
 from pkmodes import updating
-from pkmodes.diagnosis import Diagnosis, Measurements
+from pkmodes.loop.diagnosis import Diagnosis, Measurements
 
 ROBOT = Path(__file__).parents[2] / "robots" / "corexy-printer.toml"
 PLACES = [[0.05, 0.05], [0.15, 0.20], [0.25, 0.10], [0.10, 0.28], [0.28, 0.27]]

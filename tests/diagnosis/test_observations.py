@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 from scipy import stats
 from scipy.linalg import eigh
 
-from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter, Prediction, diagnose
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Hypothesis
-from pkmodes.diagnosis.fit.observations import QUANTITIES, ObservationInput
-from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.match.pairing import Pairing, tiled
+from pkmodes.loop.diagnosis import Candidate, MatrixStructure, Measurements, Parameter, Prediction, diagnose
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.loop.diagnosis.fit.observations import QUANTITIES, ObservationInput
+from pkmodes.loop.diagnosis.fit.store import FitStore
+from pkmodes.loop.diagnosis.match.pairing import Pairing, tiled
 
 SIGMA, RESIDUE_SIGMA = 1e-3, 0.02
 #: Stiffness of the lower storey by setup, and the true size of the structure relative to the declared one.

@@ -14,7 +14,7 @@ import pytest
 
 from helpers.golden.case_book import frozen
 from pkmodes import updating
-from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes_rig.robots import read
 from pkmodes_rig.suites.cases import Case, measured
 from pkmodes_rig.suites.judging import CaseOutcome, run

@@ -8,7 +8,7 @@ from __future__ import annotations
 import pytest
 
 from helpers.golden.case_book import frozen
-from pkmodes.updating.candidates import suspects
+from pkmodes.loop.updating.candidates import suspects
 from pkmodes_rig.suites.mechanism_cases import MechanismCase, MechanismOutcome, run
 from pkmodes_rig.suites.mechanism_sizes import SIZES
 from pkmodes_rig.suites.mechanism_suites import OUTSIDE, SUITES, WRONG, cases

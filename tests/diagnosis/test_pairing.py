@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.diagnosis import Measurements, Prediction
-from pkmodes.diagnosis.match.pairing import Pairer, Pairing
-from pkmodes.support.mac import ALIKE, explained_difference, space
+from pkmodes.core.support.mac import ALIKE, explained_difference, space
+from pkmodes.loop.diagnosis import Measurements, Prediction
+from pkmodes.loop.diagnosis.match.pairing import Pairer, Pairing
 
 CHANNELS = ("a", "b", "c", "d", "e")
 

@@ -13,11 +13,11 @@ import pytest
 from scipy import stats
 
 from helpers.robots.small_structures import SIGMA, directions, logs_measured, of_signatures
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Hypothesis
-from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.search.search import Search
-from pkmodes.diagnosis.verdict.specificity import DRAWS, Plausible, p_coincidence
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.loop.diagnosis.fit.store import FitStore
+from pkmodes.loop.diagnosis.search.search import Search
+from pkmodes.loop.diagnosis.verdict.specificity import DRAWS, Plausible, p_coincidence
 
 SETUPS, MODES = 10, 5
 DIRECTIONS = directions(SETUPS * MODES, 12)

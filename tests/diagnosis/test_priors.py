@@ -19,16 +19,16 @@ from helpers.robots.small_structures import (
 )
 from pkmodes import read_robot
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.diagnosis import Candidate, Measurements, Parameter, diagnose
-from pkmodes.diagnosis.criteria import Criteria
-from pkmodes.diagnosis.damping.fit import LossFitter
-from pkmodes.diagnosis.damping.observations import DampingObservations
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
-from pkmodes.diagnosis.fit.priors import Priors
-from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.problem import Loss
-from pkmodes.updating.measured_robot import MeasuredRobot
+from pkmodes.loop.diagnosis import Candidate, Measurements, Parameter, diagnose
+from pkmodes.loop.diagnosis.criteria import Criteria
+from pkmodes.loop.diagnosis.damping.fit import LossFitter
+from pkmodes.loop.diagnosis.damping.observations import DampingObservations
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis
+from pkmodes.loop.diagnosis.fit.priors import Priors
+from pkmodes.loop.diagnosis.fit.store import FitStore
+from pkmodes.loop.diagnosis.problem import Loss
+from pkmodes.loop.updating.measured_robot import MeasuredRobot
 
 
 def structure(sigma: tuple[float, ...] | None, *, seed: int = 3, log: bool = False) -> LogLinear:

@@ -21,17 +21,17 @@ from helpers.robots.small_structures import (
     of_signatures,
     with_changes,
 )
-from pkmodes.diagnosis import Candidate, Diagnosis, Measurements, Parameter, diagnose
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Hypothesis
-from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.posterior import marginal, outside
-from pkmodes.diagnosis.posterior import probabilities as posterior
-from pkmodes.diagnosis.posterior.document import ClassProbability, PairProbability, Probabilities
-from pkmodes.diagnosis.posterior.linearised import Linearised, linearised
-from pkmodes.diagnosis.posterior.probabilities import ACCEPTED, NONE, REFUSED, _beside
-from pkmodes.diagnosis.search.search import Search
-from pkmodes.diagnosis.verdict import builder
+from pkmodes.loop.diagnosis import Candidate, Diagnosis, Measurements, Parameter, diagnose
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.loop.diagnosis.fit.store import FitStore
+from pkmodes.loop.diagnosis.posterior import marginal, outside
+from pkmodes.loop.diagnosis.posterior import probabilities as posterior
+from pkmodes.loop.diagnosis.posterior.document import ClassProbability, PairProbability, Probabilities
+from pkmodes.loop.diagnosis.posterior.linearised import Linearised, linearised
+from pkmodes.loop.diagnosis.posterior.probabilities import ACCEPTED, NONE, REFUSED, _beside
+from pkmodes.loop.diagnosis.search.search import Search
+from pkmodes.loop.diagnosis.verdict import builder
 
 SETUPS, MODES = 10, 5
 ROWS = SETUPS * MODES

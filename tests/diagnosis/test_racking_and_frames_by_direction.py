@@ -12,7 +12,7 @@ import pkmodes
 from pkmodes import updating
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.robot.robot import Robot
-from pkmodes.updating.candidates import suspects
+from pkmodes.loop.updating.candidates import suspects
 from pkmodes_rig import corexy, drawn_values, identified, written
 from pkmodes_rig.suites.clear_cases import ClearCase, run
 from pkmodes_rig.suites.specimens import KINDS, ROBOTS, SIGMA, measurements_of

@@ -9,12 +9,12 @@ import pytest
 
 from helpers.diagnoses.diagnose_command import measured
 from pkmodes import updating
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.readings import table
-from pkmodes.diagnosis.readings.comparison import Apart, differences
-from pkmodes.diagnosis.readings.table import READINGS, Reading
-from pkmodes.diagnosis.verdict import rules
-from pkmodes.measured.measurements import Measurements
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.readings import table
+from pkmodes.loop.diagnosis.readings.comparison import Apart, differences
+from pkmodes.loop.diagnosis.readings.table import READINGS, Reading
+from pkmodes.loop.diagnosis.verdict import rules
+from pkmodes.loop.measured.measurements import Measurements
 from pkmodes_rig.robots import read
 from pkmodes_rig.suites.specimens import measurements
 

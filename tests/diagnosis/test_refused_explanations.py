@@ -7,9 +7,9 @@ from typing import Any
 
 import pytest
 
-from pkmodes.diagnosis.posterior import probabilities
-from pkmodes.diagnosis.posterior.document import ClassProbability, PairProbability, Probabilities
-from pkmodes.diagnosis.verdict import rules
+from pkmodes.loop.diagnosis.posterior import probabilities
+from pkmodes.loop.diagnosis.posterior.document import ClassProbability, PairProbability, Probabilities
+from pkmodes.loop.diagnosis.verdict import rules
 from pkmodes_rig.suites import hard_suites, judging, refused
 from pkmodes_rig.suites.cases import Case
 from pkmodes_rig.suites.refused import Members

@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pkmodes.diagnosis.verdict.findings import Finding, Value
-from pkmodes.diagnosis.verdict.relative import relative_to_mean
+from pkmodes.loop.diagnosis.verdict.findings import Finding, Value
+from pkmodes.loop.diagnosis.verdict.relative import relative_to_mean
 
 SHARED = 0.06
 

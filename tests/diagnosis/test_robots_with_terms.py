@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from helpers.diagnoses.robot_structures import declared, index, structure_at
-from pkmodes.diagnosis import Prediction
-from pkmodes.updating.robot_with_terms import ExtensibleRobot, RobotWithTerms
+from pkmodes.loop.diagnosis import Prediction
+from pkmodes.loop.updating.robot_with_terms import ExtensibleRobot, RobotWithTerms
 from pkmodes_rig.one_place import Fault, modes_of
 from pkmodes_rig.suites.specimens import MACHINES, robot_of
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from pkmodes import read_robot, updating
-from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.measured.measurements import Measurements
+from pkmodes.loop.diagnosis.verdict.result import Diagnosis
+from pkmodes.loop.measured.measurements import Measurements
 from pkmodes_rig import POSES, read, true_modes
 
 POINTS, MODES = POSES["published"]["scattered"][:7], 5

@@ -11,11 +11,11 @@ import pytest
 
 from helpers.diagnoses.diagnose_command import PUBLISHED, WIND_UP, diagnosed, measured
 from helpers.golden.outcomes import GOLDEN
-from pkmodes.diagnosis.beyond.rules import BEYOND
-from pkmodes.diagnosis.damping.rules import LOSSES
-from pkmodes.diagnosis.verdict import rules, unexplained
-from pkmodes.diagnosis.verdict.evidence import Evidence, Rule
-from pkmodes.diagnosis.verdict.verdicts import AMBIGUOUS
+from pkmodes.loop.diagnosis.beyond.rules import BEYOND
+from pkmodes.loop.diagnosis.damping.rules import LOSSES
+from pkmodes.loop.diagnosis.verdict import rules, unexplained
+from pkmodes.loop.diagnosis.verdict.evidence import Evidence, Rule
+from pkmodes.loop.diagnosis.verdict.verdicts import AMBIGUOUS
 from pkmodes_rig.suites.deciding import SUITES, counts, name_of, read
 
 ROOT = Path(__file__).parents[2]

@@ -14,9 +14,9 @@ import pytest
 
 from pkmodes import read_robot, updating
 from pkmodes.core.robot.robot import Robot
-from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.measured.measurements import Measurements
-from pkmodes.support.covariance import priors_of
+from pkmodes.core.support.covariance import priors_of
+from pkmodes.loop.diagnosis.verdict.result import Diagnosis
+from pkmodes.loop.measured.measurements import Measurements
 from pkmodes_rig.suites import clear_cases, six_legged_suites
 from pkmodes_rig.suites.deciding import SUITES
 from pkmodes_rig.suites.specimens import MACHINES, text_of

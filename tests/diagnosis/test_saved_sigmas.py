@@ -14,7 +14,7 @@ import pkmodes
 from helpers.diagnoses.diagnose_command import call
 from pkmodes import updating
 from pkmodes.core.robot.robot import Robot
-from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes_rig import POSES, ROBOTS, identified, written
 from pkmodes_rig.suites.specimens import Specimen
 

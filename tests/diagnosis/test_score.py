@@ -7,10 +7,10 @@ import pytest
 from scipy import stats
 
 from helpers.robots.small_structures import LogLinear, log_linear, logs_measured
-from pkmodes.diagnosis import Candidate, Parameter
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
-from pkmodes.diagnosis.search.score import Scores, score
+from pkmodes.loop.diagnosis import Candidate, Parameter
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis
+from pkmodes.loop.diagnosis.search.score import Scores, score
 
 SIGMA = 0.002
 #: Steps of candidates that change frequencies by a few standard deviations.
@@ -213,7 +213,7 @@ def test_p_values_that_no_draw_reaches_are_small_but_not_zero() -> None:
 
 def calibrated(monkeypatch: pytest.MonkeyPatch, draws: int) -> tuple[np.ndarray, np.ndarray]:
     """p-values of the best candidate among 14 correlated ones, and the smallest alone, under the hypothesis."""
-    monkeypatch.setattr("pkmodes.diagnosis.search.score.DRAWS", 4000)
+    monkeypatch.setattr("pkmodes.loop.diagnosis.search.score.DRAWS", 4000)
     names = {f"one{i}": (1, 0.0) for i in range(7)} | {f"two{i}": (1, -np.inf) for i in range(6)}
     model = structure(10, names | {"three": (3, -np.inf)})
     # A part that all have in common correlates them by a third, two by nine tenths.

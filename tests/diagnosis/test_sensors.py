@@ -10,7 +10,7 @@ from scipy import sparse
 
 from helpers.robots.small_structures import in_a_row
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.diagnosis import MatrixStructure, Parameter
+from pkmodes.loop.diagnosis import MatrixStructure, Parameter
 
 FOUR = ["a", "b", "c", "d"]
 

@@ -15,7 +15,7 @@ from helpers.robots.small_structures import (
     some_rows,
 )
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.diagnosis import MatrixStructure, compare, diagnose, update
+from pkmodes.loop.diagnosis import MatrixStructure, compare, diagnose, update
 
 
 def test_the_order_of_setups_is_that_of_the_labels_not_of_the_rows() -> None:

@@ -8,7 +8,7 @@ import pytest
 
 from helpers.diagnoses.frame_diagnoses import CANDIDATES, SIX, TWO, causes, checked, drawn
 from helpers.robots.small_structures import altered, each, frame, frame_derivatives, frame_matrices
-from pkmodes.diagnosis import Candidate, MatrixStructure, Parameter
+from pkmodes.loop.diagnosis import Candidate, MatrixStructure, Parameter
 
 
 def test_two_causes_are_found_together() -> None:

@@ -10,9 +10,9 @@ import pytest
 from scipy import sparse
 
 from helpers.robots.small_structures import mixture
-from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.loop.diagnosis import Candidate, MatrixStructure, Measurements, Parameter
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
 
 
 def every(structure: MatrixStructure, values: np.ndarray, by: Sequence[int]) -> np.ndarray:

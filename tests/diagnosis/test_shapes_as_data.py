@@ -12,13 +12,13 @@ from scipy.linalg import eigh
 import pkmodes
 from helpers.diagnoses.robot_structures import declared, index, suspected
 from helpers.robots.small_structures import columns, each, in_a_row, normalised
-from pkmodes.diagnosis import MatrixStructure, Measurements, Parameter, Prediction, diagnose
-from pkmodes.diagnosis.criteria import Criteria
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Hypothesis
-from pkmodes.diagnosis.fit.shapes import ShapeRows
-from pkmodes.diagnosis.match.pairing import Pairing
-from pkmodes.updating.channels import channels
+from pkmodes.loop.diagnosis import MatrixStructure, Measurements, Parameter, Prediction, diagnose
+from pkmodes.loop.diagnosis.criteria import Criteria
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.loop.diagnosis.fit.shapes import ShapeRows
+from pkmodes.loop.diagnosis.match.pairing import Pairing
+from pkmodes.loop.updating.channels import channels
 from pkmodes_rig.robots import POSES, read
 
 CRITERIA = Criteria()

@@ -11,7 +11,7 @@ from dataclasses import replace
 import pytest
 
 from pkmodes import updating
-from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes_rig.suites import clear_cases, six_legged_suites
 from pkmodes_rig.suites.clear_cases import ClearCase
 from pkmodes_rig.suites.judging import judged, same_of

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from helpers.robots.small_structures import LOADS, STIFFNESS, frame, frame_measured
-from pkmodes.diagnosis import Measurements, diagnose
-from pkmodes.diagnosis.verdict import stability
+from pkmodes.loop.diagnosis import Measurements, diagnose
+from pkmodes.loop.diagnosis.verdict import stability
 
 
 @pytest.fixture(scope="module")

@@ -13,12 +13,12 @@ import pytest
 from scipy.linalg import eigh
 
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.diagnosis import Candidate, Diagnosis, MatrixStructure, Measurements, Parameter, diagnose
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Hypothesis
-from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.states.result import Change
-from pkmodes.diagnosis.states.shared_errors import (
+from pkmodes.loop.diagnosis import Candidate, Diagnosis, MatrixStructure, Measurements, Parameter, diagnose
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.loop.diagnosis.fit.store import FitStore
+from pkmodes.loop.diagnosis.states.result import Change
+from pkmodes.loop.diagnosis.states.shared_errors import (
     ANY,
     UNKNOWN,
     FittedValues,
@@ -26,7 +26,7 @@ from pkmodes.diagnosis.states.shared_errors import (
     less_certain,
     shared_errors,
 )
-from pkmodes.diagnosis.states.words import between
+from pkmodes.loop.diagnosis.states.words import between
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 #: Relative errors of frequencies.

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy import linalg, sparse
 
-from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter, diagnose
+from pkmodes.loop.diagnosis import Candidate, MatrixStructure, Measurements, Parameter, diagnose
 
 FORMS: dict[str, Callable[[Any], Any]] = {
     "array": lambda matrix: matrix.toarray(),

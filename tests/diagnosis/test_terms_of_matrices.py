@@ -9,9 +9,9 @@ from scipy.linalg import eigh
 
 from helpers.diagnoses.chains import chain
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.diagnosis import Candidate, MatrixStructure, Parameter
-from pkmodes.diagnosis.matrices import at_measured
-from pkmodes.diagnosis.problem import Extensible
+from pkmodes.loop.diagnosis import Candidate, MatrixStructure, Parameter
+from pkmodes.loop.diagnosis.matrices import at_measured
+from pkmodes.loop.diagnosis.problem import Extensible
 
 NAMES = ("a", "b", "c")
 

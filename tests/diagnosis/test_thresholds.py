@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.diagnosis import Criteria
-from pkmodes.diagnosis.criteria import ShapeCriteria
+from pkmodes.loop.diagnosis import Criteria
+from pkmodes.loop.diagnosis.criteria import ShapeCriteria
 from pkmodes_rig.suites.shadows import Shadowed
 from pkmodes_rig.suites.thresholds import defaults, differs, limited, numbers, scaled
 

@@ -9,12 +9,12 @@ import pytest
 
 from helpers.diagnoses.robot_structures import declared
 from helpers.robots.small_structures import LOADS, STIFFNESS, altered, frame, frame_matrices, frame_measured
-from pkmodes.diagnosis import Criteria, MatrixStructure, Measurements, diagnose, update
-from pkmodes.diagnosis.criteria import FitCriteria
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Hypothesis
-from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.verdict.unevaluated import unevaluated
+from pkmodes.loop.diagnosis import Criteria, MatrixStructure, Measurements, diagnose, update
+from pkmodes.loop.diagnosis.criteria import FitCriteria
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.loop.diagnosis.fit.store import FitStore
+from pkmodes.loop.diagnosis.verdict.unevaluated import unevaluated
 
 
 def walled(wall: Callable[[Mapping[str, float]], bool]) -> MatrixStructure:

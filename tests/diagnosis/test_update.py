@@ -9,7 +9,7 @@ import pytest
 
 from helpers.robots.small_structures import SIGMA, LogLinear, each, ladder, logs_measured
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.diagnosis import Measurements, Parameter, update
+from pkmodes.loop.diagnosis import Measurements, Parameter, update
 
 COUNT = 12
 

@@ -24,14 +24,14 @@ from helpers.robots.small_structures import (
     of_signatures,
     with_changes,
 )
-from pkmodes.diagnosis import Candidate, Diagnosis, Measurements, Parameter, diagnose
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Hypothesis
-from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.problem import Structure
-from pkmodes.diagnosis.verdict import limits
-from pkmodes.diagnosis.verdict.all_setups import AllSetups
-from pkmodes.diagnosis.verdict.builder import DiagnosisBuilder
+from pkmodes.loop.diagnosis import Candidate, Diagnosis, Measurements, Parameter, diagnose
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.loop.diagnosis.fit.store import FitStore
+from pkmodes.loop.diagnosis.problem import Structure
+from pkmodes.loop.diagnosis.verdict import limits
+from pkmodes.loop.diagnosis.verdict.all_setups import AllSetups
+from pkmodes.loop.diagnosis.verdict.builder import DiagnosisBuilder
 
 SETUPS, MODES = 10, 5
 DIRECTIONS = directions(SETUPS * MODES, 2)

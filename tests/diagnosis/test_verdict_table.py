@@ -17,9 +17,9 @@ from helpers.pages.report_examples import made_up
 from helpers.runs.shared import Shared
 from pkmodes import updating
 from pkmodes.cli import cli, run
-from pkmodes.diagnosis.verdict import document, findings, verdicts
-from pkmodes.diagnosis.verdict.verdicts import NOT_MEASURED, VERDICTS, Colour, Verdict, Word
-from pkmodes.support.documents import schema_of
+from pkmodes.core.support.documents import schema_of
+from pkmodes.loop.diagnosis.verdict import document, findings, verdicts
+from pkmodes.loop.diagnosis.verdict.verdicts import NOT_MEASURED, VERDICTS, Colour, Verdict, Word
 
 ROOT = Path(__file__).parents[2]
 DIAGNOSE = [
@@ -109,7 +109,7 @@ def test_only_an_adequate_model_passes_and_only_a_settled_one_is_saved() -> None
 
 
 def test_every_colour_is_one_of_the_page() -> None:
-    style = (ROOT / "src/pkmodes/report/templates/style.css").read_text(encoding="utf-8")
+    style = (ROOT / "src/pkmodes/pages/report/templates/style.css").read_text(encoding="utf-8")
     assert {verdict.colour for verdict in VERDICTS.values()} <= {*get_args(Colour)}
     for colour in get_args(Colour):
         assert len(re.findall(rf"--{colour}: #\w+;", style)) == 2, "light and dark"

@@ -20,7 +20,7 @@ from helpers.robots.small_structures import (
     uncertain,
     with_changes,
 )
-from pkmodes.diagnosis import Measurements
+from pkmodes.loop.diagnosis import Measurements
 
 
 def test_nothing_is_missing() -> None:

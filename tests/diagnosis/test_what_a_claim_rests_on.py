@@ -24,15 +24,15 @@ from helpers.robots.small_structures import (
     relative_modes,
     with_changes,
 )
-from pkmodes.diagnosis import Diagnosis, MatrixStructure, Measurements, Parameter, diagnose
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Hypothesis
-from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.search.search import Search
-from pkmodes.diagnosis.verdict import reasons
-from pkmodes.diagnosis.verdict.held_out import held_out_remarks
-from pkmodes.diagnosis.verdict.rows import Error
-from pkmodes.diagnosis.verdict.values import p_absent
+from pkmodes.loop.diagnosis import Diagnosis, MatrixStructure, Measurements, Parameter, diagnose
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.loop.diagnosis.fit.store import FitStore
+from pkmodes.loop.diagnosis.search.search import Search
+from pkmodes.loop.diagnosis.verdict import reasons
+from pkmodes.loop.diagnosis.verdict.held_out import held_out_remarks
+from pkmodes.loop.diagnosis.verdict.rows import Error
+from pkmodes.loop.diagnosis.verdict.values import p_absent
 
 SETUPS, MODES = 10, 5
 

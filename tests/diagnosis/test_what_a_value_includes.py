@@ -16,8 +16,8 @@ from helpers.diagnoses.diagnose_command import call
 from helpers.references.bed_slinger_by_hand import ROBOT, Frame, frequencies, measured
 from pkmodes import Model, read_robot, updating
 from pkmodes.core.robot.robot import Robot
-from pkmodes.diagnosis.verdict.findings import Corrected, Unseen, why_larger
-from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.loop.diagnosis.verdict.findings import Corrected, Unseen, why_larger
+from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 
 POSES = [tuple(pose) for pose in np.random.default_rng(42).uniform(0.01, 0.22, (12, 2)).round(4)]
 FACTORS = [f"effects.axis_belt_stiffness.factor_{k}" for k in (1, 2)]

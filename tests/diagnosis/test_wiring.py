@@ -15,16 +15,16 @@ import numpy as np
 import pytest
 
 from pkmodes import updating
-from pkmodes.diagnosis.diagnose import diagnose
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
-from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.one_state import split
-from pkmodes.diagnosis.readings.misfits import WiringMisfit
-from pkmodes.diagnosis.readings.wiring import certain_wiring, other_wiring, rewired
-from pkmodes.diagnosis.readings.wirings import Wiring
-from pkmodes.measured.measurements import Measurements
-from pkmodes.updating.measured_robot import MeasuredRobot
+from pkmodes.loop.diagnosis.diagnose import diagnose
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis
+from pkmodes.loop.diagnosis.fit.store import FitStore
+from pkmodes.loop.diagnosis.one_state import split
+from pkmodes.loop.diagnosis.readings.misfits import WiringMisfit
+from pkmodes.loop.diagnosis.readings.wiring import certain_wiring, other_wiring, rewired
+from pkmodes.loop.diagnosis.readings.wirings import Wiring
+from pkmodes.loop.measured.measurements import Measurements
+from pkmodes.loop.updating.measured_robot import MeasuredRobot
 from pkmodes_rig import ORDERS, POSES, SENSORS, followed, measure_modes, read
 from pkmodes_rig.suites.cases import tried
 from pkmodes_rig.suites.hard_suites import UNDECIDED

@@ -14,7 +14,7 @@ import pytest
 from helpers.commands.answers import printed
 from helpers.commands.printed_tables import printed_table
 from pkmodes import updating
-from pkmodes.diagnosis import Diagnosis
+from pkmodes.loop.diagnosis import Diagnosis
 from pkmodes_rig import MISTAKES
 from pkmodes_rig.suites.mechanism_cases import MechanismCase, measured
 from pkmodes_rig.suites.motors import OTHER_DRIVES

@@ -14,7 +14,7 @@ from helpers.robots.robot_text import edited, published
 from helpers.robots.sensitivity_cases import moving
 from pkmodes.core.robot.reading import robot_from_document
 from pkmodes.core.robot.robot import Robot
-from pkmodes.sensitivity.paths import moved, paths, resolve
+from pkmodes.loop.sensitivity.paths import moved, paths, resolve
 from pkmodes_generated.linear_delta import Parameters
 
 POSE = [0.6, 0.03, -0.245]

@@ -8,8 +8,8 @@ import pytest
 import pkmodes
 from helpers.references.sensitivity_references import AHEAD, eigenvalues
 from helpers.robots.sensitivity_cases import CROSSING, assert_small, case
-from pkmodes.sensitivity.paths import moved
-from pkmodes.sensitivity.sensitivities import TOGETHER
+from pkmodes.loop.sensitivity.paths import moved
+from pkmodes.loop.sensitivity.sensitivities import TOGETHER
 
 
 @pytest.mark.parametrize("name", CROSSING)

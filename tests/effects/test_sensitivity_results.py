@@ -9,7 +9,7 @@ import pkmodes
 from helpers.references.sensitivity_references import robot_of
 from helpers.robots.sample_robots import published
 from helpers.robots.sensitivity_cases import GENERIC, case
-from pkmodes.sensitivity.sensitivities import Sensitivities
+from pkmodes.loop.sensitivity.sensitivities import Sensitivities
 
 
 def same(a: Sensitivities, b: Sensitivities, i: object, j: object) -> None:

@@ -20,8 +20,8 @@ from helpers.references.sensitivity_references import (
     is_locked,
 )
 from helpers.robots.sensitivity_cases import CASES, Array, Case, assert_small, case, system_of
-from pkmodes.sensitivity.matrices import MatrixDerivatives
-from pkmodes.sensitivity.paths import ParameterPath, moved, resolve
+from pkmodes.loop.sensitivity.matrices import MatrixDerivatives
+from pkmodes.loop.sensitivity.paths import ParameterPath, moved, resolve
 
 
 def assert_matrices(case: Case, i: int, t: slice, expected: Rates, relative: float, rounding: Array) -> None:

@@ -13,9 +13,9 @@ from helpers.diagnoses.robot_structures import declared, index, suspected
 from helpers.robots.robot_text import PUBLISHED, edited
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.robot.units import Quantity
-from pkmodes.sensitivity.paths import moved, resolve
-from pkmodes.updating.candidates import suspects
-from pkmodes.updating.robot_structure import RobotStructure
+from pkmodes.loop.sensitivity.paths import moved, resolve
+from pkmodes.loop.updating.candidates import suspects
+from pkmodes.loop.updating.robot_structure import RobotStructure
 from pkmodes_rig.engine import true_modes
 from pkmodes_rig.robots import POSES, ROBOTS, read
 

@@ -11,11 +11,11 @@ from PIL import Image
 
 import pkmodes
 from pkmodes.cli import run
-from pkmodes.plots import animation as module
-from pkmodes.plots.animation import FRAMES, animation
-from pkmodes.plots.style import VERMILLION
-from pkmodes.view import scene
-from pkmodes.view.projection import camera
+from pkmodes.pages.plots import animation as module
+from pkmodes.pages.plots.animation import FRAMES, animation
+from pkmodes.pages.plots.style import VERMILLION
+from pkmodes.pages.view import scene
+from pkmodes.pages.view.projection import camera
 
 POSES = {
     "linear-delta-2022": "0.6,0,-0.245",

@@ -14,8 +14,8 @@ from PIL import Image
 
 import pkmodes
 from pkmodes.cli import run
-from pkmodes.figures.files import write_pictures
-from pkmodes.figures.pictures import PICTURES, pictures
+from pkmodes.pages.figures.files import write_pictures
+from pkmodes.pages.figures.pictures import PICTURES, pictures
 
 NAMES = ["workspace", "frequencies", "directions", "components", "influence", "dominant", "mac"]
 #: What only this figure says.
@@ -103,7 +103,7 @@ def test_figures_are_the_same_at_every_run(
 ) -> None:
     """As SVG all of them; as PNG and PDF, which could have the time in their metadata, the first."""
     again = written(tmp_path, "svg")
-    monkeypatch.setattr(import_module("pkmodes.figures.pictures"), "PICTURES", PICTURES[:1])
+    monkeypatch.setattr(import_module("pkmodes.pages.figures.pictures"), "PICTURES", PICTURES[:1])
     again |= written(tmp_path, "svg", "png", "pdf")
     assert (len(files), len(again)) == (3 * len(NAMES), len(NAMES) + 2)
     for name, content in again.items():

@@ -12,9 +12,9 @@ import pytest
 
 import pkmodes
 from pkmodes.cli import run
-from pkmodes.figures.pictures import PICTURES, PictureKind, RobotPlane, pictures
-from pkmodes.plots.drawing import Drawing
-from pkmodes.plots.sheet import Sheet
+from pkmodes.pages.figures.pictures import PICTURES, PictureKind, RobotPlane, pictures
+from pkmodes.pages.plots.drawing import Drawing
+from pkmodes.pages.plots.sheet import Sheet
 
 ROOT = Path(__file__).parents[2]
 SVG = {"svg": "http://www.w3.org/2000/svg", "dc": "http://purl.org/dc/elements/1.1/"}
@@ -41,7 +41,7 @@ def test_another_figure_is_an_entry_and_a_function(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     entry = PictureKind("torques", "Static torques", "What the motors hold at rest.", torques)
-    monkeypatch.setattr(import_module("pkmodes.figures.pictures"), "PICTURES", (PICTURES[2], entry))
+    monkeypatch.setattr(import_module("pkmodes.pages.figures.pictures"), "PICTURES", (PICTURES[2], entry))
     grid = "x=0.01:0.29:4,y=0.01:0.29:4"
     assert run(["figures", "robots/corexy-printer.toml", "--out", str(tmp_path), "--grid", grid]) == 0
     assert capsys.readouterr().out.split() == [str(tmp_path / f"{n}.svg") for n in ("directions", "torques")]
@@ -76,7 +76,7 @@ def test_a_robot_that_moves_in_a_plane_has_its_own_description_where_there_is_on
         PictureKind("one", "One", "In three dimensions.", lambda _: empty, planar="In a plane."),
         PictureKind("other", "Other", "Anywhere.", lambda _: empty),
     )
-    monkeypatch.setattr(import_module("pkmodes.figures.pictures"), "PICTURES", entries)
+    monkeypatch.setattr(import_module("pkmodes.pages.figures.pictures"), "PICTURES", entries)
     found = [picture.description for picture in pictures(pkmodes.load(ROOT / f"robots/{robot}.toml"), grid)]
     assert [text.partition(f" {robot}")[0] for text in found] == said
     assert all(at in text for text in found), found

@@ -7,7 +7,8 @@ import pytest
 import xarray
 
 import pkmodes
-from pkmodes.figures.quantities import (
+from pkmodes.machine.maps.summary import summary_of
+from pkmodes.pages.figures.quantities import (
     coarser,
     motors_of,
     points_of,
@@ -15,10 +16,9 @@ from pkmodes.figures.quantities import (
     smallest_mac,
     volume_of,
 )
-from pkmodes.figures.working_plane import working_plane
-from pkmodes.maps.summary import summary_of
-from pkmodes.plots.maps import extremes
-from pkmodes.plots.plane import Plane
+from pkmodes.pages.figures.working_plane import working_plane
+from pkmodes.pages.plots.maps import extremes
+from pkmodes.pages.plots.plane import Plane
 
 LINEAR = "robots/linear-delta-2022-identified.toml"
 GRID = {"x": np.linspace(0.3, 1.2, 13), "y": np.linspace(-0.12, 0.12, 7), "z": -0.245}

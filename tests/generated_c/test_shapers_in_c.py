@@ -1,4 +1,4 @@
-"""The shapers in the C of a robot: numbers of `pkmodes.shaping`, and commands that pass them."""
+"""The shapers in the C of a robot: numbers of `pkmodes.machine.shaping`, and commands that pass them."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ import pytest
 from helpers.generated.compiled import COMPILER
 from helpers.generated.held_robots import HeldRobot, build, library_of
 from helpers.runs.shared import Shared
-from pkmodes.response.moves import shaped_command
-from pkmodes.shaping import KINDS, residual, shaper
-from pkmodes.shaping.kinds import factors
+from pkmodes.machine.response.moves import shaped_command
+from pkmodes.machine.shaping import KINDS, residual, shaper
+from pkmodes.machine.shaping.kinds import factors
 from pkmodes_description.shapers import SHAPERS
 
 pytestmark = pytest.mark.compiler

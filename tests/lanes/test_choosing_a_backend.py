@@ -66,10 +66,10 @@ def test_without_a_library_numpy_compares_whatever_the_environment_asks_for(
     robot, measured = (ROOT / "examples/closed_loop" / name for name in ("robot.toml", "measured.csv"))
     declared = pkmodes.read_robot(robot)
     monkeypatch.setenv("PKMODES_BACKEND", "numpy")
-    expected = pkmodes.updating.compare(declared, pkmodes.updating.read(measured, robot=declared))
+    expected = pkmodes.loop.updating.compare(declared, pkmodes.loop.updating.read(measured, robot=declared))
     monkeypatch.setattr(build.shutil, "which", lambda name: None)
     monkeypatch.setenv("PKMODES_BACKEND", "compiled")
-    comparison = pkmodes.updating.compare(declared, pkmodes.updating.read(measured, robot=declared))
+    comparison = pkmodes.loop.updating.compare(declared, pkmodes.loop.updating.read(measured, robot=declared))
     assert comparison.chi2_per_dof == expected.chi2_per_dof
 
 

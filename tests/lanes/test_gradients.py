@@ -23,10 +23,10 @@ from helpers.robots.lane_samples import (
 from helpers.robots.one_of_each import EVERY, POSES, ROBOTS
 from pkmodes import PkmodesError
 from pkmodes.core.system.evaluation import ExtendedSystem
-from pkmodes.sensitivity.compiled import terms_of
-from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives
-from pkmodes.sensitivity.modes import ROUNDING
-from pkmodes.sensitivity.paths import ParameterPath
+from pkmodes.loop.sensitivity.compiled import terms_of
+from pkmodes.loop.sensitivity.matrices import POSE, MatrixDerivatives
+from pkmodes.loop.sensitivity.modes import ROUNDING
+from pkmodes.loop.sensitivity.paths import ParameterPath
 
 pytestmark = pytest.mark.compiler
 

@@ -10,7 +10,7 @@ import pytest
 from helpers.references.numpy_modes import solve
 from helpers.robots.lane_samples import NAMES, case
 from pkmodes.core.system.evaluation import ExtendedSystem
-from pkmodes.updating.modes_of_systems import modes_of_systems, stacked
+from pkmodes.loop.updating.modes_of_systems import modes_of_systems, stacked
 
 pytestmark = pytest.mark.compiler
 

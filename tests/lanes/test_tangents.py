@@ -18,12 +18,12 @@ from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.solve.compiled_solver import CompiledSolver
 from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.core.system.motors import solved_system
-from pkmodes.sensitivity.compiled import CompiledDerivatives, derivatives_of, terms_of, terms_of_all
-from pkmodes.sensitivity.locked import locked_joints
-from pkmodes.sensitivity.matrices import POSE, STEP, MatrixDerivatives
-from pkmodes.sensitivity.paths import ParameterPath, paths, resolve_all
-from pkmodes.sensitivity.shapes import shape_derivatives
-from pkmodes.updating.modes_of_systems import ModesOfSystems, modes_of_systems
+from pkmodes.loop.sensitivity.compiled import CompiledDerivatives, derivatives_of, terms_of, terms_of_all
+from pkmodes.loop.sensitivity.locked import locked_joints
+from pkmodes.loop.sensitivity.matrices import POSE, STEP, MatrixDerivatives
+from pkmodes.loop.sensitivity.paths import ParameterPath, paths, resolve_all
+from pkmodes.loop.sensitivity.shapes import shape_derivatives
+from pkmodes.loop.updating.modes_of_systems import ModesOfSystems, modes_of_systems
 
 pytestmark = pytest.mark.compiler
 

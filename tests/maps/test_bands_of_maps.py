@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 import pkmodes
-from pkmodes.figures import pictures
-from pkmodes.maps.spread import spread_along
-from pkmodes.plots import sweeps
-from pkmodes.report.map import map_report
+from pkmodes.machine.maps.spread import spread_along
+from pkmodes.pages.figures import pictures
+from pkmodes.pages.plots import sweeps
+from pkmodes.pages.report.map import map_report
 
 PRINTER = "robots/corexy-printer.toml"
 

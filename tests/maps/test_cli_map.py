@@ -22,7 +22,7 @@ from helpers.commands.printed_tables import printed_table
 from helpers.robots.robot_text import PUBLISHED, edited
 from helpers.runs.processes import ROOT, environment
 from pkmodes.core.robot.declaration import changeable
-from pkmodes.maps.ranges import parse_settings
+from pkmodes.machine.maps.ranges import parse_settings
 
 ROBOT = str(PUBLISHED)
 LINE = "x=0.3:0.8:11,y=0,z=-0.245"

@@ -11,7 +11,7 @@ import zarr
 
 from helpers.commands.map_runs import model
 from pkmodes.core.base.errors import OutputError
-from pkmodes.maps.storage import GROUP, LOCK
+from pkmodes.machine.maps.storage import GROUP, LOCK
 
 POSE = {"x": 0.6, "y": 0.0, "z": -0.245}
 OTHER = {"x": 0.5, "y": 0.0, "z": -0.245}

@@ -30,8 +30,8 @@ from helpers.commands.map_runs import (
     started,
 )
 from pkmodes.core.base.errors import OutputError
-from pkmodes.maps import mapping
-from pkmodes.maps.storage import GROUP, Store, locked, on_disk
+from pkmodes.machine.maps import mapping
+from pkmodes.machine.maps.storage import GROUP, Store, locked, on_disk
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="sends POSIX signals")
 

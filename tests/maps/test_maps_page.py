@@ -11,8 +11,8 @@ import distributed  # noqa: F401  # adds its settings to those of Dask
 import yaml
 
 from pkmodes.cli.map import map_
-from pkmodes.dataset.variables import EVENTS
-from pkmodes.maps.tracking import CLEAR, SAME
+from pkmodes.machine.dataset.variables import EVENTS
+from pkmodes.machine.maps.tracking import CLEAR, SAME
 
 ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "docs" / "maps.md").read_text(encoding="utf-8")

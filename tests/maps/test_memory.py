@@ -14,7 +14,7 @@ from helpers.runs.processes import ROOT, environment
 PROGRAM = """
 import resource, sys
 import numpy as np, pkmodes
-from pkmodes.maps.summary import summary_of
+from pkmodes.machine.maps.summary import summary_of
 out, options = sys.argv[1], eval(sys.argv[2])
 model = pkmodes.load("robots/linear-delta-2022.toml")
 

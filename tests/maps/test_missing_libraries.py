@@ -51,7 +51,7 @@ EXTRAS = {"distributed": "cluster", "pyarrow": "parquet"}
 #: was missing is loaded after its cases, so that the others need not load it each.
 FORKED = """
 import importlib, json, os, sys
-import pkmodes.maps.mapping
+import pkmodes.machine.maps.mapping
 from pkmodes.cli import main
 cases, arguments = json.loads(sys.argv[1]), sys.argv[2:]
 codes = []
@@ -98,7 +98,7 @@ def test_other_commands_do_without(tmp_path: Path) -> None:
 def test_importing_pkmodes_imports_none_of_them(tmp_path: Path) -> None:
     code = (
         "import sys, pkmodes, pkmodes.cli; pkmodes.load(sys.argv[1]).frequencies([0.6, 0.0, -0.245]);"
-        "print(*({'xarray', 'pandas', 'distributed', 'zarr', 'netCDF4', 'pyarrow', 'pkmodes.maps.mapping'}"
+        "print(*({'xarray', 'pandas', 'distributed', 'zarr', 'netCDF4', 'pyarrow', 'pkmodes.machine.maps.mapping'}"
         " & set(sys.modules)))"
     )
     done = python(code, str(PUBLISHED), folder=tmp_path)

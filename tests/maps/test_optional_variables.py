@@ -11,8 +11,8 @@ import xarray
 
 import pkmodes
 from helpers.commands.map_runs import done_in
-from pkmodes.maps import mapping, running
-from pkmodes.maps.evaluating import Task
+from pkmodes.machine.maps import mapping, running
+from pkmodes.machine.maps.evaluating import Task
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 GRIDS = {

@@ -9,11 +9,11 @@ import pytest
 from scipy.linalg import eigvalsh
 
 import pkmodes
-from pkmodes.maps import dataset
-from pkmodes.maps.left_out import sentences
-from pkmodes.maps.quantiles import quantiles
-from pkmodes.maps.summary import quantiles_in_words, summary_of
-from pkmodes.report.map_summary import _headline
+from pkmodes.machine.maps import dataset
+from pkmodes.machine.maps.left_out import sentences
+from pkmodes.machine.maps.quantiles import quantiles
+from pkmodes.machine.maps.summary import quantiles_in_words, summary_of
+from pkmodes.pages.report.map_summary import _headline
 
 PUBLISHED = Path(__file__).parents[2] / "robots" / "linear-delta-2022.toml"
 

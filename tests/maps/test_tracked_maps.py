@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import pkmodes
-from pkmodes.dataset.variables import EVENTS
+from pkmodes.machine.dataset.variables import EVENTS
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 CENTRE = {"x": np.linspace(0.35, 0.77, 169), "y": 0.0, "z": -0.245}

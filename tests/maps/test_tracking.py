@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from scipy.linalg import eigh
 
-from pkmodes.dataset.variables import EVENTS
-from pkmodes.maps.tracking import Tracked, track
+from pkmodes.machine.dataset.variables import EVENTS
+from pkmodes.machine.maps.tracking import Tracked, track
 
 Array = NDArray[np.float64]
 CROSSING, VEERING, UNCERTAIN = EVENTS.values()

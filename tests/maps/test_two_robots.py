@@ -13,15 +13,15 @@ import pkmodes
 from helpers.robots.robot_text import PUBLISHED, published
 from pkmodes.cli import run
 from pkmodes.core.base.errors import PkmodesError, PoseError
-from pkmodes.maps.robots_compared import (
+from pkmodes.loop.robot_files.differences import differences
+from pkmodes.machine.maps.robots_compared import (
     ModeChange,
     compare_frequencies,
     exchanging,
     largest_difference,
     mode_changes,
 )
-from pkmodes.maps.workspace import reachable, reachable_by
-from pkmodes.robot_files.differences import differences
+from pkmodes.machine.maps.workspace import reachable, reachable_by
 
 ROBOTS = Path(__file__).resolve().parents[2] / "robots"
 

@@ -15,13 +15,13 @@ from hypothesis import strategies as st
 import pkmodes
 from pkmodes.core.base.errors import PoseError
 from pkmodes.core.robot.usable import Radius, SingularAngle
-from pkmodes.figures.quantities import volume_of
-from pkmodes.figures.working_plane import working_plane
-from pkmodes.maps.workspace import box_of, reachable, usable_box
-from pkmodes.plots.plane import Plane
-from pkmodes.updating.candidates import suspects
-from pkmodes.updating.robot_structure import RobotStructure
-from pkmodes.view import poses_around, typical_pose
+from pkmodes.loop.updating.candidates import suspects
+from pkmodes.loop.updating.robot_structure import RobotStructure
+from pkmodes.machine.maps.workspace import box_of, reachable, usable_box
+from pkmodes.pages.figures.quantities import volume_of
+from pkmodes.pages.figures.working_plane import working_plane
+from pkmodes.pages.plots.plane import Plane
+from pkmodes.pages.view import poses_around, typical_pose
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 DELTA, CLAVEL, PRINTER = "linear-delta-2022", "clavel-delta", "corexy-printer"

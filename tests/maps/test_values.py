@@ -17,7 +17,7 @@ from pkmodes.cli import run
 from pkmodes.core.mechanism import registry as mechanism
 from pkmodes.core.robot.declaration import changeable
 from pkmodes.core.solve import mode_fields
-from pkmodes.maps.pose_file import read_poses
+from pkmodes.machine.maps.pose_file import read_poses
 
 ROOT = Path(__file__).parents[2]
 ROBOTS = ROOT / "robots"

@@ -37,8 +37,8 @@ from helpers.runs.processes import ROOT, environment
 from pkmodes.cli import run
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.mechanism import registry as mechanism
-from pkmodes.maps import mapping, running
-from pkmodes.maps.evaluating import Task
+from pkmodes.machine.maps import mapping, running
+from pkmodes.machine.maps.evaluating import Task
 from pkmodes_rig.suites import mechanism_cases, mechanism_suites
 from pkmodes_rig.suites.mechanism_cases import MechanismOutcome
 from pkmodes_rig.suites.running import Pool, run_all

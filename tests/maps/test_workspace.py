@@ -10,7 +10,7 @@ import pytest
 import pkmodes
 from helpers.robots.robot_text import edited, published
 from pkmodes.core.base.errors import PoseError
-from pkmodes.maps.workspace import POSES, box_of, reachable
+from pkmodes.machine.maps.workspace import POSES, box_of, reachable
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 

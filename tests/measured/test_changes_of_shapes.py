@@ -10,12 +10,12 @@ from scipy.linalg import eigh
 from scipy.stats import chi2
 
 from pkmodes.cli import run
-from pkmodes.measured.compared import compare_measurements
-from pkmodes.measured.comparison import MeasurementsCompared
-from pkmodes.measured.measurements import Measurements
-from pkmodes.measured.series import series_of
-from pkmodes.measured.shape_changes import change_covariance
-from pkmodes.measured.strain_energy import energy_shares, most_changed
+from pkmodes.loop.measured.compared import compare_measurements
+from pkmodes.loop.measured.comparison import MeasurementsCompared
+from pkmodes.loop.measured.measurements import Measurements
+from pkmodes.loop.measured.series import series_of
+from pkmodes.loop.measured.shape_changes import change_covariance
+from pkmodes.loop.measured.strain_energy import energy_shares, most_changed
 
 FLOORS = 5
 STIFFNESS, MASS = np.full(FLOORS, 2e6), np.full(FLOORS, 5.0)

@@ -10,10 +10,10 @@ import pytest
 from scipy.stats import chi2, norm
 
 from pkmodes.cli import run
-from pkmodes.measured.compared import compare_measurements
-from pkmodes.measured.comparison import MeasurementsCompared
-from pkmodes.measured.measurements import Measurements
-from pkmodes.measured.significance import LEVEL
+from pkmodes.loop.measured.compared import compare_measurements
+from pkmodes.loop.measured.comparison import MeasurementsCompared
+from pkmodes.loop.measured.measurements import Measurements
+from pkmodes.loop.measured.significance import LEVEL
 
 F = np.linspace(40.0, 200.0, 9)
 SIGMA = 0.002

@@ -8,7 +8,7 @@ import numpy as np
 
 import pkmodes
 from pkmodes import updating
-from pkmodes.updating.declared_spread import declared_spread
+from pkmodes.loop.updating.declared_spread import declared_spread
 
 PRINTER = "robots/corexy-printer.toml"
 

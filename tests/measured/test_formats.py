@@ -11,10 +11,10 @@ import pytest
 from helpers.diagnoses.measurement_files import CHANNELS, HEADER, ROW
 from pkmodes import diagnosis, updating
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.measured.csv_format import CSV
-from pkmodes.measured.formats import Format, Machine
-from pkmodes.measured.measurements import Measurements
-from pkmodes.measured.reading import FORMATS, format_of, read_measurements
+from pkmodes.loop.measured.csv_format import CSV
+from pkmodes.loop.measured.formats import Format, Machine
+from pkmodes.loop.measured.measurements import Measurements
+from pkmodes.loop.measured.reading import FORMATS, format_of, read_measurements
 
 RECORDS = json.dumps(
     {

@@ -10,9 +10,9 @@ import pytest
 
 from pkmodes import read_robot, updating
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.diagnosis import Measurements
-from pkmodes.measured.reading import read_measurements, read_modes
-from pkmodes.measured.writing import as_csv
+from pkmodes.loop.diagnosis import Measurements
+from pkmodes.loop.measured.reading import read_measurements, read_modes
+from pkmodes.loop.measured.writing import as_csv
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 HEADER = "pose,x,y,z,frequency,sigma"

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.measured.meanings import likely_meaning
-from pkmodes.measured.reading import read_measurements
+from pkmodes.loop.measured.meanings import likely_meaning
+from pkmodes.loop.measured.reading import read_measurements
 
 CHANNELS = {"p_x": "m", "p_z": "m", "r_x": "rad", "u_x": "m", "x_1": "m", "theta_1_1": "rad"}
 KNOWN = ["pose", "x", "z", "frequency", "sigma", "damping", "sigma_damping", "mode", "sigma_shape"]

@@ -11,8 +11,8 @@ import pytest
 from helpers.diagnoses.measurement_files import HEADER
 from pkmodes import Robot, read_robot, updating
 from pkmodes.core.base.errors import MeasurementError, PkmodesError
-from pkmodes.diagnosis import MatrixStructure, Measurements, Parameter, compare
-from pkmodes.measured.reading import read_measurements, read_modes
+from pkmodes.loop.diagnosis import MatrixStructure, Measurements, Parameter, compare
+from pkmodes.loop.measured.reading import read_measurements, read_modes
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 COLUMN = "pose,drives,x,y,z,frequency,sigma"

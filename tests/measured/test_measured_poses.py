@@ -12,9 +12,9 @@ from helpers.diagnoses.measurement_files import HEADER, ROW, read
 from helpers.robots.robot_text import PUBLISHED
 from pkmodes import updating
 from pkmodes.core.base.errors import MeasurementError, PkmodesError
-from pkmodes.measured.measurements import Measurements
-from pkmodes.updating import measured_robot
-from pkmodes.updating.measured_robot import MeasuredRobot
+from pkmodes.loop.measured.measurements import Measurements
+from pkmodes.loop.updating import measured_robot
+from pkmodes.loop.updating.measured_robot import MeasuredRobot
 
 
 def test_positions_in_millimetres_are_recognised(tmp_path: Path) -> None:

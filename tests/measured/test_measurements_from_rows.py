@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.measured.measurements import Measurements
+from pkmodes.loop.measured.measurements import Measurements
 
 
 def test_measurements_are_made_by_hand_and_cannot_be_written_to() -> None:

@@ -15,7 +15,7 @@ import xarray
 
 import pkmodes
 from pkmodes.core.robot.pose_table import by_name
-from pkmodes.view import scene
+from pkmodes.pages.view import scene
 
 ROBOT = Path(__file__).parents[2] / "robots" / "linear-delta-2022.toml"
 POSES = np.array([[0.6, 0.05, -0.245], [0.55, -0.02, -0.25]])

@@ -13,9 +13,9 @@ import pytest
 
 from helpers.diagnoses.measurement_files import HEADER, read, refusal
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.measured.columns import Numbers
-from pkmodes.measured.measurements import Measurements
-from pkmodes.measured.quantities import (
+from pkmodes.loop.measured.columns import Numbers
+from pkmodes.loop.measured.measurements import Measurements
+from pkmodes.loop.measured.quantities import (
     DAMPING,
     FREQUENCY,
     IDENTITY,
@@ -25,7 +25,7 @@ from pkmodes.measured.quantities import (
     NumberColumn,
     Range,
 )
-from pkmodes.measured.scaling import with_errors
+from pkmodes.loop.measured.scaling import with_errors
 
 ROWS = "A,0.6,0,-0.245,55,0.1,{}\nA,0.6,0,-0.245,60,0.1,{}\nB,0.5,0,-0.245,50,0.1,{}\n"
 

@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from helpers.diagnoses.measurement_files import FULL, HEADER, ROW, read
-from pkmodes.measured.measurements import Measurements
+from pkmodes.loop.measured.measurements import Measurements
 
 
 def test_every_column_is_read(tmp_path: Path) -> None:

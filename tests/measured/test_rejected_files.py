@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from helpers.diagnoses.measurement_files import CHANNELS, FULL, HEADER, ROW, read, refusal
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.measured.reading import read_measurements
+from pkmodes.loop.measured.reading import read_measurements
 
 
 @pytest.mark.parametrize(

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.measured.measurements import Measurements
-from pkmodes.measured.reading import read_measurements
+from pkmodes.loop.measured.measurements import Measurements
+from pkmodes.loop.measured.reading import read_measurements
 
 COMPONENTS = {"x": "m", "ry": "rad"}
 SMALL, LARGE = "A,5,0.25,55.5,0.1\n", "B,0,12,60.5,0.1\n"

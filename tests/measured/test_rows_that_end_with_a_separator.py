@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.measured.reading import read_modes
+from pkmodes.loop.measured.reading import read_modes
 
 HEADER, ROWS = "pose,frequency,sigma,damping", ("A,55.5,0.11,0.01", "A,60.25,0.12,")
 

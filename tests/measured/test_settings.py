@@ -12,7 +12,7 @@ import pytest
 from pkmodes import Model, Robot, read_robot, updating
 from pkmodes.cli import run
 from pkmodes.core.base.errors import MeasurementError, PkmodesError
-from pkmodes.diagnosis import MatrixStructure, Measurements, Parameter, compare
+from pkmodes.loop.diagnosis import MatrixStructure, Measurements, Parameter, compare
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 HEADER = "pose,x,y,frequency,sigma"

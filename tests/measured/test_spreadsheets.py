@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 
 from helpers.diagnoses.measurement_files import CHANNELS, HEADER, ROW, read, refusal
-from pkmodes.measured.measurements import Measurements
-from pkmodes.measured.reading import read_measurements
+from pkmodes.loop.measured.measurements import Measurements
+from pkmodes.loop.measured.reading import read_measurements
 
 #: x and z [m], frequency and sigma [Hz], damping [1], and a shape, of two modes; the motors were held.
 POINTS = [[0.0625, 0.0, -0.245], [0.5, 0.0, -0.3]]

@@ -16,10 +16,10 @@ from pkmodes.cli import run
 from pkmodes.core.base.errors import MeasurementError, PkmodesError
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.usable import Limits, Radius
-from pkmodes.measured.measurements import Measurements
-from pkmodes.measured.writing import as_csv
-from pkmodes.report.setting import ReportSetting
-from pkmodes.updating.measured_robot import MeasuredRobot
+from pkmodes.loop.measured.measurements import Measurements
+from pkmodes.loop.measured.writing import as_csv
+from pkmodes.loop.updating.measured_robot import MeasuredRobot
+from pkmodes.pages.report.setting import ReportSetting
 
 LOOP = Path(__file__).resolve().parents[2] / "examples" / "closed_loop"
 MODES = (LOOP / "measured.csv").read_text(encoding="utf-8")

@@ -10,9 +10,9 @@ from scipy.stats import norm
 
 from pkmodes.cli import run
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.measured.compared import compare_measurements
-from pkmodes.measured.measurements import Measurements
-from pkmodes.measured.significance import LEVEL
+from pkmodes.loop.measured.compared import compare_measurements
+from pkmodes.loop.measured.measurements import Measurements
+from pkmodes.loop.measured.significance import LEVEL
 
 SHAPES = np.array([[1.0, 0.4, 0.1], [-0.5, 1.0, 0.3], [0.2, -0.3, 1.0]])
 

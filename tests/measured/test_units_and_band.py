@@ -14,8 +14,8 @@ from hypothesis import strategies as st
 from helpers.diagnoses.measurement_files import HEADER, ROW
 from pkmodes import diagnosis
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.measured.measurements import Measurements
-from pkmodes.measured.reading import read_measurements
+from pkmodes.loop.measured.measurements import Measurements
+from pkmodes.loop.measured.reading import read_measurements
 
 CHANNELS = {"x_1": "m", "theta_1_1": "rad", "floor [1]": "m", "gauge": "m/s^2"}
 

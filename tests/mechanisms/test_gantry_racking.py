@@ -136,7 +136,7 @@ def test_null_is_the_base_model_and_a_beam_needs_an_inertia(tmp_path: Path) -> N
 
 def test_the_head_and_the_beam_turn_in_the_picture(tmp_path: Path) -> None:
     """Per unit of psi_b, a point of the beam moves by (-(y - y_beam), x - center); the rails stay."""
-    from pkmodes.view.robot_drawing import RobotDrawing
+    from pkmodes.pages.view.robot_drawing import RobotDrawing
 
     drawing = RobotDrawing(printer(tmp_path, {"gantry_racking.compliance": C_B}).robot)
     p = np.array([[0.27, 0.08]])

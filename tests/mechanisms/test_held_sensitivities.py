@@ -10,7 +10,7 @@ import pytest
 import pkmodes
 from helpers.robots.one_of_each import FILES, POSES, ROBOTS
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.sensitivity.paths import moved, paths, resolve
+from pkmodes.loop.sensitivity.paths import moved, paths, resolve
 
 WINDING = {"effects.gearbox_compliance.compliance": 2e-3}
 CASES: list[tuple[str, Mapping[str, float]]] = [

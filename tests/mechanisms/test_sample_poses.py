@@ -13,7 +13,7 @@ from helpers.robots.one_of_each import ROBOTS
 from helpers.robots.six_legged import MACHINES
 from pkmodes import read_robot
 from pkmodes.core.mechanism import regular
-from pkmodes.sensitivity.matrices import geometry_of
+from pkmodes.loop.sensitivity.matrices import geometry_of
 
 
 def test_a_machine_is_not_searched_for_a_regular_pose_again(monkeypatch: pytest.MonkeyPatch) -> None:

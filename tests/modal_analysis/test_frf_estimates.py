@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.identification.frf_estimates import impact_estimate, without_window
-from pkmodes.identification.frf_identification import identify_frf
+from pkmodes.modaltest.identification.frf_estimates import impact_estimate, without_window
+from pkmodes.modaltest.identification.frf_identification import identify_frf
 from pkmodes_rig.structures.forced import impact, mac, structure
 
 RATE = 2048.0

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.identification.estimates import turned_real
-from pkmodes.identification.frf_identification import identify_frf
-from pkmodes.identification.frf_lines import used_lines
-from pkmodes.identification.frf_skirts import without_bandwidth
-from pkmodes.identification.modes import IdentifiedModes
+from pkmodes.modaltest.identification.estimates import turned_real
+from pkmodes.modaltest.identification.frf_identification import identify_frf
+from pkmodes.modaltest.identification.frf_lines import used_lines
+from pkmodes.modaltest.identification.frf_skirts import without_bandwidth
+from pkmodes.modaltest.identification.modes import IdentifiedModes
 from pkmodes_rig.structures.forced import mac, noise, random_structure, structure
 
 BAND = (10.0, 400.0)

@@ -7,10 +7,10 @@ import pytest
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
-from pkmodes.identification.frf_estimates import impact_estimate
-from pkmodes.identification.frf_identification import identify_frf
-from pkmodes.identification.level import levels
-from pkmodes.identification.ssi_identification import identify_responses
+from pkmodes.modaltest.identification.frf_estimates import impact_estimate
+from pkmodes.modaltest.identification.frf_identification import identify_frf
+from pkmodes.modaltest.identification.level import levels
+from pkmodes.modaltest.identification.ssi_identification import identify_responses
 from pkmodes_rig.structures.driven import ambient, decay, random_structure
 from pkmodes_rig.structures.forced import impact
 from pkmodes_rig.structures.forced import random_structure as random_frf_structure

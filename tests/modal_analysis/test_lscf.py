@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pkmodes.identification.clusters import pole_clusters
-from pkmodes.identification.lscf import lscf
+from pkmodes.modaltest.identification.clusters import pole_clusters
+from pkmodes.modaltest.identification.lscf import lscf
 from pkmodes_rig.structures.forced import mac, noise, random_structure
 
 LINES = np.arange(10.0, 400.0, 0.5)

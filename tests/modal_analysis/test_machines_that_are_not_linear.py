@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pkmodes.identification.estimates import Estimate
-from pkmodes.identification.frf_identification import identify_frf
-from pkmodes.identification.frf_model_errors import not_linear
+from pkmodes.modaltest.identification.estimates import Estimate
+from pkmodes.modaltest.identification.frf_identification import identify_frf
+from pkmodes.modaltest.identification.frf_model_errors import not_linear
 from pkmodes_rig.structures.forced import noise, structure
 from pkmodes_rig.structures.not_linear import BAND, DAMPING, FREQUENCIES, LINES, SHAPES, responses
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pkmodes.identification.residues import lsfd
+from pkmodes.modaltest.identification.residues import lsfd
 from pkmodes_rig.structures.forced import structure
 
 LINES = np.arange(10.0, 400.0, 0.5)

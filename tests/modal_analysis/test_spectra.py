@@ -7,7 +7,7 @@ import pytest
 from scipy.signal import welch
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.identification.spectra import identify_spectrum
+from pkmodes.modaltest.identification.spectra import identify_spectrum
 from pkmodes_rig.structures.driven import Array, Structure, ambient, random_structure, structure, sweep
 
 BAND = (10.0, 120.0)

@@ -6,9 +6,9 @@ from itertools import pairwise
 
 import numpy as np
 
-from pkmodes.identification.ssi import order, subspace
-from pkmodes.identification.ssi_bands import BandPart, SpectralLines, correlations, parts
-from pkmodes.identification.ssi_uncertainty import _changes
+from pkmodes.modaltest.identification.ssi import order, subspace
+from pkmodes.modaltest.identification.ssi_bands import BandPart, SpectralLines, correlations, parts
+from pkmodes.modaltest.identification.ssi_uncertainty import _changes
 
 PART = BandPart(20.0, 28.0, 17.6, 30.4)
 

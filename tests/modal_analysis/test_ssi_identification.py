@@ -14,8 +14,8 @@ import pytest
 from scipy.signal import lfilter
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.identification.estimates import turned_real
-from pkmodes.identification.ssi_identification import apart, identify_responses
+from pkmodes.modaltest.identification.estimates import turned_real
+from pkmodes.modaltest.identification.ssi_identification import apart, identify_responses
 from pkmodes_rig.structures.driven import (
     Array,
     Structure,

@@ -10,10 +10,10 @@ import pytest
 from numpy.typing import NDArray
 from scipy.signal import lfilter
 
-from pkmodes.identification.ssi_bands import SpectralLines
-from pkmodes.identification.ssi_identification import identify_responses
-from pkmodes.identification.ssi_lines import followed, quantile
-from pkmodes.identification.ssi_selection import Refined
+from pkmodes.modaltest.identification.ssi_bands import SpectralLines
+from pkmodes.modaltest.identification.ssi_identification import identify_responses
+from pkmodes.modaltest.identification.ssi_lines import followed, quantile
+from pkmodes.modaltest.identification.ssi_selection import Refined
 from pkmodes_rig.structures.driven import accelerations, structure
 
 Array = NDArray[np.float64]

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from pkmodes.identification.tones import find_tones, without_tones
+from pkmodes.modaltest.identification.tones import find_tones, without_tones
 from pkmodes_rig.structures.driven import ambient, structure
 
 BAND = (10.0, 200.0)

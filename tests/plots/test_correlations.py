@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pkmodes.diagnosis.verdict.findings import Corrected
-from pkmodes.plots import correlations
-from pkmodes.plots.drawing import Drawing
+from pkmodes.loop.diagnosis.verdict.findings import Corrected
+from pkmodes.pages.plots import correlations
+from pkmodes.pages.plots.drawing import Drawing
 
 RATES = np.array([[1.0, 0.9, 0.1], [0.9, 1.0, -0.75], [0.1, -0.75, 1.0]])
 

@@ -12,11 +12,11 @@ import xarray
 from matplotlib.colors import to_hex, to_rgb
 from matplotlib.figure import Figure
 
-from pkmodes.plots import influence
-from pkmodes.plots.dominant import COLOURS, dominant, middles
-from pkmodes.plots.drawing import Drawing
-from pkmodes.plots.plane import Plane
-from pkmodes.plots.svg import inline
+from pkmodes.pages.plots import influence
+from pkmodes.pages.plots.dominant import COLOURS, dominant, middles
+from pkmodes.pages.plots.drawing import Drawing
+from pkmodes.pages.plots.plane import Plane
+from pkmodes.pages.plots.svg import inline
 
 SVG = "{http://www.w3.org/2000/svg}"
 PATHS = ["platform.mass", "belt.width", "link.length"]

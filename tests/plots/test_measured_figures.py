@@ -11,13 +11,13 @@ from matplotlib.collections import LineCollection, PathCollection, QuadMesh
 from matplotlib.colors import to_hex, to_rgba
 
 from helpers.pages.report_examples import made_up
-from pkmodes.diagnosis.match.predicted import Predicted
-from pkmodes.diagnosis.verdict.findings import Corrected, Examined
-from pkmodes.plots import differences, scores, spectrum
-from pkmodes.plots.evidence import ModelStage, PlottedEvidence
-from pkmodes.plots.mac_matrices import mac_matrices
-from pkmodes.plots.style import BLUE, GREEN, GREY
-from pkmodes.report import figures
+from pkmodes.loop.diagnosis.match.predicted import Predicted
+from pkmodes.loop.diagnosis.verdict.findings import Corrected, Examined
+from pkmodes.pages.plots import differences, scores, spectrum
+from pkmodes.pages.plots.evidence import ModelStage, PlottedEvidence
+from pkmodes.pages.plots.mac_matrices import mac_matrices
+from pkmodes.pages.plots.style import BLUE, GREEN, GREY
+from pkmodes.pages.report import figures
 
 NAN = np.nan
 MACS = np.array([[0.9, 0.2, 0.1], [0.3, 0.8, 0.15], [NAN] * 3, [0.7, 0.4, 0.06], [0.12, 0.22, 0.6]])

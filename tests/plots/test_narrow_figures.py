@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pkmodes.plots.drawing import Drawing
-from pkmodes.plots.responses import responses
-from pkmodes.plots.sheet import NARROW, Sheet
-from pkmodes.plots.style import styled
+from pkmodes.pages.plots.drawing import Drawing
+from pkmodes.pages.plots.responses import responses
+from pkmodes.pages.plots.sheet import NARROW, Sheet
+from pkmodes.pages.plots.style import styled
 
 
 def settled(drawing: Drawing) -> Sheet:

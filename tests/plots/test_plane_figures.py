@@ -13,15 +13,15 @@ from matplotlib.colors import to_rgba
 from matplotlib.contour import ContourSet
 from matplotlib.figure import Figure
 
-from pkmodes.plots import influence, maps
-from pkmodes.plots.dominant import dominant
-from pkmodes.plots.drawing import Drawing
-from pkmodes.plots.mac_map import neighbouring_mac
-from pkmodes.plots.panels import arranged
-from pkmodes.plots.plane import Plane, where
-from pkmodes.plots.sheet import NARROW
-from pkmodes.plots.style import styled
-from pkmodes.plots.workspace import Volume, workspace
+from pkmodes.pages.plots import influence, maps
+from pkmodes.pages.plots.dominant import dominant
+from pkmodes.pages.plots.drawing import Drawing
+from pkmodes.pages.plots.mac_map import neighbouring_mac
+from pkmodes.pages.plots.panels import arranged
+from pkmodes.pages.plots.plane import Plane, where
+from pkmodes.pages.plots.sheet import NARROW
+from pkmodes.pages.plots.style import styled
+from pkmodes.pages.plots.workspace import Volume, workspace
 
 X, Y = np.linspace(0.0, 0.4, 5), np.array([-0.1, 0.0, 0.1])
 #: At (x_i, y_j), mode m: 100 m + 10 i + j; the first pose cannot be evaluated.

@@ -13,8 +13,8 @@ import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
 
-from pkmodes.plots.style import BLUE, INK, PAPER, figure, styled
-from pkmodes.plots.svg import inline
+from pkmodes.pages.plots.style import BLUE, INK, PAPER, figure, styled
+from pkmodes.pages.plots.svg import inline
 
 ROOT = Path(__file__).parents[2]
 SVG = "{http://www.w3.org/2000/svg}"

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 import xarray
 
-from pkmodes.plots import sweeps
-from pkmodes.plots.style import PALETTE
+from pkmodes.pages.plots import sweeps
+from pkmodes.pages.plots.style import PALETTE
 
 
 def map_of(dims: tuple[str, ...], frequency: np.ndarray, **coordinates: Any) -> xarray.Dataset:

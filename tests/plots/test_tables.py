@@ -11,12 +11,12 @@ import numpy as np
 import pytest
 
 from helpers.pages.report_examples import made_up
-from pkmodes.plots.drawing import Drawing
-from pkmodes.plots.evidence import PlottedEvidence
-from pkmodes.plots.panel import Panel
-from pkmodes.plots.shapers import over_plane
-from pkmodes.plots.sheet import Sheet
-from pkmodes.plots.spectrum import spectrum
+from pkmodes.pages.plots.drawing import Drawing
+from pkmodes.pages.plots.evidence import PlottedEvidence
+from pkmodes.pages.plots.panel import Panel
+from pkmodes.pages.plots.shapers import over_plane
+from pkmodes.pages.plots.sheet import Sheet
+from pkmodes.pages.plots.spectrum import spectrum
 
 
 def table(draw: Callable[[Sheet], Any]) -> list[dict[str, str]]:

@@ -12,11 +12,11 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
 import pkmodes
-from pkmodes.figures import tornado_picture
-from pkmodes.plots.style import BLUE, GREY
-from pkmodes.plots.svg import inline
-from pkmodes.plots.tornado import broken
-from pkmodes.sensitivity.changes import PERCENT, Changes
+from pkmodes.loop.sensitivity.changes import PERCENT, Changes
+from pkmodes.pages.figures import tornado_picture
+from pkmodes.pages.plots.style import BLUE, GREY
+from pkmodes.pages.plots.svg import inline
+from pkmodes.pages.plots.tornado import broken
 
 PRINTER, AT = "robots/corexy-printer.toml", [0.1, 0.15]
 

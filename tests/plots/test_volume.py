@@ -11,7 +11,7 @@ import xarray
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 
-from pkmodes.plots.volume import _cells, volume
+from pkmodes.pages.plots.volume import _cells, volume
 
 
 def ball(radius: float) -> xarray.Dataset:

@@ -15,12 +15,12 @@ from helpers.diagnoses.verdict_examples import VERDICTS
 from helpers.pages.report_examples import diagnosed, made_up
 from helpers.runs.shared import Shared
 from pkmodes import read_robot, updating
-from pkmodes.diagnosis import Diagnosis
-from pkmodes.diagnosis.posterior.document import ClassProbability, PairProbability, Probabilities
-from pkmodes.diagnosis.verdict.findings import Finding
-from pkmodes.report.action import LIKELY, _alike, action
-from pkmodes.report.formatting import sentence
-from pkmodes.report.setting import ReportSetting
+from pkmodes.loop.diagnosis import Diagnosis
+from pkmodes.loop.diagnosis.posterior.document import ClassProbability, PairProbability, Probabilities
+from pkmodes.loop.diagnosis.verdict.findings import Finding
+from pkmodes.pages.report.action import LIKELY, _alike, action
+from pkmodes.pages.report.formatting import sentence
+from pkmodes.pages.report.setting import ReportSetting
 
 ROOT = Path(__file__).parents[2]
 #: Words that are surer than a verdict without a claim.

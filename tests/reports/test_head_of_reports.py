@@ -11,13 +11,13 @@ import pytest
 from helpers.pages.page_reading import Element, read
 from helpers.pages.report_examples import HOSTILE
 from pkmodes import read_robot
-from pkmodes.campaign.campaign import read_campaign
 from pkmodes.cli import run
 from pkmodes.codegen.generation import specification
 from pkmodes.core.base.errors import MeasurementError, RobotFileError
 from pkmodes.core.robot.robot import Robot
-from pkmodes.dataset.robot_text import text_of
-from pkmodes.robot_files.saving import Correction, corrected_text
+from pkmodes.loop.robot_files.saving import Correction, corrected_text
+from pkmodes.machine.dataset.robot_text import text_of
+from pkmodes.modaltest.campaign.campaign import read_campaign
 
 ROOT = Path(__file__).parents[2]
 LOOP, CAMPAIGN = ROOT / "examples" / "closed_loop", ROOT / "examples" / "campaign"

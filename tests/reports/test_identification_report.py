@@ -223,7 +223,7 @@ def test_missing_libraries_are_named_before_anything_is_read(
 
 
 def test_pairs_of_labels_do_not_overlap() -> None:
-    from pkmodes.plots.fits import rows_of
+    from pkmodes.pages.plots.fits import rows_of
 
     assert rows_of([0.1, 0.105, 0.11, 0.5], ["1", "2", "3", "4"]) == [0, 1, 2, 0]
 

@@ -12,9 +12,9 @@ import pytest
 
 import pkmodes
 from helpers.pages.browser import Opened, opened
-from pkmodes.maps.poses import Poses
-from pkmodes.report.map import map_report
-from pkmodes.report.map_values import pack, values_of
+from pkmodes.machine.maps.poses import Poses
+from pkmodes.pages.report.map import map_report
+from pkmodes.pages.report.map_values import pack, values_of
 
 ROBOT = "robots/linear-delta-2022.toml"
 GRID = {
@@ -28,7 +28,7 @@ COUNT = "document.querySelectorAll('[data-part=rows] tr').length"
 
 def page_of(model: pkmodes.Model, dataset: Any, folder: Path, name: str) -> Path:
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("pkmodes.report.map._figures", lambda *_: [])  # they have their own tests
+        patch.setattr("pkmodes.pages.report.map._figures", lambda *_: [])  # they have their own tests
         (folder / name).write_text(map_report(model, dataset), encoding="utf-8")
     return folder / name
 
@@ -251,7 +251,7 @@ def test_a_large_map_is_thinned_and_says_so(tmp_path: Path) -> None:
         found["frequency"].values[:: held.steps["y"], :: held.steps["x"]],
     )
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("pkmodes.report.explorer.values_of", lambda one: values_of(one, max_values=600))
+        patch.setattr("pkmodes.pages.report.explorer.values_of", lambda one: values_of(one, max_values=600))
         text = page_of(model, found, tmp_path, "thin.html").read_text(encoding="utf-8")
     sizes = held.dataset.sizes
     assert f"This page holds {sizes['y'] * sizes['x']} of the 840 poses of the map: every " in text

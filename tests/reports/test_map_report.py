@@ -17,9 +17,9 @@ from helpers.pages.page_reading import Element, read
 from pkmodes.cli import run
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.robot.reading import robot_from_document
-from pkmodes.maps.poses import PoseGrid
-from pkmodes.report.map import map_report
-from pkmodes.report.map_summary import _headline
+from pkmodes.machine.maps.poses import PoseGrid
+from pkmodes.pages.report.map import map_report
+from pkmodes.pages.report.map_summary import _headline
 
 PLANE = ["--grid", "x=0.3:0.9:13,y=-0.1:0.1:9,z=-0.245"]
 ROBOT = "robots/linear-delta-2022.toml"
@@ -58,7 +58,7 @@ def test_the_view_begins_in_the_middle_of_the_map(page: Path) -> None:
 def test_large_counts_have_the_same_separator_everywhere(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("pkmodes.report.map._figures", lambda *_: [])
+    monkeypatch.setattr("pkmodes.pages.report.map._figures", lambda *_: [])
     model = pkmodes.load(ROBOT)
     found = model.map({"x": np.linspace(0.3, 0.9, 60), "y": np.linspace(0.0, 0.1, 20), "z": -0.245})
     summary = read(map_report(model, found)).by_id("summary").text
@@ -128,7 +128,7 @@ def test_the_headline_leaves_out_the_edge_where_there_are_enough_poses(
 
 
 def test_a_frequency_beyond_all_others_is_said_to_be_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("pkmodes.report.map._figures", lambda *_: [])
+    monkeypatch.setattr("pkmodes.pages.report.map._figures", lambda *_: [])
     model = pkmodes.load("robots/linear-delta-2022-identified.toml")
     # At this x a belt span vanishes but for rounding (docs/maps.md).
     found = model.map({"x": [0.28, 0.6, 0.7, 0.8], "y": 0.0, "z": -0.32})
@@ -183,7 +183,7 @@ def drawn(monkeypatch: pytest.MonkeyPatch) -> list[PoseGrid]:
         planes.append(places)
         return []
 
-    monkeypatch.setattr("pkmodes.report.map.pictures", remember)
+    monkeypatch.setattr("pkmodes.pages.report.map.pictures", remember)
     return planes
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from pkmodes import read_robot, updating
-from pkmodes.report.measured_view import measured_scene, robot_shown
+from pkmodes.pages.report.measured_view import measured_scene, robot_shown
 
 LOOP = Path(__file__).parents[2] / "examples" / "closed_loop"
 

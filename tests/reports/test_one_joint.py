@@ -6,10 +6,10 @@ from dataclasses import replace
 
 from helpers.pages.page_reading import read
 from helpers.pages.report_examples import made_up
-from pkmodes.diagnosis.problem import Joint
-from pkmodes.diagnosis.verdict.findings import Finding, Member, Value
-from pkmodes.diagnosis.verdict.joints import JointAlone
-from pkmodes.report import report
+from pkmodes.loop.diagnosis.problem import Joint
+from pkmodes.loop.diagnosis.verdict.findings import Finding, Member, Value
+from pkmodes.loop.diagnosis.verdict.joints import JointAlone
+from pkmodes.pages.report import report
 
 NAME = "axis_leg_stiffness"
 FACTORS = [f"effects.{NAME}.factor_{j}" for j in range(1, 7)]

@@ -6,7 +6,7 @@ import re
 from base64 import b64encode
 from hashlib import sha256
 
-from pkmodes.support.page_policy import with_policy
+from pkmodes.core.support.page_policy import with_policy
 
 PAGE = """<!doctype html>
 <head>

@@ -8,9 +8,9 @@ import pytest
 import pkmodes
 from helpers.pages.documentation import ROOT
 from pkmodes.core.mechanism.registry import mechanism
-from pkmodes.plots.places import COLOURS, Marked, places
-from pkmodes.report.places import marked
-from pkmodes.view import scene
+from pkmodes.pages.plots.places import COLOURS, Marked, places
+from pkmodes.pages.report.places import marked
+from pkmodes.pages.view import scene
 
 #: Terms of each mechanism, and the names of the elements that show them; None where none does.
 SHOWN = {

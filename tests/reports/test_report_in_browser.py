@@ -16,7 +16,7 @@ from helpers.pages.report_examples import HOSTILE, hostile_page, made_up, many_m
 from helpers.runs.shared import Shared
 from pkmodes import updating
 from pkmodes.cli import run
-from pkmodes.report import report
+from pkmodes.pages.report import report
 
 ROOT = Path(__file__).parents[2]
 LOOP = [str(ROOT / "examples" / "closed_loop" / name) for name in ("robot.toml", "measured.csv")]

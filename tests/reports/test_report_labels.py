@@ -17,9 +17,9 @@ from helpers.pages.page_reading import Element, read
 from helpers.pages.report_examples import diagnosed, made_up
 from helpers.pages.without_drawing import without_drawing
 from pkmodes import Model, read_robot, updating
-from pkmodes.diagnosis.verdict.findings import Examined, NextMeasurement, Stability
-from pkmodes.report import report
-from pkmodes.report.model_view import view_of_result
+from pkmodes.loop.diagnosis.verdict.findings import Examined, NextMeasurement, Stability
+from pkmodes.pages.report import report
+from pkmodes.pages.report.model_view import view_of_result
 
 ROOT = Path(__file__).parents[2]
 LOOP = [ROOT / "examples" / "closed_loop" / name for name in ("robot.toml", "measured.csv")]

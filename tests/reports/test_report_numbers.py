@@ -19,8 +19,8 @@ from helpers.runs.shared import Shared
 from pkmodes import read_robot, updating
 from pkmodes.cli import run
 from pkmodes.core.robot.robot import Robot
-from pkmodes.diagnosis import Comparison, Diagnosis, Measurements
-from pkmodes.report import report
+from pkmodes.loop.diagnosis import Comparison, Diagnosis, Measurements
+from pkmodes.pages.report import report
 
 ROOT = Path(__file__).parents[2]
 LOOP = [ROOT / "examples" / "closed_loop" / name for name in ("robot.toml", "measured.csv")]

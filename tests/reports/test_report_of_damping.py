@@ -12,8 +12,8 @@ from helpers.diagnoses.damped_cases import columns, made
 from helpers.pages.page_reading import Element, at, read, shown
 from helpers.pages.without_drawing import without_drawing
 from pkmodes import read_robot, updating
-from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.report import report
+from pkmodes.loop.diagnosis.verdict.result import Diagnosis
+from pkmodes.pages.report import report
 
 ROBOT = read_robot(Path(__file__).parents[2] / "robots" / "linear-delta-2022.toml")
 RATIOS = ("damping", "sigma_damping", "sigma_damping_used", "damping_after")

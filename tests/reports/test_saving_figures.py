@@ -13,11 +13,11 @@ import pytest
 from helpers.pages.browser import opened
 from helpers.pages.report_examples import HOSTILE
 from pkmodes.cli import run
-from pkmodes.plots.drawing import Drawing
-from pkmodes.plots.labels import visible
-from pkmodes.plots.sheet import Sheet
-from pkmodes.report.blocks import Picture, Section, Summary
-from pkmodes.report.page import page
+from pkmodes.pages.plots.drawing import Drawing
+from pkmodes.pages.plots.labels import visible
+from pkmodes.pages.plots.sheet import Sheet
+from pkmodes.pages.report.blocks import Picture, Section, Summary
+from pkmodes.pages.report.page import page
 
 ROOT = Path(__file__).parents[2]
 LOOP = [ROOT / "examples" / "closed_loop" / name for name in ("robot.toml", "measured.csv")]

@@ -15,7 +15,7 @@ from helpers.pages.browser import opened
 from helpers.pages.page_reading import at, read, shown
 from pkmodes.cli import run
 from pkmodes.core.robot.reading import robot_from_document
-from pkmodes.report.sensitivities import sensitivities_report
+from pkmodes.pages.report.sensitivities import sensitivities_report
 
 ROBOT, POSE = "robots/corexy-printer.toml", "0.1,0.15"
 

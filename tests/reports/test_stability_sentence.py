@@ -7,8 +7,8 @@ from dataclasses import replace
 import pytest
 
 from helpers.pages.report_examples import made_up
-from pkmodes.diagnosis.verdict.findings import Stability
-from pkmodes.report.stability import stability_sentence
+from pkmodes.loop.diagnosis.verdict.findings import Stability
+from pkmodes.pages.report.stability import stability_sentence
 
 CHANGES = ("sigma x 0.5", "sigma x 2", "priors x 2")
 SAME = ("effect_found", "payload")

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from pkmodes.report.blocks import Cell, Column
-from pkmodes.report.formatting import figures, uncertain_cell
-from pkmodes.report.tables import table
+from pkmodes.pages.report.blocks import Cell, Column
+from pkmodes.pages.report.formatting import figures, uncertain_cell
+from pkmodes.pages.report.tables import table
 
 COLUMNS = [
     Column("mode"),

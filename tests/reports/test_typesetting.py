@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from pkmodes.report.formatting import plural, prose, thousands, three_digits, unit
+from pkmodes.pages.report.formatting import plural, prose, thousands, three_digits, unit
 
 
 @pytest.mark.parametrize(

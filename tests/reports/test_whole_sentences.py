@@ -12,10 +12,10 @@ from helpers.pages.report_examples import made_up
 from helpers.robots.robot_text import PUBLISHED
 from pkmodes import read_robot
 from pkmodes.cli.diagnosis_tables import show_diagnosis
-from pkmodes.diagnosis.verdict.findings import Examined
-from pkmodes.plots.scores import WHOLE, _label
-from pkmodes.report import report
-from pkmodes.report.formatting import LONGEST, clean, label, prose, shortened
+from pkmodes.loop.diagnosis.verdict.findings import Examined
+from pkmodes.pages.plots.scores import WHOLE, _label
+from pkmodes.pages.report import report
+from pkmodes.pages.report.formatting import LONGEST, clean, label, prose, shortened
 
 #: Longer than any limit that a label or a sentence ever had.
 LONG = "what was measured there cannot be told from what was measured elsewhere " * 40

@@ -13,8 +13,8 @@ from helpers.references.motors_by_hand import followers
 from helpers.references.whole_system import whole_modes
 from helpers.robots.damped_robots import BACKENDS, CASES, DRIVES, EFFECTS, FRICTION, LOSSES, repeated
 from helpers.robots.one_of_each import FILES, POSES, model_of
-from pkmodes.response.linearised import LinearisedRobot
-from pkmodes.response.poles import notes_on_damping
+from pkmodes.machine.response.linearised import LinearisedRobot
+from pkmodes.machine.response.poles import notes_on_damping
 
 
 @pytest.mark.parametrize("drives", DRIVES)

@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 from scipy.optimize import fsolve
 from scipy.signal import argrelmax, argrelmin
 
-from pkmodes.shaping import KINDS, residual, shaper
-from pkmodes.shaping.firmware import VERSIONS
-from pkmodes.shaping.firmware_impulses import as_made, has_own, settled
+from pkmodes.machine.shaping import KINDS, residual, shaper
+from pkmodes.machine.shaping.firmware import VERSIONS
+from pkmodes.machine.shaping.firmware_impulses import as_made, has_own, settled
 
 Array = NDArray[np.float64]
 F = 40.0

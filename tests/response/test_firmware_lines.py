@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 import pkmodes
-from pkmodes.shaping import KINDS, residual, shaper
-from pkmodes.shaping.firmware import change, command, firmware, setting
-from pkmodes.shaping.firmware_impulses import as_made
-from pkmodes.shaping.version_lines import lines_by_version
+from pkmodes.machine.shaping import KINDS, residual, shaper
+from pkmodes.machine.shaping.firmware import change, command, firmware, setting
+from pkmodes.machine.shaping.firmware_impulses import as_made
+from pkmodes.machine.shaping.version_lines import lines_by_version
 
 ROOT = Path(__file__).parents[2]
 F, ZETA = 31.27, 0.02

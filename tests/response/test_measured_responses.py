@@ -10,8 +10,8 @@ import pytest
 import pkmodes
 from pkmodes.cli import run
 from pkmodes.core.base.errors import MeasurementError, PkmodesError
-from pkmodes.figures import read_response, response_picture
-from pkmodes.response.frequency_response import FrequencyResponse
+from pkmodes.machine.response.frequency_response import FrequencyResponse
+from pkmodes.pages.figures import read_response, response_picture
 
 ROOT = Path(__file__).parents[2]
 ROBOT = ROOT / "robots/linear-delta-2022.toml"

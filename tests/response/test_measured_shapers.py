@@ -12,12 +12,12 @@ import pytest
 from helpers.commands.printed_tables import printed_table
 from pkmodes.cli import run
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.measured.measurements import Measurements
-from pkmodes.report.shaper_curves import over_frequency
-from pkmodes.shaping import measured_shapers
-from pkmodes.shaping.measured_modes import of_measured
-from pkmodes.shaping.measured_spectrum import read_spectrum
-from pkmodes.shaping.results import Candidate
+from pkmodes.loop.measured.measurements import Measurements
+from pkmodes.machine.shaping import measured_shapers
+from pkmodes.machine.shaping.measured_modes import of_measured
+from pkmodes.machine.shaping.measured_spectrum import read_spectrum
+from pkmodes.machine.shaping.results import Candidate
+from pkmodes.pages.report.shaper_curves import over_frequency
 
 KINDS = ["zv", "mzv", "ei", "2hump_ei", "3hump_ei"]
 TABLE = """# drives: held

@@ -20,7 +20,7 @@ import pkmodes
 from helpers.robots.one_of_each import POSES, ROBOTS
 from pkmodes.cli import run
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.shaping import Shaper, residual
+from pkmodes.machine.shaping import Shaper, residual
 
 #: A robot without weight, and the stiffness of its motors [N m/rad], seen at the rotors that they drive.
 MACHINES = {"bed_slinger": ("bed-slinger.toml", 18.0), "corexy": ("corexy-printer.toml", 12.0)}

@@ -14,12 +14,12 @@ from scipy.optimize import differential_evolution
 
 import pkmodes
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.shaping import KINDS, residual, shaper
-from pkmodes.shaping.choice import choose, lines_of
-from pkmodes.shaping.fixed import best_fixed
-from pkmodes.shaping.remarks import firmware_remarks
-from pkmodes.shaping.residual_vibration import residual_of_even
-from pkmodes.shaping.ringing import Ringing, ringing
+from pkmodes.machine.shaping import KINDS, residual, shaper
+from pkmodes.machine.shaping.choice import choose, lines_of
+from pkmodes.machine.shaping.fixed import best_fixed
+from pkmodes.machine.shaping.remarks import firmware_remarks
+from pkmodes.machine.shaping.residual_vibration import residual_of_even
+from pkmodes.machine.shaping.ringing import Ringing, ringing
 
 ROOT = Path(__file__).parents[2]
 ROBOT = ROOT / "robots/linear-delta-2022-identified.toml"

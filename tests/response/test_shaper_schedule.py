@@ -14,8 +14,8 @@ import pkmodes
 from helpers.commands.printed_tables import printed_table
 from pkmodes.cli import run
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.shaping import Shaper, residual
-from pkmodes.shaping.results import Choice
+from pkmodes.machine.shaping import Shaper, residual
+from pkmodes.machine.shaping.results import Choice
 
 ROOT = Path(__file__).parents[2]
 PRINTER = ROOT / "robots/corexy-printer.toml"

@@ -16,7 +16,7 @@ from scipy.optimize import brentq
 from scipy.signal.windows import chebwin
 
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.shaping import KINDS, Shaper, residual, shaper
+from pkmodes.machine.shaping import KINDS, Shaper, residual, shaper
 
 TOLERANCE = 0.05
 HUMPS = {"ei": 1, "2hump_ei": 2, "3hump_ei": 3}

@@ -13,7 +13,7 @@ from scipy.signal import dlsim, lsim
 import pkmodes
 from helpers.robots.one_of_each import ROBOTS
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.response.state_space import StateSpace
+from pkmodes.machine.response.state_space import StateSpace
 
 ROOT = Path(__file__).parents[2]
 

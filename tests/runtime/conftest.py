@@ -13,7 +13,7 @@ from helpers.robots.robot_text import PUBLISHED, published
 from helpers.runs.shared import Shared
 from pkmodes import updating
 from pkmodes.cli import run
-from pkmodes.diagnosis import Diagnosis
+from pkmodes.loop.diagnosis import Diagnosis
 
 
 @pytest.fixture(scope="session")

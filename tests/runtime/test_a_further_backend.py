@@ -12,7 +12,7 @@ from helpers.references.loop_solver import LoopSolver
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.solve import backends
 from pkmodes.core.system.evaluation import ExtendedSystem
-from pkmodes.updating.modes_of_systems import modes_of_systems
+from pkmodes.loop.updating.modes_of_systems import modes_of_systems
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 #: Robots of every mechanism with poses, some of them out of reach, and an effect that releases joints.

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import pkmodes
-from pkmodes.sensitivity.alike import Alike, alike
-from pkmodes.sensitivity.relative import alike_around, scalable
+from pkmodes.loop.sensitivity.alike import Alike, alike
+from pkmodes.loop.sensitivity.relative import alike_around, scalable
 
 #: Poses on the planes of symmetry of the robots, where different axes act alike.
 POSES = {

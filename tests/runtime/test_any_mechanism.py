@@ -22,12 +22,12 @@ from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.regular import sample
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.system.evaluation import ExtendedSystem
-from pkmodes.sensitivity.matrices import MatrixDerivatives
-from pkmodes.sensitivity.paths import ParameterPath
-from pkmodes.updating import frame
-from pkmodes.updating.channels import channels
-from pkmodes.updating.measured_robot import MeasuredRobot
-from pkmodes.updating.robot_structure import RobotStructure
+from pkmodes.loop.sensitivity.matrices import MatrixDerivatives
+from pkmodes.loop.sensitivity.paths import ParameterPath
+from pkmodes.loop.updating import frame
+from pkmodes.loop.updating.channels import channels
+from pkmodes.loop.updating.measured_robot import MeasuredRobot
+from pkmodes.loop.updating.robot_structure import RobotStructure
 
 KIND = known._read("planar_pair")
 SAMPLE = sample(KIND)

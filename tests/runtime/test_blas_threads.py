@@ -9,8 +9,8 @@ import pytest
 from threadpoolctl import threadpool_info, threadpool_limits
 
 from pkmodes import updating
-from pkmodes.support.threads import one_blas_thread
-from pkmodes.updating import analyses
+from pkmodes.core.support.threads import one_blas_thread
+from pkmodes.loop.updating import analyses
 
 
 def threads() -> set[int]:

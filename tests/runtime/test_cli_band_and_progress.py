@@ -17,8 +17,8 @@ from pkmodes import updating
 from pkmodes.cli import run
 from pkmodes.core.base.errors import MeasurementError, PkmodesError
 from pkmodes.core.robot.robot import Robot
-from pkmodes.measured.measurements import Measurements
-from pkmodes.updating.measured_robot import MeasuredRobot
+from pkmodes.loop.measured.measurements import Measurements
+from pkmodes.loop.updating.measured_robot import MeasuredRobot
 
 #: For tests that evaluate modes; bad input is refused before that.
 both_back_ends = pytest.mark.usefixtures("backend")

@@ -14,7 +14,7 @@ from helpers.commands.answers import printed, refused
 from helpers.commands.printed_tables import printed_table
 from helpers.robots.robot_text import PUBLISHED, published
 from pkmodes.cli import run
-from pkmodes.plots.changes import scale_of
+from pkmodes.pages.plots.changes import scale_of
 
 pytestmark = pytest.mark.usefixtures("eighty")
 

@@ -24,9 +24,9 @@ from pkmodes import read_robot, updating
 from pkmodes.cli import run
 from pkmodes.cli.printing import echo
 from pkmodes.cli.terminal import Terminal
-from pkmodes.diagnosis import Diagnosis
-from pkmodes.diagnosis.verdict import verdicts
-from pkmodes.report.blocks import Cell, Column, Table
+from pkmodes.loop.diagnosis import Diagnosis
+from pkmodes.loop.diagnosis.verdict import verdicts
+from pkmodes.pages.report.blocks import Cell, Column, Table
 
 ROBOT = ROOT / "examples" / "closed_loop" / "robot.toml"
 MODES = ROOT / "examples" / "closed_loop" / "measured.csv"
@@ -140,7 +140,7 @@ def test_a_full_disk_is_told_with_the_file_and_nothing_is_left(
     out: str,
     place: str,
 ) -> None:
-    monkeypatch.setattr("pkmodes.figures.files.rendered", lambda *_, **__: b"drawn" * 2000)
+    monkeypatch.setattr("pkmodes.pages.figures.files.rendered", lambda *_, **__: b"drawn" * 2000)
     monkeypatch.chdir(tmp_path)
     grid = ["--grid", "x=0.4:0.7:8,y=0:0.1:5,z=-0.245"] if command == "figures" else []
     assert run([command, str(PUBLISHED), "--out", out, *grid]) == 2
@@ -219,7 +219,7 @@ def test_where_the_disk_fills_all_files_of_a_diagnosis_are_written_or_none(
         return replace(path, target)
 
     with monkeypatch.context() as patch:
-        patch.setattr("pkmodes.support.writing.os.fdopen", written)
+        patch.setattr("pkmodes.core.support.writing.os.fdopen", written)
         patch.setattr(Path, "replace", replaced)
         assert run([*DIAGNOSE, *given]) == 2
     captured = capsys.readouterr()

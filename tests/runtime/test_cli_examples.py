@@ -11,7 +11,7 @@ import pytest
 from helpers.commands.answers import answer, printed, refused
 from helpers.runs.processes import ROOT
 from pkmodes.cli.examples import CATALOGUE
-from pkmodes.robot_files import supplied
+from pkmodes.loop.robot_files import supplied
 
 ROBOT = Path("robots/corexy-printer.toml")
 

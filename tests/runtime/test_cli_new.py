@@ -19,8 +19,8 @@ from helpers.robots.one_of_each import EVERY
 from helpers.robots.robot_text import edited
 from helpers.runs.processes import ROOT
 from pkmodes.core.mechanism import registry as known
-from pkmodes.robot_files.measuring import BY_DIMENSION, BY_PATH, way_of
-from pkmodes.robot_files.template import template
+from pkmodes.loop.robot_files.measuring import BY_DIMENSION, BY_PATH, way_of
+from pkmodes.loop.robot_files.template import template
 from pkmodes_description import UNITS, Key, Table
 
 #: The mechanisms with the example that the file starts from.
@@ -164,7 +164,7 @@ def test_a_file_of_a_mechanism_without_an_example_has_the_sample_of_its_checks(t
 
 def test_a_value_of_zero_has_no_sigma_in_per_cent(monkeypatch: pytest.MonkeyPatch) -> None:
     example = tomllib.loads(edited('mass = "1 kg"', 'mass = "0 kg"'))
-    monkeypatch.setattr("pkmodes.robot_files.template.robot_of", lambda name: example)
+    monkeypatch.setattr("pkmodes.loop.robot_files.template.robot_of", lambda name: example)
     found = tomllib.loads(printed("new", "linear_delta"))
     assert found["carriage"]["mass"] == "0 kg"
     assert found["platform"]["mass"] == {"value": "1.5 kg", "sigma": "2 %"}

@@ -12,8 +12,8 @@ import pytest
 from pkmodes import read_robot, updating
 from pkmodes.cli import run
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.diagnosis import Diagnosis
-from pkmodes.report import report
+from pkmodes.loop.diagnosis import Diagnosis
+from pkmodes.pages.report import report
 
 ROOT = Path(__file__).parents[2]
 LOOP = [str(ROOT / "examples" / "closed_loop" / name) for name in ("robot.toml", "measured.csv")]

@@ -14,9 +14,9 @@ from pkmodes.core.base.errors import RobotFileError
 from pkmodes.core.robot.covariance import Covariance
 from pkmodes.core.robot.reading import read_robot
 from pkmodes.core.robot.robot import Robot
-from pkmodes.dataset.robot_text import text_of
-from pkmodes.robot_files.differences import differences
-from pkmodes.support.covariance import covariance_of, priors_of
+from pkmodes.core.support.covariance import covariance_of, priors_of
+from pkmodes.loop.robot_files.differences import differences
+from pkmodes.machine.dataset.robot_text import text_of
 
 MASS, WIDTH, RADIUS = '"1.5 kg"', '"15 mm"', '"35 mm"'
 TWO = """

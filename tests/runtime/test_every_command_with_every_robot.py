@@ -16,12 +16,12 @@ import pkmodes
 from helpers.robots.damped_robots import DAMPING, EFFECTS
 from helpers.robots.one_of_each import POSES
 from pkmodes.cli import run
-from pkmodes.figures import files
-from pkmodes.maps import workspace
-from pkmodes.report import blocks
-from pkmodes.report import map as report_of_maps
-from pkmodes.robot_files.saving import Correction, corrected_text
-from pkmodes.view import poses as viewed
+from pkmodes.loop.robot_files.saving import Correction, corrected_text
+from pkmodes.machine.maps import workspace
+from pkmodes.pages.figures import files
+from pkmodes.pages.report import blocks
+from pkmodes.pages.report import map as report_of_maps
+from pkmodes.pages.view import poses as viewed
 
 ROOT = Path(__file__).parents[2]
 #: Examples that came later: they are last, so that the others keep what their motors do here.

@@ -16,8 +16,8 @@ from helpers.robots.robot_text import PUBLISHED
 from pkmodes.core import model as model_module
 from pkmodes.core.base.errors import NotComputedError
 from pkmodes.core.solve import batch, mode_fields
-from pkmodes.sensitivity import sensitivities as sensitivity_module
-from pkmodes.sensitivity.sensitivities import Sensitivities
+from pkmodes.loop.sensitivity import sensitivities as sensitivity_module
+from pkmodes.loop.sensitivity.sensitivities import Sensitivities
 
 pytestmark = pytest.mark.usefixtures("backend")
 

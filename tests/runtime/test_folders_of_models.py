@@ -17,7 +17,7 @@ from helpers.robots.robot_text import PUBLISHED, published
 from pkmodes.cli import run
 from pkmodes.codegen import generation
 from pkmodes.core.base.errors import OutputError
-from pkmodes.support import writing
+from pkmodes.core.support import writing
 
 
 def contents(folder: Path) -> dict[str, bytes]:

@@ -7,7 +7,7 @@ from typing import Any, cast
 
 import numpy as np
 
-from pkmodes.sensitivity.shapes import shape_derivatives
+from pkmodes.loop.sensitivity.shapes import shape_derivatives
 
 
 def test_modes_that_nothing_holds_do_not_overflow() -> None:

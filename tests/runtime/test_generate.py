@@ -20,7 +20,7 @@ from helpers.robots.robot_text import PUBLISHED, published
 from pkmodes.cli import run
 from pkmodes.codegen.generation import specification
 from pkmodes.core.robot.reading import read_robot
-from pkmodes.support import writing
+from pkmodes.core.support import writing
 from pkmodes_derive.emit import product
 
 

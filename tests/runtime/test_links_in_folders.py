@@ -12,7 +12,7 @@ from helpers.robots.robot_text import PUBLISHED
 from pkmodes.cli import run
 from pkmodes.codegen.product_folder import check_place
 from pkmodes.core.base.errors import OutputError
-from pkmodes.support import writing
+from pkmodes.core.support import writing
 
 
 @pytest.mark.parametrize("name", [MODULE, "linear_delta_2022.c", "manifest.json", ".pkmodes-generate.lock"])

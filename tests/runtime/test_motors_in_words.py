@@ -6,7 +6,7 @@ import pytest
 
 import pkmodes
 from helpers.robots.one_of_each import EVERY, ROBOTS
-from pkmodes.support.motors import drives_in_use, motors_in_words, motors_of_both
+from pkmodes.core.support.motors import drives_in_use, motors_in_words, motors_of_both
 
 
 @pytest.mark.parametrize("name", list(EVERY.values()))

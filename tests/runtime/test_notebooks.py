@@ -12,8 +12,8 @@ import pytest
 
 import pkmodes
 from pkmodes import updating
-from pkmodes.figures.pictures import pictures
-from pkmodes.view import scene
+from pkmodes.pages.figures.pictures import pictures
+from pkmodes.pages.view import scene
 
 pytestmark = pytest.mark.usefixtures("backend")
 

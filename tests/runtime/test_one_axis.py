@@ -12,7 +12,7 @@ import pkmodes
 from helpers.pages.page_reading import read
 from pkmodes.cli import run
 from pkmodes.core.mechanism import registry as mechanism
-from pkmodes.view import poses_around
+from pkmodes.pages.view import poses_around
 
 pytestmark = pytest.mark.usefixtures("slide")
 DEFINITION = r'''"""A carriage on one belt with a motor pulley."""

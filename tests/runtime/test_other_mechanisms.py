@@ -22,9 +22,9 @@ from pkmodes.core.robot.layout import items
 from pkmodes.core.robot.reading import read_robot, robot_from_document
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.variants import document_of
-from pkmodes.robot_files.saving import Correction, corrected_text
-from pkmodes.sensitivity.paths import moved, paths, resolve
-from pkmodes.updating.candidates import suspects
+from pkmodes.loop.robot_files.saving import Correction, corrected_text
+from pkmodes.loop.sensitivity.paths import moved, paths, resolve
+from pkmodes.loop.updating.candidates import suspects
 
 
 @pytest.fixture(autouse=True, scope="module")

@@ -15,7 +15,7 @@ import pkmodes
 from helpers.robots.robot_text import PUBLISHED
 from helpers.runs.processes import environment
 from pkmodes import diagnosis
-from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter
+from pkmodes.loop.diagnosis import Candidate, MatrixStructure, Measurements, Parameter
 
 POSE = [0.6, 0.03, -0.245]
 MODEL = pkmodes.load(PUBLISHED)
@@ -144,7 +144,7 @@ TWO = Measurements.from_rows(["a", "b"], [0.1, 0.2], [0.01, 0.01])
             ["1 standard deviation, found 2"],
         ),
         ({"candidates": [Candidate("k", ("k",), sigma=(-1.0,))]}, TWO.at([0]), ["above 0, found -1"]),
-        (None, TWO, ["expected a structure, found", "for a robot, use pkmodes.updating"]),
+        (None, TWO, ["expected a structure, found", "for a robot, use pkmodes.loop.updating"]),
         ({}, TWO.at([]), ["found no rows"]),
     ],
 )
@@ -194,7 +194,7 @@ def test_the_largest_condition_number_is_positive(given: object) -> None:
 #: In a Python of its own: nothing that is slow is loaded before it is asked for, and then all of it.
 IMPORTED = """
 import sys, pkmodes
-assert not {"numpy", "scipy", "pkmodes.updating", "pkmodes.diagnosis"} & set(sys.modules)
+assert not {"numpy", "scipy", "pkmodes.loop.updating", "pkmodes.loop.diagnosis"} & set(sys.modules)
 pkmodes.load
 assert "numpy" in sys.modules and "scipy" not in sys.modules
 for part in ("updating", "diagnosis"):
@@ -230,7 +230,7 @@ def test_the_package_is_nearly_free_to_import_and_has_all_its_names() -> None:
 )
 def test_a_path_in_place_of_a_robot_is_to_be_read(robot: object, remedy: str) -> None:
     modes = Measurements.from_rows(["a"], [10.0], [0.1])
-    for called in (pkmodes.updating.compare, pkmodes.updating.diagnose):
+    for called in (pkmodes.loop.updating.compare, pkmodes.loop.updating.diagnose):
         with pytest.raises(pkmodes.PkmodesError, match="expected a robot or a model, found") as error:
             called(robot, modes)  # type: ignore[arg-type]
         assert (error.value.where, error.value.remedy) == ("robot", remedy)

@@ -20,7 +20,7 @@ from pkmodes.core.base.errors import PoseError, RobotFileError
 from pkmodes.core.robot.reading import robot_from_document
 from pkmodes.core.robot.units import Quantity
 from pkmodes.core.robot.variants import document_of, raw_values
-from pkmodes.sensitivity.paths import moved, paths, resolve
+from pkmodes.loop.sensitivity.paths import moved, paths, resolve
 
 POSE = [0.6, 0.03, -0.245]
 ROBOTS = PUBLISHED.parent

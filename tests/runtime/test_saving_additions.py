@@ -9,7 +9,7 @@ import pytest
 from helpers.robots.corrected_files import changed_lines, correct, reread
 from helpers.robots.robot_text import edited, published
 from pkmodes.core.base.errors import OutputError
-from pkmodes.robot_files.saving import Correction
+from pkmodes.loop.robot_files.saving import Correction
 
 
 def test_an_axis_gets_an_override_in_the_unit_of_what_it_shares(tmp_path: Path) -> None:

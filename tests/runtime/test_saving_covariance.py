@@ -11,7 +11,7 @@ from helpers.robots.corrected_files import changed_lines, reread
 from helpers.robots.robot_text import published
 from pkmodes.core.base.errors import OutputError
 from pkmodes.core.robot.covariance import Covariance
-from pkmodes.robot_files.saving import Correction, corrected_text
+from pkmodes.loop.robot_files.saving import Correction, corrected_text
 
 PATHS = ("platform.mass", "effects.payload.mass")
 NEW = Covariance(PATHS, ((1.0, -0.123456789), (-0.123456789, 1.0)), (0.0123456789, 0.02))

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from helpers.robots.corrected_files import changed_lines, correct
 from helpers.robots.robot_text import edited, published
-from pkmodes.robot_files.saving import Correction, save_corrected
+from pkmodes.loop.robot_files.saving import Correction, save_corrected
 
 
 def test_a_table_of_its_own_stays_one(tmp_path: Path) -> None:

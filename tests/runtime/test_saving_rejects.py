@@ -12,9 +12,9 @@ from helpers.pages.report_examples import made_up
 from helpers.robots.corrected_files import correct, with_joints
 from helpers.robots.robot_text import PUBLISHED, edited, published
 from pkmodes.core.base.errors import OutputError, PkmodesError, RobotFileError
-from pkmodes.diagnosis.verdict.findings import Corrected
-from pkmodes.robot_files.saving import Correction, corrected_text, save_corrected
-from pkmodes.updating.corrected_robot import corrected_robot, corrections
+from pkmodes.loop.diagnosis.verdict.findings import Corrected
+from pkmodes.loop.robot_files.saving import Correction, corrected_text, save_corrected
+from pkmodes.loop.updating.corrected_robot import corrected_robot, corrections
 
 
 @pytest.mark.parametrize(
@@ -76,7 +76,7 @@ def test_a_layout_that_cannot_be_kept_is_refused(tmp_path: Path) -> None:
 
 
 def test_what_does_not_read_back_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("pkmodes.robot_files.saving.DIGITS_OF_ELEMENTS", 3)
+    monkeypatch.setattr("pkmodes.loop.robot_files.saving.DIGITS_OF_ELEMENTS", 3)
     with pytest.raises(OutputError, match=r"does not read back: expected 1\.20005 .* found 1\.2 "):
         corrected_text(PUBLISHED, {"axis.span": Correction(1.2001)})
 

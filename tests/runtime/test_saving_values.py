@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from helpers.robots.corrected_files import changed_lines, correct, reread, with_joints
 from helpers.robots.robot_text import edited, published
-from pkmodes.robot_files.saving import Correction
+from pkmodes.loop.robot_files.saving import Correction
 
 
 def test_only_the_line_of_the_value_changes(tmp_path: Path) -> None:

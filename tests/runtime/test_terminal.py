@@ -8,7 +8,7 @@ from helpers.commands.printed_tables import printed_table
 from helpers.pages.page_reading import read
 from pkmodes.cli.layout import typed
 from pkmodes.cli.terminal import Terminal
-from pkmodes.report.blocks import (
+from pkmodes.pages.report.blocks import (
     Cell,
     Column,
     Facts,
@@ -19,8 +19,16 @@ from pkmodes.report.blocks import (
     Summary,
     Table,
 )
-from pkmodes.report.formatting import figures, hertz, label, number, thousands, uncertain_cell, unit_cell
-from pkmodes.report.page import page
+from pkmodes.pages.report.formatting import (
+    figures,
+    hertz,
+    label,
+    number,
+    thousands,
+    uncertain_cell,
+    unit_cell,
+)
+from pkmodes.pages.report.page import page
 
 TABLE = Table(
     "Values \u00b1 \u03c3, chi\u00b2:",

@@ -19,12 +19,12 @@ from pkmodes.core.base.errors import PkmodesError, RobotFileError
 from pkmodes.core.robot.reading import read_robot, robot_from_document
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.usable import Radius, limits_in_words
-from pkmodes.dataset.robot_text import text_of
-from pkmodes.maps.workspace import limits_of
-from pkmodes.robot_files.differences import differences
-from pkmodes.robot_files.saving import Correction
-from pkmodes.sensitivity.paths import paths
-from pkmodes.updating.load_cases import settable
+from pkmodes.core.robot.usable_poses import limits_of
+from pkmodes.loop.robot_files.differences import differences
+from pkmodes.loop.robot_files.saving import Correction
+from pkmodes.loop.sensitivity.paths import paths
+from pkmodes.loop.updating.load_cases import settable
+from pkmodes.machine.dataset.robot_text import text_of
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 USED = '\n[usable]\nz = ["-300 mm", "-200 mm"]  # the table is there\nx = [0.1, "110 cm"]\n'
@@ -198,7 +198,7 @@ def test_measurements_cannot_set_a_limit(tmp_path: Path) -> None:
     modes.write_text("pose,x,y,z,frequency,sigma,set:usable.z.min\nA,0.6,0,-0.245,55,0.1,-0.3\n")
     robot = read(tmp_path, USED)
     with pytest.raises(PkmodesError, match=r'"set:usable\.z\.min" is not a value that can be set'):
-        pkmodes.updating.compare(robot, pkmodes.updating.read(modes))
+        pkmodes.loop.updating.compare(robot, pkmodes.loop.updating.read(modes))
 
 
 def test_generated_code_does_not_depend_on_limits(tmp_path: Path) -> None:

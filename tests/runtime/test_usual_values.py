@@ -11,9 +11,9 @@ from helpers.diagnoses.diagnose_command import PUBLISHED, edited
 from pkmodes import read_robot
 from pkmodes.core.mechanism.registry import mechanism
 from pkmodes.core.robot.layout import Item
-from pkmodes.diagnosis import Measurements, Parameter
-from pkmodes.updating.measured_robot import MeasuredRobot
-from pkmodes.updating.usual import usual
+from pkmodes.loop.diagnosis import Measurements, Parameter
+from pkmodes.loop.updating.measured_robot import MeasuredRobot
+from pkmodes.loop.updating.usual import usual
 
 #: A value of every kind without a sigma, as declared in the published robot.
 SUSPECTED = edited(

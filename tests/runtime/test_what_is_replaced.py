@@ -11,8 +11,8 @@ from helpers.commands.answers import answer, printed, refused
 from helpers.runs.processes import ROOT
 from pkmodes import load
 from pkmodes.core.base.errors import OutputError
-from pkmodes.figures.files import write_pictures
-from pkmodes.figures.pictures import PICTURES
+from pkmodes.pages.figures.files import write_pictures
+from pkmodes.pages.figures.pictures import PICTURES
 
 PRINTER = ROOT / "robots" / "corexy-printer.toml"
 POSE = ("--pose", "0.15,0.15")
@@ -76,8 +76,8 @@ def test_a_page_whose_name_nobody_gave_replaces_only_another_such_page(here: Pat
 def test_pictures_replace_only_pictures_of_their_kind(
     here: Path, monkeypatch: pytest.MonkeyPatch, form: str
 ) -> None:
-    monkeypatch.setattr("pkmodes.figures.files.PICTURES", PICTURES[:1])
-    monkeypatch.setattr(import_module("pkmodes.figures.pictures"), "PICTURES", PICTURES[:1])
+    monkeypatch.setattr("pkmodes.pages.figures.files.PICTURES", PICTURES[:1])
+    monkeypatch.setattr(import_module("pkmodes.pages.figures.pictures"), "PICTURES", PICTURES[:1])
     command, folder = ("figures", PRINTER, *GRID, "--out", "pictures", "--format", form), here / "pictures"
     file = folder / f"{PICTURES[0].name}.{form}"
     folder.mkdir()

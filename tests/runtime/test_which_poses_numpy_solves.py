@@ -17,7 +17,7 @@ from pkmodes.core.solve.compiled_solver import CompiledSolver
 from pkmodes.core.solve.field_arrays import chosen_fields
 from pkmodes.core.solve.solver import UNSOLVED
 from pkmodes.core.system.evaluation import ExtendedSystem
-from pkmodes.updating.modes_of_systems import _by_solvers
+from pkmodes.loop.updating.modes_of_systems import _by_solvers
 
 LINEAR_DELTA = mechanism("linear_delta")
 

@@ -8,8 +8,8 @@ import pytest
 
 from helpers.robots.one_of_each import EVERY
 from pkmodes import read_robot
-from pkmodes.sensitivity.paths import paths
-from pkmodes.support.words import meaning_of
+from pkmodes.core.support.words import meaning_of
+from pkmodes.loop.sensitivity.paths import paths
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 

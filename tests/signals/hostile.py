@@ -30,10 +30,10 @@ try:
     import h5py, zstandard
 except ImportError:
     pass
-from pkmodes.campaign.description import read_description
+from pkmodes.modaltest.campaign.description import read_description
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.signals.functions import Asked
-from pkmodes.signals.reading import read_signals
+from pkmodes.modaltest.signals.functions import Asked
+from pkmodes.modaltest.signals.reading import read_signals
 
 def memory(name):
     lines = Path("/proc/self/status").read_text().splitlines()

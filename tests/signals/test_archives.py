@@ -14,11 +14,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pkmodes.campaign.campaign import read_campaign
-from pkmodes.campaign.identify import identify
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.functions import FunctionKind, SignalRequest
-from pkmodes.signals.reading import read_signals
+from pkmodes.modaltest.campaign.campaign import read_campaign
+from pkmodes.modaltest.campaign.identify import identify
+from pkmodes.modaltest.signals.functions import FunctionKind, SignalRequest
+from pkmodes.modaltest.signals.reading import read_signals
 
 #: A decay at 41.3 Hz in x and one at 63.7 Hz in y, noise in z [mm/s^2], as Klipper prints them: with six decimals.
 RATE, FREQUENCIES = 1600.0, (41.3, 63.7)
@@ -174,7 +174,7 @@ def test_other_archives_are_refused_by_name(subtests: pytest.Subtests, tmp_path:
 def test_an_archive_that_unpacks_to_too_much_is_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("pkmodes.signals.archives.LARGEST", 10_000)
+    monkeypatch.setattr("pkmodes.modaltest.signals.archives.LARGEST", 10_000)
     for name in ("a.zip", "a.tgz"):
         archive(tmp_path / name, {"a.csv": as_table(SHORT[0])})
         assert "found more" in refusal(tmp_path / name).what

@@ -10,8 +10,8 @@ import pytest
 from scipy.io import savemat
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.functions import SignalFile, SignalRequest
-from pkmodes.signals.reading import read_signals
+from pkmodes.modaltest.signals.functions import SignalFile, SignalRequest
+from pkmodes.modaltest.signals.reading import read_signals
 
 TIME = np.array([0.0, 0.25, 0.5, 0.75])
 #: Samples x sensors.

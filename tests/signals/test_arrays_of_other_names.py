@@ -9,8 +9,8 @@ import pytest
 from scipy.io import savemat
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.functions import Function, SignalFile, SignalRequest
-from pkmodes.signals.reading import read_signals
+from pkmodes.modaltest.signals.functions import Function, SignalFile, SignalRequest
+from pkmodes.modaltest.signals.reading import read_signals
 
 TIME = np.array([0.0, 0.25, 0.5, 0.75])
 FORCE, X, Y = np.array([[0.0, 9.0, 1.0, 0.0], [1.0, -2.0, 3.0, 4.0], [5.0, 6.0, 7.0, -8.0]])

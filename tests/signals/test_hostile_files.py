@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.functions import SignalRequest
-from pkmodes.signals.reading import read_signals
+from pkmodes.modaltest.signals.functions import SignalRequest
+from pkmodes.modaltest.signals.reading import read_signals
 from signals import hostile
 from signals.hostile import CASES
 

@@ -11,9 +11,9 @@ import pytest
 from scipy.io import savemat
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals import arrays
-from pkmodes.signals.functions import FunctionKind, SignalFile, SignalRequest
-from pkmodes.signals.reading import read_signals
+from pkmodes.modaltest.signals import arrays
+from pkmodes.modaltest.signals.functions import FunctionKind, SignalFile, SignalRequest
+from pkmodes.modaltest.signals.reading import read_signals
 
 TIME = np.array([0.0, 0.5, 1.0])
 RESPONSE = np.array([1 + 2j, 3 - 4j, 5j])

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.reading import read_signals
+from pkmodes.modaltest.signals.reading import read_signals
 
 ROWS = 200_000
 HEADER = {"logger": "time,a,b,c", "quoted": '"time","a","b","c"', "reprap": "Sample,X,Y,Z"}

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pkmodes.signals.reduction import LONG, reduced, reduction
+from pkmodes.modaltest.signals.reduction import LONG, reduced, reduction
 
 STEP = 1.0 / 12_800.0
 TIME = STEP * np.arange(60_001)

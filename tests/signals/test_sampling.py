@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.sampling import even_pieces, stated_pieces
+from pkmodes.modaltest.signals.sampling import even_pieces, stated_pieces
 
 
 @pytest.mark.parametrize("rate", [3208.0, 3272.0, 12800.0, 25600.0])

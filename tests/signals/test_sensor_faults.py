@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy import signal
 
-from pkmodes.signals.sensor_faults import clipped, stopped
+from pkmodes.modaltest.signals.sensor_faults import clipped, stopped
 
 COUNT, RATE = 20_000, 1344.0
 TIME = np.arange(COUNT) / RATE
@@ -87,7 +87,7 @@ def test_a_long_signal_is_looked_at_in_parts(monkeypatch: pytest.MonkeyPatch) ->
     cut = np.clip(rng.normal(size=COUNT), -2.0, np.inf)
     cut[3_000:9_000] = 0.5
     whole = clipped(cut)
-    monkeypatch.setattr("pkmodes.signals.sensor_faults.PART", 1000)
+    monkeypatch.setattr("pkmodes.modaltest.signals.sensor_faults.PART", 1000)
     assert clipped(cut) == whole
     assert whole[0] == (-2.0,)
     assert stopped(cut) == slice(3_000, 9_000)

@@ -10,8 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.functions import FunctionKind, SignalFile, SignalRequest
-from pkmodes.signals.reading import read_signals
+from pkmodes.modaltest.signals.functions import FunctionKind, SignalFile, SignalRequest
+from pkmodes.modaltest.signals.reading import read_signals
 
 
 @pytest.fixture

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.functions import FunctionKind, SignalFile, SignalRequest
-from pkmodes.signals.reading import read_signals
+from pkmodes.modaltest.signals.functions import FunctionKind, SignalFile, SignalRequest
+from pkmodes.modaltest.signals.reading import read_signals
 
 
 def read(folder: Path, text: str, asked: SignalRequest = SignalRequest()) -> SignalFile:  # noqa: B008

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.functions import FunctionKind, SignalFile, SignalRequest
-from pkmodes.signals.reading import read_signals
-from pkmodes.signals.sampling import as_sampled, even_pieces
+from pkmodes.modaltest.signals.functions import FunctionKind, SignalFile, SignalRequest
+from pkmodes.modaltest.signals.reading import read_signals
+from pkmodes.modaltest.signals.sampling import as_sampled, even_pieces
 
 
 def read(

@@ -12,11 +12,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pkmodes.campaign.campaign import read_campaign
-from pkmodes.campaign.identify import identify
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.functions import FunctionKind
-from pkmodes.signals.reading import read_signals
+from pkmodes.modaltest.campaign.campaign import read_campaign
+from pkmodes.modaltest.campaign.identify import identify
+from pkmodes.modaltest.signals.functions import FunctionKind
+from pkmodes.modaltest.signals.reading import read_signals
 from signals.universal import dataset, dataset58, dataset58b, packed
 
 #: From github.com/ladisk/pyuff at 44a12ca, with its licence.  The expected values are read off the files by eye.

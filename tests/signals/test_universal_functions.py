@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.functions import Function, FunctionKind, SignalRequest
-from pkmodes.signals.reading import read_signals
+from pkmodes.modaltest.signals.functions import Function, FunctionKind, SignalRequest
+from pkmodes.modaltest.signals.reading import read_signals
 from signals.universal import END, dataset, dataset58, dataset58b, header58, packed
 
 NUMBERS = [0.5, -1.25, 3.0, 0.125]

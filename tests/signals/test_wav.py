@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.functions import SignalFile, SignalRequest
-from pkmodes.signals.reading import read_signals
+from pkmodes.modaltest.signals.functions import SignalFile, SignalRequest
+from pkmodes.modaltest.signals.reading import read_signals
 
 #: Two channels of four samples, parts of full scale.
 CHANNELS = np.array([[0.0, 0.5], [-0.5, 0.25], [0.75, -1.0], [-0.125, 0.0]])

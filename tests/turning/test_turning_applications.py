@@ -8,13 +8,13 @@ from scipy.spatial.transform import Rotation
 
 from helpers.robots.six_legs import POSE, hexapod, motion
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.maps.workspace import box_of, resting
-from pkmodes.plots import maps
-from pkmodes.plots.plane import Plane, where
-from pkmodes.updating import frame
-from pkmodes.updating.candidates import suspects
-from pkmodes.updating.channels import channels, sensors
-from pkmodes.updating.robot_structure import RobotStructure
+from pkmodes.loop.updating import frame
+from pkmodes.loop.updating.candidates import suspects
+from pkmodes.loop.updating.channels import channels, sensors
+from pkmodes.loop.updating.robot_structure import RobotStructure
+from pkmodes.machine.maps.workspace import box_of, resting
+from pkmodes.pages.plots import maps
+from pkmodes.pages.plots.plane import Plane, where
 
 #: A robot of which gravity and legs have no part in the equations.
 LIGHT: dict[str, float | str] = {
@@ -87,7 +87,7 @@ def test_maps_leave_rotations_as_they_are() -> None:
 def test_the_workspace_is_that_of_a_platform_that_stands_and_does_not_turn(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr("pkmodes.maps.workspace.DRAWS", 20_000)
+    monkeypatch.setattr("pkmodes.machine.maps.workspace.DRAWS", 20_000)
     model = hexapod()
     low, high = box_of(model)
     assert low[2] > 0.15  # below the base is another assembly of the same legs

@@ -16,8 +16,8 @@ from helpers.robots.sample_robots import sample as linear_sample
 from pkmodes.core.mechanism import registry
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.system.evaluation import ExtendedSystem
-from pkmodes.view.evaluating import scene
-from pkmodes.view.robot_drawing import RobotDrawing
+from pkmodes.pages.view.evaluating import scene
+from pkmodes.pages.view.robot_drawing import RobotDrawing
 
 MECHANISMS = ("linear_delta", *sampled())
 CASES = [(name, seed) for name in MECHANISMS for seed in range(4)]

@@ -11,9 +11,9 @@ import pytest
 
 import pkmodes
 from helpers.robots.one_of_each import POSES
-from pkmodes.view import poses_around
-from pkmodes.view.interpolation import FINE, interpolation_errors, largest_around, mean_frequency
-from pkmodes.view.pairing import paired_modes
+from pkmodes.pages.view import poses_around
+from pkmodes.pages.view.interpolation import FINE, interpolation_errors, largest_around, mean_frequency
+from pkmodes.pages.view.pairing import paired_modes
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 

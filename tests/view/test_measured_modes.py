@@ -11,9 +11,9 @@ import pytest
 
 import pkmodes
 from helpers.pages.browser import opened
-from pkmodes.view import Scene, page, scene
-from pkmodes.view.measured_data import components, measured_data
-from pkmodes.view.measured_modes import Channel, MeasuredMode, scale_factor, weights_of
+from pkmodes.pages.view import Scene, page, scene
+from pkmodes.pages.view.measured_data import components, measured_data
+from pkmodes.pages.view.measured_modes import Channel, MeasuredMode, scale_factor, weights_of
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 POSES = [[0.6, 0.0, -0.245], [0.5, 0.05, -0.24]]

@@ -17,7 +17,7 @@ from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.mechanism import registry as known
 from pkmodes.core.mechanism.regular import sample
 from pkmodes.core.robot.robot import Robot
-from pkmodes.view import page, poses_around, scene, typical_pose
+from pkmodes.pages.view import page, poses_around, scene, typical_pose
 
 PAIR = known._read("planar_pair")
 POSE = [0.03, -0.42]

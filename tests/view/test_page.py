@@ -17,8 +17,8 @@ from PIL import Image
 import pkmodes
 from helpers.pages.browser import Opened, opened
 from pkmodes.cli import run
-from pkmodes.view import assets, fragment, page, poses_around, scene
-from pkmodes.view.page_data import embedded
+from pkmodes.pages.view import assets, fragment, page, poses_around, scene
+from pkmodes.pages.view.page_data import embedded
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 POSES = {

@@ -9,10 +9,10 @@ import pytest
 
 import pkmodes
 from pkmodes.core.base.errors import PoseError
-from pkmodes.maps.workspace import box_of
-from pkmodes.view import page, poses_around, scene, typical_pose
-from pkmodes.view.robot_drawing import upright
-from pkmodes.view.workspace import workspace
+from pkmodes.machine.maps.workspace import box_of
+from pkmodes.pages.view import page, poses_around, scene, typical_pose
+from pkmodes.pages.view.robot_drawing import upright
+from pkmodes.pages.view.workspace import workspace
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 PUBLISHED = ROBOTS / "linear-delta-2022.toml"

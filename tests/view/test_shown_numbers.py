@@ -14,10 +14,10 @@ from scipy.spatial.transform import Rotation
 
 import pkmodes
 from helpers.pages.browser import Opened, opened
-from pkmodes.maps.workspace import box_of
-from pkmodes.view import page, poses_around, scene
-from pkmodes.view.interpolation import mean_frequency
-from pkmodes.view.page import FINE
+from pkmodes.machine.maps.workspace import box_of
+from pkmodes.pages.view import page, poses_around, scene
+from pkmodes.pages.view.interpolation import mean_frequency
+from pkmodes.pages.view.page import FINE
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 POSES = {"linear-delta-2022": [0.6, 0.0, -0.245], "corexy-printer": [0.1, 0.2]}

@@ -12,9 +12,9 @@ import pytest
 
 import pkmodes
 from helpers.pages.browser import opened
-from pkmodes.view import page, scene
-from pkmodes.view.projection import camera, rim
-from pkmodes.view.still import DARK, LIGHT, WIDTH, on_scale, still
+from pkmodes.pages.view import page, scene
+from pkmodes.pages.view.projection import camera, rim
+from pkmodes.pages.view.still import DARK, LIGHT, WIDTH, on_scale, still
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 POSES = {
@@ -61,7 +61,7 @@ def test_points_are_where_an_orthographic_camera_sees_them() -> None:
 
 
 def test_the_colours_are_those_of_the_viewer() -> None:
-    palette = (files("pkmodes.view") / "browser" / "palette.js").read_text(encoding="utf-8")
+    palette = (files("pkmodes.pages.view") / "browser" / "palette.js").read_text(encoding="utf-8")
     scales = [tuple(re.findall(r'"(#\w+)"', one)) for one in re.findall(r"scale: \[(.*?)\]", palette)]
     assert scales == [LIGHT, DARK]
     assert [on_scale(LIGHT, share) for share in (-1.0, 0.0, 1.0, 2.0)] == [LIGHT[0]] * 2 + [LIGHT[-1]] * 2

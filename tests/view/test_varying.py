@@ -14,7 +14,7 @@ from helpers.pages.browser import opened
 from pkmodes.cli import run
 from pkmodes.cli.show import parse_vary
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.view import varied
+from pkmodes.pages.view import varied
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 ROBOT = ROBOTS / "linear-delta-2022.toml"

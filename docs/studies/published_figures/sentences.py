@@ -8,10 +8,10 @@ from textwrap import fill
 import numpy as np
 
 import pkmodes
-from pkmodes.figures.quantities import relative_sensitivities
-from pkmodes.maps.workspace import box_of
-from pkmodes.plots.labels import typeset
-from pkmodes.plots.plane import Plane
+from pkmodes.machine.maps.workspace import box_of
+from pkmodes.pages.figures.quantities import relative_sensitivities
+from pkmodes.pages.plots.labels import typeset
+from pkmodes.pages.plots.plane import Plane
 from working_area import CASES, ROOT, Area, area_of
 
 IDENTIFIED = CASES[0]

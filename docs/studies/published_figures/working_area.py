@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 import pkmodes
-from pkmodes.maps.workspace import box_of
+from pkmodes.machine.maps.workspace import box_of
 
 ROOT = Path(__file__).parents[3]
 #: Length of the line over which a change counts as sudden.

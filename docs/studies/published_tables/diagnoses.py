@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pkmodes
 from extremes import Extremes
-from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.measured.measurements import Measurements
-from pkmodes.updating import diagnose, read
+from pkmodes.loop.diagnosis.verdict.result import Diagnosis
+from pkmodes.loop.measured.measurements import Measurements
+from pkmodes.loop.updating import diagnose, read
 from printed import read_rows
 from published_modes import FILE, SIGMA
 

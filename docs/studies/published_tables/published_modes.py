@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 import pkmodes
-from pkmodes.updating import read
+from pkmodes.loop.updating import read
 from printed import HALF_HERTZ, Array, read_rows
 
 if TYPE_CHECKING:

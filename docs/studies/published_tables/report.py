@@ -13,7 +13,7 @@ from extremes import Extremes
 from geometry import OPPOSITE
 from grid import Interval
 from identification import Identified
-from pkmodes.updating import diagnose
+from pkmodes.loop.updating import diagnose
 from pulley_rows import AXES, READINGS, pose_of_shape
 
 MM = 1e3

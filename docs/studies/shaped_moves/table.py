@@ -17,7 +17,7 @@ from pathlib import Path
 import numpy as np
 
 import pkmodes
-from pkmodes.shaping import Shaper
+from pkmodes.machine.shaping import Shaper
 from pkmodes_rig.moves import StraightMove
 
 ROOT = Path(__file__).parents[3]

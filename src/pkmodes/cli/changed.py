@@ -28,7 +28,7 @@ from pkmodes.core.robot.reading import read_robot
 
 if TYPE_CHECKING:
     from pkmodes.core.robot.robot import Robot
-    from pkmodes.measured.measurements import Measurements
+    from pkmodes.loop.measured.measurements import Measurements
 
 #: Modes that are printed without ``--all``.
 MOST = 10
@@ -106,7 +106,7 @@ def changed(
     names = None if candidates is None else split_names(candidates, "--candidates")
     held = None if holdout is None else [] if holdout.strip() == "none" else split_names(holdout, "--holdout")
     failures = frozenset() if fail_on is None else failing(split_names(fail_on, "--fail-on"))
-    from pkmodes import updating  # SciPy is loaded only where it is used
+    from pkmodes.loop import updating  # SciPy is loaded only where it is used
 
     declared = read_robot(robot)
     campaigns = _campaigns(states, declared, band_of(band), drives)
@@ -146,7 +146,7 @@ def _campaigns(
 
     Raises PkmodesError if two have the same name, or there is only one.
     """
-    from pkmodes.updating.reading import read_states
+    from pkmodes.loop.updating.reading import read_states
 
     campaigns: dict[str, Measurements] = {}
     for file in files:

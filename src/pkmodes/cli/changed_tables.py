@@ -5,10 +5,10 @@ from __future__ import annotations
 from pkmodes.cli import diagnosis_tables
 from pkmodes.cli.terminal import Terminal
 from pkmodes.core.robot.robot import Robot
-from pkmodes.diagnosis.states.result import Change
-from pkmodes.report.changed import changes, changes_summary, what_to_do
-from pkmodes.report.numbers import errors
-from pkmodes.report.setting import ReportSetting
+from pkmodes.loop.diagnosis.states.result import Change
+from pkmodes.pages.report.changed import changes, changes_summary, what_to_do
+from pkmodes.pages.report.numbers import errors
+from pkmodes.pages.report.setting import ReportSetting
 
 
 def show_changes(robot: Robot, result: Change, limit: int | None) -> None:

@@ -15,8 +15,8 @@ from pkmodes.cli.options import FILE, checked_mechanism_option, json_option
 from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import check_targets
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.support.documents import Document
-from pkmodes.support.progress import say
+from pkmodes.core.support.documents import Document
+from pkmodes.core.support.progress import say
 
 if TYPE_CHECKING:
     from pkmodes.codegen.checking.products import Report

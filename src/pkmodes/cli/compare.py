@@ -28,7 +28,7 @@ from pkmodes.core.robot.reading import read_robot
 
 if TYPE_CHECKING:
     from pkmodes.core.robot.robot import Robot
-    from pkmodes.diagnosis import Comparison, Measurements
+    from pkmodes.loop.diagnosis import Comparison, Measurements
 
 
 #: Rows that are printed without ``--all``.
@@ -91,7 +91,7 @@ def compare(
         return
     _refuse(grid, "--grid", "is for two robots; measurements have their own poses")
     _refuse(poses, "--poses", "is for two robots; measurements have their own poses")
-    from pkmodes import updating  # SciPy is loaded only where it is used
+    from pkmodes.loop import updating  # SciPy is loaded only where it is used
 
     declared = read_robot(robot)
     data = updating.read(modes, band_of(band), declared, drives=drives)
@@ -106,10 +106,10 @@ def show_comparison(robot: Robot, data: Measurements, result: Comparison, limit:
     """Print a comparison, with the measured modes that differ most, or all in the order of the poses."""
     from pkmodes.cli.measured_rows import rows_in_words, settings_in_words
     from pkmodes.cli.terminal import Terminal
-    from pkmodes.plots.evidence import PlottedEvidence
-    from pkmodes.report.comparison import by_mode, comparison_summary
-    from pkmodes.report.mode_table import mode_table
-    from pkmodes.report.setting import ReportSetting
+    from pkmodes.pages.plots.evidence import PlottedEvidence
+    from pkmodes.pages.report.comparison import by_mode, comparison_summary
+    from pkmodes.pages.report.mode_table import mode_table
+    from pkmodes.pages.report.setting import ReportSetting
 
     terminal, setting = Terminal(), ReportSetting(robot.name, robot, data, (), None)
     head = comparison_summary(result, setting)

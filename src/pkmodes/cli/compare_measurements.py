@@ -19,10 +19,10 @@ def compare_measurement_files(
 ) -> None:
     """Compare two measurement files, and print or write what changed."""
     from pkmodes.cli.terminal import Terminal
-    from pkmodes.measured.compared import compare_measurements
-    from pkmodes.report.measured_shapes import shape_tables
-    from pkmodes.report.measurements import changes, measurements_summary
-    from pkmodes.updating.reading import read_any
+    from pkmodes.loop.measured.compared import compare_measurements
+    from pkmodes.loop.updating.reading import read_any
+    from pkmodes.pages.report.measured_shapes import shape_tables
+    from pkmodes.pages.report.measurements import changes, measurements_summary
 
     first, second = (read_any(file, band, drives=drives) for file in files)
     result = compare_measurements(first, second)

@@ -16,12 +16,12 @@ from pkmodes.cli.poses import places_given
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.core.base.drives import FREE
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.support.progress import say
+from pkmodes.core.support.progress import say
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
-    from pkmodes.maps.poses import Places, PoseGrid
-    from pkmodes.report.sources import Source
+    from pkmodes.machine.maps.poses import Places, PoseGrid
+    from pkmodes.pages.report.sources import Source
 
 #: Approximate number of poses in a workspace, and most poses compared: all are held in memory at once.
 POSES, MOST = 20_000, 1_000_000
@@ -39,8 +39,8 @@ def compare_robot_files(
     json_file: str | None,
 ) -> None:
     """Compare two robot files, and print, write and draw what differs."""
-    from pkmodes.maps.robots_compared import compare_robots
-    from pkmodes.robot_files.differences import check_one_mechanism
+    from pkmodes.loop.robot_files.differences import check_one_mechanism
+    from pkmodes.machine.maps.robots_compared import compare_robots
 
     sources = sources_of(report_to, dict(zip(("first robot file", "second robot file"), files, strict=True)))
     first, second = map(load, files)
@@ -55,8 +55,8 @@ def compare_robot_files(
 
 
 def _points(first: Model, second: Model, places: Places | None) -> np.ndarray:
-    from pkmodes.maps.poses import PoseGrid
-    from pkmodes.maps.workspace import reachable_by, within
+    from pkmodes.machine.maps.poses import PoseGrid
+    from pkmodes.machine.maps.workspace import reachable_by, within
 
     if places is None:
         places = reachable_by([first, second], POSES)
@@ -71,7 +71,7 @@ def _points(first: Model, second: Model, places: Places | None) -> np.ndarray:
 
 def _plane(places: Places | None) -> PoseGrid | None:
     """Return the given grid if it is a plane."""
-    from pkmodes.maps.poses import PoseGrid
+    from pkmodes.machine.maps.poses import PoseGrid
 
     return places if isinstance(places, PoseGrid) and sum(n > 1 for n in places.shape) == 2 else None
 
@@ -79,7 +79,7 @@ def _plane(places: Places | None) -> PoseGrid | None:
 def _page(
     first: Model, second: Model, content: dict[str, Any], sources: Sequence[Source], plane: PoseGrid | None
 ) -> str:
-    from pkmodes.report.robots import robots_report
+    from pkmodes.pages.report.robots import robots_report
 
     say("drawing the differences over the working plane")
     return robots_report(first, second, content, sources, plane)
@@ -89,7 +89,7 @@ def _print(
     files: tuple[Path, Path], models: tuple[Model, Model], content: dict[str, Any], limit: int | None
 ) -> None:
     from pkmodes.cli.terminal import Terminal
-    from pkmodes.report.robot_values import different_values, frequencies, robots_summary
+    from pkmodes.pages.report.robot_values import different_values, frequencies, robots_summary
 
     terminal, head = Terminal(), robots_summary(*models, content)
     terminal.heading(f"first:  {content['first']} ({files[0]})")

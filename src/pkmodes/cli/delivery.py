@@ -16,8 +16,8 @@ import click
 from pkmodes.cli.printing import echo
 from pkmodes.cli.progress import end_progress
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.support.replacing import check_replaced
-from pkmodes.support.writing import write_all
+from pkmodes.core.support.replacing import check_replaced
+from pkmodes.core.support.writing import write_all
 
 #: Characters that JSON may hold and a terminal obeys: controls, and marks of text direction.  Bytes of a file
 #: name that are not UTF-8 are surrogates, which JSON can hold only as escapes.

@@ -24,14 +24,14 @@ from pkmodes.cli.options import (
 from pkmodes.cli.reporting import page_of, report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
 from pkmodes.core.robot.reading import read_robot
-from pkmodes.support.numbers import plain
-from pkmodes.support.ordering import listed
-from pkmodes.support.pasting import pasted
+from pkmodes.core.support.numbers import plain
+from pkmodes.core.support.ordering import listed
+from pkmodes.core.support.pasting import pasted
 
 if TYPE_CHECKING:
     from pkmodes.core.robot.robot import Robot
-    from pkmodes.diagnosis import Diagnosis
-    from pkmodes.diagnosis.verdict.terms import TermClass
+    from pkmodes.loop.diagnosis import Diagnosis
+    from pkmodes.loop.diagnosis.verdict.terms import TermClass
 
 
 #: Most values listed whose standard deviations are larger in a saved file than in the fit.
@@ -137,11 +137,11 @@ def diagnose(
     names = None if candidates is None else split_names(candidates, "--candidates")
     held = None if holdout is None else [] if holdout.strip() == "none" else split_names(holdout, "--holdout")
     failures = frozenset() if fail_on is None else failing(split_names(fail_on, "--fail-on"))
-    from pkmodes import updating  # SciPy is loaded only where it is used
     from pkmodes.cli.diagnosis_tables import show_diagnosis
-    from pkmodes.measured.statements import parse_prior, parse_usable
-    from pkmodes.updating.corrected_robot import corrected_robot
-    from pkmodes.updating.saved_term import effect_text, robot_with_term, term_to_save
+    from pkmodes.loop import updating  # SciPy is loaded only where it is used
+    from pkmodes.loop.measured.statements import parse_prior, parse_usable
+    from pkmodes.loop.updating.corrected_robot import corrected_robot
+    from pkmodes.loop.updating.saved_term import effect_text, robot_with_term, term_to_save
 
     plausible = dict(
         parse_prior(text, "--prior", "write --prior measurement:offset.z=2mm") for text in priors
@@ -217,7 +217,7 @@ def _saved(file: Path, mechanism: Path | None, robot: Robot, result: Diagnosis) 
 
 def _with_term(file: Path, effect: Path | None, terms: TermClass) -> list[str]:
     """Say what reads a saved robot that has what was found beyond the catalogue."""
-    from pkmodes.updating.saved_term import is_declared
+    from pkmodes.loop.updating.saved_term import is_declared
 
     if is_declared(terms):
         return [f"\nwrote {file}; next: pkmodes generate {pasted(file)} --out DIR"]
@@ -230,7 +230,7 @@ def _with_term(file: Path, effect: Path | None, terms: TermClass) -> list[str]:
 
 def _widened(result: Diagnosis) -> list[str]:
     """Say which standard deviations are larger in the file than in the fit, and because of what."""
-    from pkmodes.updating.corrected_robot import widened
+    from pkmodes.loop.updating.corrected_robot import widened
 
     values = sorted(widened(result), key=lambda value: -value.saved_sigma / max(value.sigma, 1e-300))
     shown = [
@@ -247,7 +247,7 @@ def _widened(result: Diagnosis) -> list[str]:
 
 def _chosen(result: Diagnosis) -> list[str]:
     """Say which of several indistinguishable causes the saved robot has, and how to save it with another."""
-    from pkmodes.diagnosis.verdict import naming
+    from pkmodes.loop.diagnosis.verdict import naming
 
     return [
         f"{naming.chosen(effect)}: to save that instead, add --candidates {effect.members[1]}"

@@ -11,7 +11,7 @@ import click
 
 from pkmodes.cli.progress import on_terminal
 from pkmodes.core.base.errors import PkmodesError, nearest_name, shown
-from pkmodes.support.progress import say
+from pkmodes.core.support.progress import say
 
 #: The word for all verdicts that are failures: all except adequate.
 ANY = "any"
@@ -56,7 +56,7 @@ def failing(names: Sequence[str]) -> frozenset[str]:
 
     Raises PkmodesError if there is no such verdict.
     """
-    from pkmodes.diagnosis.verdict.verdicts import VERDICTS  # loads SciPy
+    from pkmodes.loop.diagnosis.verdict.verdicts import VERDICTS  # loads SciPy
 
     choices, failures = (*VERDICTS, ANY), set[str]()
     for name in names:

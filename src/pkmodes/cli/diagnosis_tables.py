@@ -8,8 +8,11 @@ from pkmodes.cli.measured_rows import poses_in_words, rows_in_words, settings_in
 from pkmodes.cli.terminal import Terminal
 from pkmodes.core.base.drives import HELD
 from pkmodes.core.robot.robot import Robot
-from pkmodes.diagnosis.verdict import naming
-from pkmodes.diagnosis.verdict.findings import (
+from pkmodes.core.support.motors import motors_in_words
+from pkmodes.core.support.numbers import p_in_words, plain, rounded
+from pkmodes.core.support.ordering import sorted_labels
+from pkmodes.loop.diagnosis.verdict import naming
+from pkmodes.loop.diagnosis.verdict.findings import (
     Corrected,
     Finding,
     Value,
@@ -18,16 +21,13 @@ from pkmodes.diagnosis.verdict.findings import (
     saved_as,
     why_larger,
 )
-from pkmodes.diagnosis.verdict.result import Damping, Diagnosis
-from pkmodes.report.action import action
-from pkmodes.report.beyond import beyond
-from pkmodes.report.damping import factors, refitted
-from pkmodes.report.numbers import errors, fitted_value_tables
-from pkmodes.report.setting import ReportSetting
-from pkmodes.report.stability import stability_sentence
-from pkmodes.support.motors import motors_in_words
-from pkmodes.support.numbers import p_in_words, plain, rounded
-from pkmodes.support.ordering import sorted_labels
+from pkmodes.loop.diagnosis.verdict.result import Damping, Diagnosis
+from pkmodes.pages.report.action import action
+from pkmodes.pages.report.beyond import beyond
+from pkmodes.pages.report.damping import factors, refitted
+from pkmodes.pages.report.numbers import errors, fitted_value_tables
+from pkmodes.pages.report.setting import ReportSetting
+from pkmodes.pages.report.stability import stability_sentence
 
 #: Largest number of limits listed.
 MOST_LIMITS = 5

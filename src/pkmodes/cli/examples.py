@@ -13,10 +13,10 @@ from pkmodes.cli.delivery import deliver, unlike
 from pkmodes.cli.options import FILE, json_option, overwrite_option
 from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import check_targets
-from pkmodes.robot_files.supplied import EXAMPLES, ROBOTS, supplied
-from pkmodes.support.documents import Document
-from pkmodes.support.pasting import pasted
-from pkmodes.support.writing import write_files
+from pkmodes.core.support.documents import Document
+from pkmodes.core.support.pasting import pasted
+from pkmodes.core.support.writing import write_files
+from pkmodes.loop.robot_files.supplied import EXAMPLES, ROBOTS, supplied
 
 EVERYTHING = "all"
 

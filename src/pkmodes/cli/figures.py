@@ -22,8 +22,8 @@ from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import check_targets
 from pkmodes.cli.terminal import Terminal
 from pkmodes.core.base.errors import OutputError, shown
-from pkmodes.support.documents import Document
-from pkmodes.support.places import resolved
+from pkmodes.core.support.documents import Document
+from pkmodes.core.support.places import resolved
 
 
 class FiguresDocument(Document, frozen=True):
@@ -79,8 +79,8 @@ def figures(
         raise OutputError("expected the name of a folder", f"--out {shown(out)}", "choose another place")
     resolved(folder, "--out")
     model = load(robot)
-    from pkmodes.figures.files import written_pictures
-    from pkmodes.maps.ranges import parse_grid
+    from pkmodes.machine.maps.ranges import parse_grid
+    from pkmodes.pages.figures.files import written_pictures
 
     places = None if grid is None else parse_grid(grid, model.mechanism, "--grid")
     with named_as_options("grid", folder="--out"):

@@ -13,8 +13,8 @@ from pkmodes.cli.options import FILE, json_option, robot_argument
 from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import check_targets
 from pkmodes.core.base.errors import OutputError
-from pkmodes.support.documents import Document
-from pkmodes.support.progress import say
+from pkmodes.core.support.documents import Document
+from pkmodes.core.support.progress import say
 
 
 class GenerateDocument(Document, frozen=True):

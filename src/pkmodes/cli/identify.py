@@ -14,15 +14,15 @@ from pkmodes.cli.printing import echo
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
 from pkmodes.core.base.drives import motors
-from pkmodes.support.motors import motors_in_words
-from pkmodes.support.numbers import plain
+from pkmodes.core.support.motors import motors_in_words
+from pkmodes.core.support.numbers import plain
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from pkmodes.campaign.campaign import Campaign
-    from pkmodes.campaign.results import Identification
-    from pkmodes.report.sources import Source
+    from pkmodes.modaltest.campaign.campaign import Campaign
+    from pkmodes.modaltest.campaign.results import Identification
+    from pkmodes.pages.report.sources import Source
 
 
 @click.command(epilog="\b\nExample:\n  pkmodes identify examples/campaign/campaign.toml --out modes.csv")
@@ -50,9 +50,9 @@ def identify(
     """
     targets = Target("--out", out, "the modes", (".csv",)), report_target(report_to)
     check_targets(json_file, [campaign], *targets)
-    from pkmodes.campaign.campaign import read_campaign
-    from pkmodes.campaign.identify import identify as identified
-    from pkmodes.measured.writing import as_csv
+    from pkmodes.loop.measured.writing import as_csv
+    from pkmodes.modaltest.campaign.campaign import read_campaign
+    from pkmodes.modaltest.campaign.identify import identify as identified
 
     declared = read_campaign(campaign)
     inputs = [file for record in declared.records for files in record.setups.values() for file in files]
@@ -81,7 +81,7 @@ def identify(
 def _page(
     identification: Identification, declared: Campaign, content: dict[str, Any], sources: Sequence[Source]
 ) -> str:
-    from pkmodes.report.identification import identification_report
+    from pkmodes.pages.report.identification import identification_report
 
     return identification_report(identification, declared, content, sources)
 
@@ -105,7 +105,7 @@ def _left_out(identification: Identification) -> list[str]:
 
 def _print(identification: Identification, campaign: Campaign, content: dict[str, Any]) -> None:
     from pkmodes.cli.terminal import Terminal
-    from pkmodes.report.identified_record import meanings, modes_table
+    from pkmodes.pages.report.identified_record import meanings, modes_table
 
     terminal = Terminal()
     for index, identified in enumerate(identification.records):

@@ -14,8 +14,8 @@ from functools import cached_property
 from rich.cells import cell_len
 
 from pkmodes.core.base.errors import printable
-from pkmodes.plots.labels import RAISED, TIMES
-from pkmodes.report.blocks import Cell, Facts, Lines, Listing, Paragraph, Table
+from pkmodes.pages.plots.labels import RAISED, TIMES
+from pkmodes.pages.report.blocks import Cell, Facts, Lines, Listing, Paragraph, Table
 
 Shown = Paragraph | Listing | Facts | Lines | Table
 INDENT = "  "

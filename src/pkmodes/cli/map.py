@@ -26,13 +26,13 @@ from pkmodes.cli.progress import duration
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.settings import settings_given, settings_option
 from pkmodes.cli.targets import Target, check_targets, report_target
-from pkmodes.support.progress import say
+from pkmodes.core.support.progress import say
 
 if TYPE_CHECKING:
     from xarray import Dataset
 
     from pkmodes.core.model import Model
-    from pkmodes.report.sources import Source
+    from pkmodes.pages.report.sources import Source
 
 
 #: Arguments of `pkmodes.Model.map` that have the names of their options.
@@ -114,7 +114,7 @@ def map_(
             drives=drives,
             progress=_counted(),
         )
-    from pkmodes.maps.summary import summary_of
+    from pkmodes.machine.maps.summary import summary_of
 
     file = None if out is None else str(out)
     content = summary_of(dataset, file).as_json()
@@ -127,8 +127,8 @@ def map_(
 
 
 def _page(model: Model, dataset: Dataset, content: dict[str, Any], sources: Sequence[Source]) -> str:
-    from pkmodes.report.map import map_report, middle_of
-    from pkmodes.report.model_view import view_of
+    from pkmodes.pages.report.map import map_report, middle_of
+    from pkmodes.pages.report.model_view import view_of
 
     view = view_of(model, start=middle_of(model, dataset), drives=content["drives"])
     return map_report(model, dataset, content, sources, view)
@@ -140,7 +140,7 @@ def _continued(out: Path | None, complete: str = "") -> Iterator[None]:
     try:
         yield
     except KeyboardInterrupt:
-        from pkmodes.maps.storage import SUFFIX
+        from pkmodes.machine.maps.storage import SUFFIX
 
         kept = out is not None and out.with_name(out.name + SUFFIX).exists()
         again = "the same command continues where it stopped" if kept else complete or "run it again"
@@ -162,9 +162,9 @@ def _counted() -> Callable[[int, int], None]:
 
 
 def _print(model: Model, content: dict[str, Any]) -> None:
-    """Print the summary of a map of a robot, from `pkmodes.maps.summary.summary_of`."""
+    """Print the summary of a map of a robot, from `pkmodes.machine.maps.summary.summary_of`."""
     from pkmodes.cli.terminal import Terminal
-    from pkmodes.report.map_summary import ranges, summary_of_map
+    from pkmodes.pages.report.map_summary import ranges, summary_of_map
 
     terminal, head = Terminal(), summary_of_map(model, content)
     terminal.summary(head)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from pkmodes.diagnosis.compare import ComparedRow
-from pkmodes.diagnosis.verdict.rows import Row
-from pkmodes.report.setting import ReportSetting
-from pkmodes.support.ordering import listed, sorted_labels
+from pkmodes.core.support.ordering import listed, sorted_labels
+from pkmodes.loop.diagnosis.compare import ComparedRow
+from pkmodes.loop.diagnosis.verdict.rows import Row
+from pkmodes.pages.report.setting import ReportSetting
 
 #: Most rows, poses or settings named in a line; the JSON has all of them.
 MOST = 8

@@ -24,11 +24,11 @@ from pkmodes.core.model import Model
 from pkmodes.core.solve.backends import AUTO, SOLVERS
 from pkmodes.core.solve.fields import FIELDS, INDEPENDENT, Field, of_modes
 from pkmodes.core.solve.results import Modes, Statics
-from pkmodes.response.linearised import LinearisedRobot
-from pkmodes.response.poles import notes_on_damping, poles
-from pkmodes.sensitivity.spread import spread_of
-from pkmodes.support.documents import Count, Document
-from pkmodes.support.motors import motors_give_way, motors_in_words
+from pkmodes.core.support.documents import Count, Document
+from pkmodes.core.support.motors import motors_give_way, motors_in_words
+from pkmodes.loop.sensitivity.spread import spread_of
+from pkmodes.machine.response.linearised import LinearisedRobot
+from pkmodes.machine.response.poles import notes_on_damping, poles
 
 Array = NDArray[np.float64]
 #: Components below the first are rounding; so are frequencies, whose squares are computed, below the second times the
@@ -168,7 +168,7 @@ def _in_json(field: Field, result: Modes, model: Model) -> Any:
 def _print(model: Model, result: Modes, statics: Statics, notes: Sequence[str]) -> None:
     """Print one column per mode and one row per component; more modes than fit go below."""
     from pkmodes.cli.terminal import Terminal
-    from pkmodes.report.blocks import Cell, Column, Table
+    from pkmodes.pages.report.blocks import Cell, Column, Table
 
     terminal = Terminal()
     at, rigid = placed(model.mechanism, result.poses, "g"), result.rigid_modes

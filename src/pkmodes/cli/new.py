@@ -12,8 +12,8 @@ from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import Target, check_targets
 from pkmodes.core.mechanism import registry
 from pkmodes.core.mechanism.described import Mechanism
-from pkmodes.support.pasting import pasted
-from pkmodes.support.writing import write_file
+from pkmodes.core.support.pasting import pasted
+from pkmodes.core.support.writing import write_file
 
 
 @click.command(epilog=f"\b\nExample:\n  pkmodes new {registry.supplied()[0]} --out my-robot.toml")
@@ -46,8 +46,8 @@ def _text(mechanism: Mechanism, folder: Path | None) -> str:
     """Return the robot file; the commands in its head have a pose that the example reaches."""
     from pkmodes.core.model import Model
     from pkmodes.core.robot.reading import robot_from_document
-    from pkmodes.robot_files.template import example_document, template
-    from pkmodes.view import typical_pose
+    from pkmodes.loop.robot_files.template import example_document, template
+    from pkmodes.pages.view import typical_pose
 
     robot = robot_from_document(example_document(mechanism), mechanism.name)
     pose = ",".join(f"{component:g}" for component in typical_pose(Model(robot)).tolist())

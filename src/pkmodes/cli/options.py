@@ -12,7 +12,7 @@ import click
 
 from pkmodes.core.base.drives import DRIVES, FREE
 from pkmodes.core.base.errors import PkmodesError, shown
-from pkmodes.support.pasting import pasted
+from pkmodes.core.support.pasting import pasted
 
 #: The type of arguments and options that name a file or a folder.
 FILE = click.Path(path_type=Path)
@@ -86,7 +86,7 @@ def band_of(text: str | None) -> tuple[float, float] | None:
     """
     if text is None:
         return None
-    from pkmodes.measured.statements import parse_band
+    from pkmodes.loop.measured.statements import parse_band
 
     return parse_band(text, "--band", "write --band 10,400")
 

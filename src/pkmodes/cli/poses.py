@@ -14,7 +14,7 @@ from pkmodes.core.base.errors import PoseError
 if TYPE_CHECKING:
     from pkmodes.core.mechanism.registry import Mechanism
     from pkmodes.core.model import Model
-    from pkmodes.maps.poses import Places
+    from pkmodes.machine.maps.poses import Places
 
 pose_option = click.option(
     "--pose",
@@ -106,13 +106,13 @@ def places_given(model: Model, grid: str | None, poses: Path | None) -> Places |
     if grid is not None and poses is not None:
         raise click.UsageError("--grid and --poses exclude each other", click.get_current_context())
     if grid is not None:
-        from pkmodes.maps.poses import places_of
-        from pkmodes.maps.ranges import parse_grid
+        from pkmodes.machine.maps.poses import places_of
+        from pkmodes.machine.maps.ranges import parse_grid
 
         return places_of(model.mechanism, parse_grid(grid, model.mechanism, "--grid"))
     if poses is not None:
-        from pkmodes.maps.pose_file import read_poses
-        from pkmodes.maps.poses import places_of
+        from pkmodes.machine.maps.pose_file import read_poses
+        from pkmodes.machine.maps.poses import places_of
 
         return places_of(model.mechanism, read_poses(poses, model.mechanism))
     return None

@@ -14,7 +14,7 @@ from contextlib import contextmanager, suppress
 from typing import TextIO
 
 from pkmodes.core.base.errors import printable
-from pkmodes.support.progress import told
+from pkmodes.core.support.progress import told
 
 #: Seconds before a command shows its progress, and between two updates of the line.
 DELAY, STEP = 0.3, 0.2
@@ -89,7 +89,7 @@ def on_terminal() -> bool:
 
 @contextmanager
 def progress_line(text: str) -> Iterator[None]:
-    """Show what is said inside the block (`pkmodes.support.progress.say`), if stderr is a terminal."""
+    """Show what is said inside the block (`pkmodes.core.support.progress.say`), if stderr is a terminal."""
     global _current
     if not on_terminal():
         yield

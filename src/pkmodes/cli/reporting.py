@@ -7,12 +7,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from pkmodes.cli.delivery import ResultFile
-from pkmodes.support.progress import say
+from pkmodes.core.support.progress import say
 
 if TYPE_CHECKING:
     from pkmodes.core.robot.robot import Robot
-    from pkmodes.diagnosis import Comparison, Diagnosis, Measurements
-    from pkmodes.report.sources import Source
+    from pkmodes.loop.diagnosis import Comparison, Diagnosis, Measurements
+    from pkmodes.pages.report.sources import Source
 
 
 def sources_of(report: Path | None, inputs: Mapping[str, Path | None]) -> Sequence[Source]:
@@ -25,8 +25,8 @@ def sources_of(report: Path | None, inputs: Mapping[str, Path | None]) -> Sequen
     """
     if report is None:
         return ()
-    from pkmodes.report.page import need_report
-    from pkmodes.report.sources import known_sources
+    from pkmodes.pages.report.page import need_report
+    from pkmodes.pages.report.sources import known_sources
 
     need_report()
     return known_sources([(role, str(path)) for role, path in inputs.items() if path is not None])
@@ -49,7 +49,7 @@ def page_of(
     result: Diagnosis | Comparison, robot: Robot, data: Measurements, sources: Sequence[Source]
 ) -> str:
     """Return the page of a result of measurements."""
-    from pkmodes.report import report, view_of_result
+    from pkmodes.pages.report import report, view_of_result
 
     view = view_of_result(result, robot, data)
     return report(result, robot=robot, data=data, sources=sources, view=view)

@@ -28,14 +28,14 @@ from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
 from pkmodes.core.base.drives import Drives
 from pkmodes.core.base.errors import PkmodesError, shown
-from pkmodes.response.ports import QUANTITIES
-from pkmodes.support.documents import Document
-from pkmodes.support.progress import say
+from pkmodes.core.support.documents import Document
+from pkmodes.core.support.progress import say
+from pkmodes.machine.response.ports import QUANTITIES
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
-    from pkmodes.response.frequency_response import FrequencyResponse
-    from pkmodes.response.measured import MeasuredResponse
+    from pkmodes.machine.response.frequency_response import FrequencyResponse
+    from pkmodes.machine.response.measured import MeasuredResponse
 
 
 class ResponseDocument(Document, frozen=True):
@@ -206,7 +206,7 @@ def response(
     if system is not None:
         files.append(ResultFile(model_file, system.as_mat))
     if report_to is not None:
-        from pkmodes.report.response import response_report
+        from pkmodes.pages.report.response import response_report
 
         say("drawing the report")
         page = response_report(model, result, over, sources, first)  # drawn before anything is written
@@ -215,7 +215,7 @@ def response(
 
 
 def _measured(file: Path | None) -> MeasuredResponse | None:
-    from pkmodes.response.measured import read_response
+    from pkmodes.machine.response.measured import read_response
 
     return None if file is None else read_response(file)
 
@@ -237,8 +237,8 @@ def _picture(
     before: FrequencyResponse | None,
 ) -> bytes:
     """Return the picture as a file."""
-    from pkmodes.figures.files import rendered
-    from pkmodes.figures.response_picture import response_picture
+    from pkmodes.pages.figures.files import rendered
+    from pkmodes.pages.figures.response_picture import response_picture
 
     return rendered(response_picture(result, measured, before=before), figure.suffix[1:].lower())
 
@@ -260,7 +260,7 @@ def _frequencies(text: str, log: bool) -> NDArray[np.float64]:
 
     Raises PkmodesError if it is not a range of frequencies, or not one that equal ratios divide.
     """
-    from pkmodes.maps.ranges import parse_range
+    from pkmodes.machine.maps.ranges import parse_range
 
     values = parse_range(text, "1", "--frequencies")
     first, last = float(values[0]), float(values[-1])
@@ -276,8 +276,8 @@ def _frequencies(text: str, log: bool) -> NDArray[np.float64]:
 
 def _print(model: Model, result: FrequencyResponse, over: MeasuredResponse | None) -> None:
     from pkmodes.cli.terminal import Terminal
-    from pkmodes.report.response import largest, response_summary
-    from pkmodes.response.drawn_channels import DrawnChannels
+    from pkmodes.machine.response.drawn_channels import DrawnChannels
+    from pkmodes.pages.report.response import largest, response_summary
 
     terminal, drawn = Terminal(), DrawnChannels.of(result, over)
     head = response_summary(model, result, drawn)

@@ -6,7 +6,6 @@ import json
 import sys
 from pathlib import Path
 
-from pkmodes.campaign.results import IdentifyDocument
 from pkmodes.cli.check import CheckDocument
 from pkmodes.cli.examples import ExamplesDocument
 from pkmodes.cli.figures import FiguresDocument
@@ -16,14 +15,15 @@ from pkmodes.cli.response import ResponseDocument
 from pkmodes.cli.sensitivities import SensitivitiesDocument
 from pkmodes.cli.shaper_documents import MeasuredShaperDocument, ShaperDocument
 from pkmodes.cli.show import ShowDocument
-from pkmodes.diagnosis.compare import CompareDocument
-from pkmodes.diagnosis.states.document import ChangedDocument
-from pkmodes.diagnosis.verdict.document import DiagnoseDocument
-from pkmodes.maps.robots_compared import RobotsCompared
-from pkmodes.maps.summary import MapSummary
-from pkmodes.measured.comparison import MeasurementsCompared
-from pkmodes.support.documents import Document, schema_of
-from pkmodes.support.writing import write_files
+from pkmodes.core.support.documents import Document, schema_of
+from pkmodes.core.support.writing import write_files
+from pkmodes.loop.diagnosis.compare import CompareDocument
+from pkmodes.loop.diagnosis.states.document import ChangedDocument
+from pkmodes.loop.diagnosis.verdict.document import DiagnoseDocument
+from pkmodes.loop.measured.comparison import MeasurementsCompared
+from pkmodes.machine.maps.robots_compared import RobotsCompared
+from pkmodes.machine.maps.summary import MapSummary
+from pkmodes.modaltest.campaign.results import IdentifyDocument
 
 #: The documents of each command; `compare` writes the second for two robots, the third for two measurement files, and
 #: `shaper` the second for measured modes.

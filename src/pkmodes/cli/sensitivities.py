@@ -25,15 +25,15 @@ from pkmodes.cli.poses import pose_of, pose_option
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import check_targets, report_target
 from pkmodes.core.base.drives import Drives
-from pkmodes.report.blocks import Paragraph
-from pkmodes.sensitivity.relative import relative_of
-from pkmodes.sensitivity.spread import stated_sigmas
-from pkmodes.support.documents import Count, Document, Matrix
-from pkmodes.support.progress import say
+from pkmodes.core.support.documents import Count, Document, Matrix
+from pkmodes.core.support.progress import say
+from pkmodes.loop.sensitivity.relative import relative_of
+from pkmodes.loop.sensitivity.spread import stated_sigmas
+from pkmodes.pages.report.blocks import Paragraph
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
-    from pkmodes.report.sources import Source
+    from pkmodes.pages.report.sources import Source
 
 Array = NDArray[np.float64]
 #: An example of --parameters, for messages.
@@ -163,15 +163,21 @@ def sensitivities(
 
 
 def _page(model: Model, content: dict[str, Any], sources: Sequence[Source]) -> str:
-    from pkmodes.report.sensitivities import sensitivities_report
+    from pkmodes.pages.report.sensitivities import sensitivities_report
 
     return sensitivities_report(model, content, sources)
 
 
 def _print(model: Model, content: dict[str, Any], by_name: bool, everything: bool) -> None:
     from pkmodes.cli.terminal import Terminal
-    from pkmodes.report.sensitivity_tables import acting, per_cent, per_sigma, per_unit, sensitivities_summary
-    from pkmodes.sensitivity.changes import PERCENT, SIGMA, changes_at
+    from pkmodes.loop.sensitivity.changes import PERCENT, SIGMA, changes_at
+    from pkmodes.pages.report.sensitivity_tables import (
+        acting,
+        per_cent,
+        per_sigma,
+        per_unit,
+        sensitivities_summary,
+    )
 
     terminal, pose, drives = Terminal(), content["pose"], content["drives"]
     depends, paths = acting(content), content["parameters"]

@@ -35,11 +35,11 @@ def settings_option(meaning: str) -> Callable[[Any], Any]:
 def settings_given(model: Model, texts: tuple[str, ...]) -> dict[str, Any] | None:
     """Return the values of ``--set`` by path; None without any.
 
-    Raises PkmodesError as `pkmodes.maps.ranges.parse_settings` does.
+    Raises PkmodesError as `pkmodes.machine.maps.ranges.parse_settings` does.
     """
     if not texts:
         return None
-    from pkmodes.maps.ranges import parse_settings
+    from pkmodes.machine.maps.ranges import parse_settings
 
     return parse_settings(texts, changeable(model.robot), "--set")
 
@@ -60,7 +60,7 @@ def height_given(
         raise PkmodesError(
             problem, "--height", "for example: --set effects.payload.mass=0:1.2kg:7 --height 0:200mm"
         )
-    from pkmodes.maps.ranges import parse_value
+    from pkmodes.machine.maps.ranges import parse_value
 
     ends = text.split(":")
     if len(ends) == 2:

@@ -28,17 +28,17 @@ from pkmodes.cli.settings import height_given, height_option, settings_given, se
 from pkmodes.cli.targets import Target, check_targets, report_target
 from pkmodes.core.base.drives import DRIVES
 from pkmodes.core.base.errors import PkmodesError, shown
-from pkmodes.support.extras import require
+from pkmodes.core.support.extras import require
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from pkmodes.cli.layout import Shown
     from pkmodes.core.model import Model
-    from pkmodes.report.blocks import Summary
-    from pkmodes.report.sources import Source
-    from pkmodes.shaping.measured_spectrum import MeasuredSpectrum
-    from pkmodes.shaping.results import Choice
+    from pkmodes.machine.shaping.measured_spectrum import MeasuredSpectrum
+    from pkmodes.machine.shaping.results import Choice
+    from pkmodes.pages.report.blocks import Summary
+    from pkmodes.pages.report.sources import Source
 
 #: Most measured modes printed.
 MOST = 10
@@ -202,7 +202,7 @@ def shaper(
     )
     measured_spectrum = None
     if spectrum is not None:
-        from pkmodes.shaping.measured_spectrum import read_spectrum
+        from pkmodes.machine.shaping.measured_spectrum import read_spectrum
 
         measured_spectrum = read_spectrum(spectrum)
     names = None if kinds is None else comma_list(kinds, "--shapers", "--shapers zv,mzv,zv*zv")
@@ -221,8 +221,8 @@ def shaper(
         settings="--set",
     ):
         if measured is not None:
-            from pkmodes.shaping.measured_modes import measured_shapers
-            from pkmodes.updating.reading import read_any
+            from pkmodes.loop.updating.reading import read_any
+            from pkmodes.machine.shaping.measured_modes import measured_shapers
 
             choice = measured_shapers(read_any(measured, drives=drives), names, damping=damping, **criteria)
             result = _of_measured(choice, measured_spectrum, sources)
@@ -233,7 +233,7 @@ def shaper(
             points = _points(model, grid, poses, swept)
             choice = model.shapers(points, names, settings=swept, height=layers, drives=drives, **criteria)
             result = _of_robot(model, choice, measured_spectrum, sources)
-    from pkmodes.report.shaper_curves import curves_csv
+    from pkmodes.pages.report.shaper_curves import curves_csv
 
     picture = b"" if figure is None else _picture(choice, measured_spectrum, figure)
     files = [
@@ -248,7 +248,7 @@ def _points(
     model: Model, grid: str | None, poses: Path | None, swept: Mapping[str, Any] | None
 ) -> NDArray[np.float64]:
     """Return the poses, by default those of the workspace that can be evaluated."""
-    from pkmodes.maps.workspace import reachable, within
+    from pkmodes.machine.maps.workspace import reachable, within
 
     places = places_given(model, grid, poses)
     times = math.prod(len(values) for values in (swept or {}).values())
@@ -288,14 +288,14 @@ def _of_robot(
     content = shaper_document(model, choice, spectrum).as_json()
 
     def page() -> str:
-        from pkmodes.report.shaper import shaper_report
+        from pkmodes.pages.report.shaper import shaper_report
 
         return shaper_report(model, choice, content, sources, spectrum)
 
     def blocks() -> tuple[Summary, Sequence[Shown]]:
-        from pkmodes.report.firmware_lines import firmware_lines, schedule_lines
-        from pkmodes.report.shaper import machine, shaper_summary, shapers_table
-        from pkmodes.report.shaper_schedule import schedule_blocks
+        from pkmodes.pages.report.firmware_lines import firmware_lines, schedule_lines
+        from pkmodes.pages.report.shaper import machine, shaper_summary, shapers_table
+        from pkmodes.pages.report.shaper_schedule import schedule_blocks
 
         printed: list[Shown] = [
             machine(model, choice, content),
@@ -315,13 +315,13 @@ def _of_measured(choice: Choice, spectrum: MeasuredSpectrum | None, sources: Seq
     content = measured_document(choice, spectrum).as_json()
 
     def page() -> str:
-        from pkmodes.report.shaper_measured import measured_shaper_report
+        from pkmodes.pages.report.shaper_measured import measured_shaper_report
 
         return measured_shaper_report(choice, content, sources, spectrum)
 
     def blocks() -> tuple[Summary, Sequence[Shown]]:
-        from pkmodes.report.firmware_lines import firmware_lines
-        from pkmodes.report.shaper_measured import measured_shaper_summary, modes_table, shapers_table
+        from pkmodes.pages.report.firmware_lines import firmware_lines
+        from pkmodes.pages.report.shaper_measured import measured_shaper_summary, modes_table, shapers_table
 
         printed: list[Shown] = [shapers_table(choice), modes_table(content, MOST), *firmware_lines(content)]
         return measured_shaper_summary(choice, content), printed
@@ -332,9 +332,9 @@ def _of_measured(choice: Choice, spectrum: MeasuredSpectrum | None, sources: Seq
 def _picture(choice: Choice, spectrum: MeasuredSpectrum | None, figure: Path) -> bytes:
     """Return the picture as a file."""
     require("pictures of shapers", "plot", "matplotlib")
-    from pkmodes.figures.files import rendered
-    from pkmodes.figures.pictures import Picture
-    from pkmodes.report.shaper_curves import over_frequency
+    from pkmodes.pages.figures.files import rendered
+    from pkmodes.pages.figures.pictures import Picture
+    from pkmodes.pages.report.shaper_curves import over_frequency
 
     drawing, caption = over_frequency(choice, spectrum)
     picture = Picture("shapers", "Input shapers", caption, drawing)

@@ -9,15 +9,15 @@ import numpy as np
 from msgspec import Meta
 
 from pkmodes.core.base.drives import Drives
-from pkmodes.shaping.measured_modes import LeftOfModes, of_measured
-from pkmodes.shaping.version_lines import VersionLines, lines_by_version, schedule_lines_by_version
-from pkmodes.support.documents import Count, Document, Number, Size
-from pkmodes.support.numbers import plain
+from pkmodes.core.support.documents import Count, Document, Number, Size
+from pkmodes.core.support.numbers import plain
+from pkmodes.machine.shaping.measured_modes import LeftOfModes, of_measured
+from pkmodes.machine.shaping.version_lines import VersionLines, lines_by_version, schedule_lines_by_version
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
-    from pkmodes.shaping.measured_spectrum import MeasuredSpectrum
-    from pkmodes.shaping.results import Amplitude, Candidate, Choice, Schedule
+    from pkmodes.machine.shaping.measured_spectrum import MeasuredSpectrum
+    from pkmodes.machine.shaping.results import Amplitude, Candidate, Choice, Schedule
 
 
 #: Settings of an operating point.
@@ -174,7 +174,7 @@ class SpectrumDocument(Document, frozen=True):
         """Return the document of a spectrum, and what is to be said of it; nothing without one."""
         if spectrum is None:
             return None, []
-        from pkmodes.shaping.residual_vibration import residual
+        from pkmodes.machine.shaping.residual_vibration import residual
 
         best = choice.candidates[choice.recommended]
         peak, at_mode = spectrum.peak(choice.ringing.frequencies)
@@ -275,8 +275,8 @@ class MeasuredShaperDocument(Document, frozen=True):
 
 def shaper_document(model: Model, choice: Choice, spectrum: MeasuredSpectrum | None) -> ShaperDocument:
     """Return the result for a robot."""
-    from pkmodes.shaping.choice import lines_of
-    from pkmodes.shaping.remarks import firmware_remarks
+    from pkmodes.machine.shaping.choice import lines_of
+    from pkmodes.machine.shaping.remarks import firmware_remarks
 
     best = choice.candidates[choice.recommended]
     spectrum_part, spectrum_notes = SpectrumDocument.seen(spectrum, choice)
@@ -297,7 +297,7 @@ def shaper_document(model: Model, choice: Choice, spectrum: MeasuredSpectrum | N
 
 
 def _schedule(choice: Choice, schedule: Schedule) -> ScheduleDocument:
-    from pkmodes.shaping.results import command_of
+    from pkmodes.machine.shaping.results import command_of
 
     steps = [
         StepDocument(
@@ -352,8 +352,8 @@ def _design(candidate: Candidate) -> dict[str, list[float]]:
 
 def measured_document(choice: Choice, spectrum: MeasuredSpectrum | None) -> MeasuredShaperDocument:
     """Return the result for measured modes."""
-    from pkmodes.shaping.choice import lines_of
-    from pkmodes.shaping.remarks import firmware_remarks
+    from pkmodes.machine.shaping.choice import lines_of
+    from pkmodes.machine.shaping.remarks import firmware_remarks
 
     at = of_measured(choice)
     data, best = at.data, choice.candidates[choice.recommended]

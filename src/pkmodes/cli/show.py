@@ -26,9 +26,9 @@ from pkmodes.cli.options import (
 from pkmodes.cli.poses import pose_of
 from pkmodes.cli.targets import Target, check_targets
 from pkmodes.core.base.errors import PkmodesError, nearest_name, shown
-from pkmodes.support.documents import Document
-from pkmodes.support.progress import say
-from pkmodes.support.replacing import check_replaced, holds
+from pkmodes.core.support.documents import Document
+from pkmodes.core.support.progress import say
+from pkmodes.core.support.replacing import check_replaced, holds
 
 if TYPE_CHECKING:
     from pkmodes.core.robot.robot import Robot
@@ -94,9 +94,9 @@ def show(
     strain energy; a table gives the numbers.  The page is one file and needs no network.  With --vary, sliders
     change values of the robot, beside thin lines of the robot as declared.
     """
-    from pkmodes.view import page, poses_around, typical_pose, varied
-    from pkmodes.view import scene as scene_of
-    from pkmodes.view.page import PAGE_MARK
+    from pkmodes.pages.view import page, poses_around, typical_pose, varied
+    from pkmodes.pages.view import scene as scene_of
+    from pkmodes.pages.view.page import PAGE_MARK
 
     target = f"{robot.stem}.html" if out is None else out
     check_targets(json_file, [robot], Target("--out", target, "the page", (".html", ".gif")))
@@ -115,7 +115,7 @@ def show(
     point = typical_pose(model).tolist() if pose is None else pose_of(model, pose)
     say("drawing the moving picture" if moving else "computing the modes over the workspace")
     if moving:
-        from pkmodes.plots.animation import animation
+        from pkmodes.pages.plots.animation import animation
 
         scene, mode = scene_of(model, point, drives=drives), mode or 1
         if scene.rigid_modes + mode > scene.shapes.shape[1]:
@@ -148,8 +148,8 @@ def parse_vary(text: str, robot: Robot) -> dict[str, NDArray[np.float64]]:
     Raises PkmodesError if a path is unknown or repeated, a range is invalid, or there are too many.
     """
     from pkmodes.core.robot.declaration import changeable
-    from pkmodes.maps.ranges import parse_range
-    from pkmodes.view.varying import COUNTS, PARAMETERS
+    from pkmodes.machine.maps.ranges import parse_range
+    from pkmodes.pages.view.varying import COUNTS, PARAMETERS
 
     parts = [part.strip() for part in text.split(",")]
     if len(parts) > PARAMETERS:

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from pkmodes.core.base.errors import OutputError, shown
-from pkmodes.support.pasting import pasted
-from pkmodes.support.places import resolved
+from pkmodes.core.support.pasting import pasted
+from pkmodes.core.support.places import resolved
 
 
 @dataclass(frozen=True)

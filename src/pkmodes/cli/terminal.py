@@ -6,7 +6,7 @@ from rich.console import Console
 
 from pkmodes.cli.layout import INDENT, Shown, lines_of, typed, wrapped
 from pkmodes.core.base.errors import printable
-from pkmodes.report.blocks import Facts, Paragraph, Summary
+from pkmodes.pages.report.blocks import Facts, Paragraph, Summary
 
 #: Sentences are never wrapped to lines shorter than this.
 NARROWEST = 40

@@ -18,7 +18,7 @@ from types import ModuleType
 from pkmodes.core.base.errors import MissingExtraError, PkmodesError
 from pkmodes.core.mechanism.packages import DEFINITION, GIVE, effect_files
 from pkmodes.core.mechanism.registry import Mechanism, supplied, temporarily_registered
-from pkmodes.support.writing import write_files
+from pkmodes.core.support.writing import write_files
 
 #: The extra `derive` of pyproject.toml, repeated here so that it can be installed without a pkmodes index entry.
 REQUIREMENTS = ("jinja2>=3.1", "sympy==1.14.0")

@@ -38,9 +38,9 @@ from pkmodes.core.mechanism import registry
 from pkmodes.core.mechanism.packages import folder_of
 from pkmodes.core.robot.reading import read_robot
 from pkmodes.core.robot.robot import Robot
+from pkmodes.core.support.writing import write_files
 from pkmodes.core.system.motors import springs_on_motors
 from pkmodes.core.system.released import active_effects
-from pkmodes.support.writing import write_files
 
 
 def specification(robot: Robot, robot_file: str, definition: str = "") -> Any:

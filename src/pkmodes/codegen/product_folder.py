@@ -11,9 +11,9 @@ from pathlib import Path
 from typing import Any
 
 from pkmodes.core.base.errors import OutputError, shown
-from pkmodes.support.ordering import listed
-from pkmodes.support.places import resolved
-from pkmodes.support.writing import refusal
+from pkmodes.core.support.ordering import listed
+from pkmodes.core.support.places import resolved
+from pkmodes.core.support.writing import refusal
 
 MANIFEST = "manifest.json"
 #: The lock file: hidden, and removed at the end.

@@ -12,9 +12,9 @@ import pytest
 
 import pkmodes
 from helpers.runs.processes import ROOT, environment, interruptible
-from pkmodes.maps import mapping, running
-from pkmodes.maps.evaluating import Task
-from pkmodes.maps.storage import GROUP, SUFFIX
+from pkmodes.machine.maps import mapping, running
+from pkmodes.machine.maps.evaluating import Task
+from pkmodes.machine.maps.storage import GROUP, SUFFIX
 
 ROBOT = ROOT / "robots" / "linear-delta-2022.toml"
 #: 330 poses in tasks of 20 rows.
@@ -25,7 +25,7 @@ ROWS, TASKS = 20, 17
 #: it waits until its standard input is closed, and a moment longer: a signal that was sent before arrives first.
 PROGRAM = f"""
 import os, sys, time
-from pkmodes.maps import mapping, running
+from pkmodes.machine.maps import mapping, running
 mapping.ROWS = {ROWS}
 evaluate = running.evaluate
 hold, begun = int(os.environ.get("HOLD_AFTER", 0)), 0
@@ -45,7 +45,7 @@ main()
 #: The same with a scheduler: it waits once that many tasks are stored, with others on their way to the workers.
 CLIENT = f"""
 import os, sys
-from pkmodes.maps import mapping, running
+from pkmodes.machine.maps import mapping, running
 mapping.ROWS = {ROWS}
 collect, hold, stored = running._collect, int(os.environ["HOLD_AFTER"]), 0
 def collected(pending, put, finish):

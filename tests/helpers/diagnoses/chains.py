@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.linalg import eigh
 
-from pkmodes.diagnosis import MatrixStructure, Measurements, Parameter
+from pkmodes.loop.diagnosis import MatrixStructure, Measurements, Parameter
 
 
 def chain(masses: np.ndarray, springs: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.measured.measurements import Measurements
+from pkmodes.loop.diagnosis.verdict.result import Diagnosis
+from pkmodes.loop.measured.measurements import Measurements
 from pkmodes_rig import TrueModes
 from pkmodes_rig.dissipation import coulomb_ratios, damping_ratios
 from pkmodes_rig.suites.specimens import MACHINES, Specimen, robot_of

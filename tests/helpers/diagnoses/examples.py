@@ -6,7 +6,7 @@ from pathlib import Path
 
 from helpers.runs.shared import Shared
 from pkmodes import read_robot, updating
-from pkmodes.diagnosis import Diagnosis
+from pkmodes.loop.diagnosis import Diagnosis
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 

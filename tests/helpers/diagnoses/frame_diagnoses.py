@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from helpers.robots.small_structures import frame_measured, uncertain
-from pkmodes.diagnosis import Diagnosis, Measurements, diagnose
+from pkmodes.loop.diagnosis import Diagnosis, Measurements, diagnose
 
 TWO = {"empty": 0.0, "loaded": 5.0}
 

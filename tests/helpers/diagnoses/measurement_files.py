@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.measured.measurements import Measurements
-from pkmodes.measured.reading import read_measurements
+from pkmodes.loop.measured.measurements import Measurements
+from pkmodes.loop.measured.reading import read_measurements
 
 CHANNELS = ("x_1", "x_2", "x_3", "theta_1_1", "theta_2_1", "p_x", "p_y", "p_z")
 HEADER = "pose,x,y,z,frequency,sigma"

@@ -8,8 +8,8 @@ from functools import cached_property
 import numpy as np
 
 from helpers.diagnoses.chains import Frame, at
-from pkmodes.diagnosis import MatrixStructure
-from pkmodes.diagnosis.problem import Batch, Candidate, Parameter, Prediction, one_by_one
+from pkmodes.loop.diagnosis import MatrixStructure
+from pkmodes.loop.diagnosis.problem import Batch, Candidate, Parameter, Prediction, one_by_one
 
 #: Pairs of mass and frequency from which a resonator is fitted.
 STARTS = tuple((mass, f) for mass in (0.2, 1.0) for f in np.geomspace(5.0, 45.0, 12).tolist())

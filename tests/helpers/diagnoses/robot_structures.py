@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 
 from pkmodes.core.robot.robot import Robot
-from pkmodes.diagnosis import Measurements
-from pkmodes.diagnosis.problem import Structure
-from pkmodes.updating.candidates import suspects
-from pkmodes.updating.measured_robot import MeasuredRobot
-from pkmodes.updating.robot_structure import RobotStructure
+from pkmodes.loop.diagnosis import Measurements
+from pkmodes.loop.diagnosis.problem import Structure
+from pkmodes.loop.updating.candidates import suspects
+from pkmodes.loop.updating.measured_robot import MeasuredRobot
+from pkmodes.loop.updating.robot_structure import RobotStructure
 
 
 def structure_at(

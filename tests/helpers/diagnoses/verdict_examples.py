@@ -9,7 +9,7 @@ from functools import cache, partial
 import pytest
 
 from helpers.diagnoses.diagnose_command import UNEQUAL, WIND_UP, bare, csv_of, measured, rows_of
-from pkmodes.diagnosis.criteria import ClaimCriteria, Criteria
+from pkmodes.loop.diagnosis.criteria import ClaimCriteria, Criteria
 
 VERDICTS = ("adequate", "effect_found", "ambiguous", "unexplained", "insufficient_data")
 
@@ -35,7 +35,7 @@ def judged(verdict: str) -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         if verdict == "ambiguous":
             patch.setattr(
-                "pkmodes.diagnosis.fit.fitter.Criteria",
+                "pkmodes.loop.diagnosis.fit.fitter.Criteria",
                 partial(Criteria, claim=ClaimCriteria(told_apart=0.0)),
             )
         yield

@@ -11,12 +11,12 @@ from helpers.diagnoses.verdict_examples import given, judged
 from helpers.runs.shared import Shared
 from pkmodes import read_robot, updating
 from pkmodes.core.robot.robot import Robot
-from pkmodes.diagnosis import Diagnosis, Measurements
-from pkmodes.diagnosis.match.predicted import Predicted
-from pkmodes.diagnosis.verdict.findings import Corrected, Examined, Finding, Stability, Value
-from pkmodes.diagnosis.verdict.result import Stages
-from pkmodes.diagnosis.verdict.rows import Error, Row
-from pkmodes.report import report
+from pkmodes.loop.diagnosis import Diagnosis, Measurements
+from pkmodes.loop.diagnosis.match.predicted import Predicted
+from pkmodes.loop.diagnosis.verdict.findings import Corrected, Examined, Finding, Stability, Value
+from pkmodes.loop.diagnosis.verdict.result import Stages
+from pkmodes.loop.diagnosis.verdict.rows import Error, Row
+from pkmodes.pages.report import report
 
 #: Text that a careless page would execute, obey or be torn apart by.
 HOSTILE = (

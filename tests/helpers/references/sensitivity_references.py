@@ -19,7 +19,7 @@ import pkmodes
 from pkmodes.core.mechanism.registry import mechanism
 from pkmodes.core.robot.reading import robot_from_document
 from pkmodes.core.robot.robot import Robot
-from pkmodes.sensitivity.paths import ParameterPath, moved
+from pkmodes.loop.sensitivity.paths import ParameterPath, moved
 from pkmodes_generated.linear_delta import Parameters, extended
 
 CATALOGUE = mechanism("linear_delta").effects

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from helpers.robots.small_structures import LogLinear, log_linear
-from pkmodes.diagnosis import Candidate, Measurements, Parameter
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
+from pkmodes.loop.diagnosis import Candidate, Measurements, Parameter
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis
 
 SIGMA = 0.002
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from helpers.robots.robot_text import published
 from pkmodes.core.robot.reading import read_robot
 from pkmodes.core.robot.robot import Robot
-from pkmodes.robot_files.saving import Correction, corrected_text
+from pkmodes.loop.robot_files.saving import Correction, corrected_text
 
 #: Joints of a tower printer, instead of joints at the centre.
 JOINTS = ('["30 mm", "40 mm", 0]', "[0.0, 0.06, 0]", '["-3 cm", "0 mm", "-4 cm"]')

@@ -23,8 +23,8 @@ from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.solve import fields
 from pkmodes.core.system.evaluation import Evaluation, ExtendedSystem
-from pkmodes.sensitivity.compiled import terms_of
-from pkmodes.sensitivity.paths import ParameterPath, paths, resolve_all
+from pkmodes.loop.sensitivity.compiled import terms_of
+from pkmodes.loop.sensitivity.paths import ParameterPath, paths, resolve_all
 
 ROOT = Path(__file__).parents[3]
 NAMES = ("linear_delta", "rotary_delta", "corexy", "cartesian", "bed_slinger")

@@ -16,8 +16,8 @@ from helpers.robots.dissipating import dissipating
 from helpers.robots.sample_robots import published, random_robot, tower_printer
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.system.evaluation import ExtendedSystem
-from pkmodes.sensitivity.paths import paths, resolve
-from pkmodes.sensitivity.sensitivities import Sensitivities
+from pkmodes.loop.sensitivity.paths import paths, resolve
+from pkmodes.loop.sensitivity.sensitivities import Sensitivities
 
 Array = np.ndarray
 

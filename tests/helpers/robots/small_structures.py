@@ -16,8 +16,8 @@ from typing import Any
 import numpy as np
 from scipy.linalg import eigh
 
-from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter, Prediction
-from pkmodes.diagnosis.problem import Batch, Structure, one_by_one
+from pkmodes.loop.diagnosis import Candidate, MatrixStructure, Measurements, Parameter, Prediction
+from pkmodes.loop.diagnosis.problem import Batch, Structure, one_by_one
 
 
 class LogLinear:

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from pkmodes.diagnosis import Candidate, MatrixStructure, Parameter
+from pkmodes.loop.diagnosis import Candidate, MatrixStructure, Parameter
 from pkmodes_rig import TrueModes, channels, storey_modes
 
 #: Declared mass of a floor and stiffness of a storey, and relative uncertainty of the floors' common mass.

@@ -21,7 +21,7 @@ from typing import Any
 
 import numpy as np
 
-from pkmodes.diagnosis.posterior.document import Probabilities
+from pkmodes.loop.diagnosis.posterior.document import Probabilities
 from pkmodes_rig.suites import clear_cases, clear_suites, judging, mechanism_cases, mechanism_suites
 from pkmodes_rig.suites.cases import Case
 from pkmodes_rig.suites.clear_cases import ClearCase

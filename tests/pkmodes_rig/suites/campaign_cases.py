@@ -14,11 +14,11 @@ from pathlib import Path
 import numpy as np
 
 from pkmodes import updating
-from pkmodes.campaign.campaign import read_campaign
-from pkmodes.campaign.identify import identify
 from pkmodes.core.robot.robot import Robot
-from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.measured.writing import as_csv
+from pkmodes.loop.diagnosis.verdict.result import Diagnosis
+from pkmodes.loop.measured.writing import as_csv
+from pkmodes.modaltest.campaign.campaign import read_campaign
+from pkmodes.modaltest.campaign.identify import identify
 from pkmodes_rig.signals.campaigns import CAMPAIGN, make
 from pkmodes_rig.signals.small_motion import Losses
 from pkmodes_rig.suites.campaign_judging import Judged, judge

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import linear_sum_assignment
 
-from pkmodes.campaign.results import IdentifiedMode, RecordResult
+from pkmodes.modaltest.campaign.results import IdentifiedMode, RecordResult
 from pkmodes_rig.signals.campaigns import Made
 from pkmodes_rig.signals.modal_tests import ModalTest, Recorded
 from pkmodes_rig.signals.small_motion import SmallMotion, Truth

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from pkmodes.diagnosis.one_state import split
+from pkmodes.loop.diagnosis.one_state import split
 from pkmodes_rig import (
     POSES,
     ROBOTS,

@@ -9,7 +9,7 @@ from typing import Any
 
 from pkmodes import updating
 from pkmodes.core.robot.robot import Robot
-from pkmodes.measured.measurements import Measurements
+from pkmodes.loop.measured.measurements import Measurements
 from pkmodes_rig.one_place.changes import ALL_DRIVES, ALL_YIELD
 from pkmodes_rig.suites.changed_cases import Pair, PairCase, measured
 from pkmodes_rig.suites.one_place_cases import UnreachedError, declared

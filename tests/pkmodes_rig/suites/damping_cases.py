@@ -15,11 +15,11 @@ from msgspec import structs
 
 from pkmodes import updating
 from pkmodes.core.robot.robot import Robot
-from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.diagnosis.verdict.rows import Row
-from pkmodes.diagnosis.verdict.verdicts import ADEQUATE
-from pkmodes.measured.measurements import Measurements
-from pkmodes.updating.losses import RATIO
+from pkmodes.loop.diagnosis.verdict.result import Diagnosis
+from pkmodes.loop.diagnosis.verdict.rows import Row
+from pkmodes.loop.diagnosis.verdict.verdicts import ADEQUATE
+from pkmodes.loop.measured.measurements import Measurements
+from pkmodes.loop.updating.losses import RATIO
 from pkmodes_rig import Identified, TrueModes, drawn_values, drives_of, identified
 from pkmodes_rig.dissipation import coulomb_ratios, damping_ratios
 from pkmodes_rig.measurements import LOWEST_FREQUENCY

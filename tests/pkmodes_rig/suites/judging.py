@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 
 from pkmodes import updating
-from pkmodes.diagnosis import diagnose
-from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.loop.diagnosis import diagnose
+from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes_rig import ASKEW, MISTAKES, ORDERS, Laboratory, followed
 from pkmodes_rig.suites.buildings import Building
 from pkmodes_rig.suites.cases import Case, Trial, tried

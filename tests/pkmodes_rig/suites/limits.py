@@ -18,7 +18,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from pkmodes import updating
-from pkmodes.updating.candidates import PREFIX
+from pkmodes.loop.updating.candidates import PREFIX
 from pkmodes_rig import SENSORS, drawn_values
 from pkmodes_rig.suites.cases import ROBOT_NAMES, Case, tried
 from pkmodes_rig.suites.requirements import INTERVAL, line

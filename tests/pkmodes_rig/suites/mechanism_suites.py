@@ -16,8 +16,8 @@ from dataclasses import replace
 from pprint import pformat
 
 from pkmodes.core.mechanism.registry import mechanism
-from pkmodes.sensitivity.paths import resolve
-from pkmodes.updating.candidates import PREFIX
+from pkmodes.loop.sensitivity.paths import resolve
+from pkmodes.loop.updating.candidates import PREFIX
 from pkmodes_rig.suites.mechanism_cases import MechanismCase, MechanismOutcome, run
 from pkmodes_rig.suites.mechanism_sizes import SIZES
 from pkmodes_rig.suites.motors import DRIVES, OTHER_DRIVES, shows, words

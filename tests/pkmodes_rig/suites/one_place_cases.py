@@ -16,7 +16,7 @@ import numpy as np
 
 from pkmodes.core.robot.reading import read_robot
 from pkmodes.core.robot.robot import Robot
-from pkmodes.sensitivity.paths import resolve
+from pkmodes.loop.sensitivity.paths import resolve
 from pkmodes_rig import Identified, Laboratory, TrueModes, drawn_values, identified, written
 from pkmodes_rig.one_place import Fault, modes_of
 from pkmodes_rig.one_place.draws import Drawn, drawn, kinds_of

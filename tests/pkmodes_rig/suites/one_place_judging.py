@@ -13,7 +13,7 @@ from typing import Any
 
 from pkmodes import updating
 from pkmodes.core.robot.robot import Robot
-from pkmodes.sensitivity.paths import resolve
+from pkmodes.loop.sensitivity.paths import resolve
 from pkmodes_rig.one_place import Fault
 from pkmodes_rig.one_place.draws import ON_RAILS
 from pkmodes_rig.one_place.faults import same_term

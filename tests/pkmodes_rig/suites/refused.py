@@ -24,11 +24,11 @@ from unittest import mock
 
 import numpy as np
 
-from pkmodes.diagnosis.posterior.document import Probabilities
-from pkmodes.diagnosis.posterior.probabilities import ACCEPTED, NONE, REFUSED
-from pkmodes.diagnosis.verdict import rules
-from pkmodes.diagnosis.verdict.unexplained import OPEN
-from pkmodes.diagnosis.verdict.verdicts import EFFECT_FOUND, UNEXPLAINED
+from pkmodes.loop.diagnosis.posterior.document import Probabilities
+from pkmodes.loop.diagnosis.posterior.probabilities import ACCEPTED, NONE, REFUSED
+from pkmodes.loop.diagnosis.verdict import rules
+from pkmodes.loop.diagnosis.verdict.unexplained import OPEN
+from pkmodes.loop.diagnosis.verdict.verdicts import EFFECT_FOUND, UNEXPLAINED
 from pkmodes_rig.suites import calibration, clear_cases, six_legged_suites
 from pkmodes_rig.suites.calibration import explains, explains_a_part, truth_of
 from pkmodes_rig.suites.running import Outcome, command_line, publish

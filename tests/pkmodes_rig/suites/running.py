@@ -16,8 +16,8 @@ from pathlib import Path
 from typing import Any, Generic, TypeVar
 
 from pkmodes.core.base.errors import PkmodesError, shown
-from pkmodes.diagnosis.posterior.document import Probabilities
-from pkmodes.maps.running import connected
+from pkmodes.loop.diagnosis.posterior.document import Probabilities
+from pkmodes.machine.maps.running import connected
 
 C = TypeVar("C")
 R = TypeVar("R")

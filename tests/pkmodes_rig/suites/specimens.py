@@ -19,10 +19,10 @@ from pkmodes import updating
 from pkmodes.core.mechanism.registry import mechanism
 from pkmodes.core.robot.reading import read_robot, robot_from_document
 from pkmodes.core.robot.robot import Robot
-from pkmodes.measured.measurements import Measurements
-from pkmodes.measured.reading import read_measurements
-from pkmodes.sensitivity.paths import moved, resolve
-from pkmodes.updating.channels import channels as channels_of
+from pkmodes.loop.measured.measurements import Measurements
+from pkmodes.loop.measured.reading import read_measurements
+from pkmodes.loop.sensitivity.paths import moved, resolve
+from pkmodes.loop.updating.channels import channels as channels_of
 from pkmodes_rig import (
     BASE_RIGID,
     POSES,

@@ -23,12 +23,12 @@ import numpy as np
 
 from pkmodes.core.mechanism.registry import mechanism
 from pkmodes.core.robot.robot import Robot
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Hypothesis
-from pkmodes.diagnosis.one_state import split
-from pkmodes.measured.measurements import Measurements
-from pkmodes.sensitivity.paths import resolve
-from pkmodes.updating.measured_robot import MeasuredRobot
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.loop.diagnosis.one_state import split
+from pkmodes.loop.measured.measurements import Measurements
+from pkmodes.loop.sensitivity.paths import resolve
+from pkmodes.loop.updating.measured_robot import MeasuredRobot
 from pkmodes_rig import POSES, ROBOTS, Identified, drives_of, exact, identified, written
 from pkmodes_rig.suites.sizes import (
     ABSORBER,

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import Any
 
-from pkmodes.updating.candidates import PREFIX
+from pkmodes.loop.updating.candidates import PREFIX
 from pkmodes_rig import SENSORS
 from pkmodes_rig.suites import hard_suites
 from pkmodes_rig.suites.cases import ROBOT_NAMES, Case

@@ -28,7 +28,7 @@ from typing import Any
 
 import numpy as np
 
-from pkmodes.diagnosis import Criteria
+from pkmodes.loop.diagnosis import Criteria
 from pkmodes_rig.suites.deciding import SUITES, name_of
 from pkmodes_rig.suites.running import Outcome, command_line, publish
 from pkmodes_rig.suites.shadows import Shadowed
@@ -300,7 +300,7 @@ def page(kept: Sequence[Mapping[str, Any]]) -> list[str]:
         "# The thresholds of the diagnosis, halved and doubled",
         "",
         "Written by `make suites`; do not edit. `tests/pkmodes_rig/suites/thresholds.py` diagnoses cases of all",
-        "suites with each threshold of `pkmodes.diagnosis.Criteria` at half and at double its value.",
+        "suites with each threshold of `pkmodes.loop.diagnosis.Criteria` at half and at double its value.",
         "",
         "* *decisions*: in how many cases some decision on the way, or some number that was calculated, is another",
         f"  one. Elsewhere the outcome cannot be another one: {len(tested)} of those were tried, and"

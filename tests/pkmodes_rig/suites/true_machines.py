@@ -9,7 +9,7 @@ import numpy as np
 from scipy.optimize import linear_sum_assignment
 
 from pkmodes.core.robot.robot import Robot
-from pkmodes.sensitivity.paths import moved, resolve
+from pkmodes.loop.sensitivity.paths import moved, resolve
 from pkmodes_rig import TrueModes
 from pkmodes_rig.one_place import Fault, assembled
 from pkmodes_rig.one_place.draws import Drawn

@@ -20,7 +20,7 @@ from pkmodes.codegen.checking.relations import Derivative, Relation, State, draw
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.mechanism.regular import regular_poses
-from pkmodes.support.progress import say
+from pkmodes.core.support.progress import say
 
 Array = NDArray[np.float64]
 

@@ -38,9 +38,9 @@ from pkmodes.core.mechanism.regular import regular_poses, sample
 from pkmodes.core.robot.reading import read_robot, robot_from_document
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.variants import document_of
+from pkmodes.core.support.pasting import pasted
 from pkmodes.core.system.evaluation import evaluation, matrices
 from pkmodes.core.system.released import active_effects
-from pkmodes.support.pasting import pasted
 
 REGENERATE = "python -m pkmodes_derive generate"
 

@@ -11,7 +11,8 @@ from typing import Any
 class Attached:
     """A function of an application as a method, loaded at its first use.
 
-    - place: module and name of the function, ``"pkmodes.maps.mapping:map_of"``; its first argument is the instance
+    - place: module and name of the function, ``"pkmodes.machine.maps.mapping:map_of"``; its first argument is the
+    instance
     """
 
     def __init__(self, place: str) -> None:

@@ -5,7 +5,7 @@
 #include "system.h"
 
 #define TWO_PI 6.283185307179586
-/* Rounding of eigenvalues relative to the largest (`pkmodes.sensitivity.modes.ROUNDING`). */
+/* Rounding of eigenvalues relative to the largest (`pkmodes.loop.sensitivity.modes.ROUNDING`). */
 #define ROUNDING 1e-13
 
 /* The modes in all coordinates, or those of the model without effects. */

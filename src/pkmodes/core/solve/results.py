@@ -220,15 +220,15 @@ class Modes(ChosenFields):
     if TYPE_CHECKING:
 
         def to_dataset(self) -> Dataset:
-            """Return the vibration modes as a dataset: `pkmodes.dataset.modes.to_dataset`."""
+            """Return the vibration modes as a dataset: `pkmodes.machine.dataset.modes.to_dataset`."""
 
         def to_table(self) -> DataFrame:
-            """Return the vibration modes as a table: `pkmodes.dataset.modes.to_table`."""
+            """Return the vibration modes as a table: `pkmodes.machine.dataset.modes.to_table`."""
 
     else:
-        to_dataset = Attached("pkmodes.dataset.modes:to_dataset")
-        to_table = Attached("pkmodes.dataset.modes:to_table")
-        _repr_html_ = Attached("pkmodes.report.notebook:of_modes")
+        to_dataset = Attached("pkmodes.machine.dataset.modes:to_dataset")
+        to_table = Attached("pkmodes.machine.dataset.modes:to_table")
+        _repr_html_ = Attached("pkmodes.pages.report.notebook:of_modes")
 
 
 @dataclass(frozen=True, eq=False)
@@ -258,7 +258,7 @@ class Statics(AtPoses):
     rotations: Array
     robot: Robot = field(repr=False)
 
-    _repr_html_ = Attached("pkmodes.report.notebook:of_statics")
+    _repr_html_ = Attached("pkmodes.pages.report.notebook:of_statics")
 
 
 @dataclass(frozen=True, repr=False, eq=False)

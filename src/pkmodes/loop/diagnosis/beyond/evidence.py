@@ -1,0 +1,205 @@
+"""Evidence for the rules beyond the catalogue: the best term, its class, and what else remains."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import cached_property
+
+import numpy as np
+from scipy import stats
+
+from pkmodes.loop.diagnosis.beyond.specificity import Law, like_a_law, p_outside
+from pkmodes.loop.diagnosis.beyond.tried import Tried
+from pkmodes.loop.diagnosis.fit.hypothesis import Fit
+from pkmodes.loop.diagnosis.fit.store import FitStore
+from pkmodes.loop.diagnosis.problem import Candidate
+from pkmodes.loop.diagnosis.search.ranges import plausible_sizes
+from pkmodes.loop.diagnosis.search.score import one_sided, p_of_smallest, score
+from pkmodes.loop.diagnosis.search.search import Outcome, Search
+from pkmodes.loop.diagnosis.verdict.claim import Claim, fitted_values
+from pkmodes.loop.diagnosis.verdict.classes import classes, survivors
+from pkmodes.loop.diagnosis.verdict.evidence import Evidence
+from pkmodes.loop.diagnosis.verdict.findings import Finding
+from pkmodes.loop.diagnosis.verdict.held_out import HeldOut, predicted
+from pkmodes.loop.diagnosis.verdict.possible import member, unusual
+from pkmodes.loop.diagnosis.verdict.reasons import causes_in_words
+from pkmodes.loop.diagnosis.verdict.stability import Trial, trials
+
+#: Number of equally good terms that a reason mentions.
+MENTIONED = 3
+#: Number of explanations outside its class with which a claim is compared, under other errors and at all setups.
+CONTENDERS = 6
+#: Explanations whose criteria differ by less are equally good: only the last digits of their residuals differ.
+EQUAL = 1e-6
+
+
+class TermEvidence(Evidence):
+    """The evidence for the best term, beside all others and the explanations of the catalogue.
+
+    - groups: classes of the explanations that leave noise, that of the best one first
+    """
+
+    def __init__(self, tried: Tried) -> None:
+        search, store = tried.search, tried.search.store
+        self.tried = tried
+        rivals = best_first(store, [*tried.fits, *tried.carried])
+        surviving = survivors(search, rivals)
+        groups = [_ordered(search, group) for group in classes(store, surviving)]
+        self.groups = groups
+        best = next(iter(best_first(store, tried.fits)), tried.plain)
+        final = _named(search, groups[0]) if groups else best
+        p_value = _p_value(tried, final)
+        causes = dict.fromkeys(cause for group in groups for fit in group for cause in fit.causes)
+        plausible = plausible_sizes(store.fitter, tried.plain, list(causes))
+        implausible = {
+            name_of_explanation(fit) for group in groups for fit in group if unusual(store.fitter, fit)
+        }
+        claim = Claim(
+            final,
+            search.gate(final),
+            (groups,),
+            p_values=(p_value,),
+            plausible=plausible,
+            implausible=frozenset(implausible),
+        )
+        outcome = Outcome(tried.plain, search.gate(tried.plain), final, claim.last)
+        super().__init__(tried.setups, search, outcome, claim)
+
+    @property
+    def found(self) -> bool:
+        """Whether some term, alone or in the class of the best explanation, leaves noise."""
+        return any(cause.form for group in self.groups[:1] for fit in group for cause in fit.causes)
+
+    @property
+    def words(self) -> str:
+        """The best term in words, with its name, and those that are equally good."""
+        reference = self.store.criterion(self.final)
+        equal = [fit for fit in self.tried.fits if abs(self.store.criterion(fit) - reference) < EQUAL]
+        ranked = best_first(self.store, equal) or [self.final]
+        words = " or ".join(causes_in_words(fit.causes) for fit in ranked[:MENTIONED])
+        return words if len(ranked) <= MENTIONED else f"{words} or {len(ranked) - MENTIONED} more"
+
+    def finding(self, k: int) -> Finding:
+        """Return a class with its values, as a part of a result."""
+        fitter, group = self.fitter, self.groups[k]
+        index = [tuple(i for cause in fit.causes for i in fitter.indices(cause)) for fit in group]
+        labels = [name_of_explanation(fit) for fit in group]
+        alternatives = {
+            name: fitted_values(fitter, fit, indices)
+            for name, fit, indices in zip(labels, group, index, strict=True)
+        }
+        covariances = {
+            name: tuple(map(tuple, fit.covariance_of(indices).tolist()))
+            for name, fit, indices in zip(labels, group, index, strict=True)
+        }
+        return Finding(
+            name=labels[0],
+            members=tuple(labels),
+            parameters=alternatives[labels[0]],
+            alternatives=alternatives,
+            p_value=_p_value(self.tried, group[0]),
+            sentence=group[0].causes[-1].sentence,
+            covariances=covariances,
+            about={
+                name: replace(member(fitter, fit, self.claim.plausible), name=name, sentence=_sentence(fit))
+                for name, fit in zip(labels, group, strict=True)
+            },
+        )
+
+    @cached_property
+    def contenders(self) -> list[Fit]:
+        """The best explanations outside the class of the best one."""
+        members = {name_of_explanation(fit) for group in self.groups[:1] for fit in group}
+        store = self.store
+        limit = store.criterion(self.final) + self.criteria.claim.near
+        outside = [
+            fit
+            for fit in (*self.tried.fits, *self.tried.carried)
+            if name_of_explanation(fit) not in members and not fit.at_bound and store.criterion(fit) < limit
+        ]
+        return best_first(store, outside)[:CONTENDERS]
+
+    @cached_property
+    def trials(self) -> list[Trial]:
+        """The best explanations with other errors and priors."""
+        return trials(self.search, self.final, self.groups[:1], self.contenders)
+
+    @cached_property
+    def held_out(self) -> HeldOut:
+        """The test of the final fit by the held-out setups."""
+        return predicted(self.setups, self.search, self.final, self.contenders)
+
+    @cached_property
+    def p_outside(self) -> float:
+        """Probability that an effect that no term describes would look like a term."""
+        return p_outside(self.tried, self.final)
+
+    @cached_property
+    def law(self) -> Law | None:
+        """A law that explains the data as well."""
+        return like_a_law(self.tried, self.final)
+
+    @cached_property
+    def pointed(self) -> tuple[Candidate, float] | None:
+        """The term to which the remaining residual points, with the p-value of its score; None if there is none."""
+        terms = [term for term in self.tried.terms if not term.starts and term not in self.final.causes]
+        scores = score(self.fitter, self.final, terms)
+        best = min(scores.by_candidate, key=lambda entry: entry.p_value, default=None)
+        if best is None or scores.p_value > self.criteria.gate.surely:
+            return None
+        return best.candidate, scores.p_value
+
+
+def name_of_explanation(fit: Fit) -> str:
+    """Return the name of an explanation: of a term, or of one or two causes of the catalogue."""
+    return " + ".join(cause.name for cause in fit.causes)
+
+
+def best_first(store: FitStore, fits: Sequence[Fit]) -> list[Fit]:
+    """Return explanations by their criteria, equally good ones by their names."""
+    by_name = sorted(fits, key=name_of_explanation)
+    return sorted(by_name, key=lambda fit: float(np.round(store.criterion(fit) / EQUAL)))
+
+
+def _sentence(fit: Fit) -> str:
+    return " and ".join(cause.sentence or cause.name for cause in fit.causes)
+
+
+def _ordered(search: Search, group: Sequence[Fit]) -> list[Fit]:
+    """Return the members of a class, the best first, plausible ones before others.
+
+    A term with more parameters that explains no more than another term is left out: a resonator of a high frequency
+    is a mass, and a heavy one of a low frequency a spring to ground.
+    """
+    store = search.store
+    terms = [fit for fit in group if all(cause.form for cause in fit.causes)]
+    best = min(map(store.criterion, terms or group))
+    fewest = min(len(store.added(fit)) for fit in group)
+    kept = [
+        fit
+        for fit in group
+        if fit not in terms or len(store.added(fit)) == fewest or store.criterion(fit) <= best
+    ]
+    fitter = store.fitter
+    return sorted(best_first(store, kept), key=lambda fit: bool(unusual(fitter, fit)))
+
+
+def _named(search: Search, group: Sequence[Fit]) -> Fit:
+    """Return the first member of a class whose residual is noise in all respects, a term before others."""
+    level = search.criteria.gate.surely
+    noise = [fit for fit in group if search.gate(fit).above(level)]
+    terms = [fit for fit in noise if all(cause.form for cause in fit.causes)]
+    return next(iter([*terms, *noise]), group[0])
+
+
+def _p_value(tried: Tried, final: Fit) -> float:
+    """Return the p-value of a likelihood-ratio test of the best term, corrected for all that was tried."""
+    cause = next(iter(final.causes), None)
+    if cause is None:
+        return 1.0
+    fitter, gain = tried.search.store.fitter, max(tried.plain.deviance - final.deviance, 0.0)
+    p = float(stats.chi2.sf(gain, sum(len(added.parameters) for added in final.causes)))
+    if len(final.causes) == 1 and one_sided(fitter, cause):
+        p *= 0.5
+    return min(p_of_smallest(tried.directions, p), 1.0)

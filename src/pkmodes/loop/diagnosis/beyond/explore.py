@@ -1,0 +1,125 @@
+"""Test whether one form at one place explains what the catalogue does not."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from pkmodes.loop.diagnosis.beyond.evidence import TermEvidence, name_of_explanation
+from pkmodes.loop.diagnosis.beyond.instead import instead, may_compete, one_of_many
+from pkmodes.loop.diagnosis.beyond.rules import BEYOND
+from pkmodes.loop.diagnosis.beyond.tried import tried
+from pkmodes.loop.diagnosis.fit.hypothesis import Fit
+from pkmodes.loop.diagnosis.problem import Extensible
+from pkmodes.loop.diagnosis.search.additions import Progress
+from pkmodes.loop.diagnosis.verdict.builder import DiagnosisBuilder
+from pkmodes.loop.diagnosis.verdict.evidence import Decision, Evidence, Says, first
+from pkmodes.loop.diagnosis.verdict.limits import NO_LIMITS
+from pkmodes.loop.diagnosis.verdict.next_measurement import next_measurement
+from pkmodes.loop.diagnosis.verdict.notes import notes
+from pkmodes.loop.diagnosis.verdict.result import Diagnosis
+from pkmodes.loop.diagnosis.verdict.rows import Error
+from pkmodes.loop.diagnosis.verdict.terms import Beyond, TermClass
+from pkmodes.loop.diagnosis.verdict.verdicts import AMBIGUOUS, EFFECT_FOUND, FOUND, NOTHING, UNEXPLAINED
+
+
+class TermSearch:
+    """A search among terms, run when it is first needed.
+
+    - structure: at all measured setups
+    - held: held-out setups
+    """
+
+    def __init__(self, structure: Extensible, held: Sequence[int], progress: Progress | None) -> None:
+        self.structure, self.held, self.progress = structure, held, progress
+        self._found: tuple[Evidence, TermEvidence | None] | None = None
+
+    def evidence(self, catalogue: Evidence) -> TermEvidence | None:
+        """Return the evidence for terms beside what the catalogue found."""
+        if self._found is None or self._found[0] is not catalogue:
+            explored = tried(self.structure.with_terms(), catalogue, self.held, self.progress)
+            self._found = catalogue, None if explored is None else TermEvidence(explored)
+        return self._found[1]
+
+    def instead(self, catalogue: Evidence) -> Fit | None:
+        """Return the fit with one term that explains the data in place of the causes of the catalogue."""
+        terms_compete = one_of_many(catalogue) or in_one_joint(self.structure, catalogue)
+        if not terms_compete and not may_compete(self.structure.with_terms(), catalogue, self.held):
+            return None
+        of_terms = self.evidence(catalogue)
+        return None if of_terms is None else instead(of_terms, catalogue)
+
+    def after(self, catalogue: Evidence, decision: Decision[Evidence, Says]) -> TermEvidence | None:
+        """Return the evidence for terms; None where the catalogue's verdict leaves nothing to try."""
+        open_to_terms = decision.verdict in (AMBIGUOUS, UNEXPLAINED) and not decision.says.of_reading
+        claimed = decision.verdict is EFFECT_FOUND
+        if not open_to_terms and not (claimed and in_one_joint(self.structure, catalogue)):
+            return None
+        return self.evidence(catalogue)
+
+
+def in_one_joint(structure: Extensible, catalogue: Evidence) -> bool:
+    """Return whether a claimed cause has a value for each joint, and several terms have one of these values each."""
+    causes = catalogue.final.causes
+    if len(causes) != 1 or len(causes[0].parameters) < 2:
+        return False
+    joints = {term.parameters[0] for term in structure.with_terms().candidates if term.form}
+    return len(joints.intersection(causes[0].parameters)) > 1
+
+
+def with_beyond(result: Diagnosis, evidence: TermEvidence | None, catalogue: Evidence) -> Diagnosis:
+    """Return a diagnosis of the catalogue with what terms explain."""
+    if evidence is None:
+        return result
+    decision = first(BEYOND, evidence)
+    assert decision is not None  # the last rule always applies
+    status, count = decision.verdict, len(evidence.tried.terms)
+    groups = [] if status is NOTHING else evidence.groups
+    classes = _classes(evidence, groups)
+    best = _best_of(catalogue)
+    beyond = Beyond(status.word, decision.says.text, count, classes, best, decision.rule.name)
+    if sum(map(len, groups)) > 1:
+        remaining = [[(name_of_explanation(fit), fit) for fit in group] for group in groups]
+        proposed, not_separated = next_measurement(evidence.store, None, remaining)
+        result = replace(result, next_measurement=proposed, not_separated=not_separated)
+    elif status is FOUND:
+        # Notes on the fit without the term do not apply to the fit with it.
+        remarks = tuple(notes(evidence.store, evidence.final, adequate=True))
+        result = replace(result, next_measurement=None, not_separated=status.nothing_next, notes=remarks)
+    reason = f"{words}; {result.reason}" if (words := beyond.words()) else result.reason
+    return replace(result, beyond=beyond, reason=reason)
+
+
+def _classes(evidence: TermEvidence, groups: Sequence[Sequence[Fit]]) -> tuple[TermClass, ...]:
+    """Return classes as parts of a result, each with its probability relative to the others."""
+    store, builder = evidence.store, DiagnosisBuilder(evidence.setups)
+    criteria = [np.array([store.criterion(fit) for fit in group]) for group in groups]
+    least = min((float(values.min()) for values in criteria), default=0.0)
+    weights = np.array([np.exp(-0.5 * (values - least)).sum() for values in criteria])
+    return tuple(
+        TermClass(
+            finding=evidence.finding(k),
+            probability=float(weights[k] / weights.sum()),
+            forms={name_of_explanation(fit): "".join(cause.form for cause in fit.causes) for fit in group},
+            errors={name_of_explanation(fit): error_of(evidence, fit) for fit in group},
+            corrected=builder.corrected(group[0], NO_LIMITS),
+        )
+        for k, group in enumerate(groups)
+    )
+
+
+def _best_of(catalogue: Evidence) -> tuple[str, Error] | None:
+    """Return the best explanation of the catalogue, claimed or not, with its errors."""
+    fits = [fit for fit in catalogue.store.tried() if fit.causes and not fit.hypothesis.remote]
+    best = min(fits, key=catalogue.store.criterion, default=None)
+    return None if best is None else (name_of_explanation(best), error_of(catalogue, best))
+
+
+def error_of(evidence: Evidence, fit: Fit) -> Error:
+    """Return the errors with an explanation."""
+    setups = evidence.setups
+    lines = evidence.fitter.data.lines[sorted(fit.hypothesis.excluded)]
+    stage, outlying = setups.stage(fit.values), np.isin(setups.data.lines, lines)
+    return setups.error(stage, *evidence.store.frequency_misfit(fit), outlying)

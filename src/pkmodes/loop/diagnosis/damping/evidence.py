@@ -1,0 +1,145 @@
+"""Evidence for the rules of the verdict on damping."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from scipy import stats
+
+from pkmodes.loop.diagnosis.criteria import Criteria
+from pkmodes.loop.diagnosis.damping.doubts import p_coincidence, p_of_trend
+from pkmodes.loop.diagnosis.damping.explanation import LossExplanation, explanation_of, p_of_one_more
+from pkmodes.loop.diagnosis.damping.fit import LossFit, LossFitter
+from pkmodes.loop.diagnosis.damping.observations import DampingObservations
+from pkmodes.loop.diagnosis.problem import Array
+from pkmodes.loop.diagnosis.verdict.evidence import Rule, Says, first
+from pkmodes.loop.diagnosis.verdict.verdicts import Verdict
+
+
+@dataclass(frozen=True)
+class LossSays(Says):
+    """The answer of a rule that applies.
+
+    - scatter: how far the ratios scatter about the model beyond their stated errors, where the verdict allows for
+      that: the standard deviation of their logarithm
+    - rivals: explanations that remain where several do, the best first
+    """
+
+    scatter: float = 0.0
+    rivals: tuple[LossFit, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class DampingJudgement:
+    """A verdict on damping, and what it leaves.
+
+    - rule: that gave it
+    - base: with the declared losses
+    - final: with the causes; the base where none is found or remains
+    - places, p_values: those of the `LossExplanation` that is found or remains; otherwise empty
+    - says: why; empty for a claim, where several explanations remain, and where the declared losses leave noise
+    """
+
+    rule: str
+    verdict: Verdict
+    base: LossFit
+    final: LossFit
+    places: tuple[tuple[LossFit, ...], ...]
+    p_values: tuple[float, ...]
+    says: LossSays
+
+
+class LossEvidence:
+    """Damping ratios and the losses that explain them; costly results are computed when a rule first needs them.
+
+    - fitter: of the rows that take part
+    - doubts: where one of these applies, nothing is claimed
+    - trials: by change of the errors or priors
+    - held: those of the held-out poses
+    """
+
+    def __init__(
+        self,
+        fitter: LossFitter,
+        doubts: LossRules,
+        trials: Mapping[str, DampingJudgement] | None = None,
+        held: DampingObservations | None = None,
+    ) -> None:
+        self.fitter, self.criteria = fitter, fitter.criteria
+        self.trials, self.held, self._doubts = trials or {}, held, doubts
+
+    def says(self, text: str) -> LossSays:
+        """Return a reason as an answer."""
+        return LossSays(text)
+
+    @cached_property
+    def base(self) -> LossFit:
+        """The fit of the declared losses, within their priors."""
+        return self.fitter.fit()
+
+    @property
+    def resolved(self) -> int:
+        """Number of ratios that are significantly above 0."""
+        return int(self.fitter.observations.above.sum())
+
+    @cached_property
+    def chance(self) -> float:
+        """The smallest p-value of one more loss, corrected for the number of candidates."""
+        fits = [self.fitter.fit((j,)) for j in self.fitter.candidates]
+        return min((p_of_one_more(self.fitter, self.base, fit) for fit in fits), default=1.0)
+
+    @cached_property
+    def explanation(self) -> LossExplanation | None:
+        """The best explanation by other losses than the declared ones."""
+        return explanation_of(self.fitter)
+
+    @cached_property
+    def claim(self) -> LossExplanation | None:
+        """The explanation, where no rule speaks against it."""
+        return None if first(self._doubts, self) else self.explanation
+
+    @cached_property
+    def p_trend(self) -> float:
+        """The p-value of a trend with the frequency that the explanation leaves; 1 without one."""
+        return p_of_trend(self.fitter, self.explanation.best) if self.explanation else 1.0
+
+    @cached_property
+    def coincidence(self) -> float:
+        """The fraction of laws outside the candidates that would look like as many of them; 0 without explanation."""
+        return p_coincidence(self.fitter, self.explanation.best) if self.explanation else 0.0
+
+    @cached_property
+    def common(self) -> int | None:
+        """The loss that is the same ratio for all modes."""
+        return next((j for j, loss in enumerate(self.fitter.losses) if not loss.effect), None)
+
+    @property
+    def declares(self) -> bool:
+        """Whether the model declares any loss."""
+        return any(loss.declared for loss in self.fitter.losses)
+
+    def scatter_about(self, fit: LossFit) -> float:
+        """Return how far ratios are from a fit beyond their stated errors: standard deviation of the logarithm."""
+        rows, above = self.fitter.observations, self.fitter.observations.above
+        deviation = (rows.logarithms - rows.predicted(fit.values))[above]
+        beyond = float(np.mean(deviation**2)) - float(np.mean(rows.stated[above] ** 2))
+        return math.sqrt(max(beyond, 0.0))
+
+
+#: A table of the verdict on damping.
+LossRules = tuple[Rule[LossEvidence, LossSays], ...]
+
+
+def contradicted(held: DampingObservations, values: Array, criteria: Criteria, scatter: float = 0.0) -> bool:
+    """Return whether the rows of held-out poses contradict losses.
+
+    - scatter: of the ratios beyond their stated errors, which the verdict allows for
+    """
+    if not len(held.ratio) or not values.any():
+        return False
+    white = held.with_scatter(scatter).residual(values)
+    return bool(stats.chi2.sf(float(white @ white), len(white)) <= criteria.gate.surely)

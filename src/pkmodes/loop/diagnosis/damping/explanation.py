@@ -1,0 +1,140 @@
+"""The best explanation of damping by losses that may differ from the declared ones, with its class and its rivals.
+
+Hypotheses are the declared losses, each suspected loss alone, and each pair in which either is needed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from math import comb
+
+import numpy as np
+from scipy import stats
+
+from pkmodes.core.support.numbers import plain
+from pkmodes.loop.diagnosis.damping.fit import NEARLY, LossFit, LossFitter
+
+#: Squared difference below which no measurement separates two explanations.
+SAME = 1.0
+
+
+@dataclass(frozen=True, eq=False)
+class LossExplanation:
+    """Losses that leave noise.
+
+    - places: for each cause, the fits of its class, the best explanation first
+    - rivals: explanations in no class that are as good, the best first
+    - p_values: one for each cause
+    """
+
+    best: LossFit
+    places: tuple[tuple[LossFit, ...], ...]
+    rivals: tuple[LossFit, ...]
+    p_values: tuple[float, ...]
+
+    @property
+    def known(self) -> set[int]:
+        """All losses of its classes."""
+        return {j for place in self.places for fit in place for j in fit.causes}
+
+
+def explanation_of(fitter: LossFitter) -> LossExplanation | None:
+    """Return the best explanation by one loss, else by two if there are enough rows; None if none leaves noise."""
+    c = fitter.criteria
+    singles = [fitter.fit((j,)) for j in fitter.candidates]
+    sizes = (1, 2) if int(fitter.observations.above.sum()) >= c.claim.rows_for_two else (1,)
+    for size in sizes:
+        fits = singles if size == 1 else _pairs(fitter)
+        passing = [fit for fit in fits if _explains(fitter, fit, c.gate.level)]
+        if passing:
+            return _among_rivals(fitter, fits, min(passing, key=lambda fit: fit.criterion))
+    return None
+
+
+def _among_rivals(fitter: LossFitter, fits: Sequence[LossFit], best: LossFit) -> LossExplanation:
+    """Return the best explanation with the others of its size."""
+    c = fitter.criteria
+    near = [fit for fit in fits if fit.criterion < best.criterion + c.search.survives]
+    survivors = [fit for fit in near if fit is best or _explains(fitter, fit, c.gate.surely)]
+    alike = [fit for fit in survivors if fitter.difference(best, fit) < c.claim.told_apart]
+    alike.sort(key=lambda fit: (not _is_effect(fitter, fit), fit.criterion))
+    # An effect names the class among explanations that no measurement separates, and in any class whose best member
+    # is not a cause.
+    claimable = all(fitter.losses[j].claimable for j in best.causes)
+    same = [fit for fit in alike if not claimable or fitter.difference(best, fit) < SAME]
+    best = same[0] if same else best
+    places = tuple(
+        (best, *(fit for fit in alike if fit is not best and set(best.causes) - {cause} < set(fit.causes)))
+        for cause in best.causes
+    )
+    rivals = [fit for fit in survivors if not any(fit is member for place in places for member in place)]
+    rivals.sort(key=lambda fit: fit.criterion)
+    p_values = tuple(_p_of_place(fitter, best, cause) for cause in best.causes)
+    return LossExplanation(best, places, tuple(rivals), p_values)
+
+
+def _explains(fitter: LossFitter, fit: LossFit, level: float) -> bool:
+    """Return whether a fit leaves noise, and each of its causes is present."""
+    causes = [j for j in fit.causes if j in fit.absent and not fitter.declared[j]]
+    at_bound = [j for j in fit.causes if fit.values[j] > NEARLY * fitter.losses[j].parameter.upper]
+    return fit.p_value > level and not causes and not at_bound
+
+
+def _pairs(fitter: LossFitter) -> list[LossFit]:
+    """Return the fits of pairs in which each loss is needed beside the other."""
+    pairs, claimed = combinations(fitter.candidates, 2), fitter.criteria.claim.claimed
+    return [
+        fit
+        for fit in map(fitter.fit, pairs)
+        if all(p_of_one_more(fitter, fitter.fit((j,)), fit) <= claimed for j in fit.causes)
+    ]
+
+
+def p_of_loss(fitter: LossFitter, loss: int) -> float:
+    """Return the p-value of one loss beside the declared ones, for this candidate alone."""
+    return p_of_one_more(fitter, fitter.fit(), fitter.fit((loss,))) / max(len(fitter.candidates), 1)
+
+
+def _p_of_place(fitter: LossFitter, fit: LossFit, cause: int) -> float:
+    rest = tuple(j for j in fit.causes if j != cause)
+    return p_of_one_more(fitter, fitter.fit(rest), fit)
+
+
+def p_of_one_more(fitter: LossFitter, smaller: LossFit, larger: LossFit) -> float:
+    """Return the p-value of a likelihood-ratio test of one more loss, corrected for the number of hypotheses.
+
+    These are the candidates, or their pairs if the fit has two, but not fewer than the candidates.
+    """
+    candidates = len(fitter.candidates)
+    number = max(comb(candidates, len(larger.causes)), candidates)
+    (added,) = set(larger.causes) - set(smaller.causes)
+    gain = max(smaller.chi2 + smaller.price - larger.chi2 - larger.price, 0.0)
+    one_sided = 1.0 if fitter.declared[added] else 0.5
+    return min(1.0, one_sided * float(stats.chi2.sf(gain, 1)) * number)
+
+
+def _is_effect(fitter: LossFitter, fit: LossFit) -> bool:
+    return all(fitter.losses[j].effect for j in fit.causes)
+
+
+def nearest_loss(fitter: LossFitter) -> str:
+    """Return how far the nearest single loss is from the damping, in words."""
+    fits = [fit for fit in (fitter.fit((j,)) for j in fitter.candidates) if fit.causes]
+    if not fits:
+        return "no loss shows in these modes"
+    best = min(fits, key=lambda fit: fit.chi2)
+    deviation = (fitter.observations.logarithms - fitter.observations.predicted(best.values))[
+        fitter.observations.above
+    ]
+    factor = float(np.exp(np.sqrt(np.mean(np.minimum(np.abs(deviation), 10.0) ** 2))))
+    name = loss_names(fitter, best)
+    return (
+        f"no loss or pair of losses explains it; the nearest, {name}, leaves a factor of {plain(factor, 2)}"
+    )
+
+
+def loss_names(fitter: LossFitter, fit: LossFit) -> str:
+    """Return the names of the causes of a fit."""
+    return " + ".join(fitter.losses[j].candidate for j in fit.causes)

@@ -1,0 +1,208 @@
+"""Fit losses to measured damping ratios: least squares in the logarithms of ratios, over positive losses.
+
+The ratio of a mode is the sum over the losses of coefficient times value.  The logarithm of a measured ratio that is
+not significantly above 0 has no normal error, but the ratio shows that the mode is not damped more.  The variables
+are the logarithms of the fitted losses, so that a single loss without a declared one beside it is a linear problem,
+and none is ever negative.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import numpy as np
+from scipy import stats
+from scipy.optimize import least_squares
+
+from pkmodes.loop.diagnosis.criteria import Criteria
+from pkmodes.loop.diagnosis.damping.observations import DampingObservations
+from pkmodes.loop.diagnosis.fit.hypothesis import Fitted
+from pkmodes.loop.diagnosis.fit.priors import Priors
+from pkmodes.loop.diagnosis.problem import Array, Loss
+
+#: A loss below this part of the value that alone would explain a typical mode is absent.
+ABSENT = 1e-4
+#: A loss above this part of its bound is at the bound.
+NEARLY = 0.999
+#: Start values of fitted losses, as parts of those that alone would explain a typical mode: that of the largest loss,
+#: and of the others.  Each loss is the largest in one start.
+PARTS = (0.9, 0.1)
+
+
+@dataclass(frozen=True, eq=False)
+class LossFit(Fitted):
+    """Losses fitted to damping ratios; all parameters are the values of the J losses.
+
+    - free: losses with a prior, then the causes
+    - white: the residual of a row set aside is 0, (R + priors,)
+    - causes: losses that may differ from their declared values
+    - count, degrees: number R of ratios, and of residuals less the fitted losses without a prior
+    - outlier: row set aside
+    - absent: fitted losses that are practically 0
+    """
+
+    causes: tuple[int, ...]
+    count: int
+    degrees: int
+    outlier: int | None = None
+    absent: tuple[int, ...] = ()
+
+    @cached_property
+    def p_value(self) -> float:
+        """Probability of residuals at least as large if they are noise."""
+        return float(stats.chi2.sf(self.chi2, self.degrees)) if self.degrees > 0 else 1.0
+
+    @property
+    def price(self) -> float:
+        """Penalty for a row set aside, which was chosen among all rows."""
+        return 0.0 if self.outlier is None else 3.0 * float(np.log(self.count))
+
+    @property
+    def criterion(self) -> float:
+        """Schwarz's criterion."""
+        return self.chi2 + self.price + len(self.causes) * float(np.log(max(self.count, 2)))
+
+
+@dataclass(frozen=True, eq=False)
+class LossFitter:
+    """Fits losses to damping ratios.
+
+    - widened: factor by which priors are wider than declared
+    """
+
+    observations: DampingObservations
+    losses: tuple[Loss, ...]
+    criteria: Criteria
+    widened: float = 1.0
+    _fits: dict[object, LossFit] = field(default_factory=dict, repr=False)
+
+    @property
+    def nuisances(self) -> tuple[int, ...]:
+        """Losses with a prior."""
+        return tuple(j for j, loss in enumerate(self.losses) if loss.parameter.sigma)
+
+    @cached_property
+    def candidates(self) -> tuple[int, ...]:
+        """Losses that are suspected and show in some row."""
+        return tuple(j for j, loss in enumerate(self.losses) if loss.candidate and self.typical[j] < np.inf)
+
+    @cached_property
+    def typical(self) -> Array:
+        """Value of each loss that alone would give a typical row its ratio, (J,); inf where it shows in none."""
+        rows = self.observations
+        with np.errstate(divide="ignore"):
+            sufficient = np.where(rows.by_loss > 0.0, rows.ratio[:, None] / rows.by_loss, np.inf)
+        sufficient = sufficient[rows.above] if rows.above.any() else sufficient
+        return (
+            np.asarray(np.median(sufficient, axis=0))
+            if len(sufficient)
+            else np.full(len(self.losses), np.inf)
+        )
+
+    @cached_property
+    def declared(self) -> Array:
+        """Declared values, (J,)."""
+        return np.array([loss.parameter.value for loss in self.losses])
+
+    def of(self, observations: DampingObservations) -> LossFitter:
+        """Return the fitter of other observations."""
+        return replace(self, observations=observations, _fits={})
+
+    def with_changes(self, errors: float, priors: float) -> LossFitter:
+        """Return the fitter with stated errors and priors larger by factors."""
+        observations = self.observations.with_errors(errors)
+        return replace(self, observations=observations, widened=priors, _fits={})
+
+    def fit(self, causes: Sequence[int] = (), fixed: dict[int, float] | None = None) -> LossFit:
+        """Fit losses; a row that contradicts all others is set aside.
+
+        - causes: losses that are fitted freely
+        - fixed: values of some losses, which are not fitted
+        """
+        key = tuple(causes), tuple((fixed or {}).items())
+        if key not in self._fits:
+            self._fits[key] = self._robust(tuple(causes), fixed or {})
+        return self._fits[key]
+
+    def _robust(self, causes: tuple[int, ...], fixed: dict[int, float]) -> LossFit:
+        c = self.criteria
+        fit = self._fitted(causes, fixed, None)
+        if fit.p_value > c.gate.level or fit.count < c.search.rows_to_set_aside:
+            return fit
+        worst = int(np.abs(fit.white[: fit.count]).argmax())
+        without = self._fitted(causes, fixed, worst)
+        gross = abs(self.observations.residual(without.values)[worst]) > c.damping.outlier
+        return without if gross and without.p_value > c.gate.level else fit
+
+    def _fitted(self, causes: tuple[int, ...], fixed: dict[int, float], outlier: int | None) -> LossFit:
+        rows, count = self.observations, len(self.observations.ratio)
+        free = tuple(j for j in dict.fromkeys((*self.nuisances, *causes)) if j not in fixed)
+        index, values = list(free), self.declared.copy()
+        for j, value in fixed.items():
+            values[j] = value
+        used = np.where(np.arange(count) == outlier, 0.0, 1.0)
+        parameters = [loss.parameter for loss in self.losses]
+        kept = [replace(p, sigma=None) if j in fixed else p for j, p in enumerate(parameters)]
+        priors = Priors(kept, (), self.widened)
+
+        def at(x: Array) -> Array:
+            full = values.copy()
+            full[index] = np.exp(x)
+            return full
+
+        def residual(x: Array) -> Array:
+            full = at(x)
+            return np.concatenate([used * rows.residual(full), priors.residual(full)])
+
+        def by_value(full: Array) -> Array:
+            return np.vstack([used[:, None] * rows.rates(full)[:, index], priors.rates(full, free)])
+
+        def rates(x: Array) -> Array:
+            return np.asarray(by_value(at(x)) * np.exp(x))
+
+        lower = np.log([ABSENT * 1e-2 * self._scale(j) for j in free])
+        upper = np.log([max(parameters[j].upper, 0.0) for j in free])
+        best, white = np.zeros(0), residual(np.zeros(0)) if not free else None
+        for start in self._starts(free, causes):
+            first = np.clip(start, lower + 1e-9, upper - 1e-9)
+            solution = least_squares(
+                residual, first, rates, (lower, upper), x_scale=1.0, xtol=1e-12, ftol=1e-12
+            )
+            if white is None or solution.fun @ solution.fun < white @ white:
+                best, white = solution.x, solution.fun
+        assert white is not None
+        reached = at(best)
+        return LossFit(
+            values=reached,
+            free=free,
+            white=white,
+            jacobian=by_value(reached),
+            causes=causes,
+            count=count,
+            degrees=count - (outlier is not None) - sum(priors.of(j) is None for j in free),
+            outlier=outlier,
+            absent=tuple(j for j in free if reached[j] < ABSENT * self._scale(j)),
+        )
+
+    def _scale(self, j: int) -> float:
+        """Return a typical value of a loss."""
+        declared_size = self.declared[j] + (self.losses[j].parameter.sigma or 0.0)
+        return float(self.typical[j] if np.isfinite(self.typical[j]) else declared_size or 1.0)
+
+    def _starts(self, free: tuple[int, ...], causes: tuple[int, ...]) -> list[Array]:
+        """Return start values of the logarithms of the fitted losses."""
+        if not free:
+            return []
+        declared = {j: self.declared[j] or 0.1 * self._scale(j) for j in free}
+        shares = [{c: PARTS[0] if c == large else PARTS[1] for c in causes} for large in causes] or [{}]
+        return [
+            np.log([share[j] * self._scale(j) if j in share else declared[j] for j in free])
+            for share in shares
+        ]
+
+    def difference(self, a: LossFit, b: LossFit) -> float:
+        """Return the squared difference of the predictions of two fits in standard deviations."""
+        apart = self.observations.residual(a.values) - self.observations.residual(b.values)
+        return float(apart @ apart)

@@ -1,0 +1,248 @@
+"""The rules of the verdict on damping, in a table: the first that applies decides.
+
+What a claim needs is the same as for the frequencies: the explanation leaves noise, has no distinguishable rival,
+improves significantly on the declared losses, and is specific.  Friction that depends on the amplitude, such as
+Coulomb friction, is not a loss of the catalogue; it is refused because it leaves more than noise, or a trend with
+frequency.
+
+Repeated tests of one machine give ratios that scatter from mode to mode by more than their stated errors.  A model
+that declares no loss says nothing about damping, so a ratio common to all modes contradicts nothing, and names no
+joint.  Neither does one that differs from the declared ratio by no more than repeated tests do.
+"""
+
+from __future__ import annotations
+
+import math
+
+from pkmodes.core.support.numbers import plain
+from pkmodes.loop.diagnosis.damping import words
+from pkmodes.loop.diagnosis.damping.evidence import (
+    DampingJudgement,
+    LossEvidence,
+    LossRules,
+    LossSays,
+    contradicted,
+)
+from pkmodes.loop.diagnosis.damping.explanation import SAME, LossExplanation, loss_names, nearest_loss
+from pkmodes.loop.diagnosis.verdict.evidence import Rule, first
+from pkmodes.loop.diagnosis.verdict.verdicts import (
+    ADEQUATE,
+    AMBIGUOUS,
+    EFFECT_FOUND,
+    INSUFFICIENT_DATA,
+    UNEXPLAINED,
+)
+
+
+def judge(evidence: LossEvidence, rules: LossRules) -> DampingJudgement:
+    """Return the verdict of the first rule that applies."""
+    decision = first(rules, evidence)
+    assert decision is not None  # the last rule always applies
+    explanation = evidence.explanation if decision.verdict in (EFFECT_FOUND, AMBIGUOUS) else None
+    return DampingJudgement(
+        decision.rule.name,
+        decision.verdict,
+        evidence.base,
+        final=explanation.best if explanation else evidence.base,
+        places=explanation.places if explanation else (),
+        p_values=explanation.p_values if explanation else (),
+        says=decision.says,
+    )
+
+
+# Nothing to explain --------------------------------------------------------------------------------------------
+
+
+def too_few(e: LossEvidence) -> str:
+    """The resolved ratios are too few for the uncertain losses, a cause, and a test of it."""
+    count = e.resolved
+    if count >= len(e.fitter.nuisances) + 1 + e.criteria.claim.redundancy:
+        return ""
+    subject = "1 resolved damping ratio is" if count == 1 else f"{count} resolved damping ratios are"
+    return f"{subject} too few"
+
+
+def as_declared(e: LossEvidence) -> LossSays | None:
+    """The ratios are those of the declared losses, and no other loss improves on them."""
+    level = e.criteria.gate.level
+    return LossSays("") if e.base.p_value > level and e.chance > level else None
+
+
+# Several explanations, or none that names a joint --------------------------------------------------------------
+
+
+def several(e: LossEvidence) -> LossSays | None:
+    """Several explanations remain that do not form one class."""
+    explanation = e.explanation
+    return (
+        LossSays("", rivals=(explanation.best, *explanation.rivals))
+        if explanation and explanation.rivals
+        else None
+    )
+
+
+def nearly_declared(e: LossEvidence) -> LossSays | None:
+    """A common ratio other than the declared one explains them, and differs from it as repeated tests do."""
+    if e.claim is None or not e.declares or e.common is None or len(e.claim.places) != 1:
+        return None
+    fit = next((fit for fit in e.claim.places[0] if fit.causes == (e.common,)), None)
+    if fit is None:
+        return None
+    ratio, declared = words.ratio_of(fit, e.common), float(e.fitter.declared[e.common])
+    if not declared or abs(math.log(ratio[0] / declared)) > e.criteria.damping.scatter:
+        return None
+    return LossSays(words.nearly_declared(*ratio, declared), scatter=e.scatter_about(e.base))
+
+
+def common_ratio(e: LossEvidence) -> str:
+    """No damping is declared, and a ratio common to all modes, which names no joint, explains the measured ones."""
+    if e.declares or e.common is None:
+        return ""
+    fit = e.fitter.fit((e.common,))  # also where it is not among the chosen candidates
+    if e.claim is None:
+        sole = fit.p_value > e.criteria.gate.level
+    else:
+        sole = e.claim.best.causes == (e.common,) and not e.fitter.losses[e.common].claimable
+    return words.common_ratio(*words.ratio_of(fit, e.common)) if sole else ""
+
+
+def scattered(e: LossEvidence) -> LossSays | None:
+    """Nothing is claimed, and ratios scatter about a common one, or about those declared, as in repeated tests."""
+    if e.claim is not None:
+        return None
+    if e.declares:
+        fit, about = e.base, None
+    elif e.common is not None:
+        fit = e.fitter.fit((e.common,))
+        about = words.ratio_of(fit, e.common)[0]
+    else:
+        return None
+    scatter = e.scatter_about(fit)
+    if scatter > e.criteria.damping.scatter:
+        return None
+    return LossSays(words.scattered(about, scatter), scatter=scatter)
+
+
+# Doubts about an explanation -----------------------------------------------------------------------------------
+
+
+def tells_nothing(e: LossEvidence) -> str:
+    """All candidates are in one class although their effects differ."""
+    explanation = e.explanation
+    if explanation is None or len(explanation.best.causes) != 1:
+        return ""
+    alike = explanation.places[0]
+    differ = any(e.fitter.difference(alike[0], fit) >= SAME for fit in alike)
+    if not differ or {fit.causes[0] for fit in alike} != set(e.fitter.candidates):
+        return ""
+    return "the damping ratios are too few or too uncertain to tell any of the losses apart"
+
+
+def may_be_chance(e: LossEvidence) -> str:
+    """The improvement may be chance: its p-value, corrected for the number of candidates, is above 0.1 %."""
+    explanation = e.explanation
+    if explanation is None or max(explanation.p_values) <= e.criteria.claim.claimed:
+        return ""
+    return _would(
+        e, explanation, f"but the improvement may be chance (p = {plain(max(explanation.p_values), 2)})"
+    )
+
+
+def leaves_a_trend(e: LossEvidence) -> str:
+    """What the explanation leaves has a trend with the frequency."""
+    explanation = e.explanation
+    if explanation is None or e.p_trend > e.criteria.gate.level:
+        return ""
+    why = (
+        "but what it leaves follows the frequency: friction that depends on the amplitude, or something outside the "
+        "candidates"
+    )
+    return _would(e, explanation, why)
+
+
+def not_specific(e: LossEvidence) -> str:
+    """Too many laws outside the candidates would look like one of them."""
+    explanation = e.explanation
+    if explanation is None or e.coincidence <= e.criteria.damping.specific[len(explanation.best.causes) - 1]:
+        return ""
+    why = (
+        "but the damping ratios are too few or too uncertain to rule out something outside the candidates: "
+        f"{plain(100 * e.coincidence, 2)} % of such laws would look like a candidate"
+    )
+    return _would(e, explanation, why)
+
+
+def _would(e: LossEvidence, explanation: LossExplanation, why: str) -> str:
+    return f"{loss_names(e.fitter, explanation.best)} would explain it, {why}"
+
+
+def unexplained(e: LossEvidence) -> str:
+    """No loss and no pair of losses leaves noise."""
+    return "" if e.explanation else nearest_loss(e.fitter)
+
+
+# Claims --------------------------------------------------------------------------------------------------------
+
+
+def other_errors(e: LossEvidence) -> LossSays | None:
+    """With errors halved or doubled, or priors twice as wide, another loss takes the place of a claimed one."""
+    explanation = e.explanation
+    assert explanation is not None  # `unexplained` stands before
+    for change, trial in e.trials.items():
+        if trial.verdict is EFFECT_FOUND and not set(trial.final.causes) <= explanation.known:
+            text = f"with {change}, {loss_names(e.fitter, trial.final)} would explain it better"
+            return LossSays(text, rivals=(explanation.best, e.fitter.fit(trial.final.causes)))
+    return None
+
+
+def not_predicted(e: LossEvidence) -> str:
+    """The ratios of the held-out poses contradict the explanation."""
+    explanation = e.explanation
+    if explanation is None or e.held is None or not contradicted(e.held, explanation.best.values, e.criteria):
+        return ""
+    name = loss_names(e.fitter, explanation.best)
+    return f"{name} would explain that of the fitted poses, but not that of the held-out ones"
+
+
+def found(e: LossEvidence) -> LossSays:
+    """One class of losses is left for each cause."""
+    return LossSays("")
+
+
+# The tables ----------------------------------------------------------------------------------------------------
+
+_BEFORE: LossRules = (
+    Rule("damping.too_few", INSUFFICIENT_DATA, too_few),
+    Rule("damping.adequate", ADEQUATE, as_declared),
+    Rule("damping.several", AMBIGUOUS, several),
+    Rule("damping.nearly_declared", ADEQUATE, nearly_declared),
+    Rule("damping.common_ratio", ADEQUATE, common_ratio),
+    Rule("damping.scattered", ADEQUATE, scattered),
+)
+_TELLS_NOTHING: Rule[LossEvidence, LossSays] = Rule("damping.tells_nothing", INSUFFICIENT_DATA, tells_nothing)
+_UNEXPLAINED: Rule[LossEvidence, LossSays] = Rule("damping.unexplained", UNEXPLAINED, unexplained)
+#: An explanation that does not predict the held-out poses.
+NOT_PREDICTED = "damping.held_out"
+_FOUND = Rule("damping.found", EFFECT_FOUND, found)
+
+#: Where one of these applies, nothing is claimed.
+DOUBTS: LossRules = (
+    _TELLS_NOTHING,
+    Rule("damping.chance", UNEXPLAINED, may_be_chance),
+    Rule("damping.trend", UNEXPLAINED, leaves_a_trend),
+    Rule("damping.not_specific", UNEXPLAINED, not_specific),
+    _UNEXPLAINED,
+)
+#: The same with other errors or priors: without the tests of chance, of a trend, and of how specific it is.
+ROUGH_DOUBTS: LossRules = (_TELLS_NOTHING, _UNEXPLAINED)
+
+#: The verdict on damping.
+LOSSES: LossRules = (
+    *_BEFORE,
+    *DOUBTS,
+    Rule("damping.other_errors", AMBIGUOUS, other_errors),
+    Rule(NOT_PREDICTED, UNEXPLAINED, not_predicted),
+    _FOUND,
+)
+#: The verdict with other errors or priors.
+ROUGHLY: LossRules = (*_BEFORE, *ROUGH_DOUBTS, _FOUND)

@@ -1,0 +1,48 @@
+"""Deletion of data from a linearised fit, and leave-one-out cross-validation over setups with it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.loop.diagnosis.fit.hypothesis import Fit
+from pkmodes.loop.diagnosis.problem import Array
+
+
+def left_out(fit: Fit, setups: Sequence[NDArray[np.intp]]) -> tuple[Array, Array]:
+    """Predict each setup from a fit to the others, to first order.
+
+    - setups: indices of the data of each setup
+
+    Returns, in this order:
+    - squares: sum of squares of each setup, (S,)
+    - leverage: largest eigenvalue of H_ii, (S,): near 1 the setup alone determines some parameter, which no other
+      predicts
+    """
+    squares, leverage = [], []
+    for rows in setups:
+        basis = fit.basis[rows]
+        inside = basis.T @ basis
+        predicted = deleted(basis, fit.white[rows])
+        squares.append(float(predicted @ predicted))
+        leverage.append(float(np.linalg.eigvalsh(inside)[-1]) if inside.size and len(rows) else 0.0)
+    return np.array(squares), np.array(leverage)
+
+
+def deleted(basis: Array, white: Array) -> Array:
+    """Return the residual of n data of a linear fit if they are deleted from it, (n,).
+
+    With H the projection onto the derivatives, it is (1 - H_ii)^-1 r_i: no refit is needed (Cook and Weisberg,
+    Residuals and Influence in Regression, 1982).
+
+    - basis: their rows of an orthonormal basis of the derivatives, (n, k)
+    - white: their whitened residual r_i, (n,)
+    """
+    # (1 - B B^T)^-1 r = r + B (1 - B^T B)^-1 B^T r: as many equations as parameters, not as data.
+    inside = basis.T @ basis
+    if not inside.size:
+        return white
+    complement = np.eye(len(inside)) - inside
+    return np.asarray(white + basis @ np.linalg.lstsq(complement, basis.T @ white, rcond=1e-9)[0])

@@ -1,0 +1,312 @@
+r"""Fit a hypothesis to measured modes: bounded nonlinear least squares in whitened logarithms and shapes.
+
+The residual is :math:`\ln f_{measured} - \ln f_{model}` and the shape residuals (`fit.shapes`), whitened with its
+covariance (`fit.noise`).  Priors are additional residuals, so the least sum of squares of a true hypothesis is
+chi-square distributed; its degrees of freedom are the number of data less the free parameters without a prior.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.loop.diagnosis.criteria import Criteria
+from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis, Misfit
+from pkmodes.loop.diagnosis.fit.lockstep import Descent, Lockstep
+from pkmodes.loop.diagnosis.fit.noise import Whitening
+from pkmodes.loop.diagnosis.fit.observations import Observations
+from pkmodes.loop.diagnosis.fit.priors import Priors
+from pkmodes.loop.diagnosis.fit.solver import bounded_least_squares
+from pkmodes.loop.diagnosis.match.pairing import Pairing
+from pkmodes.loop.diagnosis.problem import Array, Candidate, Parameter, Structure, reached_bounds
+from pkmodes.loop.measured.measurements import Measurements
+
+#: If there are more than twice this many setups, start values are determined from this many.
+SCOUTED = 12
+
+
+class Fitter:
+    """Fits hypotheses about one structure to one set of measurements.
+
+    - structure: at the setups of the measurements
+    - scatter: standard deviation of shape components without a stated one, relative to the row's largest
+    - widened: factor by which all priors are wider than declared
+    - parameters: parameters of the structure with other priors
+    """
+
+    def __init__(
+        self,
+        structure: Structure,
+        data: Measurements,
+        criteria: Criteria | None = None,
+        scatter: float | None = None,
+        *,
+        widened: float = 1.0,
+        parameters: Sequence[Parameter] | None = None,
+    ) -> None:
+        self.structure, self.data = structure, data
+        self.criteria = criteria or Criteria()
+        self.shape_scatter = self.criteria.shapes.scatter if scatter is None else scatter
+        self.parameters = tuple(structure.parameters if parameters is None else parameters)
+        self._index = {p.name: i for i, p in enumerate(self.parameters)}
+        self.declared = np.array([p.value for p in self.parameters])
+        self.lower = np.array([p.lower for p in self.parameters])
+        self.upper = np.array([p.upper for p in self.parameters])
+        self.nuisances = tuple(i for i, p in enumerate(self.parameters) if p.sigma)
+        self.priors = Priors(self.parameters, structure.candidates, widened)
+        reference = structure.predict(self.declared, ())
+        self.observations = Observations(data, structure, reference, self.shape_scatter, self.criteria)
+        self.prior_rows = slice(self.observations.size, None)
+
+    def indices(self, cause: Candidate) -> tuple[int, ...]:
+        """Return the indices of a cause's parameters."""
+        return tuple(self._index[name] for name in cause.parameters)
+
+    def padded(self, values: Array) -> Array:
+        """Complete the values of the first parameters, from a fit with fewer of them, by declared values."""
+        return np.concatenate([values, self.declared[len(values) :]])
+
+    def used(self, hypothesis: Hypothesis) -> NDArray[np.bool_]:
+        """Return a mask of the rows that a hypothesis does not exclude."""
+        used = self.observations.all_rows
+        used[list(hypothesis.excluded)] = False
+        return used
+
+    # Predictions -------------------------------------------------------------------------------------------
+
+    @cached_property
+    def scout(self) -> Fitter:
+        """The same fitter at some of the setups if there are many: enough to find start values."""
+        count = len(self.data.labels)
+        if count <= 2 * SCOUTED:
+            return self
+        return self.at([int((k + 0.5) * count / SCOUTED) for k in range(SCOUTED)])
+
+    def at(self, setups: list[int]) -> Fitter:
+        """Return the fitter of some of the setups."""
+        return Fitter(
+            self.structure.subset(setups),
+            self.data.at(setups),
+            self.criteria,
+            self.shape_scatter,
+            parameters=self.parameters,
+        )
+
+    def chi2_of_many(self, trials: Sequence[tuple[Hypothesis, Array]]) -> list[float]:
+        """Return sums of squares for several hypotheses and values without fit or priors; inf if not evaluable."""
+        sums, noise = [np.inf] * len(trials), self.observations.noise
+        values = np.array([start for _, start in trials])
+        used = [self.used(hypothesis) for hypothesis, _ in trials]
+        for evaluation in self.observations.beside_many(self.structure, values, [()] * len(trials), used):
+            white = evaluation.residual / noise.stated
+            sums[evaluation.number] = float(white @ white)
+        return sums
+
+    def unfitted(self, values: Array, used: NDArray[np.bool_]) -> tuple[Pairing, Array, Array, float]:
+        """Evaluate given values without any fit, including the errors of uncertain positions.
+
+        Returns, in this order:
+        - pairing
+        - residual, sigma: ln f measured minus model, and its standard deviation, (R,)
+        - chi2: whitened sum of squares of the frequencies of the used rows
+        """
+        prediction = self.structure.predict(values, ())
+        pairing = self.observations.pairer.pair(prediction, used)
+        motion = self._motion(values, pairing, used)
+        residual = self.observations.residual(prediction, pairing, used)
+        rows, noise = self.observations.frequency_rows, self.observations.noise
+        white = noise.whitening(motion, used, 0.0).whitened(residual)[rows]
+        return pairing, residual[rows], noise.standard_deviations(motion), float(white @ white)
+
+    # Fits --------------------------------------------------------------------------------------------------
+
+    def fit(self, hypothesis: Hypothesis, start: Array | None = None) -> Fit | None:
+        """Fit a hypothesis; None if the structure cannot be evaluated.
+
+        - start: start values of all parameters; by default the declared ones
+        """
+        values = np.array(self.declared if start is None else start)
+        free = self._free(hypothesis)
+        used, tau, pairing, converged = self.used(hypothesis), 0.0, None, True
+        for _ in range(self.criteria.fits.rounds):
+            prediction = self.structure.predict(values, ())
+            if not np.isfinite(prediction.eigenvalues).all():
+                return None
+            before, pairing = pairing, self.observations.pairer.pair(prediction, used, compare=False)
+            if (
+                before is not None
+                and np.array_equal(before.partner, pairing.partner)
+                and not hypothesis.scatter
+            ):
+                break
+            motion = self._motion(values, pairing, used)
+            whitening = self.observations.noise.whitening(motion, used, tau)
+            values, converged = self._least_squares(values, free, pairing, used, whitening)
+            if hypothesis.scatter:
+                residual = self.observations.residual(self.structure.predict(values, ()), pairing, used)
+                tau = self.observations.noise.shared_error(
+                    residual, self._motion(values, pairing, used), used
+                )
+        return self._finished(hypothesis, values, free, used, tau, converged)
+
+    def roughly(self, starts: Sequence[tuple[Hypothesis, Array]]) -> list[Descent]:
+        """Take a few steps from all starts in lockstep.
+
+        Shared errors and position errors are neglected.
+        """
+        lockstep = Lockstep(self.structure, (self.lower, self.upper), self.observations, self.priors)
+        return lockstep.descended(
+            [(values, self._free(h), self.used(h)) for h, values in starts], self.criteria.fits.rough_steps
+        )
+
+    def rough_fit(self, hypothesis: Hypothesis, descent: Descent) -> Fit | None:
+        """Return the result of a descent as a fit; None if the structure cannot be evaluated."""
+        at = descent.at
+        if at is None:
+            return None
+        used = self.used(hypothesis)
+        return Fit(
+            hypothesis=hypothesis,
+            values=descent.values,
+            free=descent.free,
+            log_determinant=self.observations.noise.whitening(None, used, 0.0).log_determinant,
+            scatter=0.0,
+            prediction=at.prediction,
+            pairing=self.observations.pairer.pair(at.prediction, used),
+            residual=at.residual,
+            white=at.white,
+            jacobian=at.jacobian,
+            at_bound=self._at_bound(hypothesis, descent.values),
+            converged=descent.arrived,
+        )
+
+    def _free(self, hypothesis: Hypothesis) -> tuple[int, ...]:
+        """Return the indices of the fitted parameters: nuisances, then those of the causes, which may share some."""
+        added = (i for cause in hypothesis.causes for i in self.indices(cause))
+        return tuple(dict.fromkeys([*self.nuisances, *added]))
+
+    def _finished(
+        self,
+        hypothesis: Hypothesis,
+        values: Array,
+        free: tuple[int, ...],
+        used: NDArray[np.bool_],
+        tau: float,
+        converged: bool,
+    ) -> Fit | None:
+        prediction = self.structure.predict(values, free, shape_rates=self.observations.shape_rates)
+        if not np.isfinite(prediction.eigenvalues).all():
+            return None
+        pairing = self.observations.pairer.pair(prediction, used)
+        whitening = self.observations.noise.whitening(self._motion(values, pairing, used), used, tau)
+        residual = self.observations.residual(prediction, pairing, used)
+        white = np.concatenate([whitening.whitened(residual), self.priors.residual(values)])
+        jacobian = np.vstack(
+            [
+                -whitening.whitened(self.observations.rates(prediction, pairing, used)),
+                self.priors.rates(values, free),
+            ]
+        )
+        return Fit(
+            hypothesis=hypothesis,
+            values=values,
+            free=free,
+            log_determinant=whitening.log_determinant,
+            scatter=tau,
+            prediction=replace(prediction, shape_rates=None),
+            pairing=pairing,
+            residual=residual,
+            white=white,
+            jacobian=jacobian,
+            at_bound=self._at_bound(hypothesis, values),
+            converged=converged,
+        )
+
+    def evaluated(self, hypothesis: Hypothesis, values: Array, scatter: float) -> Fit | None:
+        """Return given values as a fit of a hypothesis; None if the structure cannot be evaluated.
+
+        - scatter: standard deviation of the error that the modes of a setup share
+        """
+        free, used = self._free(hypothesis), self.used(hypothesis)
+        return self._finished(hypothesis, values, free, used, scatter, True)
+
+    def difference(self, a: Fit, b: Fit) -> float:
+        """Return the squared difference of the predictions and priors of two fits, whitened as for the first."""
+        used = self.used(a.hypothesis) & self.used(b.hypothesis)
+        whitening = self.observations.noise.whitening(
+            self._motion(a.values, a.pairing, used), self.used(a.hypothesis), a.scatter
+        )
+        between = whitening.whitened(np.where(self.observations.of_rows(used), a.residual - b.residual, 0.0))
+        priors = self.priors.residual(a.values) - self.priors.residual(b.values)
+        return float(between @ between + priors @ priors)
+
+    def whitening(self, fit: Fit) -> Whitening:
+        """Return the square root of the covariance of the data at a fit."""
+        used = self.used(fit.hypothesis)
+        return self.observations.noise.whitening(
+            self._motion(fit.values, fit.pairing, used), used, fit.scatter
+        )
+
+    def signatures(self, fit: Fit, by: Sequence[int]) -> tuple[Array, Array]:
+        """Return the derivatives of ln f with respect to parameters, (R, T), and of all data, whitened."""
+        prediction = self.structure.predict(fit.values, by, shape_rates=self.observations.shape_rates)
+        used = self.used(fit.hypothesis)
+        rates = self.observations.rates(prediction, fit.pairing, used)
+        whitening = self.whitening(fit)
+        # The prior of a free parameter pulls it towards its declared value.
+        return rates[self.observations.frequency_rows], np.vstack(
+            [whitening.whitened(rates), -self.priors.rates(fit.values, by)]
+        )
+
+    def misfit(self, fit: Fit, name: str, *, stated: bool) -> Misfit:
+        """Return the misfit of a quantity beside the frequencies, with (or without) stated errors."""
+        observations, quantity = self.observations, self.observations.beside[name]
+        rows = self.used(fit.hypothesis) & quantity.known & (quantity.stated == stated)
+        squares = (observations.by_row(name, fit.white) ** 2).sum(axis=1)
+        taken = observations.by_row(name, fit.leverage).sum(axis=1)
+        return Misfit(float(squares[rows].sum()), float(quantity.count[rows].sum() - taken[rows].sum()))
+
+    def worst_rows(self, fit: Fit) -> tuple[NDArray[np.intp], Array]:
+        """Return the rows, those with the largest frequency residuals first, and all residuals in sigma, (R,)."""
+        sigmas = np.abs(fit.residual[self.observations.frequency_rows] / self.observations.sigma)
+        return np.argsort(sigmas)[::-1], sigmas
+
+    def _least_squares(
+        self,
+        values: Array,
+        free: tuple[int, ...],
+        pairing: Pairing,
+        used: NDArray[np.bool_],
+        whitening: Whitening,
+    ) -> tuple[Array, bool]:
+        """Return the least-squares values for a given pairing, and whether the solver converged."""
+
+        def residual(full: Array) -> Array:
+            prediction = self.structure.predict(full, ())
+            unwhitened = self.observations.residual(prediction, pairing.within(prediction), used)
+            return np.concatenate([whitening.whitened(unwhitened), self.priors.residual(full)])
+
+        def rates(full: Array) -> Array:
+            prediction = self.structure.predict(full, free, shape_rates=self.observations.shape_rates)
+            unwhitened = self.observations.rates(prediction, pairing.within(prediction), used)
+            return np.vstack([-whitening.whitened(unwhitened), self.priors.rates(full, free)])
+
+        bounds = self.lower[list(free)], self.upper[list(free)]
+        return bounded_least_squares(residual, rates, values, free, bounds, self.criteria.fits.steps)
+
+    def _at_bound(self, hypothesis: Hypothesis, values: Array) -> tuple[str, ...]:
+        parameters = [(i, self.parameters[i]) for cause in hypothesis.causes for i in self.indices(cause)]
+        return tuple(
+            p.name for i, p in parameters for bound in reached_bounds(p, values[i]) if bound != p.value
+        )
+
+    def _motion(self, values: Array, pairing: Pairing, used: NDArray[np.bool_]) -> Array | None:
+        """Return the derivatives of the data with respect to uncertain positions, (D, d); None if there are none."""
+        if not self.observations.noise.uncertain:
+            return None
+        moved = self.structure.position_rates(values, shape_rates=self.observations.shape_rates)
+        return None if moved is None else self.observations.rates(moved, pairing, used)

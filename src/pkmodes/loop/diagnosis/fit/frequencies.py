@@ -1,0 +1,68 @@
+"""Residuals of measured frequencies, and the derivatives of the model's."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.loop.diagnosis.match.pairing import Pairer, Pairing
+from pkmodes.loop.diagnosis.problem import Array, Prediction
+
+#: Relative gap of eigenvalues below which the derivatives of single modes are not defined.
+REPEATED = 1e-7
+
+
+@dataclass(frozen=True)
+class FrequencyRows:
+    """The logarithms of R measured frequencies as data of a fit, a `ComparedQuantity`.
+
+    - sigma: their standard deviations, (R, 1)
+    """
+
+    pairer: Pairer
+    sigma: Array
+    shape_rates = False
+
+    @property
+    def known(self) -> NDArray[np.bool_]:
+        """Every row has a frequency, (R,)."""
+        return np.ones(len(self.sigma), dtype=bool)
+
+    @property
+    def stated(self) -> NDArray[np.bool_]:
+        """Every frequency has a stated standard deviation, (R,)."""
+        return self.known
+
+    @property
+    def count(self) -> NDArray[np.int_]:
+        """One degree of freedom each, (R,)."""
+        return np.ones(len(self.sigma), dtype=int)
+
+    def tiled(self, count: int) -> FrequencyRows:
+        """Return the same for predictions of `count` times the setups."""
+        return FrequencyRows(self.pairer.tiled(count), np.tile(self.sigma, (count, 1)))
+
+    def residual(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> Array:
+        """Return measured minus model in ln f, (R, 1); 0 for rows that are not used."""
+        return np.where(used, self.pairer.differences(prediction, pairing), 0.0)[:, None]
+
+    def rates(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> Array:
+        """Return the derivatives of ln f with respect to the requested parameters, (R, 1, T)."""
+        rates = _averaged(prediction)[self.pairer.pose, np.maximum(pairing.partner, 0)]
+        return np.where(((pairing.partner >= 0) & used)[:, None], rates, 0.0)[:, None]
+
+
+def _averaged(prediction: Prediction) -> Array:
+    """Return the derivatives of ln f; repeated modes, whose derivatives are not defined, get the group's mean."""
+    rates = np.array(prediction.log_rates)
+    eigenvalues = prediction.eigenvalues
+    gap = np.diff(eigenvalues, axis=1) <= REPEATED * np.abs(eigenvalues[:, 1:])
+    for setup in np.flatnonzero(gap.any(axis=1)):
+        number = np.concatenate([[0], np.cumsum(~gap[setup])])
+        for k in np.flatnonzero(np.bincount(number) > 1):
+            members = number == k
+            if np.isfinite(rates[setup, members]).all():  # rigid modes have none at 0 Hz
+                rates[setup, members] = rates[setup, members].mean(axis=0)
+    return rates

@@ -1,0 +1,138 @@
+r"""Covariance of the measurements: stated errors, an error that a setup's modes share, uncertain positions.
+
+In each setup the log frequencies and the shapes have the covariance
+
+.. math:: V = \mathrm{diag}(\sigma^2) + \tau^2 \, 1 1^T + J_x \Sigma_x J_x^T ,
+
+where the shared error concerns only the frequencies.  An additional error absorbs the residual of an excluded row;
+its stated error stays in the likelihood.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import solve_triangular
+from scipy.optimize import minimize_scalar
+
+from pkmodes.loop.diagnosis.fit.quantity import ComparedQuantity
+from pkmodes.loop.diagnosis.problem import Array
+from pkmodes.loop.measured.measurements import Measurements
+
+
+@dataclass(frozen=True)
+class Whitening:
+    """Square root of V.
+
+    - sigma: standard deviations of the uncorrelated data, (D,)
+    - blocks: for each setup with correlated errors, the indices of its data and the Cholesky factor of its block of V
+    - log_determinant: log determinant of V, up to a constant for the shapes' stated errors
+    """
+
+    sigma: Array
+    blocks: tuple[tuple[NDArray[np.intp], Array], ...]
+    log_determinant: float
+
+    def whitened(self, values: Array) -> Array:
+        """Divide by the square root of V: (D,) or (D, T)."""
+        white: Array = (values.T / self.sigma).T
+        for place, factor in self.blocks:
+            white[place] = solve_triangular(factor, values[place], lower=True, check_finite=False)
+        return white
+
+
+class Noise:
+    """Errors of one set of measurements.
+
+    - quantities: the frequencies first
+    - most_shared: largest error that the modes of a setup may share
+
+    Its attributes:
+    - sigma: stated standard deviations of ln f, (R,)
+    - stated: standard deviations of all data, without correlated errors, (D,)
+    - rows: rows of each setup
+    - uncertain: whether positions of setups are uncertain
+    """
+
+    def __init__(
+        self, data: Measurements, quantities: Sequence[ComparedQuantity], most_shared: float
+    ) -> None:
+        self.stated = np.concatenate([quantity.sigma.ravel() for quantity in quantities])
+        self.sigma: Array = self.stated[: len(data.pose)]
+        order = np.argsort(data.pose, kind="stable")
+        self.rows = np.split(order, np.searchsorted(data.pose[order], np.arange(1, len(data.labels))))
+        self.uncertain = bool((data.point_sigma > 0.0).any())
+        self._setup = data.pose
+        self._position_sigma, self._most_shared = data.point_sigma, most_shared
+        places, start = [list[NDArray[np.intp]]() for _ in self.rows], 0
+        for quantity in quantities:
+            components = start + np.arange(quantity.sigma.size).reshape(quantity.sigma.shape)
+            start += quantity.sigma.size
+            for place, rows in zip(places, self.rows, strict=True):
+                place.append(components[rows[quantity.known[rows]]].ravel())
+        self._places = [np.concatenate(place) for place in places]
+
+    def whitening(self, motion: Array | None, used: NDArray[np.bool_], tau: float) -> Whitening:
+        """Return the square root of V.
+
+        - motion: derivatives of the data with respect to the d components of their setup's position, (D, d), if it is
+          uncertain
+        - used: rows that are not excluded, (R,)
+        - tau: standard deviation of the shared error
+        """
+        log = 2.0 * np.log(self.sigma)
+        if motion is None and tau == 0.0:
+            return Whitening(self.stated, (), float(log.sum()))
+        blocks, total = [], 0.0
+        for setup, rows in enumerate(self.rows):
+            place = rows if motion is None else self._places[setup]
+            V: Array = np.diag(self.stated[place] ** 2)
+            if motion is not None:
+                V += (motion[place] * self._position_sigma[setup] ** 2) @ motion[place].T
+            frequencies = np.arange(len(rows))
+            V[np.ix_(frequencies, frequencies)] += tau**2
+            out = np.flatnonzero(~used[rows])
+            V[out] = V[:, out] = 0.0
+            V[out, out] = self.sigma[rows][out] ** 2
+            factor = np.linalg.cholesky(V).astype(float)
+            blocks.append((place, factor))
+            total += float(
+                2.0 * np.log(np.diagonal(factor)).sum() - 2.0 * np.log(self.stated[place[len(rows) :]]).sum()
+            )
+        return Whitening(self.stated, tuple(blocks), total)
+
+    def standard_deviations(self, motion: Array | None) -> Array:
+        """Return the standard deviations of ln f, (R,), including uncertain positions."""
+        if motion is None:
+            return self.sigma
+        by_position = np.empty_like(self.sigma)
+        for setup, rows in enumerate(self.rows):
+            by_position[rows] = ((motion[rows] * self._position_sigma[setup]) ** 2).sum(axis=1)
+        return np.asarray(np.sqrt(self.sigma**2 + by_position))
+
+    def shared_error(self, residual: Array, motion: Array | None, used: NDArray[np.bool_]) -> float:
+        """Return the most likely standard deviation of the error that the modes of a setup share."""
+
+        def deviance(log_tau: float) -> float:
+            if motion is None:
+                return self._deviance(residual, used, float(np.exp(log_tau)))
+            whitening = self.whitening(motion, used, float(np.exp(log_tau)))
+            white = whitening.whitened(residual)
+            return float(white @ white) + whitening.log_determinant
+
+        smallest = np.log(0.01 * np.median(self.sigma))
+        minimum = minimize_scalar(deviance, bounds=(smallest, np.log(self._most_shared)), method="bounded")
+        return float(np.exp(minimum.x))
+
+    def _deviance(self, residual: Array, used: NDArray[np.bool_], tau: float) -> float:
+        """Return the deviance if tau is the only correlation, by the matrix determinant lemma."""
+        weights = np.where(used, self.sigma**-2, 0.0)
+        r = residual[: len(self.sigma)]
+        total = np.bincount(self._setup, weights, len(self.rows))
+        along = np.bincount(self._setup, weights * r, len(self.rows))
+        shared = 1.0 + tau**2 * total
+        squares = (weights * r**2).sum() - (tau**2 * along**2 / shared).sum()
+        return float(squares + np.log(shared).sum() + 2.0 * np.log(self.sigma).sum())

@@ -1,0 +1,222 @@
+"""Measurements beside the predictions of a structure: the data of a fit, their errors, and which rows count.
+
+A row is a measured mode.  Its data are the components of each measured *quantity*: one of its frequency, one of its
+shape for each channel.  All data are in one vector, quantity by quantity: with R rows of n components each, those of
+a quantity are R n numbers, row by row.  Fits, scores, limits and verdicts use only this vector, so adding a quantity
+takes a class with the members of `ComparedQuantity` and an entry in `QUANTITIES`.
+"""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.loop.diagnosis.criteria import Criteria
+from pkmodes.loop.diagnosis.fit.frequencies import FrequencyRows
+from pkmodes.loop.diagnosis.fit.noise import Noise
+from pkmodes.loop.diagnosis.fit.quantity import ComparedQuantity, Mask
+from pkmodes.loop.diagnosis.fit.shapes import ShapeRows
+from pkmodes.loop.diagnosis.match.pairing import Pairer, Pairing
+from pkmodes.loop.diagnosis.problem import Array, Prediction, Structure
+from pkmodes.loop.measured.measurements import Measurements
+from pkmodes.loop.measured.quantities import FREQUENCY
+
+
+class ObservationInput(NamedTuple):
+    """Arguments from which the data of a quantity are made.
+
+    - scatter: standard deviation of the components of shapes without a stated one, relative to the row's largest
+    """
+
+    data: Measurements
+    structure: Structure
+    pairer: Pairer
+    scatter: float
+    criteria: Criteria
+
+
+def shapes(measured: ObservationInput) -> ShapeRows:
+    """Return the shapes of measured modes."""
+    data, structure, pairer, scatter, criteria = measured
+    units = [structure.channel_units[i] for i in pairer.columns]
+    return ShapeRows(data, pairer.columns, units, pairer.moves, scatter, criteria)
+
+
+SHAPE = "shape"
+#: Quantities of a measured mode in addition to its frequency.
+QUANTITIES: dict[str, Callable[[ObservationInput], ComparedQuantity]] = {SHAPE: shapes}
+
+
+class Beside(NamedTuple):
+    """Measurements beside one of several predictions.
+
+    - number: of the prediction
+    - residual, rates: (D,) and (D, T)
+    """
+
+    number: int
+    residual: Array
+    rates: Array
+    prediction: Prediction
+
+
+class Observations:
+    """Measured modes at the setups of a structure.
+
+    - reference: of the declared model: the motion of its channels weights those of the shapes
+    - scatter: see `ObservationInput`
+
+    Its attributes:
+    - log, sigma: ln f and its stated standard deviation, (R,)
+    - size: number D of data
+    - frequency_rows: the data that are frequencies
+    - beside: the other quantities
+    """
+
+    def __init__(
+        self,
+        data: Measurements,
+        structure: Structure,
+        reference: Prediction,
+        scatter: float,
+        criteria: Criteria,
+    ) -> None:
+        self.log = FREQUENCY.transformed(data)
+        pairer = Pairer(data, structure.channels, reference, criteria)
+        self.sigma = FREQUENCY.transformed_sigma(data)
+        self.frequencies = FrequencyRows(pairer, self.sigma[:, None])
+        measured = ObservationInput(data, structure, pairer, scatter, criteria)
+        self.beside: Mapping[str, ComparedQuantity] = {name: of(measured) for name, of in QUANTITIES.items()}
+        self._quantities: tuple[ComparedQuantity, ...] = (self.frequencies, *self.beside.values())
+        sizes = [quantity.sigma.size for quantity in self._quantities]
+        ends = np.cumsum(sizes).tolist()
+        self.frequency_rows, *ranges = (slice(end - size, end) for size, end in zip(sizes, ends, strict=True))
+        self._places = dict(zip(self.beside, ranges, strict=True))
+        self.size: int = ends[-1]
+        self.shape_rates = any(quantity.shape_rates for quantity in self._quantities)
+        self.noise = Noise(data, self._quantities, criteria.fits.most_shared)
+        self._copies = 1
+
+    @property
+    def pairer(self) -> Pairer:
+        """The pairer of these rows with modes of a model."""
+        return self.frequencies.pairer
+
+    @property
+    def shapes(self) -> ShapeRows:
+        """The measured shapes."""
+        quantity = self.beside[SHAPE]
+        assert isinstance(quantity, ShapeRows)
+        return quantity
+
+    # Which rows count --------------------------------------------------------------------------------------
+
+    @property
+    def all_rows(self) -> Mask:
+        """A mask of all rows, (R,)."""
+        return np.ones(len(self.log), dtype=bool)
+
+    def degrees(self, used: Mask) -> int:
+        """Return the degrees of freedom of the data of some rows."""
+        return sum(int(quantity.count[used].sum()) for quantity in self._quantities)
+
+    def stated(self, used: Mask) -> tuple[Mask, int]:
+        """Return the data of some rows with a stated error, as a mask (D,), and their degrees of freedom."""
+        rows = [used & quantity.known & quantity.stated for quantity in self._quantities]
+        masked = list(zip(self._quantities, rows, strict=True))
+        mask = np.concatenate([np.repeat(row_mask, quantity.sigma.shape[1]) for quantity, row_mask in masked])
+        return mask, sum(int(quantity.count[row_mask].sum()) for quantity, row_mask in masked)
+
+    def of_rows(self, used: Mask) -> Mask:
+        """Return a mask of the data of some rows, (D,)."""
+        return np.concatenate([np.repeat(used, quantity.sigma.shape[1]) for quantity in self._quantities])
+
+    def place(self, rows: NDArray[np.intp]) -> NDArray[np.intp]:
+        """Return the indices of the data of some rows."""
+        indices = np.arange(self.size)
+        parts = [self.frequency_rows, *self._places.values()]
+        return np.concatenate([indices[part].reshape(len(self.log), -1)[rows].ravel() for part in parts])
+
+    def places(self) -> list[NDArray[np.intp]]:
+        """Return the indices of the data of each setup."""
+        return [self.place(rows) for rows in self.noise.rows]
+
+    def part(self, name: str) -> slice:
+        """Return the slice of the data of a quantity other than the frequencies."""
+        return self._places[name]
+
+    def by_row(self, name: str, data: Array) -> Array:
+        """Return a quantity's part of a vector of all data, perhaps followed by the priors, row by row: (R, n)."""
+        return np.asarray(data[self._places[name]].reshape(self.beside[name].sigma.shape))
+
+    # Beside predictions ------------------------------------------------------------------------------------
+
+    def residual(self, prediction: Prediction, pairing: Pairing, used: Mask) -> Array:
+        """Return measured minus model, (D,); 0 for rows that are not used."""
+        return np.concatenate(
+            [quantity.residual(prediction, pairing, used).ravel() for quantity in self._quantities]
+        )
+
+    def rates(self, prediction: Prediction, pairing: Pairing, used: Mask) -> Array:
+        """Return the derivatives of the predictions with respect to the requested parameters, (D, T)."""
+        by_quantity = [
+            quantity.rates(prediction, pairing, used) for quantity in self._quantities if quantity.sigma.size
+        ]
+        rates = np.vstack(
+            [rate.reshape(rate.shape[0] * rate.shape[1], rate.shape[2]) for rate in by_quantity]
+        )
+        # A step may lead to a mode at 0 Hz, whose logarithm has no derivative.
+        return np.asarray(np.where(np.isfinite(rates), rates, 0.0))
+
+    def tiled(self, count: int) -> Observations:
+        """Return `count` copies, for predictions of `count` times the setups, the first copy first."""
+        copies = copy.copy(self)
+        copies.frequencies, copies._copies = self.frequencies.tiled(count), count
+        copies.beside = {name: quantity.tiled(count) for name, quantity in self.beside.items()}
+        copies._quantities = (copies.frequencies, *copies.beside.values())
+        return copies
+
+    def of_each(self, values: Array) -> Array:
+        """Reshape the data of all copies, (B D, ...), to (B, D, ...)."""
+        parts = np.split(values, np.cumsum([quantity.sigma.size for quantity in self._quantities])[:-1])
+        reshaped = [part.reshape(self._copies, len(part) // self._copies, *part.shape[1:]) for part in parts]
+        return np.concatenate(reshaped, axis=1)
+
+    def beside_many(
+        self, structure: Structure, values: Array, by: Sequence[tuple[int, ...]], used: Sequence[Mask]
+    ) -> Iterator[Beside]:
+        """Yield the measurements beside a structure with several sets of values, evaluated together.
+
+        Sets at which it cannot be evaluated are left out.
+
+        - values: (B, P)
+        - by: parameters with respect to which each is differentiated
+        - used: used rows of each
+        """
+        if not len(values):
+            return
+        shape_rates = self.shape_rates and any(by)
+        for batch in structure.predict_many(values, by, shape_rates=shape_rates):
+            if not np.isfinite(batch.prediction.eigenvalues).all():
+                continue
+            rows, used_rows = self.tiled(len(batch.sets)), np.concatenate([used[k] for k in batch.sets])
+            pairing = rows.pairer.pair(batch.prediction, used_rows, compare=False)
+            residuals = rows.of_each(rows.residual(batch.prediction, pairing, used_rows))
+            rates = np.zeros((*residuals.shape, 0))
+            if any(by):
+                rates = rows.of_each(rows.rates(batch.prediction, pairing, used_rows))
+            for k, number in enumerate(batch.sets.tolist()):
+                prediction = _part(batch.prediction, k, len(batch.sets))
+                yield Beside(number, residuals[k], rates[k, :, : len(by[number])], prediction)
+
+
+def _part(prediction: Prediction, k: int, count: int) -> Prediction:
+    """Return one of several predictions that were evaluated together, without derivatives of the shapes."""
+    size = len(prediction.eigenvalues) // count
+    block = slice(k * size, (k + 1) * size)
+    values, rates, shapes = prediction.eigenvalues, prediction.rates, prediction.shapes
+    return Prediction(values[block], rates[block], shapes[block], prediction.rigid)

@@ -1,0 +1,318 @@
+r"""Ends of profile-likelihood intervals of many parameters, found in lockstep.
+
+The profile of a parameter :math:`\theta` is :math:`p(\theta) = \min_\nu \chi^2(\theta, \nu)`, its nuisances
+:math:`\nu` refitted at each value.  An end of the interval is where it has risen from its least to a given sum of
+squares.  With the whitened residual r and its derivatives g and N linearised at a point, and A and B the components
+of r and g outside the span of N,
+
+.. math:: p(\theta + d) \approx |A + B d|^2 ,
+
+which is solved for d on the outer side, with the nuisances that belong to it: the step of Venzon and Moolgavkar (A
+method for computing profile-likelihood-based confidence intervals, Applied Statistics 37, 1988) with the Gauss-Newton
+Hessian.  The model is then evaluated there, until p is the required sum; a bracket safeguards steps of poor models.
+Evaluating all ends together takes little longer than evaluating one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Fit
+from pkmodes.loop.diagnosis.problem import Array
+
+#: Largest number of evaluations for an end.
+ROUNDS = 12
+#: An end is found if its sum of squares is wrong by less than this part of the rise, and the nuisances could lower it
+#: by no more than this: a tenth moves the end by a twentieth.
+PART = 0.1
+#: Largest step outwards, relative to the size reached.
+GROWTH = 8.0
+#: Part of the way that a step back keeps where the model cannot be evaluated, and where it is lost.
+RETREAT = 0.5
+FAR_RETREAT = 0.125
+#: A model is lost where more than this part of the rise of its sum of squares comes from measured modes without a
+#: partner: their residuals depend on no value, so no refit leads back.
+LOST = 0.5
+#: Relative singular value below which a combination of nuisances changes nothing.
+NOTHING = 1e-9
+
+
+class ModelRequest(NamedTuple):
+    """Values at which a model is needed, its free parameters, and those to be taken without their priors."""
+
+    values: Array
+    free: tuple[int, ...]
+    without_prior: tuple[int, ...]
+
+
+class ProfilePoint(NamedTuple):
+    """A model at some values: whitened residual (D,) and its derivatives (D, k) with respect to the free ones."""
+
+    values: Array
+    white: Array
+    jacobian: Array
+
+    @property
+    def squares(self) -> float:
+        """Sum of squares."""
+        return float(self.white @ self.white)
+
+    @property
+    def fixed(self) -> float:
+        """Sum of the squares that depend on no value."""
+        fixed = self.white[~self.jacobian.any(axis=1)]
+        return float(fixed @ fixed)
+
+
+@dataclass(frozen=True)
+class Side:
+    """One end of an interval to be found.
+
+    - index: the parameter, one of the free ones
+    - declared: its declared value: sizes are distances from it
+    - sign: side of the declared value
+    - free: indices of all free parameters
+    - without_prior: parameters to be taken without their priors
+    - largest: largest plausible size on this side
+    - least: point of the smallest sum of squares
+    - target: sum of squares at the end
+    """
+
+    index: int
+    declared: float
+    sign: int
+    free: tuple[int, ...]
+    without_prior: tuple[int, ...]
+    largest: float
+    least: ProfilePoint
+    target: float
+
+    @property
+    def rise(self) -> float:
+        """Rise of the sum of squares to the end."""
+        return self.target - self.least.squares
+
+    def size(self, values: Array) -> float:
+        """Return the size of the parameter on this side."""
+        return float(self.sign * (values[self.index] - self.declared))
+
+
+@dataclass(frozen=True)
+class End:
+    """An end that was found, or the largest plausible size if the sum of squares does not rise enough before it.
+
+    - values: all parameters there, the nuisances refitted, (P,)
+    - size: distance from the declared value
+    - bounded: whether the data bound the parameter within its plausible range
+    - reached: whether the values are those at the end.  Otherwise the size is the smallest known to be outside, and
+      the values are the farthest known to be inside.
+    """
+
+    values: Array
+    size: float
+    bounded: bool
+    reached: bool = True
+
+
+class ProfileStep(NamedTuple):
+    """The linear model of a profile at a point.
+
+    - profile: least sum of squares with the parameter where it is
+    - unsettled: by how much the sum of squares there exceeds it
+    - slope, square: the profile changes by 2 slope d + square d^2
+    - at_rest, along: change of all parameters that refits the nuisances, and its change per unit of the parameter,
+      (P,)
+    """
+
+    profile: float
+    unsettled: float
+    slope: float
+    square: float
+    at_rest: Array
+    along: Array
+
+
+class Profiles:
+    """Profiles around one fit, with the covariance of the data as in that fit."""
+
+    def __init__(self, fitter: Fitter, fit: Fit) -> None:
+        self.fitter, self.fit = fitter, fit
+        self._used, self._whitening = fitter.used(fit.hypothesis), fitter.whitening(fit)
+
+    def points(self, requests: Sequence[ModelRequest]) -> list[ProfilePoint | None]:
+        """Evaluate the model at several values, each with its free parameters and those without a prior."""
+        points: list[ProfilePoint | None] = [None] * len(requests)
+        fitter, by = self.fitter, [request.free for request in requests]
+        values, used = np.array([request.values for request in requests]), [self._used] * len(requests)
+        for evaluation in fitter.observations.beside_many(fitter.structure, values, by, used):
+            points[evaluation.number] = self._point(
+                requests[evaluation.number], evaluation.residual, evaluation.rates
+            )
+        return points
+
+    def _point(self, request: ModelRequest, residual: Array, rates: Array) -> ProfilePoint:
+        priors, whitened = self.fitter.priors, self._whitening.whitened
+        white = np.concatenate([whitened(residual), priors.residual(request.values)])
+        jacobian = np.vstack([-whitened(rates), priors.rates(request.values, request.free)])
+        return ProfilePoint(
+            request.values, *without_priors(self.fitter, white, jacobian, request.without_prior)
+        )
+
+    def linear(self, side: Side) -> End:
+        """Return an end of the model linearised at the least sum of squares."""
+        step = self._step(side, side.least)
+        size = min(_outward(side, side.least, step), side.largest)
+        return End(self._moved(side, side.least, step, size), size, size < side.largest)
+
+    def ends(self, sides: Sequence[Side]) -> list[End]:
+        """Return the ends of all sides."""
+        searches = [_EndSearch.begun(side, self.linear(side)) for side in sides]
+        for _ in range(ROUNDS):
+            going = [search for search in searches if search.end is None]
+            if not going:
+                break
+            points = self.points(
+                [ModelRequest(search.next, search.side.free, search.side.without_prior) for search in going]
+            )
+            for search, point in zip(going, points, strict=True):
+                self._take(search, point)
+        return [search.end or search.given_up() for search in searches]
+
+    def _take(self, search: _EndSearch, point: ProfilePoint | None) -> None:
+        """Use the model at the proposed values, None if it cannot be evaluated there, and propose the next ones."""
+        side, size = search.side, search.size
+        if point is None:
+            search.outside, search.astray = size, False
+            search.retreat(RETREAT)
+            return
+        step = self._step(side, point)
+        here = self._moved(side, point, step, size)
+        wrong = step.profile - side.target
+        if step.unsettled > PART * side.rise:
+            search.next = (
+                here  # same size again: the linear model is poor this far from the refitted nuisances
+            )
+        elif abs(wrong) <= PART * side.rise:
+            search.end = End(here, size, True)
+        elif wrong < 0.0 and size >= side.largest:
+            search.end = End(here, size, False)
+        else:
+            search.bracket(here, wrong < 0.0)
+            farthest = size + GROWTH * max(abs(size), abs(search.first))
+            there = min(_outward(side, point, step), side.largest, farthest)
+            lost = point.fixed - side.least.fixed > LOST * (point.squares - side.least.squares)
+            if wrong > 0.0 and lost:
+                search.astray |= search.outside == size
+                search.retreat(FAR_RETREAT)
+                return
+            if not search.inside < there < search.outside:
+                there = 0.5 * (search.inside + search.outside)
+            search.next = self._moved(side, point, step, there)
+
+    def _step(self, side: Side, point: ProfilePoint) -> ProfileStep:
+        """Return the linear model of a profile at a point."""
+        place = side.free.index(side.index)
+        nuisances = [k for k in range(len(side.free)) if k != place]
+        index = [side.free[k] for k in nuisances]
+        g, N = point.jacobian[:, place], point.jacobian[:, nuisances]
+        at, lower, upper = point.values[index], self.fitter.lower[index], self.fitter.upper[index]
+        rest, along = np.zeros(len(nuisances)), np.zeros(len(nuisances))
+        moving = np.ones(len(nuisances), dtype=bool)
+        for _ in range(2):  # repeated without those that would leave their bounds
+            columns = N[:, moving]
+            length = np.linalg.norm(columns, axis=0)
+            scale = 1.0 / np.where(length > 0.0, length, 1.0)
+            both = np.stack([point.white, g], axis=1)
+            solved = -np.linalg.lstsq(columns * scale, both, rcond=NOTHING)[0] * scale[:, None]
+            rest[:], along[:] = 0.0, 0.0
+            rest[moving], along[moving] = solved.T
+            held = moving & (((at <= lower) & (rest < 0.0)) | ((at >= upper) & (rest > 0.0)))
+            if not held.any():
+                break
+            moving &= ~held
+        a, b = point.white + N @ rest, g + N @ along
+        changes = np.zeros((2, len(point.values)))
+        changes[0, index], changes[1, index], changes[1, side.index] = rest, along, 1.0
+        profile = float(a @ a)
+        return ProfileStep(profile, point.squares - profile, float(a @ b), float(b @ b), *changes)
+
+    def _moved(self, side: Side, point: ProfilePoint, step: ProfileStep, size: float) -> Array:
+        """Return the values at a size of the parameter, with the nuisances refitted in the linear model."""
+        there = side.declared + side.sign * size
+        values = point.values + step.at_rest + step.along * (there - point.values[side.index])
+        moved: Array = np.clip(values, self.fitter.lower, self.fitter.upper)
+        moved[side.index] = there
+        return moved
+
+
+@dataclass
+class _EndSearch:
+    """The search for one end.
+
+    - next: values to be evaluated next, (P,)
+    - inside, outside: largest size known to be in the interval, and smallest one known not to be
+    - within: values at the former, (P,)
+    - first: size in the linear model
+    - astray: whether the nuisances were not refitted at the smallest size outside: it may be inside after all
+    """
+
+    side: Side
+    next: Array
+    inside: float
+    within: Array
+    first: float
+    outside: float = np.inf
+    astray: bool = False
+    end: End | None = None
+
+    @classmethod
+    def begun(cls, side: Side, linear: End) -> _EndSearch:
+        """Begin at the end of the linear model."""
+        return cls(side, linear.values, side.size(side.least.values), side.least.values, linear.size)
+
+    @property
+    def size(self) -> float:
+        """Size to be evaluated next."""
+        return self.side.size(self.next)
+
+    def bracket(self, here: Array, is_inside: bool) -> None:
+        """Narrow the bracket at the size that was evaluated."""
+        if is_inside:
+            self.inside, self.within = self.size, here
+        elif self.size < self.outside:
+            self.outside, self.astray = self.size, False
+
+    def retreat(self, part: float) -> None:
+        """Propose values nearer to those known to be in the interval, at a part of the way from these."""
+        self.next = self.within + part * (self.next - self.within)
+
+    def given_up(self) -> End:
+        """Return the end as far as it is known, too large rather than too small."""
+        bounded = bool(np.isfinite(self.outside)) and not self.astray
+        return End(self.within, self.outside if bounded else self.side.largest, bounded, reached=False)
+
+
+def without_priors(
+    fitter: Fitter, white: Array, jacobian: Array, index: Sequence[int]
+) -> tuple[Array, Array]:
+    """Return residual and derivatives without the priors of some parameters."""
+    rows = fitter.priors.rows(index)
+    if rows:
+        at = fitter.prior_rows.start + np.array(rows)
+        white, jacobian = white.copy(), jacobian.copy()
+        white[at], jacobian[at] = 0.0, 0.0
+    return white, jacobian
+
+
+def _outward(side: Side, point: ProfilePoint, step: ProfileStep) -> float:
+    """Return the size at which the linear model reaches the required sum of squares on the outer side."""
+    size, slope, above = side.size(point.values), side.sign * step.slope, step.profile - side.target
+    if step.square <= 0.0:
+        return np.inf if above < 0.0 else size
+    root = slope**2 - step.square * above
+    return float(size + (-slope + np.sqrt(root)) / step.square) if root >= 0.0 else size

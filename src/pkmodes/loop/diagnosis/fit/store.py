@@ -1,0 +1,238 @@
+"""A cache of fits, with their goodness of fit and criterion."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from scipy import stats
+
+from pkmodes.loop.diagnosis.fit.cross_validation import left_out
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis, Misfit
+from pkmodes.loop.diagnosis.fit.observations import SHAPE
+from pkmodes.loop.diagnosis.problem import Array, Candidate
+
+#: A further parameter of a term within this many standard deviations of 0 is not counted as a parameter.
+ABSENT = 1e-3
+
+Key = tuple[frozenset[str], frozenset[int], bool]
+
+
+def key(hypothesis: Hypothesis) -> Key:
+    """Return a key of a hypothesis that is independent of the order of its causes."""
+    return frozenset(c.name for c in hypothesis.causes), hypothesis.excluded, hypothesis.scatter
+
+
+class FitStore:
+    """Fits of hypotheses about one structure and one set of measurements.
+
+    - before: fits of the same data with other errors, which give start values
+    """
+
+    def __init__(self, fitter: Fitter, before: FitStore | None = None) -> None:
+        self.fitter = fitter
+        earlier = {} if before is None else before._fits
+        self._seeds = {k: fit.values for k, fit in earlier.items() if fit is not None}
+        self._rows = len(fitter.observations.log)
+        self._data = fitter.observations.degrees(fitter.observations.all_rows)
+        self._fits: dict[Key, Fit | None] = {}
+        self._rough: set[Key] = set()
+        self._begun: set[Key] = set()
+
+    # Fits ------------------------------------------------------------------------------------------------------
+
+    def fit(self, hypothesis: Hypothesis, start: Array | None = None) -> Fit | None:
+        """Fit a hypothesis once; a rough fit is improved from the first start given."""
+        k = key(hypothesis)
+        if k not in self._fits:
+            self._fits[k] = self.fitter.fit(hypothesis, self.seed(hypothesis) if start is None else start)
+            self._begun.add(k)
+        elif start is not None and k not in self._begun:
+            self._begun.add(k)
+            again, previous = self.fitter.fit(hypothesis, start), self._fits[k]
+            if again is not None and (previous is None or again.deviance < previous.deviance):
+                self._fits[k] = again
+                self._rough.discard(k)
+        fit = self._fits[k]
+        # The causes are in the order of the requested hypothesis.
+        return fit if fit is None or fit.hypothesis == hypothesis else replace(fit, hypothesis=hypothesis)
+
+    def again(self, hypothesis: Hypothesis, start: Array) -> Fit | None:
+        """Fit again from another start, and keep the better fit."""
+        k = key(hypothesis)
+        again, previous = self.fitter.fit(hypothesis, start), self._fits.get(k)
+        if again is not None and (previous is None or again.deviance < previous.deviance):
+            self._fits[k] = again
+            self._rough.discard(k)
+        return self.fit(hypothesis)
+
+    def known(self, hypothesis: Hypothesis) -> bool:
+        """Return whether a hypothesis was already fitted."""
+        return key(hypothesis) in self._fits
+
+    def roughly(self, jobs: Sequence[tuple[Hypothesis, Sequence[Array]]]) -> list[Fit]:
+        """Fit several hypotheses roughly, each from the best of several starts, and return those that succeed."""
+        starts = [(hypothesis, values) for hypothesis, guesses in jobs for values in guesses]
+        reached, fits = iter(self.fitter.roughly(starts)), []
+        for hypothesis, guesses in jobs:
+            best, k = min((next(reached) for _ in guesses), key=lambda descent: descent.chi2), key(hypothesis)
+            if (
+                hypothesis.scatter or self.fitter.observations.noise.uncertain
+            ):  # correlated errors: the rough fit is only a start
+                self._fits[k] = self.fitter.fit(hypothesis, best.values)
+            else:
+                self._fits[k] = self.fitter.rough_fit(hypothesis, best)
+                self._rough.add(k)
+            fits.append(self.fit(hypothesis))
+        return [fit for fit in fits if fit is not None]
+
+    def finished(self, fits: list[Fit]) -> list[Fit]:
+        """Complete the rough fits among the best until none of these is rough; return all, best first."""
+        c = self.fitter.criteria
+        while fits:
+            fits = sorted(fits, key=self.criterion)
+            best = self.criterion(fits[0])
+            # A converged fit is completed only if it may survive, or belong to the class of a survivor.
+            near = {True: best + c.search.survives + c.claim.told_apart, False: best + c.search.nearly}
+            rough = next(
+                (
+                    i
+                    for i, fit in enumerate(fits)
+                    if key(fit.hypothesis) in self._rough
+                    and (i < c.search.best_few or self.criterion(fit) <= near[fit.converged])
+                ),
+                None,
+            )
+            if rough is None:
+                break
+            k = key(fits[rough].hypothesis)
+            self._rough.discard(k)
+            self._fits[k] = self.fitter.fit(fits[rough].hypothesis, fits[rough].values) or fits[rough]
+            fits[rough] = self.fit(fits[rough].hypothesis) or fits[rough]
+        return fits
+
+    def seed(self, hypothesis: Hypothesis) -> Array | None:
+        """Return the values that the fit of a hypothesis reached with other errors."""
+        return self._seeds.get(key(hypothesis))
+
+    def tried(self) -> tuple[Fit, ...]:
+        """Return all fits so far."""
+        return tuple(fit for fit in self._fits.values() if fit is not None)
+
+    def without(self, fit: Fit, place: int) -> Fit | None:
+        """Return the fit without one of its causes."""
+        less = fit.hypothesis.without(place)
+        return self.fit(less, self.undone(fit, less))
+
+    def undone(self, fit: Fit, hypothesis: Hypothesis) -> Array:
+        """Return the values of a fit, with the declared values for causes that a hypothesis does not have."""
+        values = fit.values.copy()
+        for cause in fit.causes:
+            if cause not in hypothesis.causes:
+                index = list(self.fitter.indices(cause))
+                values[index] = self.fitter.declared[index]
+        return values
+
+    # Goodness of fit -------------------------------------------------------------------------------------------
+
+    def degrees(self, fit: Fit) -> int:
+        """Return the degrees of freedom: data less parameters without prior, excluded rows and the shared error."""
+        h, fitter = fit.hypothesis, self.fitter
+        count = fitter.observations.degrees(fitter.used(h))
+        return count - sum(fitter.priors.of(i) is None for i in self.added(fit)) - int(h.scatter)
+
+    def p_value(self, fit: Fit) -> float:
+        """Return the smallest p-value: of the frequencies with priors, and of other quantities with stated errors."""
+        beside = (self.fitter.misfit(fit, name, stated=True) for name in self.fitter.observations.beside)
+        return min(self.frequency_p_value(fit), *(misfit.p_value for misfit in beside))
+
+    def frequency_p_value(self, fit: Fit) -> float:
+        """Return the p-value of the frequencies and priors alone."""
+        squares, degrees = self.frequency_misfit(fit)
+        return float(stats.chi2.sf(squares, max(degrees, 1.0)))
+
+    def frequency_misfit(self, fit: Fit) -> Misfit:
+        """Return the misfit of the frequencies and priors."""
+        fitter, h, rows = self.fitter, fit.hypothesis, self.fitter.observations.frequency_rows
+        if rows.stop == fitter.observations.size:
+            return Misfit(fit.chi2, float(self.degrees(fit)))
+        priors = fitter.priors.rows(fit.free)
+        parts = [fit.leverage[rows], fit.leverage[fitter.prior_rows][priors]]
+        white = [fit.white[rows], fit.white[fitter.prior_rows]]
+        taken = sum(float(part.sum()) for part in parts)
+        count = self._rows - len(h.excluded) + len(priors) - int(h.scatter)
+        return Misfit(sum(float(part @ part) for part in white), count - taken)
+
+    def criterion(self, fit: Fit) -> float:
+        """Return the evidence against a fit: deviance plus a penalty for each addition; smaller is better.
+
+        The penalty of a parameter is the logarithm of the number of data (Schwarz's BIC).  With a prior it is
+        2 ln(prior sigma / sigma), from Laplace's approximation of the evidence.  Excluded rows have a separate
+        penalty, and so have prior odds below 1.
+        """
+        h, fitter = fit.hypothesis, self.fitter
+        price, per_parameter = sum(map(_odds, fit.causes), 0.0), self.parameter_price
+        for i in self.added(fit):
+            row = fitter.priors.of(i)
+            if row is None:
+                price += per_parameter
+            else:
+                k = fit.free.index(i)
+                width = fitter.priors.width(fit.values)[row]
+                price += max(float(np.log(width**2 / max(fit.covariance[k, k], 1e-300))), 0.0)
+        count = int(h.scatter) + fitter.criteria.search.price_of_row * len(h.excluded)
+        return fit.deviance + price + per_parameter * count
+
+    def price(self, candidate: Candidate) -> float:
+        """Return the penalty of a candidate in the criterion, for its parameters without prior and its odds."""
+        free = [i for i in self.fitter.indices(candidate) if self.fitter.priors.of(i) is None]
+        return self.parameter_price * len(free) + _odds(candidate)
+
+    @property
+    def parameter_price(self) -> float:
+        """Penalty of a parameter without prior in the criterion."""
+        return float(np.log(self._data))
+
+    def predicts(self, fit: Fit, place: int | None = None) -> bool:
+        """Return whether one of the causes, by default the last, improves the prediction of left-out setups."""
+        less = self.without(fit, len(fit.causes) - 1 if place is None else place)
+        if less is None:
+            return True
+        places, priors = self.fitter.observations.places(), self.fitter.prior_rows
+        squares, leverage = left_out(fit, places)
+        tells = leverage < self.fitter.criteria.claim.alone
+        baseline = left_out(less, places)[0]
+        # A cause is credited for letting the nuisances stay near their declared values.
+        saved = float((less.white[priors] ** 2).sum() - (fit.white[priors] ** 2).sum())
+        return tells.sum() < 2 or bool(squares[tells].sum() < baseline[tells].sum() + saved)
+
+    def shape_scatter(self, fit: Fit) -> float | None:
+        """Return the scatter of the shapes without stated errors at a fit; None if there are too few."""
+        squares, degrees = self.fitter.misfit(fit, SHAPE, stated=False)
+        if degrees < 1.0:
+            return None
+        return float(np.sqrt(squares / degrees)) * self.fitter.shape_scatter
+
+    def added(self, fit: Fit) -> list[int]:
+        """Return the indices of the parameters that the causes of a fit add.
+
+        A further parameter of a term that is 0, such as the mass of a support, has no effect and is left out.
+        """
+        added: list[int] = []
+        for cause in fit.causes:
+            first, *further = self.fitter.indices(cause)
+            added += [first, *(i for i in further if not (cause.form and self._absent(fit, i)))]
+        return added
+
+    def _absent(self, fit: Fit, i: int) -> bool:
+        """Return whether a parameter that is 0 without its cause is 0 with it."""
+        return self.fitter.parameters[i].value == 0.0 and abs(float(fit.values[i])) <= ABSENT * fit.sigma_of(
+            i
+        )
+
+
+def _odds(candidate: Candidate) -> float:
+    """Return the penalty of the prior odds of a candidate, on the scale of the deviance."""
+    return -2.0 * float(np.log(candidate.odds))

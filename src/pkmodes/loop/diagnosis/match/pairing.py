@@ -1,0 +1,332 @@
+"""Mode pairing: measured modes are paired with modes of the model by frequency, and by shape if measured.
+
+Each setup is an assignment problem: measured modes are assigned one-to-one to modes of the model with the least sum
+of distances.  The distance is the squared logarithm of the frequency ratio plus, if there are shapes, a multiple of
+one minus the modal assurance criterion (`support.mac`), less the part that the errors of the shape explain: within
+its errors a shape does not show to which of two modes it belongs.
+"""
+
+from __future__ import annotations
+
+import copy
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import linear_sum_assignment
+
+from pkmodes.core.base.errors import PkmodesError, shown
+from pkmodes.core.support.mac import (
+    channel_motion,
+    channel_weights,
+    explained_difference,
+    mac,
+    normalised,
+    subspace_mac,
+)
+from pkmodes.loop.diagnosis.criteria import Criteria
+from pkmodes.loop.diagnosis.match.pairs import pairs_of_setups
+from pkmodes.loop.diagnosis.match.shape_errors import shape_errors
+from pkmodes.loop.diagnosis.problem import Array, Index, Prediction
+from pkmodes.loop.measured.measurements import Measurements
+from pkmodes.loop.measured.quantities import FREQUENCY
+
+
+@dataclass(frozen=True)
+class Pairing:
+    """Partners of the R measured modes.
+
+    - partner: mode of the model in the row's setup, counted from 0, rigid ones included, (R,); -1 if unmatched
+    - mac: MAC with the partner, or with the subspace of the partners of close modes, (R,); NaN without shapes
+    """
+
+    partner: Index
+    mac: Array
+
+    def within(self, prediction: Prediction) -> Pairing:
+        """Return the pairing for a prediction that may lack a mode that a cause adds: its row is unmatched there."""
+        there = self.partner < prediction.eigenvalues.shape[1]
+        return self if there.all() else Pairing(np.where(there, self.partner, -1), self.mac)
+
+
+class _Shapes(NamedTuple):
+    """Shapes of rows (S, r, C) and modes (S, m, C) in the same weighting.
+
+    With the measured components of the rows and their standard deviations, 0 where not measured, (S, r, C).
+    """
+
+    rows: Array
+    model: Array
+    measured: NDArray[np.bool_]
+    errors: Array
+
+    def single_macs(self) -> Array:
+        """Return the MAC of each row with each mode of its setup, (S, r, m)."""
+        return mac(self.rows, self.model, self.measured)
+
+    def in_subspace(self, setup: Index, row: Index, members: NDArray[np.bool_]) -> Array:
+        """Return the MAC of some rows, each with the subspace of some modes of its setup, (B, m)."""
+        return subspace_mac(self.rows[setup, row], self.model[setup], members, self.measured[setup, row])
+
+
+class Pairer:
+    """Pairs the rows of one set of measurements with predictions.
+
+    - channels: the model's channels, which include those of the measurements
+    - reference: prediction of the declared model: the motion of its channels sets their weights for all models that
+      are compared.  By default each prediction sets its own weights.
+
+    Its attributes:
+    - columns: indices of the measured channels among the model's, (C,)
+    - moves: motion of these channels in the reference, (S, C)
+    - pose: setup of each row, (R,)
+    """
+
+    def __init__(
+        self,
+        data: Measurements,
+        channels: tuple[str, ...],
+        reference: Prediction | None = None,
+        criteria: Criteria | None = None,
+    ) -> None:
+        self._criteria = criteria or Criteria()
+        self._log, self.pose = FREQUENCY.transformed(data), data.pose
+        self.columns = _columns(data, channels)
+        setups = len(data.labels)
+        self.moves = np.zeros((setups, len(self.columns)))
+        if reference is not None and len(self.columns):
+            self.moves = channel_motion(reference.shapes[..., self.columns])
+        # Rows of each setup side by side, padded to the largest number of rows.
+        order = np.argsort(data.pose, kind="stable")
+        start = np.searchsorted(data.pose[order], np.arange(setups))
+        place = np.empty(len(order), dtype=np.intp)
+        place[order] = np.arange(len(order)) - start[data.pose[order]]
+        self._row = np.full((setups, int(place.max(initial=-1)) + 1), -1, dtype=np.intp)
+        self._row[data.pose, place] = np.arange(len(order))
+        self._place = place
+        padded = np.where((self._row >= 0)[..., None], data.shapes[self._row], np.nan)
+        self._normalised, self._measured = normalised(padded), np.isfinite(padded)
+        self._errors = shape_errors(data, self._criteria)[self._row]
+        self._mates = neighbours(data, self._criteria)
+
+    def tiled(self, count: int) -> Pairer:
+        """Return a pairer for predictions of `count` times the setups, each paired with the same rows."""
+        copies, (setups, rows) = copy.copy(self), (len(self._row), len(self._log))
+        copies._log = np.tile(self._log, count)
+        copies._normalised, copies._measured = (
+            np.tile(whole, (count, 1, 1)) for whole in (self._normalised, self._measured)
+        )
+        copies._errors = np.tile(self._errors, (count, 1))
+        copies._place, copies.moves = np.tile(self._place, count), np.tile(self.moves, (count, 1))
+        copies.pose, copies._row = tiled(self.pose, count, setups), tiled(self._row, count, rows)
+        copies._mates = tiled(self._mates, count, rows)
+        return copies
+
+    def pair(self, prediction: Prediction, used: NDArray[np.bool_], *, compare: bool = True) -> Pairing:
+        """Pair the used rows; the others get no partner.
+
+        - used: (R,)
+        - compare: whether to compute the MAC with the partners, which takes time
+        """
+        c, rigid = self._criteria, prediction.rigid
+        logs = prediction.log_frequencies[:, rigid:]
+        row = self._row
+        present = (row >= 0) & used[row]
+        shapes = self._shapes(prediction) if len(self.columns) else None
+        with np.errstate(invalid="ignore"):
+            distance = np.abs(self._log[row][..., None] - logs[:, None])
+            close = np.diff(logs, axis=1) < c.pairing.close
+        cost = distance**2
+        if shapes is not None:
+            single_macs = shapes.single_macs()
+            likeness = self._grouped(single_macs, shapes, logs, close)
+            explained = explained_difference(shapes.rows, shapes.errors, c.pairing.shape_sigmas)[..., None]
+            explained = np.minimum(explained, 1.0 - c.shapes.good_mac)
+            unlike = np.maximum(1.0 - likeness - explained, 0.0) / (1.0 - explained)
+            cost = cost + c.pairing.shape_weight**2 * np.where(np.isnan(likeness), 0.0, unlike)
+        # The assignment may take a mode that is too far away, which is then no partner.  Its cost is constant:
+        # otherwise a mode that the model lacks would shift the others.
+        cost = np.where(distance <= c.pairing.reach, cost, c.pairing.reach**2 + c.pairing.shape_weight**2)
+        partner = _assigned(cost, present, np.isfinite(logs))
+        at = np.arange(len(row))[:, None], np.arange(row.shape[1]), np.maximum(partner, 0)
+        with np.errstate(invalid="ignore"):
+            partner = np.where(distance[at] <= c.pairing.reach, partner, -1)
+        if close.any():
+            partner = _in_order(partner, self._log[row], close)
+        partners = np.full(len(self._log), -1, dtype=np.intp)
+        taken = partner >= 0
+        partners[row[taken]] = partner[taken] + rigid
+        values = np.full(len(self._log), np.nan)
+        if compare and shapes is not None:
+            beside = unmeasured_neighbours(prediction, partners, self.pose, c.pairing.close)
+            beside = np.where(beside >= 0, beside - rigid, -1)
+            values = self._compared(partners - rigid, beside, single_macs, shapes)
+        return Pairing(partners, values)
+
+    def macs(self, prediction: Prediction) -> Array:
+        """Return the MAC of each row with each elastic mode of its setup, (R, m); NaN without a shape."""
+        if not len(self.columns):
+            return np.full((len(self._log), prediction.shapes.shape[1] - prediction.rigid), np.nan)
+        return self._shapes(prediction).single_macs()[self.pose, self._place]
+
+    def differences(self, prediction: Prediction, pairing: Pairing) -> Array:
+        """Return measured minus model in ln f, (R,); an unmatched mode counts as the reach of the pairing."""
+        reach = self._criteria.pairing.reach
+        logs = prediction.log_frequencies[self.pose, np.maximum(pairing.partner, 0)]
+        apart = np.clip(FREQUENCY.residual(self._log, logs), -reach, reach)
+        return np.asarray(np.where(pairing.partner >= 0, apart, reach))
+
+    def _shapes(self, prediction: Prediction) -> _Shapes:
+        """Return the shapes of the rows and modes of each setup, in units of each channel's motion."""
+        model = prediction.shapes[..., self.columns]
+        weights = channel_weights(model, self.moves)
+        rows = self._normalised * weights
+        # A stated error is relative to the largest component; the scatter used otherwise, to the largest in units of
+        # each channel's motion.
+        stated = self._errors[..., None] * weights
+        scatter = self._criteria.shapes.scatter * np.abs(rows).max(axis=-1, keepdims=True)
+        errors = np.where(np.isnan(stated), scatter, stated) * self._measured
+        return _Shapes(rows, model[:, prediction.rigid :] * weights, self._measured, errors)
+
+    def _grouped(self, single_macs: Array, shapes: _Shapes, logs: Array, close: NDArray[np.bool_]) -> Array:
+        """Return the MAC of each row with each mode of the model, or with the subspace of the modes close to it."""
+        setups = np.flatnonzero(close.any(axis=1))
+        if not len(setups):
+            return single_macs
+        with np.errstate(invalid="ignore"):
+            near = np.abs(logs[setups][:, :, None] - logs[setups][:, None, :]) < self._criteria.pairing.close
+        which, k = np.nonzero(near.sum(axis=-1) > 1)
+        # Every row of a setup with a known shape, with every mode that has close neighbours.
+        entry, place = np.nonzero(np.isfinite(single_macs[setups[which], :, k]))
+        if not len(entry):
+            return single_macs
+        which, k = which[entry], k[entry]
+        likeness = single_macs.copy()
+        inside = shapes.in_subspace(setups[which], place, near[which, k])
+        at = setups[which], place, k
+        likeness[at] = np.where(np.isnan(inside), likeness[at], inside)
+        return likeness
+
+    def _compared(self, partner: Index, beside: Index, single_macs: Array, shapes: _Shapes) -> Array:
+        """Return the MAC of each row with its partner, or with the subspace of the partners and modes close to it."""
+        pose, place = self.pose, self._place
+        paired = partner >= 0
+        likeness = np.where(paired, single_macs[pose, place, np.maximum(partner, 0)], np.nan)
+        crowded = (self._mates[:, 1:] >= 0).any(axis=1) | (beside >= 0).any(axis=1)
+        i = np.flatnonzero(paired & crowded)
+        if len(i):
+            rows = self._mates[i]
+            members = np.zeros((len(i), shapes.model.shape[1]), dtype=bool)
+            entry, column = np.nonzero((rows >= 0) & paired[rows])
+            members[entry, partner[rows[entry, column]]] = True
+            entry, column = np.nonzero(beside[i] >= 0)
+            members[entry, beside[i][entry, column]] = True
+            inside = shapes.in_subspace(pose[i], place[i], members)
+            likeness[i] = np.where(members.sum(axis=1) > 1, inside, likeness[i])
+        return likeness
+
+
+def tiled(numbers: Index, count: int, size: int) -> Index:
+    """Return the indices of `count` copies of `size` items, the first copy first; -1 is kept."""
+    copies = np.arange(count).reshape(-1, *[1] * numbers.ndim) * size
+    shifted = np.where(numbers >= 0, numbers + copies, numbers)
+    return np.asarray(shifted.reshape(-1, *numbers.shape[1:]))
+
+
+def neighbours(data: Measurements, criteria: Criteria) -> Index:
+    """Return the rows whose shapes are compared as one subspace with that of each row.
+
+    Their frequencies are close enough for the shapes to mix, or differ by less than their errors.
+
+    Returns (R, g): the row itself first, then the others, padded with -1.
+    """
+    log, sigma = FREQUENCY.transformed(data), FREQUENCY.transformed_sigma(data)
+    limits, pose = criteria.pairing, data.pose
+    order = np.lexsort((log, pose))
+    close_pairs: list[tuple[Index, Index]] = []
+    beside: Index = np.empty(0, dtype=np.intp)
+    for a, b in pairs_of_setups(pose, order):
+        apart = np.abs(log[a] - log[b])
+        if not (
+            apart < limits.most_mixed
+        ).any():  # in the order of frequencies, later pairs are farther apart
+            break
+        errors = limits.mixed_sigmas * np.hypot(sigma[a], sigma[b])
+        near = apart < np.clip(errors, limits.mixed, limits.most_mixed)
+        if not close_pairs:
+            beside = np.union1d(a[near], b[near])
+        close_pairs += [(a[near], b[near]), (b[near], a[near])]
+    rows, mates = (np.concatenate([pair[side] for pair in close_pairs] or [beside]) for side in (0, 1))
+    kept = np.isin(rows, beside)
+    rows, mates = rows[kept], mates[kept]
+    sequence = np.lexsort((mates, rows))
+    rows, mates = rows[sequence], mates[sequence]
+    counts = np.bincount(rows, minlength=len(log))
+    padded = np.full((len(log), 1 + int(counts.max(initial=0))), -1, dtype=np.intp)
+    padded[:, 0] = np.arange(len(log))
+    padded[rows, 1 + np.arange(len(rows)) - (np.cumsum(counts) - counts)[rows]] = mates
+    return padded
+
+
+def unmeasured_neighbours(prediction: Prediction, partner: Index, pose: Index, close: float) -> Index:
+    """Return the unpaired modes that nearly coincide with a row's partner.
+
+    A measured mode may be any mixture of the two, so its pairing with one of them is arbitrary.
+
+    - partner, pose: (R,)
+    - close: largest difference of the logarithms of their frequencies
+
+    Returns (R, 4): mode numbers, counted from 0, rigid ones included; padded with -1.
+    """
+    logs = prediction.log_frequencies
+    taken = np.zeros(logs.shape, dtype=bool)
+    paired = partner >= 0
+    taken[pose[paired], partner[paired]] = True
+    beside = np.maximum(partner, 0)[:, None] + np.array([-2, -1, 1, 2])
+    inside = (beside >= prediction.rigid) & (beside < logs.shape[1]) & paired[:, None]
+    beside = np.where(inside, beside, 0)
+    partner_logs = logs[pose, np.maximum(partner, 0)][:, None]
+    with np.errstate(invalid="ignore"):
+        near = np.abs(logs[pose[:, None], beside] - partner_logs) < close
+    return np.where(inside & near & ~taken[pose[:, None], beside], beside, -1)
+
+
+def _assigned(cost: Array, present: NDArray[np.bool_], available: NDArray[np.bool_]) -> Index:
+    """Assign the rows of each setup one-to-one to modes (S, r) with the least sum of costs; -1 for unassigned rows.
+
+    - cost: (S, r, m)
+    - present: rows to assign, (S, r)
+    - available: modes available, (S, m)
+    """
+    cost = np.where(available[:, None], cost, np.inf)
+    best: Index = cost.argmin(axis=2)
+    best[~(present & available.any(axis=1, keepdims=True))] = -1
+    # If every row can have its best mode, the sum is least.
+    ordered = np.sort(best, axis=1)
+    contested = ((np.diff(ordered, axis=1) == 0) & (ordered[:, 1:] >= 0)).any(axis=1)
+    for setup in np.flatnonzero(contested):
+        rows, modes = np.flatnonzero(present[setup]), np.flatnonzero(available[setup])
+        i, k = linear_sum_assignment(cost[setup][np.ix_(rows, modes)])
+        best[setup] = -1
+        best[setup, rows[i]] = modes[k]
+    return best
+
+
+def _in_order(partner: Index, measured: Array, close: NDArray[np.bool_]) -> Index:
+    """Reorder the partners (S, r) in each group of close modes by the measured frequencies."""
+    group = np.concatenate([np.zeros((len(close), 1), dtype=np.intp), np.cumsum(~close, axis=1)], axis=1)
+    of_row = np.where(partner >= 0, np.take_along_axis(group, np.maximum(partner, 0), axis=1), -1)
+    # Groups ascend with the modes, so rows sorted by group and frequency get the partners in ascending order.
+    ordered = np.empty_like(partner)
+    np.put_along_axis(ordered, np.lexsort((measured, of_row), axis=-1), np.sort(partner, axis=1), axis=1)
+    return ordered
+
+
+def _columns(data: Measurements, channels: tuple[str, ...]) -> Index:
+    """Return the indices of the measured channels among the model's."""
+    for name in data.channels:
+        if name not in channels:
+            problem = f"the model has no channel {shown(name)} for the measured shapes"
+            raise PkmodesError(problem, data.source, f"channels are: {', '.join(channels)}")
+    return np.array([channels.index(name) for name in data.channels], dtype=np.intp)

@@ -1,0 +1,35 @@
+"""Standard deviations of measured shapes: those stated, unless no sensor or machine is that accurate."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pkmodes.loop.diagnosis.criteria import Criteria
+from pkmodes.loop.diagnosis.match.pairs import pairs_of_setups
+from pkmodes.loop.diagnosis.problem import Array
+from pkmodes.loop.measured.measurements import Measurements
+
+
+def shape_errors(data: Measurements, criteria: Criteria) -> Array:
+    """Return the standard deviation of the components of each row's shape, relative to the largest, (R,).
+
+    NaN where none is stated.
+
+    A stated value below that of any sensor is replaced by the uncertainty due to sensors and machine.  A change of
+    the machine that moves two frequencies by their errors rotates the shapes into each other by an angle of about
+    the relative error over the relative distance of the frequencies (Fox and Kapoor, AIAA Journal 6(12), 1968).
+    Modes so close that they are compared as one subspace do not count.
+    """
+    low = data.shape_sigma < criteria.shapes.least_sigma
+    if not low.any():
+        return data.shape_sigma
+    logs, errors = np.log(data.frequency), data.sigma / data.frequency
+    squares = np.zeros(len(logs))
+    for a, b in pairs_of_setups(data.pose, np.argsort(data.pose, kind="stable")):
+        apart = np.abs(logs[a] - logs[b])
+        separate = apart > criteria.pairing.mixed
+        angles = (errors[a] ** 2 + errors[b] ** 2) / np.where(separate, apart, np.inf) ** 2
+        squares[a] += angles  # each row once in `a`, and once in `b`
+        squares[b] += angles
+    least = np.clip(np.sqrt(squares), criteria.shapes.least_sigma, criteria.shapes.most_scatter)
+    return np.where(low, least, data.shape_sigma)

@@ -1,0 +1,56 @@
+"""A model with some values of its parameters beside all measured modes: as declared, refitted, or with causes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from pkmodes.loop.diagnosis.match.pairing import Pairer, Pairing
+from pkmodes.loop.diagnosis.match.predicted import Predicted
+from pkmodes.loop.diagnosis.problem import Array, Prediction, Structure
+from pkmodes.loop.measured.measurements import Measurements
+
+
+@dataclass(frozen=True, eq=False)
+class MatchStage:
+    """A structure with some values of its parameters, and the partners of all R rows."""
+
+    structure: Structure
+    data: Measurements
+    pairer: Pairer
+    values: Array
+
+    @cached_property
+    def prediction(self) -> Prediction:
+        """Modes of all setups."""
+        return self.structure.predict(self.values, ())
+
+    @cached_property
+    def pairing(self) -> Pairing:
+        """Partners of all rows."""
+        return self.pairer.pair(self.prediction, np.ones(len(self.data.lines), dtype=bool))
+
+    @cached_property
+    def frequencies(self) -> Array:
+        """Frequencies of the partners [Hz], (R,); NaN if unmatched."""
+        partner = self.pairing.partner
+        logs = self.prediction.log_frequencies[self.data.pose, np.maximum(partner, 0)]
+        return np.where(partner >= 0, np.exp(logs), np.nan)
+
+    @cached_property
+    def sigma(self) -> Array:
+        """Relative standard deviations of the measured frequencies, (R,), including position errors."""
+        data = self.data
+        variance: Array = (data.sigma / data.frequency) ** 2
+        moved = self.structure.position_rates(self.values) if data.point_sigma.any() else None
+        if moved is not None:
+            rates = moved.log_rates[data.pose, np.maximum(self.pairing.partner, 0)]
+            variance = variance + ((rates * data.point_sigma[data.pose]) ** 2).sum(axis=1)
+        return np.sqrt(variance)
+
+    @cached_property
+    def predicted(self) -> Predicted:
+        """Partners, differences and MAC, for figures."""
+        return Predicted.of(self.pairer, self.data, self.prediction, self.pairing, self.sigma)

@@ -1,0 +1,167 @@
+"""The linear model at a fit, and its evidence: squares and degrees of freedom of frequencies and shapes, and factors.
+
+A row that is not a mode must not count against the true hypothesis.  The fit without it follows from that of all rows
+by deleting its data from the linear model.  A row is set aside where this gains more than its price: such rows are
+rare, and may lie anywhere within reach.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from pkmodes.loop.diagnosis.fit.cross_validation import deleted
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Fit, orthonormal
+from pkmodes.loop.diagnosis.posterior.marginal import (
+    log_occam_factor,
+    marginal_log_likelihood,
+    prior_of_scale,
+)
+from pkmodes.loop.diagnosis.problem import Array, Candidate
+from pkmodes.loop.diagnosis.search.score import one_sided
+
+#: Prior probabilities that a row is not a mode, and that the modes of a setup share an error.
+WRONG_ROW, SHARED = 0.01, 0.02
+#: Cap on the largest plausible signal of a cause, used where nothing bounds its size.
+SIGNAL = 1e3
+#: Factor by which a size must exceed its plausible range to be beyond it: fits end at bounds up to rounding.
+BEYOND = 1.001
+#: The largest plausible signal is at least this many times that of the fit.
+BEYOND_SIGNAL = 1.1
+#: Cap on the square of a datum in `capped_deviance`: about the price of a row.
+CAP = 20.0
+
+
+@dataclass(frozen=True)
+class Linearised:
+    """The linear model at a fit, without the rows that are set aside.
+
+    The D data are those of the fit.
+
+    - log_factor: logarithm of all factors of the evidence beside the likelihood: the priors of rows set aside and of
+      a shared error, and the Occam factors of uncertain values and of sizes of causes; minus infinity if a size is
+      not plausible
+    - parts: frequencies, each other quantity, and priors among the data
+    - degrees: degrees of freedom of all these except the priors, without the rows set aside
+    - basis, white: orthonormal basis of the derivatives, and the whitened residual, (D, k) and (D,), 0 for rows set
+      aside
+    - set_aside: rows
+    """
+
+    fit: Fit
+    log_factor: float
+    parts: tuple[slice, ...]
+    degrees: tuple[float, ...]
+    basis: Array
+    white: Array
+    set_aside: frozenset[int]
+
+    @cached_property
+    def squares(self) -> tuple[float, ...]:
+        """Sums of squares of these parts."""
+        return tuple(float(self.white[part] @ self.white[part]) for part in self.parts)
+
+    @cached_property
+    def log_evidence(self) -> float:
+        """The logarithm of the evidence of the fit as it is."""
+        nothing = np.zeros((len(self.white), 1))
+        return float(self.log_evidence_with(nothing, nothing)[0])
+
+    def log_evidence_with(self, along: Array, taken: Array) -> Array:
+        """Return the logarithm of the evidence with each of n linear additions, without their Occam factors, (n,).
+
+        - along, taken: parts of the residual that they remove, and the leverages of their directions, (D, n)
+        """
+        residual = self.white[:, None] - along
+        squares = [(residual[part] ** 2).sum(axis=0) for part in self.parts]
+        total, prior = self.log_factor - 0.5 * squares[-1], prior_of_scale()
+        for sums, part, degrees in zip(squares, self.parts, self.degrees, strict=False):
+            total += marginal_log_likelihood(sums, np.maximum(degrees - taken[part].sum(axis=0), 0.0), prior)
+        return np.asarray(total)
+
+
+def linearised(fitter: Fitter, fit: Fit, plausible: Mapping[int, float]) -> Linearised:
+    """Return the linear model at a fit, without rows that are no modes.
+
+    - plausible: largest plausible deviations of parameters of causes from their declared values
+    """
+    white, basis, aside = fit.white, fit.basis, set(fit.hypothesis.excluded)
+    observations = fitter.observations
+    frequencies, beside = observations.frequency_rows, observations.beside
+    while len(aside) < max(1, len(observations.log) // fitter.criteria.search.rows_per_outlier):
+        row = int(np.argmax(np.abs(white[frequencies])))
+        place = observations.place(np.array([row]))
+        if white[place] @ deleted(basis[place], white[place]) <= 2.0 * _price(fitter, row):
+            break
+        aside.add(row)
+        white, basis = np.array(white), np.array(basis)
+        white[place] = basis[place] = 0.0
+        basis = orthonormal(basis)
+        white -= basis @ (basis.T @ white)
+    kept = fitter.used(fit.hypothesis)
+    kept[list(aside)] = False
+    leverage = (basis**2).sum(axis=1)
+    counts = [observations.frequencies.count, *(quantity.count for quantity in beside.values())]
+    parts = [frequencies, *map(observations.part, beside)]
+    degrees = tuple(
+        max(float(count[kept].sum() - leverage[part].sum()), 0.0)
+        for count, part in zip(counts, parts, strict=True)
+    )
+    log_factor = -sum(_price(fitter, row) for row in aside) - 0.5 * fit.log_determinant
+    if fit.hypothesis.scatter:
+        log_factor += float(np.log(SHARED) - 0.5 * np.log(len(kept)))
+    log_factor += _log_occam_factor_of_values(fitter, fit) + sum(
+        _log_occam_factor_of_cause(fitter, fit, cause, plausible) for cause in fit.causes
+    )
+    all_parts = (*parts, fitter.prior_rows)
+    return Linearised(fit, log_factor, all_parts, degrees, basis, white, frozenset(aside))
+
+
+def capped_deviance(fitter: Fitter, fit: Fit) -> float:
+    """Return twice the negative log likelihood of a fit, with the square of each datum capped at `CAP`."""
+    squares = fit.white**2
+    data = squares[: fitter.prior_rows.start]
+    data[:] = np.minimum(data, CAP)
+    return float(squares.sum()) + fit.log_determinant
+
+
+def _price(fitter: Fitter, row: int) -> float:
+    """Return the negative logarithm of the density of a row that is not a mode, relative to one that is right."""
+    width, shapes = 2.0 * fitter.criteria.pairing.reach, fitter.observations.shapes
+    frequency = np.log(width / (np.sqrt(2.0 * np.pi) * fitter.observations.sigma[row])) - np.log(WRONG_ROW)
+    shape = -np.log(np.sqrt(2.0 * np.pi) * shapes.sigma[row]) if shapes.known[row] else np.zeros(1)
+    return float(max(frequency, 0.0) + np.maximum(shape, 0.0).mean() * shapes.count[row])
+
+
+def _log_occam_factor_of_values(fitter: Fitter, fit: Fit) -> float:
+    """Return the logarithm of the Occam factor of the uncertain values, up to a constant for the same data."""
+    width = fitter.priors.width(fitter.declared)[fitter.priors.rows(fitter.nuisances)]
+    scaled = fit.jacobian[:, : len(width)] * width
+    return -0.5 * float(np.linalg.slogdet(scaled.T @ scaled)[1])
+
+
+def _log_occam_factor_of_cause(
+    fitter: Fitter, fit: Fit, cause: Candidate, plausible: Mapping[int, float]
+) -> float:
+    """Return the logarithm of the Occam factor of a cause beside the others; minus infinity if implausible."""
+    index = list(fitter.indices(cause))
+    away, covariance = fit.values[index] - fitter.declared[index], fit.covariance_of(index)
+    if cause.sigma is not None:
+        width = fitter.priors.width(fit.values)[fitter.priors.rows(index)]
+        return 0.5 * float(np.linalg.slogdet(covariance / np.outer(width, width))[1])
+    limits, sigma = np.array([plausible.get(i, np.inf) for i in index]), np.sqrt(np.diagonal(covariance))
+    if (np.abs(away) > BEYOND * limits).any():
+        return -np.inf
+    information = np.linalg.pinv(covariance / np.outer(sigma, sigma), hermitian=True)
+    ratio, z = np.minimum(limits / sigma, SIGNAL), away / sigma
+    signals = np.linalg.eigvalsh(information * np.outer(ratio, ratio))
+    signal = float(np.sqrt(max(z @ information @ z, 0.0)))
+    largest = max(float(np.sqrt(max(signals[-1], 1.0))), BEYOND_SIGNAL * signal)
+    determined, sided = max(int((signals > 1.0).sum()), 1), one_sided(fitter, cause) != 0
+    return float(
+        log_occam_factor(*(np.array([argument]) for argument in (signal, determined, largest, sided)))[0]
+    )

@@ -1,0 +1,172 @@
+"""What each shape column of a file may really measure, and with which sign.
+
+A sensor with three axes has 48 signed orders: 24 are turned mountings (rotations), and 24 are left-handed, which only
+exchanged or reversed cables produce; in a plane there are 8.  If some of its axes are not in the file, a column may
+also measure one of those.  The sign of a shape is arbitrary, so wirings that differ by the sign of all columns are
+the same.
+
+The axes of a sensor in the directions of the model are the rows of a signed permutation W.  If det W = 1, the sensor
+is mounted in another direction: it is turned by R = W^T.  Otherwise cables are exchanged or reversed.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from pkmodes.core.support.ordering import joined
+from pkmodes.loop.diagnosis.problem import Array, Sensor
+from pkmodes.loop.measured.measurements import Measurements
+
+
+@dataclass(frozen=True)
+class Wiring:
+    """What the C shape columns of a file measure.
+
+    - channels: for each column, the channel of the model that it measures
+    - signs: for each column, 1, or -1 if it measures the opposite direction
+    """
+
+    channels: tuple[str, ...]
+    signs: tuple[int, ...]
+
+    def of(self, data: Measurements) -> Measurements:
+        """Return the measurements with columns named and signed by what they measure."""
+        return replace(data, channels=self.channels, shapes=data.shapes * self.signs)
+
+    @property
+    def up_to_sign(self) -> Wiring:
+        """The same wiring with a positive first column: shapes do not tell the two apart."""
+        return Wiring(self.channels, tuple(sign * self.signs[0] for sign in self.signs))
+
+
+def as_in_file(columns: Sequence[str]) -> Wiring:
+    """Return the wiring in which each column measures what its header says."""
+    return Wiring(tuple(columns), (1,) * len(columns))
+
+
+def wirings(columns: Sequence[str], sensors: Sequence[Sensor]) -> dict[Wiring, list[Wiring]]:
+    """Return all wirings that result from a single mistake, except that of the file.
+
+    They are unique up to the sign of all columns, each with the mistakes that lead to it.
+    """
+    right = as_in_file(columns)
+    by_wiring: dict[Wiring, list[Wiring]] = {}
+    for wiring in _mistakes(right, sensors):
+        same = by_wiring.setdefault(wiring.up_to_sign, [])
+        if wiring not in same:
+            same.append(wiring)
+    by_wiring.pop(right.up_to_sign, None)
+    return by_wiring
+
+
+def _mistakes(right: Wiring, sensors: Sequence[Sensor]) -> Iterator[Wiring]:
+    """Yield wirings with one column reversed, with two exchanged, and with a sensor of any signed order."""
+    names, places = right.channels, range(len(right.channels))
+    for i in places:
+        yield Wiring(names, tuple(-1 if k == i else 1 for k in places))
+    for i, k in itertools.combinations(places, 2):
+        exchanged = {i: names[k], k: names[i]}
+        yield Wiring(tuple(exchanged.get(j, names[j]) for j in places), right.signs)
+    for sensor in sensors:
+        columns = [i for i in places if names[i] in sensor.channels]
+        orders = itertools.permutations(sensor.channels, len(columns))
+        for order, signs in itertools.product(orders, itertools.product((1, -1), repeat=len(columns))):
+            channels, directions = list(names), list(right.signs)
+            for i, name, sign in zip(columns, order, signs, strict=True):
+                channels[i], directions[i] = name, sign
+            yield Wiring(tuple(channels), tuple(directions))
+
+
+def simplicity(wiring: Wiring, columns: Sequence[str]) -> tuple[int, int]:
+    """Return the numbers of columns that measure another channel, and that are reversed: fewest for the simplest."""
+    moved = sum(channel != name for channel, name in zip(wiring.channels, columns, strict=True))
+    return moved, sum(sign < 0 for sign in wiring.signs)
+
+
+# Words ---------------------------------------------------------------------------------------------------------
+
+
+def wiring_in_words(wiring: Wiring, columns: Sequence[str], sensors: Sequence[Sensor]) -> str:
+    """Return what is wrong, for a sentence: "p_y is reversed"."""
+    wrong = [k for k, name in enumerate(columns) if (wiring.channels[k], wiring.signs[k]) != (name, 1)]
+    reverse = [columns[k] for k in wrong if wiring.signs[k] < 0]
+    moved = [columns[k] for k in wrong if wiring.channels[k] != columns[k]]
+    if not moved and len(reverse) == 1:
+        return f"{reverse[0]} is reversed"
+    measures = ", ".join(
+        f"{columns[k]} measures {'-' if wiring.signs[k] < 0 else ''}{wiring.channels[k]}" for k in wrong
+    )
+    if {wiring.channels[columns.index(name)] for name in moved} != set(moved):
+        return measures  # one of them measures an axis that is not in the file
+    if len(moved) == 2 and not reverse:
+        return f"{joined(moved)} are exchanged"
+    if len(moved) > 2 and not reverse:
+        return f"{joined(moved)} are exchanged cyclically ({measures})"
+    sensor = next((s for s in sensors if all(columns[k] in s.channels for k in wrong)), None)
+    W = None if sensor is None else _axes(wiring, columns, sensor)
+    if sensor is not None and W is not None and round(float(np.linalg.det(W))) == 1:
+        which = f"at the {sensor.place}" if sensor.place else f"of {joined(sensor.channels)}"
+        return f"the sensor {which} is turned{_turn(W, sensor)} ({measures})"
+    if not moved:
+        return f"{joined(reverse)} are {'both' if len(reverse) == 2 else 'all'} reversed"
+    return f"{joined(moved)} are exchanged and {joined(reverse)} reversed ({measures})"
+
+
+def remedy(wiring: Wiring, columns: Sequence[str]) -> str:
+    """Return what to change in the file."""
+    changes, reverse = [], []
+    for column, name, sign in zip(columns, wiring.channels, wiring.signs, strict=True):
+        if name != column:
+            also = " and change the sign of its values" if sign < 0 else ""
+            changes.append(f"rename the column shape:{column} to shape:{name}{also}")
+        elif sign < 0:
+            reverse.append(f"shape:{column}")
+    if reverse:
+        changes.append(f"change the sign of the column{'s' * (len(reverse) > 1)} {joined(reverse)}")
+    return ", ".join(changes)
+
+
+def hint(wiring: Wiring, columns: Sequence[str], sensors: Sequence[Sensor]) -> str:
+    """Return what else to check if one axis of a sensor is reversed."""
+    if simplicity(wiring, columns) != (0, 1):
+        return ""
+    name = columns[wiring.signs.index(-1)]
+    for sensor in sensors:
+        if name in sensor.channels and sensor.place:
+            axis = sensor.axes[sensor.channels.index(name)]
+            return f", or check the sensor's direction and the sign of {axis} in the poses"
+    return ", or check the sensor's direction"
+
+
+def _turn(W: Array, sensor: Sensor) -> str:
+    """Return the angle and axis of a turn about one of the sensor's axes or the normal of its plane; else empty."""
+    from scipy.spatial.transform import Rotation
+
+    turn = Rotation.from_matrix(W.T).as_rotvec(degrees=True).round().astype(int)
+    about = np.flatnonzero(turn)
+    if len(about) > 1:
+        return ""
+    rest = {"x", "y", "z"} - set(sensor.axes)
+    axes = [*sensor.axes, rest.pop() if len(rest) == 1 else "the normal of its plane"]
+    angle = int(turn[about[0]])
+    return f" by {180 if angle == -180 else angle} degrees about {axes[about[0]]}"
+
+
+def _axes(wiring: Wiring, columns: Sequence[str], sensor: Sensor) -> Array | None:
+    """Return the sensor's axes as rows, (3, 3): of a right-handed sensor if one is not measured; None if unknown."""
+    W: Array = np.zeros((3, 3))
+    measured = [k for k, name in enumerate(columns) if name in sensor.channels]
+    for k in measured:
+        W[sensor.channels.index(columns[k]), sensor.channels.index(wiring.channels[k])] = wiring.signs[k]
+    missing = np.flatnonzero(~W.any(axis=1))
+    if len(missing) > 1:
+        return None
+    for row in missing:
+        W[row] = np.cross(W[(row + 1) % 3], W[(row + 2) % 3])
+        if len(sensor.channels) == 2:
+            W[row, row] = 1.0
+    return W

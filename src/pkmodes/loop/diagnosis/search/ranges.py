@@ -1,0 +1,60 @@
+"""Plausible ranges of candidates: beyond them, the model would describe another machine.
+
+A limit beyond this range is meaningless.  The range of a parameter ends
+
+* at its bounds, such as a third and three times the declared value of a robot;
+* at three standard deviations of its prior, if the candidate has one;
+* otherwise, mainly for absent effects, at the size that in the linear model changes some frequency of the model,
+  measured or not, by as much as the largest size from which a search starts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Fit
+from pkmodes.loop.diagnosis.problem import Array, Candidate, Prediction
+from pkmodes.loop.diagnosis.search.starts import SIZES
+
+
+def largest_rates(prediction: Prediction) -> Array:
+    """Return the largest derivatives of ln f of any vibration mode with respect to the requested parameters, (T,)."""
+    rates = np.abs(prediction.log_rates[:, prediction.rigid :])
+    rates[~np.isfinite(rates)] = 0.0
+    return np.asarray(rates.max(axis=(0, 1), initial=0.0))
+
+
+def plausible_size(fitter: Fitter, candidate: Candidate, i: int, sign: int, rate: float) -> float:
+    """Return the largest plausible deviation of a parameter of a candidate from its declared value, on one side.
+
+    - i: the parameter
+    - sign: the side
+    - rate: its `largest_rates`
+    """
+    p = fitter.parameters[i]
+    room = p.upper - p.value if sign > 0 else p.value - p.lower
+    if candidate.sigma is not None:
+        sigma = candidate.sigma[candidate.parameters.index(p.name)]
+        plausible = fitter.criteria.reasons.far * sigma * (abs(p.value) if p.log else 1.0)
+    elif np.isfinite(p.lower) and np.isfinite(p.upper):
+        plausible = np.inf  # the bounds are the plausible range
+    else:
+        plausible = SIZES[-1] / rate if rate > 0.0 else np.inf
+    return float(min(room, plausible))
+
+
+def plausible_sizes(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> dict[int, float]:
+    """Return the largest plausible deviation of each parameter of some candidates, on either side."""
+    by = list(dict.fromkeys(i for candidate in candidates for i in fitter.indices(candidate)))
+    if not by:
+        return {}
+    prediction = fitter.structure.predict(fit.values, by, shape_rates=False)
+    rates = dict(zip(by, largest_rates(prediction).tolist(), strict=True))
+    return {
+        i: max(plausible_size(fitter, candidate, i, sign, rates[i]) for sign in (1, -1))
+        for candidate in candidates
+        for i in fitter.indices(candidate)
+    }

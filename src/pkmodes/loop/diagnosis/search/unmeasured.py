@@ -1,0 +1,109 @@
+"""Unmeasured modes of a model between the measured ones.
+
+Not every mode is measured at every pose, and the rate of misses is unknown, so a single missing mode says little.
+But if a cause adds modes between measured ones and none of them was measured, their absence needs an explanation:
+given the numbers of modes and of missed modes there, the added modes should be missed no more often than by chance
+(hypergeometric distribution; Fisher's exact test).
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import stats
+
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Fit
+
+
+class Seen(NamedTuple):
+    """Number of modes of a model between the measured ones, and of unmeasured ones among them."""
+
+    modes: int
+    unmeasured: int
+
+
+def seen(fitter: Fitter, fit: Fit) -> Seen:
+    """Count the modes of a fit between the lowest and highest measured ones of each setup."""
+    margin, logs = fitter.criteria.gate.margin, fit.prediction.log_frequencies
+    used, visible = fitter.used(fit.hypothesis), _visible(fitter, fit)
+    observations, paired, unmeasured = fitter.observations, int((fit.pairing.partner >= 0).sum()), 0
+    for setup, rows in enumerate(observations.noise.rows):
+        if not len(rows):
+            continue
+        # A test may have stopped after the highest mode, whatever its band: modes above it carry no information.
+        low, high = observations.log[rows].min() + margin, observations.log[rows].max() - margin
+        between = np.flatnonzero((logs[setup] > low) & (logs[setup] < high) & visible[setup])
+        between = between[between >= fit.prediction.rigid]
+        free = between[~np.isin(between, fit.pairing.partner[rows])]
+        # An excluded row may be one of them.
+        unmeasured += max(len(free) - int((~used[rows]).sum()), 0)
+    return Seen(paired + unmeasured, unmeasured)
+
+
+def _visible(fitter: Fitter, fit: Fit) -> NDArray[np.bool_]:
+    """Return a mask of the modes that move the sensors enough; all if no sensor is known."""
+    pairer = fitter.observations.pairer
+    shapes, moves = fit.prediction.shapes[..., pairer.columns], pairer.moves
+    if not shapes.shape[-1]:
+        return np.ones(shapes.shape[:2], dtype=bool)
+    peaks = np.sqrt(np.mean((shapes / np.where(moves > 0.0, moves, np.inf)[:, None]) ** 2, axis=-1))
+    usual = np.median(peaks[:, fit.prediction.rigid :], axis=1)
+    return np.asarray(peaks >= fitter.criteria.gate.visible * usual[:, None])
+
+
+def p_unmeasured(fitter: Fitter, declared: Fit, fit: Fit) -> float:
+    """Return the p-value of the number of missed modes among those that a fit adds to the declared model.
+
+    It is 1 if at least half of the added modes were measured.  If no sensor is known, modes may be missed because
+    they move none, and their absence counts half as much.
+    """
+    before, after = seen(fitter, declared), seen(fitter, fit)
+    missed = max(after.unmeasured - before.unmeasured, 0)
+    measured = max(after.modes - after.unmeasured - before.modes + before.unmeasured, 0)
+    if missed <= measured:
+        return 1.0
+    total = after.modes + 1  # and one that might exist
+    p = float(stats.hypergeom.sf(missed - 1, total, after.unmeasured, min(missed + measured, total)))
+    return p if len(fitter.observations.pairer.columns) else float(np.sqrt(p))
+
+
+class NeverMeasured(NamedTuple):
+    """A mode that was never measured: lowest and highest frequency [Hz], number of setups, and the drives there."""
+
+    low: float
+    high: float
+    setups: int
+    drives: str
+
+
+def never_measured(fitter: Fitter, fit: Fit) -> list[NeverMeasured]:
+    """Return the modes that should have been measured at half of the setups or more, but never were.
+
+    Modes with free motors differ from those with held motors, even if they have the same number.
+    """
+    margin, logs = fitter.criteria.gate.margin, fit.prediction.log_frequencies
+    visible, ranges = _visible(fitter, fit), []
+    measured = np.zeros(logs.shape, dtype=bool)
+    paired = fit.pairing.partner >= 0
+    measured[fitter.data.pose[paired], fit.pairing.partner[paired]] = True
+    low, high = (np.full(len(logs), value) for value in (np.inf, -np.inf))
+    if fitter.data.band is None:
+        np.minimum.at(low, fitter.data.pose, fitter.observations.log)
+        np.maximum.at(high, fitter.data.pose, fitter.observations.log)
+    else:
+        low[:], high[:] = np.log(fitter.data.band)
+    inside = (logs > low[:, None] + margin) & (logs < high[:, None] - margin) & visible
+    for drives in dict.fromkeys(fitter.data.drives):
+        alike = np.array(fitter.data.drives) == drives
+        for k in range(fit.prediction.rigid, logs.shape[1]):
+            there = inside[:, k] & alike
+            count = int(there.sum())
+            if count >= max(2, alike.sum() / 2) and not measured[alike, k].any():
+                frequencies = np.exp(logs[there, k])
+                ranges.append(
+                    NeverMeasured(float(frequencies.min()), float(frequencies.max()), count, drives)
+                )
+    return ranges

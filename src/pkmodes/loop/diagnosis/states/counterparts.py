@@ -1,0 +1,126 @@
+"""The same modes in two states: rows of a later state, with their modes of the model and rows of the trusted state.
+
+Two states of a machine are more alike than a machine and its model.  If a mode was measured in the trusted state at
+the same setup, that measurement is what is expected; otherwise it is the prediction of the model, with the error that
+the trusted state shows.  Shapes do not identify close modes, because any change rotates them into each other: these
+are paired by the order of their frequencies.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import linear_sum_assignment
+
+from pkmodes.core.support.mac import mac, normalised
+from pkmodes.loop.diagnosis.criteria import PairingCriteria
+from pkmodes.loop.diagnosis.problem import Array
+from pkmodes.loop.measured.measurements import Measurements
+from pkmodes.loop.measured.quantities import FREQUENCY
+
+Index = NDArray[np.intp]
+#: Largest difference of the logarithms of the frequencies of one mode in two states, and the difference that counts
+#: as much as shapes that have nothing in common.
+FARTHEST, ALIKE = 0.3, 0.1
+
+
+class Expected(NamedTuple):
+    """The modes of one setup as they were before, of the model or measured.
+
+    - log, sigma: logarithms of the frequencies, and their standard deviations, (m,)
+    - shapes: at the channels of the later state, (m, C), NaN where not known
+    - mode, row: mode of the model, and row of the trusted state, (m,); -1 where there is none
+    """
+
+    log: Array
+    sigma: Array
+    shapes: Array
+    mode: Index
+    row: Index
+
+
+def expected_modes(
+    log: Array,
+    sigma: float,
+    shapes: Array,
+    trusted: Measurements,
+    channels: tuple[str, ...],
+    partner: Index,
+    setup: int,
+) -> Expected:
+    """Return the modes of a setup: as measured in the trusted state, those of the model where they were not.
+
+    - log, shapes: logarithms of the frequencies of the modes of the model, with its error, (m,) and (m, C); shapes at
+      some channels
+    - sigma: standard deviation of the logarithms
+    - channels: names of these channels
+    - partner: mode of the model of each row of the trusted state, (R,); -1 for none
+    - setup: of the trusted state; -1 if it has none like this
+    """
+    count = len(log)
+    rows = np.flatnonzero(trusted.pose == setup)
+    unpaired = rows[partner[rows] < 0]
+    logs = np.concatenate([log, FREQUENCY.transformed(trusted)[unpaired]])
+    sigmas, row = np.full(len(logs), sigma), np.concatenate([np.full(count, -1), unpaired]).astype(np.intp)
+    forms = np.vstack([shapes, np.full((len(unpaired), len(channels)), np.nan)])
+    mode = np.concatenate([np.arange(count), np.full(len(unpaired), -1)]).astype(np.intp)
+    for source in rows:
+        paired = partner[source] >= 0
+        place = int(partner[source]) if paired else count + int(np.flatnonzero(unpaired == source)[0])
+        logs[place], row[place] = FREQUENCY.transformed(trusted)[source], source
+        sigmas[place] = FREQUENCY.transformed_sigma(trusted)[source]
+        measured = dict(zip(trusted.channels, trusted.shapes[source], strict=True))
+        form = np.array([measured.get(name, np.nan) for name in channels])
+        if np.isfinite(form).sum() >= 2 or not paired:
+            forms[place] = form
+    return Expected(logs, sigmas, forms, mode, row)
+
+
+def paired_with(
+    expected: Expected, later: Measurements, rows: Index, weights: Array, criteria: PairingCriteria
+) -> list[tuple[int, int]]:
+    """Return rows of one setup of a later state, each with its place among the modes that are expected there.
+
+    - weights: factors by which the channels are comparable, (C,)
+    """
+    apart = np.abs(FREQUENCY.transformed(later)[rows][None, :] - expected.log[:, None])
+    unlike = 1.0 - _alike(expected.shapes * weights, later.shapes[rows] * weights)
+    groups = close_groups(expected.log, expected.sigma, criteria)
+    for group in np.unique(groups):
+        members = groups == group
+        least = np.where(np.isnan(unlike[members]), np.inf, unlike[members]).min(axis=0)
+        unlike[members] = np.where(np.isfinite(least), least, np.nan)
+    cost = (apart / ALIKE) ** 2 + np.nan_to_num(unlike)
+    pairs = zip(*linear_sum_assignment(np.where(apart > FARTHEST, 1e6, cost)), strict=True)
+    return [(int(rows[k]), int(i)) for i, k in pairs if apart[i, k] <= FARTHEST]
+
+
+def close_groups(log: Array, sigma: Array, criteria: PairingCriteria) -> Index:
+    """Return the group of each mode of a setup: one for all modes that are close to the next.
+
+    - log, sigma: logarithms of the frequencies, and their standard deviations, (m,)
+    """
+    order = np.argsort(log)
+    gap, both = np.diff(log[order]), np.hypot(sigma[order][1:], sigma[order][:-1])
+    near = (gap < criteria.close) | (gap < np.minimum(criteria.mixed_sigmas * both, criteria.most_mixed))
+    groups = np.empty(len(log), dtype=np.intp)
+    groups[order] = np.concatenate([[0], np.cumsum(~near)])
+    return groups
+
+
+def common_channels(trusted: Measurements, later: Measurements) -> tuple[list[int], list[int]]:
+    """Return the channels that both have, as places in each."""
+    names = [name for name in trusted.channels if name in later.channels]
+    return [trusted.channels.index(name) for name in names], [later.channels.index(name) for name in names]
+
+
+def _alike(first: Array, second: Array) -> Array:
+    """Return the MAC of each shape (m, C) with each of others (r, C); NaN with fewer than two common components."""
+    macs = np.full((len(first), len(second)), np.nan)
+    for k, shape in enumerate(second):
+        finite = np.isfinite(first) & np.isfinite(shape)
+        compared = normalised(np.where(finite, first, np.nan))
+        macs[:, k] = mac(compared, normalised(shape)[None, :], finite)[:, 0]
+    return macs

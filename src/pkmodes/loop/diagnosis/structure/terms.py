@@ -1,0 +1,119 @@
+"""Terms of matrices: a mass at each coordinate, and springs to ground and between coordinates.
+
+Both are linear in their parameter and the same in every setup, so that their derivatives are exact: a mass at the
+coordinate i adds :math:`m e_i e_i^T` to M, and a spring :math:`k v v^T` to K, with :math:`v = e_i`, or
+:math:`v = e_i - e_j` between two.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from itertools import combinations
+from typing import Literal, NamedTuple, overload
+
+import numpy as np
+
+from pkmodes.loop.diagnosis.problem import Array, Candidate, Parameter
+from pkmodes.loop.diagnosis.structure.supplied import Pair, Supplied
+
+MASS, SPRING = "mass", "spring"
+#: Name of the parameter of each form.
+QUANTITIES = {MASS: "mass", SPRING: "stiffness"}
+
+
+class CoordinateTerm(NamedTuple):
+    """A mass or a spring at one or between two coordinates.
+
+    - at: the coordinates
+    """
+
+    candidate: Candidate
+    parameter: Parameter
+    at: tuple[int, ...]
+
+    def change(self, size: int, zero: Array) -> Pair:
+        """Return the derivatives of M and K, (n, n)."""
+        v = np.zeros(size)
+        v[list(self.at)] = (1.0, -1.0)[: len(self.at)]
+        matrix = np.outer(v, v)
+        return Pair(matrix, zero) if self.candidate.form == MASS else Pair(zero, matrix)
+
+
+def terms_of(
+    coordinates: Sequence[str], units: tuple[str, str], taken: Collection[str]
+) -> Iterator[CoordinateTerm]:
+    """Yield all terms of some coordinates.
+
+    - units: of M and of K
+    - taken: names of candidates and parameters: a term with one of these names is left out
+    """
+    places: list[tuple[str, tuple[int, ...]]] = [
+        *((MASS, (i,)) for i in range(len(coordinates))),
+        *((SPRING, (i,)) for i in range(len(coordinates))),
+        *((SPRING, both) for both in combinations(range(len(coordinates)), 2)),
+    ]
+    names_taken = set(taken)
+    for form, at in places:
+        names = [coordinates[i] for i in at]
+        term = f"{form}:{'/'.join(names)}"
+        parameter = Parameter(f"{term}.{QUANTITIES[form]}", 0.0, units[form == SPRING], lower=0.0)
+        if {term, parameter.name} & names_taken:
+            continue
+        names_taken |= {term, parameter.name}
+        between = " and ".join(names) if len(names) > 1 else f"{names[0]} and the ground"
+        sentence = f"a mass at {names[0]}" if form == MASS else f"a spring between {between}"
+        yield CoordinateTerm(
+            Candidate(term, (parameter.name,), sentence, remote=True, form=form), parameter, at
+        )
+
+
+class SuppliedWithTerms:
+    """Supplied matrices with terms, whose parameters follow those of the supplied ones.
+
+    - calls, seconds: number of calls for the supplied M and K, and their total time
+    """
+
+    def __init__(self, supplied: Supplied, terms: Sequence[CoordinateTerm]) -> None:
+        self._supplied, self._supplied_count, size = supplied, len(supplied.parameters), supplied.expected
+        zero = np.zeros((size, size))
+        self._changes = [term.change(size, zero) for term in terms]
+        self._of_mass = np.array([term.candidate.form == MASS for term in terms])
+
+    @property
+    def calls(self) -> int:
+        """Number of calls for the supplied M and K."""
+        return self._supplied.calls
+
+    @property
+    def seconds(self) -> float:
+        """Their total time [s]."""
+        return self._supplied.seconds
+
+    @overload
+    def at(self, values: Array, setup: str, finite: Literal[True]) -> Pair: ...
+    @overload
+    def at(self, values: Array, setup: str, finite: Literal[False] = ...) -> Pair | None: ...
+    def at(self, values: Array, setup: str, finite: bool = False) -> Pair | None:
+        """Return M and K with all terms; if they are not finite, None or, with `finite`, an error."""
+        supplied_values = values[: self._supplied_count]
+        pair = (
+            self._supplied.at(supplied_values, setup, finite=True)
+            if finite
+            else self._supplied.at(supplied_values, setup)
+        )
+        if pair is None:
+            return None
+        M, K = pair
+        for k in np.flatnonzero(values[self._supplied_count :]):
+            change, value = self._changes[k], values[self._supplied_count + k]
+            M, K = (M + value * change.M, K) if self._of_mass[k] else (M, K + value * change.K)
+        return Pair(M, K)
+
+    def rates(self, values: Array, i: int, setups: Mapping[str, Pair]) -> list[Pair] | None:
+        """Return the derivatives with respect to one parameter in setups with known M and K; None if zero."""
+        if i >= self._supplied_count:
+            return [self._changes[i - self._supplied_count]] * len(setups)
+        supplied_pairs = {
+            setup: self._supplied.at(values[: self._supplied_count], setup, finite=True) for setup in setups
+        }
+        return self._supplied.rates(values[: self._supplied_count], i, supplied_pairs)

@@ -1,0 +1,44 @@
+"""The rule of a verdict for frequencies that depend on the level of excitation."""
+
+from __future__ import annotations
+
+import math
+
+from pkmodes.loop.diagnosis.fit.hypothesis import Fit
+from pkmodes.loop.diagnosis.readings.amplitude import dependence_in_words
+from pkmodes.loop.diagnosis.verdict import misfit
+from pkmodes.loop.diagnosis.verdict.evidence import Evidence, Says
+
+#: A dependence decides if its chi2 is at least this part of what causes explain, and the best explanation leaves.
+DECIDES = 0.1
+
+
+def depends_on_amplitude(e: Evidence) -> Says | None:
+    """Frequencies depend on the level, by a tenth of the chi2 that causes explain, and of that which they leave."""
+    trend = e.amplitude
+    if trend is None or not trend.significant or trend.squares < DECIDES * _beside(e):
+        return None
+    how = dependence_in_words(trend, e.fitter.data)
+    return Says(
+        f"the residual depends on amplitude, and no candidate of a linear model does: {how}; no cause is claimed "
+        "from levels that contradict each other: diagnose those of the lowest level by themselves",
+        of_reading=True,
+    )
+
+
+def _beside(e: Evidence) -> float:
+    """Return the chi2 with which a dependence is compared; infinite if the data show nothing else."""
+    final, declared = e.final, e.outcome.nuisances
+    if not e.outcome.last.passed:
+        unexplained = misfit.of_frequencies(e.store, _best(e)).squares
+        return max(unexplained, misfit.of_frequencies(e.store, declared).squares - unexplained)
+    if final.causes:
+        return declared.deviance - final.deviance
+    errors = final.hypothesis.excluded or final.hypothesis.scatter
+    return misfit.of_frequencies(e.store, declared).squares if errors else math.inf
+
+
+def _best(e: Evidence) -> Fit:
+    """Return the best explanation without errors of the measurement and without remote causes."""
+    fits = [fit for fit in e.store.tried() if not ((h := fit.hypothesis).remote or h.excluded or h.scatter)]
+    return min(fits, key=e.store.criterion, default=e.outcome.nuisances)

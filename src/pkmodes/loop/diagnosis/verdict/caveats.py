@@ -1,0 +1,80 @@
+"""Caveats of a verdict: which values were refitted and by how much, and what the data cannot show."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from pkmodes.core.support.numbers import plain
+from pkmodes.core.support.ordering import listed
+from pkmodes.loop.diagnosis.criteria import Criteria
+from pkmodes.loop.diagnosis.search.limits import ONE_SIDED
+from pkmodes.loop.diagnosis.verdict.findings import Corrected
+
+#: Smallest distance of a conspicuous refitted value from its declared one, in standard deviations of prior or fit.
+FAR = Criteria.reasons.far
+#: Largest numbers of values and of candidates named in a sentence.
+MOST_VALUES, MOST_NAMES = 3, 4
+
+
+def refitted(values: Sequence[Corrected]) -> str:
+    """Return which uncertain values a fit moved most, and by how much; empty where there are none."""
+    moved = sorted((v for v in values if v.prior_sigma), key=lambda v: -abs(_away(v)))
+    reported = [v for v in moved if abs(_away(v)) >= 1.0][:MOST_VALUES] or moved[:1]
+    reported += [v for v in moved if v not in reported and _taken_up(v)]
+    return ", ".join(f"{_name(v)} {_step(v)} ({_away(v):+.1f} sigma){_instead(v)}" for v in reported)
+
+
+def conspicuous(values: Sequence[Corrected], *, needed: bool) -> str:
+    """Return which refitted values belong in the headline; empty if none does.
+
+    - needed: whether the refit alone made the residual noise: then also values that an unseen candidate could have
+      moved
+    """
+    far = [v for v in values if v.prior_sigma and abs(_away(v)) > FAR]
+    parts = [f"{_name(v)} is {abs(_away(v)):.1f} sigma from its declared value" for v in far]
+    if needed:
+        taken_up = (v for v in values if v not in far and _taken_up(v))
+        parts += [f"{_name(v)} was refitted {_step(v)}{_instead(v)}" for v in taken_up]
+    return ", ".join(parts[:MOST_VALUES])
+
+
+def unseen(undetectable: Sequence[str], limited: bool) -> str:
+    """Return what an adequate model may still lack; empty where nothing was suspected.
+
+    - undetectable: candidates that these data cannot show
+    - limited: whether other candidates have limits
+    """
+    if undetectable:
+        return f"it cannot see {listed(undetectable, MOST_NAMES)}" + (
+            ", nor what is below its limit" if limited else ""
+        )
+    return "it cannot see what is below its limit" if limited else ""
+
+
+def _taken_up(value: Corrected) -> bool:
+    """Return whether a fit clearly moved a value, and an unseen candidate could have caused all of that."""
+    moved = abs(value.value - value.declared)
+    return (
+        value.prior_sigma is not None
+        and value.unseen is not None
+        and FAR * value.sigma < moved <= ONE_SIDED * value.unseen.sigma
+    )
+
+
+def _instead(value: Corrected) -> str:
+    if value.unseen is None or not _taken_up(value):
+        return ""
+    return f", which {value.unseen.done} could have done"
+
+
+def _away(value: Corrected) -> float:
+    return (value.value - value.declared) / value.prior_sigma if value.prior_sigma else 0.0
+
+
+def _name(value: Corrected) -> str:
+    return value.name.removeprefix("effects.")
+
+
+def _step(value: Corrected) -> str:
+    unit = "" if value.unit == "1" else f" {value.unit}"
+    return f"from {plain(value.declared, 4)} to {plain(value.value, 4)}{unit}"

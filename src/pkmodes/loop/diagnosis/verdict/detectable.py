@@ -1,0 +1,84 @@
+"""Which candidates the data can show: one definition, for the JSON, the table, the chart and the list.
+
+A candidate is *detectable* if one of these holds:
+
+* it is claimed, in the class of a claim, or remains as an explanation, or the reason of the verdict says that the
+  data point to it;
+* the residual of the refitted model shows it: its score is significant;
+* the data bound it: one of its parameters has a limit (`limits`), so that its absence beyond that is known.
+
+So a candidate that is called not detectable never has a limit, and is never part of an explanation.
+
+Only plausible changes count, those in the range in which limits are sought (`search.ranges`); the score too is that
+of the best change within it.  A candidate nearly parallel to an uncertain value, such as gravity, would otherwise
+seem significant at a size outside any machine's range.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+
+import numpy as np
+from scipy import stats
+
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.problem import Array
+from pkmodes.loop.diagnosis.search.score import Score, Scores, one_sided
+from pkmodes.loop.diagnosis.verdict.findings import Examined, Value
+
+
+def examined(
+    fitter: Fitter,
+    first: Scores,
+    last: Scores,
+    plausible: Mapping[int, float],
+    *,
+    shown: Collection[str],
+    limited: Collection[str],
+    unbounded: Collection[str],
+) -> tuple[Examined, ...]:
+    """Return the test of each candidate, its smallest visible change, and whether it is detectable.
+
+    - first, last: before any claim, and beside the claims
+    - plausible: largest plausible deviation of each parameter
+    - shown: candidates that are claimed, in the class of a claim, remain, or are named by the reason or the stability
+    - limited, unbounded: candidates with a parameter that the data bound, and with one that they do not bound
+    """
+    c, beside = fitter.criteria, {entry.candidate.name: entry for entry in last.by_candidate}
+    tests = []
+    for tested in first.by_candidate:
+        name, index = tested.candidate.name, fitter.indices(tested.candidate)
+        current = tested if name in shown else beside.get(name, tested)
+        largest = np.array([plausible.get(i, np.inf) for i in index])
+        p_value = p_of_plausible(fitter, tested, largest)
+        sizes = c.claim.seen * current.sigma
+        visible = (
+            current.visible
+            and name not in unbounded
+            and bool((np.isfinite(sizes) & (sizes <= largest)).all())
+        )
+        parameters = [fitter.parameters[i] for i in index] if visible else []
+        values = tuple(
+            Value(p.name, float(size), float(size / c.claim.seen), p.unit)
+            for p, size in zip(parameters, sizes, strict=bool(parameters))
+        )
+        detectable = name in shown or name in limited or p_value <= c.gate.surely
+        tests.append(Examined(name, p_value, values, detectable, tested.candidate.sentence))
+    return tuple(tests)
+
+
+def p_of_plausible(fitter: Fitter, tested: Score, largest: Array) -> float:
+    """Return the p-value of a score, of the best change within the plausible range.
+
+    A part t of the step to the best change yields t (2 - t) of its decrease of chi2.
+
+    - largest: largest plausible deviations, (k,)
+    """
+    step = np.abs(tested.step)
+    part = float(
+        np.min(np.where(step > largest, largest / np.where(step > 0.0, step, 1.0), 1.0), initial=1.0)
+    )
+    if part >= 1.0:
+        return tested.p_value
+    p = float(stats.chi2.sf(tested.gain * part * (2.0 - part), max(int((step > 0.0).sum()), 1)))
+    return 0.5 * p if one_sided(fitter, tested.candidate) else p

@@ -1,0 +1,115 @@
+"""Predictions of explanations elsewhere: where, and in which ways, a structure could be measured next.
+
+A prediction is uncertain by errors like those of the measurements, and by the uncertainty of the fitted values,
+linearised.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple, cast
+
+import numpy as np
+
+from pkmodes.core.base.drives import HELD, Drives, other_drives
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Fit
+from pkmodes.loop.diagnosis.posterior.marginal import marginal_log_likelihood, prior_of_scale
+from pkmodes.loop.diagnosis.problem import Array, Driven, Loadable, Structure
+from pkmodes.loop.diagnosis.verdict.information import separations
+
+
+class MeasuringCondition(NamedTuple):
+    """A way to measure: the structure at the poses to choose from, the state of its motors, and the values set there.
+
+    - unlike: whether its motors are in another state than in most of the measurements
+    """
+
+    structure: Structure
+    drives: Drives | None
+    load: Mapping[str, float]
+    unlike: bool = False
+
+    @property
+    def effort(self) -> int:
+        """Additional work compared with measuring another pose."""
+        return 2 if self.load else int(self.unlike)
+
+
+class Elsewhere(NamedTuple):
+    """What an explanation predicts at S poses, in standard deviations of a measured frequency.
+
+    - mean, errors: logarithms of the lowest frequencies, and the covariance of the errors of their measurement,
+      (S, m) and (S, m, m)
+    - rates: derivatives with respect to the fitted values, (S, m, k)
+    """
+
+    fit: Fit
+    mean: Array
+    rates: Array
+    errors: Array
+
+    def covariance(self, exact: int | None = None) -> Array:
+        """Return the covariance of what would be measured, (S, m, m), with one value exact if given."""
+        C = self.fit.covariance
+        if exact is not None:
+            k = self.fit.free.index(exact)
+            C = C - np.outer(C[k], C[k]) / max(C[k, k], 1e-300)
+        return np.asarray(self.errors + self.rates @ C @ self.rates.swapaxes(1, 2))
+
+
+def ways(structure: Structure, points: Array, *, held: bool = True) -> Iterator[MeasuringCondition]:
+    """Yield the ways to measure at these poses, the simplest first.
+
+    - held: whether motors that are free may be held
+    """
+    drives = cast("Drives", structure.drives) if isinstance(structure, Driven) else None
+    yield MeasuringCondition(structure, drives, {})
+    if isinstance(structure, Driven) and (held or drives == HELD):
+        switched = structure.with_other_drives(range(len(points)))
+        yield MeasuringCondition(switched, cast("Drives", other_drives(structure.drives)), {}, unlike=True)
+    for load, loaded in structure.loaded() if isinstance(structure, Loadable) else ():
+        yield MeasuringCondition(loaded, drives, load)
+
+
+def elsewhere(fitter: Fitter, way: MeasuringCondition, fit: Fit) -> Elsewhere:
+    """Return what an explanation predicts; NaN if its cause is a wrong load, which setting it would not remove.
+
+    With motors in another state, modes that were not measured say nothing about which are measurable.
+    """
+    structure, sigma = way.structure, float(np.median(fitter.observations.sigma))
+    prediction = structure.predict(fit.values, fit.free)
+    paired = fit.pairing.partner[fit.pairing.partner >= 0]
+    above = int(paired.min()) - fit.prediction.rigid if len(paired) else 0
+    first = max(prediction.rigid + (min(above, 0) if way.unlike else above), 0)
+    lowest = slice(first, first + int(np.median(np.bincount(fitter.data.pose))))
+    mean = prediction.log_frequencies[:, lowest] / sigma
+    if way.load.keys() & {name for cause in fit.causes for name in cause.parameters}:
+        mean = np.full_like(mean, np.nan)
+    errors = _misstated(fitter, fit) * np.eye(mean.shape[1]) + (fit.scatter / sigma) ** 2
+    moved = structure.position_rates(fit.values) if fitter.observations.noise.uncertain else None
+    if moved is not None:
+        motion = moved.log_rates[:, lowest] / sigma * np.median(fitter.data.point_sigma, axis=0)
+        errors = errors + motion @ motion.swapaxes(1, 2)
+    errors = np.broadcast_to(errors, (*mean.shape, mean.shape[1]))
+    return Elsewhere(fit, mean, prediction.log_rates[:, lowest] / sigma, errors)
+
+
+def _misstated(fitter: Fitter, fit: Fit) -> float:
+    """Return the mean of the square of the factor by which the stated errors of frequencies may be wrong."""
+    rows = fitter.observations.frequency_rows
+    squares = np.array((fit.white[rows] ** 2).sum())
+    degrees = max(fitter.used(fit.hypothesis).sum() - fit.leverage[rows].sum(), 0.0)
+    logs = marginal_log_likelihood(squares, degrees - np.array([2.0, 0.0]), prior_of_scale())
+    return float(np.exp(logs[0] - logs[1]))
+
+
+def apart(
+    predicted: Sequence[Elsewhere], poses: Sequence[int], exact: int | None = None
+) -> tuple[Array, Array, Array]:
+    """Return how far explanations are apart at some poses (`separations`), with one value exact if given."""
+    m, places = min(prediction.mean.shape[1] for prediction in predicted), list(poses)
+    return separations(
+        np.array([prediction.mean[places, :m] for prediction in predicted]),
+        np.array([prediction.covariance(exact)[places, :m, :m] for prediction in predicted]),
+    )

@@ -1,0 +1,232 @@
+r"""Held-out setups as a test of the predictions of a result, and notes on their rows.
+
+Held-out setups take no part in any choice or fit, so they can refuse a result.  The prediction errors :math:`r_h` of
+their frequencies, and of shapes with stated errors, have the predictive covariance
+
+.. math:: V_h + J_h C J_h^T
+
+with the covariance :math:`V_h` of these data, their derivatives :math:`J_h` and the covariance :math:`C` of the
+fitted parameters.  Remote causes are tried again on all setups: with more data, one of these may be better.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import stats
+
+from pkmodes.core.support.numbers import p_in_words, plain
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis
+from pkmodes.loop.diagnosis.fit.store import FitStore
+from pkmodes.loop.diagnosis.problem import Array
+from pkmodes.loop.diagnosis.search.search import Search
+from pkmodes.loop.diagnosis.verdict.all_setups import AllSetups
+from pkmodes.loop.diagnosis.verdict.reasons import explains, names
+from pkmodes.loop.diagnosis.verdict.rows import Error
+from pkmodes.loop.measured.measurements import Measurements
+
+#: A held-out error that a claim increases by this factor is reported.
+WORSE = 2.0
+
+
+@dataclass(frozen=True)
+class HeldOut:
+    """Result of the test by held-out setups.
+
+    - doubt: why they contradict it; empty if they do not
+    - notes: sentences about their rows
+    """
+
+    doubt: str = ""
+    notes: tuple[str, ...] = ()
+
+
+def predicted(setups: AllSetups, search: Search, final: Fit, rivals: Sequence[Fit] | None = None) -> HeldOut:
+    """Test whether a result predicts the held-out setups.
+
+    - search: of the fitted setups
+    - final: its result, with or without causes
+    - rivals: other explanations of the fitted setups; by default remote causes are tried
+    """
+    if not setups.is_held.any():
+        return HeldOut()
+    c, fitted = search.criteria, f"{explains(final.causes)} the fitted poses"
+    full_search, again = _fitted_to_all(setups, search, final)
+    if again is None:
+        return HeldOut(f"{fitted}, but with these values the held-out ones cannot be evaluated")
+    p_value = p_held_out(setups, full_search.store.fitter, again.hypothesis, final)
+    if p_value <= c.gate.surely:
+        again, p_value = _without_one_row(setups, full_search.store, again, final, p_value)
+    better = _better(full_search, again) if rivals is None else _best_of(full_search, again, rivals)
+    if p_value > c.gate.surely:
+        if better is not None:
+            return HeldOut(
+                f"{names(final.causes)} would explain all poses, but {names(better.causes)} explains them better: "
+                "look there"
+            )
+        aside = (row for row in sorted(again.hypothesis.excluded) if setups.is_held[row])
+        return HeldOut(notes=tuple(_check(setups.data, row) for row in aside))
+    instead = better or (_explaining(full_search, again) if rivals is None else None)
+    hint = f"; {names(instead.causes)} would explain all poses: look there" if instead else ""
+    return HeldOut(f"{fitted}, but not the held-out ones ({p_in_words(p_value)}){hint}")
+
+
+def p_of_held_out(setups: AllSetups, search: Search, final: Fit) -> float:
+    """Return the p-value of the prediction errors of the held-out setups at a fit, as in the test of a result.
+
+    - search: of the fitted setups
+    - final: to these
+    """
+    if not setups.is_held.any():
+        return 1.0
+    full_search, again = _fitted_to_all(setups, search, final)
+    if again is None:
+        return 0.0
+    p_value = p_held_out(setups, full_search.store.fitter, again.hypothesis, final)
+    if p_value <= search.criteria.gate.surely:
+        _, p_value = _without_one_row(setups, full_search.store, again, final, p_value)
+    return p_value
+
+
+def p_held_out(setups: AllSetups, fitter: Fitter, hypothesis: Hypothesis, final: Fit) -> float:
+    """Return the p-value of the prediction errors of the held-out setups, without excluded rows.
+
+    - fitter: at all setups
+    - hypothesis: about all setups; the causes are those of the fit
+    - final: to the setups that are not held out
+    """
+    held = setups.is_held & fitter.used(hypothesis)
+    rows, count = fitter.observations.stated(held)
+    there = fitter.evaluated(hypothesis, final.values, final.scatter)
+    if there is None:
+        return 0.0
+    data = slice(0, len(rows))
+    white, rates = there.white[data][rows], there.jacobian[data][rows]
+    # (1 + J C J^T)^-1 = 1 - J (C^-1 + J^T J)^-1 J^T
+    inside = np.linalg.pinv(final.covariance, hermitian=True) + rates.T @ rates
+    squares = float(white @ white - (rates.T @ white) @ np.linalg.lstsq(inside, rates.T @ white)[0])
+    return float(stats.chi2.sf(max(squares, 0.0), max(count, 1)))
+
+
+def _fitted_to_all(setups: AllSetups, search: Search, final: Fit) -> tuple[Search, Fit | None]:
+    """Return a search with the same candidates at all setups, and the same hypothesis fitted to them.
+
+    The scatter of shapes without stated errors may be larger at the held-out setups.
+    """
+    fitter = search.store.fitter
+    hypothesis = _in_all(setups, fitter, final.hypothesis)
+
+    def fitted(scatter: float) -> tuple[FitStore, Fit | None]:
+        store = FitStore(Fitter(setups.structure, setups.data, fitter.criteria, scatter))
+        return store, store.fit(hypothesis, final.values)
+
+    store, again = fitted(fitter.shape_scatter)
+    scatter = None if again is None else store.shape_scatter(again)
+    if scatter is not None and scatter > fitter.shape_scatter:
+        store, again = fitted(scatter)
+    return Search(store, setups.structure.candidates), again
+
+
+def _in_all(setups: AllSetups, fitter: Fitter, hypothesis: Hypothesis) -> Hypothesis:
+    """Return a hypothesis with the indices of its excluded rows among all rows."""
+    lines = fitter.data.lines[sorted(hypothesis.excluded)]
+    return replace(hypothesis, excluded=frozenset(np.flatnonzero(np.isin(setups.data.lines, lines)).tolist()))
+
+
+def _without_one_row(
+    setups: AllSetups, store: FitStore, again: Fit, final: Fit, p_value: float
+) -> tuple[Fit, float]:
+    """Return the fit and the p-value without the worst held-out row, if that row alone contradicts the fit.
+
+    A gross error in a held-out row is set aside under the same conditions as in a fitted one: there are enough rows,
+    and the others predict it.
+    """
+    fitter, c, h = store.fitter, store.fitter.criteria, again.hypothesis
+    worst, sigmas = fitter.worst_rows(again)
+    row = next(int(r) for r in worst if setups.is_held[r])
+    enough = len(fitter.observations.log) >= c.search.rows_to_set_aside
+    if not enough or sigmas[row] <= c.reasons.far or again.leverage[row] >= c.search.redundant:
+        return again, p_value
+    without = store.fit(replace(h, excluded=h.excluded | {row}), again.values)
+    p_without = 0.0 if without is None else p_held_out(setups, fitter, without.hypothesis, final)
+    return (without, p_without) if without is not None and p_without > c.gate.surely else (again, p_value)
+
+
+def _check(data: Measurements, row: int) -> str:
+    return f"{_row(data, row)} does not agree with the other held-out rows: check it"
+
+
+def _better(search: Search, again: Fit) -> Fit | None:
+    """Return the remote cause that explains all setups better than the claimed causes do; None if none does."""
+    c = search.criteria
+    plain = len(again.causes) == 1 and not again.hypothesis.excluded
+    if not again.causes or (plain and search.gate(again).above(c.gate.plainly)):
+        return None
+    # A remote cause with the same predictions is listed in the class of the cause.
+    difference = search.store.fitter.difference
+    return next(
+        (fit for fit in search.better_alone(again) if difference(again, fit) >= c.claim.told_apart), None
+    )
+
+
+def _best_of(search: Search, again: Fit, rivals: Sequence[Fit]) -> Fit | None:
+    """Return the rival that explains all setups significantly better than the claimed causes; None if none does."""
+    store, c, hypothesis = search.store, search.criteria, again.hypothesis
+    fits = [
+        store.fit(replace(hypothesis, causes=rival.causes), rival.values)
+        for rival in rivals
+        if rival.causes != again.causes
+    ]
+    limit = store.criterion(again) - c.search.survives
+    fitted = sorted((fit for fit in fits if fit is not None), key=store.criterion)
+    difference = store.fitter.difference
+    return next(
+        (
+            fit
+            for fit in fitted
+            if store.criterion(fit) < limit
+            and store.p_value(fit) > c.gate.surely
+            and difference(again, fit) >= c.claim.told_apart
+        ),
+        None,
+    )
+
+
+def _explaining(search: Search, again: Fit) -> Fit | None:
+    """Return the best single cause, remote ones included, that explains all setups; None if none does."""
+    fits = sorted([*search.additions.singles(), *search.alone()], key=search.store.criterion)
+    return next((fit for fit in fits if fit.causes != again.causes and search.gate(fit).passed), None)
+
+
+def held_out_remarks(
+    data: Measurements,
+    held: NDArray[np.bool_],
+    predicted: Array,
+    before: Error,
+    after: Error | None,
+) -> Iterator[str]:
+    """Yield sentences about the held-out rows of a result that they do not contradict.
+
+    - held: rows of held-out poses, (R,)
+    - predicted: frequencies of the last stage, (R,) [Hz], NaN where the model has no mode
+    - before, after: errors after refitting the nuisance parameters, and with the claimed causes
+    """
+    for i in np.flatnonzero(held & np.isnan(predicted)):
+        yield f"{_row(data, int(i))} is unmatched: the held-out error does not include it"
+    if after is None or before.held_out_rms_relative is None or after.held_out_rms_relative is None:
+        return
+    if after.held_out_rms_relative > WORSE * before.held_out_rms_relative:
+        apart = np.where(held, np.nan_to_num(np.abs(np.log(predicted / data.frequency))), 0.0)
+        yield (
+            "the error of the held-out poses grows from "
+            f"{plain(100 * before.held_out_rms_relative, 2)} to {plain(100 * after.held_out_rms_relative, 2)} %; "
+            f"the worst is {_row(data, int(apart.argmax()))}"
+        )
+
+
+def _row(data: Measurements, i: int) -> str:
+    return f"line {data.lines[i]} (held-out {data.labels[data.pose[i]]}, {data.frequency[i]:g} Hz)"

@@ -1,0 +1,134 @@
+"""Limits of the candidates that are not claimed, and what these unseen candidates could do to the saved values.
+
+A limit is that of a candidate beside the result of the diagnosis: the declared model with its nuisances refitted, the
+claimed causes, or each of the explanations that remain.  If the residual is not explained, errors are scaled to the
+residual that each candidate leaves.
+
+Saved values
+------------
+A refitted value makes up for whatever is missing from the model.  When an unseen candidate moves to its limit, a
+value moves by D; a normal deviate that exceeds D on that side with a probability of 5 % has the standard deviation
+D / 1.645, which is what a joint fit of both would add to its variance (JCGM 100:2008, 5.1.2).  A candidate that the
+data do not bound within its plausible range moves to the end of that range; this counts for values held by priors.
+Other values, such as the size of a cause, could move anywhere with it: their standard deviation omits it, and a note
+says so.  Of all candidates only the one that moves the value most is counted, not their sum: like the diagnosis
+itself, this assumes one missing cause, and many candidates move the values in the same way, which a sum would count
+several times (the envelope over alternative models; Dauncey, Kenzie, Wardle and Davies, Journal of Instrumentation
+10, 2015, P04015).
+
+A default on which a claimed value rests, because its value was not declared, such as the mass of a frame that yields,
+is moved likewise.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from pkmodes.loop.diagnosis.fit.hypothesis import Fit
+from pkmodes.loop.diagnosis.fit.store import FitStore
+from pkmodes.loop.diagnosis.matrices import slowness
+from pkmodes.loop.diagnosis.problem import Array, Assumption, Candidate, Parameter
+from pkmodes.loop.diagnosis.search.limits import ONE_SIDED, Bound, bounds, moved_by_defaults
+from pkmodes.loop.diagnosis.verdict.findings import NOTICEABLE, Limit, Unseen
+
+#: Largest number of remaining explanations beside which limits are determined.
+MOST = 4
+
+
+@dataclass(frozen=True)
+class CandidateLimits:
+    """The limits of all candidates that are not claimed.
+
+    - of: by the names of their parameters
+    - unseen: their possible effects on the fitted values, by parameter
+    - plausible: largest plausible deviations, by parameter
+    - candidates, unbounded: names of the candidates, and of those with a parameter that the data do not bound
+    """
+
+    of: Mapping[str, Limit]
+    unseen: Mapping[int, Unseen]
+    plausible: Mapping[int, float]
+    candidates: frozenset[str]
+    unbounded: frozenset[str]
+
+    @property
+    def limited(self) -> frozenset[str]:
+        """Names of the candidates of which some parameter has a limit."""
+        return frozenset(limit.candidate for limit in self.of.values() if limit.value is not None)
+
+
+#: Limits where no candidate was bounded.
+NO_LIMITS = CandidateLimits({}, {}, {}, frozenset(), frozenset())
+
+
+def unknown(store: FitStore, candidates: Iterable[Candidate]) -> CandidateLimits:
+    """Return the limits where the data are uninformative because of an obvious mistake."""
+    fitter = store.fitter
+    index = [(candidate, i) for candidate in candidates for i in fitter.indices(candidate)]
+    names = frozenset(candidate.name for candidate, _ in index)
+    limits = {limit_key(p := fitter.parameters[i]): Limit(c.name, None, p.unit) for c, i in index}
+    return CandidateLimits(limits, {}, {}, names, names)
+
+
+def beside(
+    store: FitStore, fits: Sequence[Fit], candidates: Iterable[Candidate], *, noise: bool
+) -> CandidateLimits:
+    """Return the limits of candidates beside fits that explain the measurements: the largest over all of them.
+
+    - candidates: a candidate that is a cause of some of the fits is bounded in those alone
+    - noise: whether the residuals of the fits are noise
+    """
+    fitter = store.fitter
+    linear = bool(slowness(fitter.structure))
+    bounded: list[Bound] = []
+    all_candidates, fits = list(candidates), fits[:MOST]
+    causes = {cause for fit in fits for cause in fit.causes}
+    for fit in fits:
+        suspects = [c for c in all_candidates if c not in causes or c in fit.causes]
+        bounded += bounds(store, fit, suspects, noise=noise, linear=linear)
+    by_name: dict[str, Limit] = {}
+    for bound in bounded:
+        p = fitter.parameters[bound.index]
+        name, limit = limit_key(p), Limit(bound.candidate.name, bound.size, p.unit, bound.change)
+        by_name[name] = max(by_name.get(name, limit), limit, key=_size)
+    unseen = {}
+    if noise and len(fits) == 1:
+        unseen = _unseen(fits[0], bounded, moved_by_defaults(store, fits[0]))
+    ordered = (limit_key(fitter.parameters[i]) for c in all_candidates for i in fitter.indices(c))
+    return CandidateLimits(
+        {name: by_name[name] for name in ordered if name in by_name},
+        unseen,
+        {bound.index: bound.plausible for bound in bounded},
+        frozenset(bound.candidate.name for bound in bounded),
+        frozenset(bound.candidate.name for bound in bounded if bound.size is None),
+    )
+
+
+def limit_key(p: Parameter) -> str:
+    """Return the key of a parameter among the limits: of an effect its name and parameter, else the path."""
+    return p.name.removeprefix("effects.")
+
+
+def _size(limit: Limit) -> float:
+    return float("inf") if limit.value is None else limit.value
+
+
+def _unseen(
+    fit: Fit, bounded: Collection[Bound], by_defaults: Mapping[Assumption, Array]
+) -> dict[int, Unseen]:
+    """Return the largest movement of each fitted value as a standard deviation, and its origin."""
+    unseen = {}
+    for i in fit.free if bounded else ():
+        worst = max(bounded, key=lambda bound: bound.moved[i])
+        open_end = max(bounded, key=lambda bound: bound.farther[i])
+        sigma, farther_sigma = float(worst.moved[i]) / ONE_SIDED, float(open_end.farther[i]) / ONE_SIDED
+        counted = math.hypot(fit.sigma_of(i), sigma)
+        farther = farther_sigma > sigma and math.hypot(fit.sigma_of(i), farther_sigma) > NOTICEABLE * counted
+        unseen[i] = Unseen(sigma, worst.candidate.name, open_end.candidate.name if farther else "")
+        for default, moved in by_defaults.items():
+            if moved[i] / ONE_SIDED > unseen[i].sigma:
+                sigma = float(moved[i]) / ONE_SIDED
+                unseen[i] = replace(unseen[i], sigma=sigma, candidate="", default=default.words)
+    return unseen

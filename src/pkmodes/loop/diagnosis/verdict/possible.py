@@ -1,0 +1,92 @@
+"""Which members a class keeps, and whether the value of each is one that such a part can have.
+
+A value is *impossible* if it lies beyond the plausible range in which limits are sought, which three standard
+deviations of a candidate's prior end too (`search.ranges`): such a member leaves the class.  It is *implausible* if
+it is outside the usual range of such a part (`Parameter.usual`): such a member stays, and is marked.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from pkmodes.core.support.numbers import plain
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Fit
+from pkmodes.loop.diagnosis.problem import Parameter
+from pkmodes.loop.diagnosis.verdict.findings import Member
+from pkmodes.loop.diagnosis.verdict.joints import JointAlone
+
+#: Relative amount by which a value may exceed its range: the last digits of a fit.
+ROUNDING = 1e-6
+
+
+def member(
+    fitter: Fitter, fit: Fit, plausible: Mapping[int, float], single_joint: JointAlone | None = None
+) -> Member:
+    """Return the last cause of a fit as the member of a class, in the words of a single joint that explains as much.
+
+    - plausible: largest plausible deviations from the declared values, by parameter
+    - single_joint: the single joint in which it explains the data as well
+    """
+    cause = fit.causes[-1]
+    why = impossible(fitter, fit, plausible) or unusual(fitter, fit)
+    assumed = " and ".join(assumption.words for assumption in cause.assumes)
+    of_default = f"{assumed}, not declared" if assumed else ""
+    if single_joint is not None:
+        return Member(cause.name, single_joint.sentence, implausible=why, assumed=of_default)
+    return Member(cause.name, cause.sentence, cause.kind, cause.part, why, of_default)
+
+
+def impossible(fitter: Fitter, fit: Fit, plausible: Mapping[int, float]) -> str:
+    """Return the plausible range of a value of the last cause of a fit, if the value is beyond it; else empty."""
+    for i in fitter.indices(fit.causes[-1]):
+        p, size = fitter.parameters[i], plausible.get(i, np.inf)
+        if abs(float(fit.values[i]) - p.value) > (1.0 + ROUNDING) * size:
+            return f"at most {_with_unit(plain(size, 3), p)} from {_with_unit(plain(p.value, 3), p)} is plausible"
+    return ""
+
+
+def unusual(fitter: Fitter, fit: Fit) -> str:
+    """Return the usual range of a value of the last cause of a fit, if the value is outside it; else empty."""
+    for i in fitter.indices(fit.causes[-1]):
+        p = fitter.parameters[i]
+        if p.usual is not None and not p.usual[0] <= fit.values[i] <= p.usual[1]:
+            low, high = (plain(end, 3) for end in p.usual)
+            return f"{low} to {_with_unit(high, p)} is plausible"
+    return ""
+
+
+def usual_size(p: Parameter) -> float:
+    """Return the largest deviation from the declared value within the usual range; infinite if there is none."""
+    return np.inf if p.usual is None else max(abs(end - p.value) for end in p.usual)
+
+
+def _with_unit(text: str, p: Parameter) -> str:
+    return text if p.unit == "1" else f"{text} {p.unit}"
+
+
+def possible(
+    fitter: Fitter, group: Sequence[Fit], plausible: Mapping[int, float]
+) -> tuple[list[Fit], list[str]]:
+    """Return the members of a class whose values are possible, and a sentence for each of the others.
+
+    A class that would become empty is kept whole.
+    """
+    why = [impossible(fitter, fit, plausible) for fit in group]
+    if all(why):
+        return list(group), []
+    kept = [fit for fit, text in zip(group, why, strict=True) if not text]
+    removed = [
+        f"{_values(fitter, fit)} would explain the measurements as well, but is left out of the class: {text}"
+        for fit, text in zip(group, why, strict=True)
+        if text
+    ]
+    return kept, removed
+
+
+def _values(fitter: Fitter, fit: Fit) -> str:
+    """Return the values of the last cause of a fit."""
+    at = [(fitter.parameters[i], float(fit.values[i])) for i in fitter.indices(fit.causes[-1])]
+    return ", ".join(f"{p.name} = {_with_unit(plain(value, 3), p)}" for p, value in at)

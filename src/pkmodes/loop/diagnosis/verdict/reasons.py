@@ -1,0 +1,79 @@
+"""Clauses that several reasons of verdicts share."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import stats
+
+from pkmodes.core.support.numbers import plain, signed, times
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Fit
+from pkmodes.loop.diagnosis.problem import Candidate
+
+#: A residual varies with the pose if the p-value of an analysis of variance is below this.
+UNEVEN = 1e-3
+
+
+def names(causes: Sequence[Candidate]) -> str:
+    """Return the names of causes."""
+    return " and ".join(cause.name for cause in causes)
+
+
+def causes_in_words(causes: Sequence[Candidate]) -> str:
+    """Return causes in words, each with its name in brackets."""
+    return " and ".join(
+        f"{cause.sentence} ({cause.name})" if cause.sentence else cause.name for cause in causes
+    )
+
+
+def explains(causes: Sequence[Candidate]) -> str:
+    """Return the beginning of a clause: the causes would explain, or the declared model explains."""
+    return f"{names(causes)} would explain" if causes else "the declared model explains"
+
+
+def noise(fit: Fit, lines: NDArray[np.int_]) -> str:
+    """Return the measurement errors of a fit, in words."""
+    parts, excluded = [], [str(lines[row]) for row in sorted(fit.hypothesis.excluded)]
+    if len(excluded) == 1:
+        parts.append(f"line {excluded[0]} set aside as an outlier")
+    elif excluded:
+        parts.append(f"lines {', '.join(excluded)} set aside as outliers")
+    if fit.hypothesis.scatter:
+        parts.append(f"an error of {plain(100 * fit.scatter, 2)} % that the modes of a pose share")
+    return " and ".join(parts)
+
+
+def larger(ratio: float) -> str:
+    """Return how large errors are relative to the stated ones: "170 times as large as", "12 % larger than"."""
+    percent = round(100.0 * (ratio - 1.0))
+    if percent == 0:
+        return "as large as"
+    if abs(percent) < 50:
+        return f"{abs(percent)} % {'larger' if percent > 0 else 'smaller'} than"
+    return f"{times(ratio)} as large as"
+
+
+def uneven(fitter: Fitter, fit: Fit) -> str:
+    """Return how the frequency residual varies with the setup; empty if it does not."""
+    residual = fit.residual[fitter.observations.frequency_rows]
+    rows = [r for r in fitter.observations.noise.rows if len(r) >= 2]
+    if len(rows) < 3:
+        return ""
+    means = np.array([residual[r].mean() for r in rows])
+    between = sum(
+        len(r) * (m - residual[np.concatenate(rows)].mean()) ** 2 for r, m in zip(rows, means, strict=True)
+    )
+    within = sum(float(((residual[r] - m) ** 2).sum()) for r, m in zip(rows, means, strict=True))
+    count = sum(map(len, rows))
+    ratio = (between / (len(rows) - 1)) / max(within / (count - len(rows)), 1e-300)
+    if stats.f.sf(ratio, len(rows) - 1, count - len(rows)) > UNEVEN:
+        return ""
+    labels = [fitter.data.labels[fitter.data.pose[r[0]]] for r in rows]
+    high, low = int(means.argmax()), int(means.argmin())
+    return (
+        f"the residual varies with the pose, from {signed(100 * means[high])} % at {labels[high]} to "
+        f"{signed(100 * means[low])} % at {labels[low]}"
+    )

@@ -1,0 +1,392 @@
+"""The rules of the verdict, in tables: of those that are tried, the first that applies decides.
+
+A rule has a name, which begins with that of its table, the verdict that it gives, and a function of the evidence,
+whose docstring says when the rule applies, and which returns the reason of the verdict.  Those of `before` are tried
+first; if one applies, there is no search.  After a search come `after`, then `ADEQUACY` where the declared model
+leaves noise, `CLAIMS` where causes do, and `OPEN` (`unexplained`) where nothing does.  docs/diagnosis.md has the
+tables.
+"""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable, Iterator
+
+import numpy as np
+
+from pkmodes.core.support.numbers import p_in_words, p_text, plain
+from pkmodes.loop.diagnosis.readings import table
+from pkmodes.loop.diagnosis.verdict import misfit
+from pkmodes.loop.diagnosis.verdict.amplitude import depends_on_amplitude
+from pkmodes.loop.diagnosis.verdict.classes import distinct_causes, more_general, parts_alone
+from pkmodes.loop.diagnosis.verdict.defaults import by_a_default
+from pkmodes.loop.diagnosis.verdict.dispersion import stiffness_of_frequency
+from pkmodes.loop.diagnosis.verdict.evidence import Decision, Evidence, Rule, Says, Start, T, first
+from pkmodes.loop.diagnosis.verdict.naming import explained
+from pkmodes.loop.diagnosis.verdict.notes import drift
+from pkmodes.loop.diagnosis.verdict.reasons import names, noise
+from pkmodes.loop.diagnosis.verdict.shapes import better_by_shape, shapes_disagree
+from pkmodes.loop.diagnosis.verdict.specificity import p_coincidence
+from pkmodes.loop.diagnosis.verdict.term_instead import one_term
+from pkmodes.loop.diagnosis.verdict.too_few import too_few
+from pkmodes.loop.diagnosis.verdict.unexplained import OPEN, left_by
+from pkmodes.loop.diagnosis.verdict.values import no_value, once, rests_on_one_row
+from pkmodes.loop.diagnosis.verdict.verdicts import (
+    ADEQUATE,
+    AMBIGUOUS,
+    EFFECT_FOUND,
+    INSUFFICIENT_DATA,
+    UNEXPLAINED,
+)
+
+#: Largest number of other causes mentioned in a reason.
+MENTIONED = 4
+
+
+def decide_before_search(start: Start) -> Decision[Start, Says] | None:
+    """Return the verdict that needs no search; None if one is needed."""
+    return first(before(), start)
+
+
+def decide(evidence: Evidence) -> Decision[Evidence, Says]:
+    """Return the verdict after a search, and why it is given."""
+    of_noise = CLAIMS if evidence.final.causes else ADEQUACY
+    decision = first((*after(), *(of_noise if evidence.outcome.last.passed else OPEN)), evidence)
+    assert decision is not None  # the last rule of each table always applies
+    return decision
+
+
+# The declared model leaves noise -------------------------------------------------------------------------------
+
+
+def modes_of_other_shapes(e: Evidence) -> str:
+    """The measured shapes are not those of the modes with their frequencies."""
+    if not shapes_disagree(e.store, e.final):
+        return ""
+    return f"{e.explains} the frequencies, but not the shapes of some of these modes (MAC)"
+
+
+def extra_modes(e: Evidence) -> str:
+    """A row was set aside near which the model has no mode left: it is a mode that the model lacks."""
+    lines = _extra_lines(e)
+    if not lines:
+        return ""
+    single = len(lines) == 1
+    which = f"line {lines[0]} is a mode" if single else f"lines {', '.join(map(str, lines))} are modes"
+    return (
+        f"the declared model explains all other rows, but {which} that it does not have: all its modes near there "
+        "were measured as well"
+    )
+
+
+def _extra_lines(e: Evidence) -> list[int]:
+    """Return the lines of rows set aside with no mode of the model left near them that an error could have moved."""
+    fitter, final, lines = e.fitter, e.final, []
+    for row in sorted(final.hypothesis.excluded):
+        setup = fitter.data.pose[row]
+        apart = np.abs(final.prediction.log_frequencies[setup] - fitter.observations.log[row])
+        near = apart < e.criteria.pairing.reach
+        near[: final.prediction.rigid] = False
+        partner = final.pairing.partner[fitter.observations.noise.rows[setup]]
+        near[partner[partner >= 0]] = False
+        if not near.any():
+            lines.append(int(fitter.data.lines[row]))
+    return lines
+
+
+def unstated_error(e: Evidence) -> str:
+    """The residual is noise only with an error that the modes of a pose share and the file does not state."""
+    if not e.final.hypothesis.scatter:
+        return ""
+    pattern = drift(e.fitter, e.final)
+    also = f"; {pattern}" if pattern else ""
+    return (
+        f"the declared model explains the residual only with an error of {plain(100 * e.final.scatter, 2)} % that "
+        f"the modes of a pose share and the file does not state{also}: something changed between the poses, or an "
+        "effect is missing"
+    )
+
+
+def not_predicted(e: Evidence) -> str:
+    """The held-out poses contradict the result, or another cause explains all poses better."""
+    return e.held_out.doubt
+
+
+def nothing_missing(e: Evidence) -> Says:
+    """The residual is noise, as declared or with the uncertain values refitted."""
+    gate = e.outcome.last
+    setting_aside = noise(e.final, e.fitter.data.lines)
+    aside = f", with {setting_aside}" if setting_aside else ""
+    p = f"({p_in_words(gate.p_value)}, and {p_text(gate.p_candidates)} for the best candidate)"
+    declared = misfit.p_declared(e.store, e.final)
+    if declared > gate.level:
+        return Says(f"the residual of the declared model is noise {p}{aside}")
+    refit = "the residual is noise once the uncertain values are refitted"
+    return Says(f"{refit} {p}, not as declared ({p_in_words(declared)}){aside}")
+
+
+# Causes leave noise --------------------------------------------------------------------------------------------
+
+
+def remote_cause(e: Evidence) -> str:
+    """A remote cause, which is never claimed, is needed, survives, or explains far more."""
+    final, rivals = e.final, e.claim.rivals
+    doubtful = len(final.causes) == 1 and not e.claim.last.above(e.criteria.gate.plainly)
+    better = e.search.better_alone(final) if doubtful else []
+    remote = [cause for fit in (final, *rivals, *better) for cause in fit.causes if cause.remote]
+    if not remote:
+        return ""
+    also = ", or add it to the candidates" if remote[0].nameable else ""
+    return f"no candidate explains the residual alone, but {remote[0].name} would: look there{also}"
+
+
+def in_one_joint(e: Evidence) -> str:
+    """The cause in one of its joints alone explains as much as in all of them.
+
+    A claim for all joints needs the same evidence against each joint alone as against another class.
+    """
+    store, c, final = e.store, e.criteria, e.final
+    if len(final.causes) != 1:
+        return ""
+    fits, limit = e.search.in_one_joint(final), final.deviance + c.claim.told_apart
+    single = next((fit for fit in fits if fit.deviance < limit and store.p_value(fit) > c.gate.surely), None)
+    if single is None:
+        return ""
+    return f"{e.explains} the residual, and so would {names(single.causes)}: look there, and measure more"
+
+
+def better_shapes(e: Evidence) -> str:
+    """Another explanation fits the measured shapes significantly better."""
+    rival = better_by_shape(e.store, e.final)
+    if rival is None:
+        return ""
+    rival_names = names(rival.causes) if rival.causes else "the declared model"
+    verb = "fit" if len(rival.causes) > 1 else "fits"
+    return f"{e.explains} the frequencies, but {rival_names} {verb} the shapes significantly better"
+
+
+def general_cause(e: Evidence) -> str:
+    """The residual points to a more general form of a cause, with a value of its own for each joint (score test)."""
+    pair = more_general(e.search, e.final)
+    if pair is None:
+        return ""
+    cause, general = pair
+    return f"{cause.name} would explain the residual, but {general.name} would do so significantly better: look there"
+
+
+def not_significant(e: Evidence) -> str:
+    """The improvement may be chance: its p-value, corrected for the number of candidates, is above 0.1 %."""
+    if all(p <= e.criteria.claim.claimed for p in e.claim.p_values):
+        return ""
+    perhaps = f"; measurement errors would explain it too: {e.errors}" if e.errors else ""
+    return (
+        f"the residual points to {e.who.removesuffix(',')}, but not clearly enough for a claim "
+        f"({p_in_words(max(e.claim.p_values))} among all candidates): measure more{perhaps}"
+    )
+
+
+def two_of_few(e: Evidence) -> str:
+    """Two causes would be claimed from fewer than ten measured modes, or two changes at once."""
+    rows, needed = len(e.fitter.observations.log), e.criteria.claim.rows_for_two
+    if len(e.final.causes) < 2:
+        return ""
+    if not e.criteria.claim.several:
+        return (
+            f"{names(e.final.causes)} together would explain the residual, but two changes at once are not claimed: "
+            "measure a state between them"
+        )
+    if rows >= needed:
+        return ""
+    return (
+        f"{names(e.final.causes)} together would explain the residual, but two causes are not claimed from {rows} "
+        f"measured modes: measure {needed} or more"
+    )
+
+
+def measurement_errors(e: Evidence) -> str:
+    """Errors of the measurement explain the residual nearly as well."""
+    if not e.errors:
+        return ""
+    return f"{e.explains} the residual, but measurement errors would do so nearly as well: {e.errors}"
+
+
+def not_specific(e: Evidence) -> str:
+    """The data are too few: a residual that no candidate caused would look like one in more than 5 % of draws."""
+    p_value = p_coincidence(e.search, e.final)
+    if p_value <= e.criteria.claim.specific:
+        return ""
+    alternatives = _also(e)
+    also = f" (and so would {', '.join(alternatives)})" if alternatives else ""
+    return (
+        f"{e.explains} the residual{also}, but the data are too few to rule out a cause outside the candidates: "
+        f"{plain(100 * p_value, 2)} % of such causes would look like a candidate; measure more"
+    )
+
+
+def _also(e: Evidence) -> list[str]:
+    """Return the names of other single causes that would explain the residual, best first."""
+    store = e.store
+    fits = [
+        fit
+        for fit in store.tried()
+        if len(fit.causes) == 1
+        and not (fit.hypothesis.remote or fit.at_bound)
+        and fit.causes != e.final.causes
+        and fit.causes[0].name not in e.members
+    ]
+    passing = [fit for fit in fits if store.p_value(fit) > e.criteria.gate.surely]
+    return [fit.causes[0].name for fit in sorted(passing, key=store.criterion)[:MENTIONED]]
+
+
+def value_without_support(e: Evidence) -> str:
+    """A value is within a standard deviation of a bound, or does not differ significantly from the declared one."""
+    return no_value(e.search, e.final)
+
+
+def one_row(e: Evidence) -> str:
+    """A cause is not detected without one row, or its value moves by five standard deviations."""
+    return rests_on_one_row(e.search, e.final)
+
+
+def not_settled(e: Evidence) -> Says | str:
+    """The preferred causes do not pass the gate, or do not survive in their places."""
+    causes, (why, pointed) = e.final.causes, left_by(e, e.final)
+    if why:
+        text = f"the best explanation, {names(causes)}, is not claimed: {why}"
+        return Says.naming(text, [*causes, *pointed])
+    if e.claim.kept:
+        return ""
+    lone = [cause for place, cause in enumerate(causes) if not e.store.predicts(e.final, place)]
+    if not lone:
+        return f"{e.explains} the residual, but the comparison with other causes settles on none"
+    who = f"{names(lone)} " if len(lone) < len(causes) else ""
+    help_not = f"{who}{'does' if len(lone) == 1 else 'do'} not help to predict poses left out of the fit"
+    return f"{e.explains} the residual, but {help_not}: measure at more poses"
+
+
+def several_explanations(e: Evidence) -> Says | None:
+    """Several classes or pairs survive, or one class of more than five members, or of directions without a whole."""
+    claim, limit = e.claim, e.criteria.claim.most_members
+    many = any(len(groups) > 1 for groups in claim.grouped)
+    many = many or any(distinct_causes(fits) > limit or parts_alone(fits) for fits in claim.own)
+    if not claim.rivals and not many:
+        return None
+    single_joints = {name: joint.sentence for name, joint in e.single_joints.items()}
+    remarks = single_joints | dict.fromkeys(claim.implausible, "implausible")
+    remaining = [
+        [f"{name} ({remarks[name]})" if name in remarks else name for name, _ in group]
+        for group in claim.remains()
+    ]
+    listed = "; ".join(" or ".join(group) for group in remaining)
+    undecided = f"these data cannot tell {len(remaining[0])} explanations apart: {listed}"
+    return Says(
+        undecided if len(remaining) == 1 else f"{len(remaining)} different explanations remain: {listed}"
+    )
+
+
+def another_with_other_errors(e: Evidence) -> Says | None:
+    """With errors halved or doubled, or priors twice as wide, another cause takes the place of a claimed one."""
+    for trial in e.trials:
+        if trial.instead is not None:
+            text = (
+                f"{e.explains} the residual, but with {trial.entry.change}, {names(trial.instead.causes)} would do "
+                "so better"
+            )
+            return Says.naming(text, e.final.causes, trial.instead)
+    return None
+
+
+def held_by_priors(e: Evidence) -> str:
+    """With priors twice as wide the value of a cause changes."""
+    if not any(trial.moved for trial in e.trials):
+        return ""
+    value = "its value changes" if len(e.final.causes) == 1 else "their values change"
+    why = "some uncertain parameter is far from its declared value and compensates for something else"
+    return f"{e.explains} the residual, but {value} with priors twice as wide: {why}"
+
+
+def causes_found(e: Evidence) -> Says:
+    """One class for each cause is left."""
+    gate, setting_aside = e.outcome.first, noise(e.final, e.fitter.data.lines)
+    smallest = min(gate.p_value, gate.p_candidates)
+    aside = f"; {setting_aside}" if setting_aside else ""
+    explanation, resting = explained(e.claim.findings(e.fitter, e.single_joints)), once(e.search, e.final)
+    rests = f"; {resting}" if resting else ""
+    return Says(
+        f"the residual of the declared model is not noise ({p_in_words(smallest)}); {explanation}{rests}{aside}"
+    )
+
+
+# The tables ----------------------------------------------------------------------------------------------------
+
+
+def before() -> tuple[Rule[Start, Says], ...]:
+    """Return the rules that are tried before a search."""
+    return (
+        *_of_readings(
+            "before", lambda reading: None if reading.refitted else reading.declared, lambda s: (s.fitter,)
+        ),
+        Rule("before.too_few", INSUFFICIENT_DATA, too_few),
+        *_of_readings("before", lambda reading: reading.refitted, lambda s: (s.plain,)),
+    )
+
+
+def after() -> tuple[Rule[Evidence, Says], ...]:
+    """Return the rules that are tried after a search, whatever its result."""
+    amplitude = Rule[Evidence, Says]("after.amplitude", UNEXPLAINED, depends_on_amplitude)
+    return (
+        *_of_readings("after", lambda reading: reading.explained, lambda e: (e.fitter, e.final)),
+        amplitude,
+    )
+
+
+def _of_readings(
+    prefix: str,
+    question: Callable[[table.Reading], Callable[..., str] | None],
+    of: Callable[[T], tuple[object, ...]],
+) -> Iterator[Rule[T, Says]]:
+    """Yield the rules about other readings of the data."""
+    for reading in table.READINGS:
+        if ask := question(reading):
+            says = functools.partial(_says, ask, of)
+            yield Rule(f"{prefix}.{reading.name}", UNEXPLAINED, functools.wraps(ask)(says))
+
+
+def _says(ask: Callable[..., str], of: Callable[[T], tuple[object, ...]], evidence: T) -> Says | None:
+    """Return what is wrong in the file: nothing is claimed, and no cause named."""
+    text = ask(*of(evidence))
+    return Says(text, of_reading=True) if text else None
+
+
+#: Tried if the declared model leaves noise.
+ADEQUACY: tuple[Rule[Evidence, Says], ...] = (
+    Rule("adequacy.shapes", UNEXPLAINED, modes_of_other_shapes),
+    Rule("adequacy.extra_modes", UNEXPLAINED, extra_modes),
+    Rule("adequacy.unstated_error", UNEXPLAINED, unstated_error),
+    Rule("adequacy.held_out", UNEXPLAINED, not_predicted),
+    Rule("adequacy.adequate", ADEQUATE, nothing_missing),
+)
+
+#: Tried if causes leave noise.
+CLAIMS: tuple[Rule[Evidence, Says], ...] = (
+    Rule("claims.remote", UNEXPLAINED, remote_cause),
+    Rule("claims.one_joint", UNEXPLAINED, in_one_joint),
+    Rule("claims.shapes", UNEXPLAINED, modes_of_other_shapes),
+    Rule("claims.better_shapes", UNEXPLAINED, better_shapes),
+    Rule("claims.more_general", UNEXPLAINED, general_cause),
+    Rule("claims.not_significant", UNEXPLAINED, not_significant),
+    Rule("claims.two_of_few", UNEXPLAINED, two_of_few),
+    Rule("claims.errors", UNEXPLAINED, measurement_errors),
+    Rule("claims.not_specific", UNEXPLAINED, not_specific),
+    Rule("claims.no_value", UNEXPLAINED, value_without_support),
+    Rule("claims.one_row", UNEXPLAINED, one_row),
+    Rule("claims.not_settled", UNEXPLAINED, not_settled),
+    Rule("claims.several", AMBIGUOUS, several_explanations),
+    Rule("claims.default", AMBIGUOUS, by_a_default),
+    Rule("claims.other_errors", AMBIGUOUS, another_with_other_errors),
+    Rule("claims.priors", UNEXPLAINED, held_by_priors),
+    Rule("claims.dispersion", UNEXPLAINED, stiffness_of_frequency),
+    Rule("claims.held_out", UNEXPLAINED, not_predicted),
+    Rule("claims.one_term", AMBIGUOUS, one_term),
+    Rule("claims.found", EFFECT_FOUND, causes_found),
+)

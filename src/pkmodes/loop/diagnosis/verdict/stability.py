@@ -1,0 +1,145 @@
+"""Stability of a verdict under other errors and priors than stated.
+
+The explanations that the search found are refitted with all sigma halved, with all sigma doubled, and with all priors
+twice as wide; there is no new search.  If another cause is then better, the cause is not claimed: it depends on
+numbers that are not known to within a factor of two.  A special case of the cause, or a cause of which it is a
+special case, does not count as another one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from pkmodes.loop.diagnosis.fit.fitter import Fitter
+from pkmodes.loop.diagnosis.fit.hypothesis import Fit
+from pkmodes.loop.diagnosis.fit.store import FitStore
+from pkmodes.loop.diagnosis.search.search import Search
+from pkmodes.loop.diagnosis.verdict.classes import nested
+from pkmodes.loop.diagnosis.verdict.findings import Stability
+from pkmodes.loop.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, UNEXPLAINED, Verdict
+from pkmodes.loop.measured.scaling import with_errors
+
+#: Factors on the errors and on the priors.
+CHANGES = {"sigma x 0.5": (0.5, 1.0), "sigma x 2": (2.0, 1.0), "priors x 2": (1.0, 2.0)}
+
+
+@dataclass(frozen=True)
+class Trial:
+    """The result of refitting the contenders under one change.
+
+    - instead: an explanation outside the class of the claimed one that is better under the change; the fit of the
+      search
+    - moved: whether wider priors change the value of the claimed cause
+    """
+
+    entry: Stability
+    instead: Fit | None
+    moved: bool
+
+
+def trials(
+    search: Search,
+    final: Fit,
+    classes: Sequence[Sequence[Fit]] = (),
+    contenders: Sequence[Fit] | None = None,
+) -> list[Trial]:
+    """Refit the contenders under every change.
+
+    - final: the claimed fit, or the last one of the search
+    - classes: for each claimed cause, the fits of its class
+    - contenders: other explanations; by default the best ones that were tried
+    """
+    refitted = _contenders(search, final) if contenders is None else [final, *contenders]
+    members = [{fit.causes[-1].name for fit in fits} for fits in classes]
+    return [_trial(search, final, refitted, members, change) for change in CHANGES]
+
+
+def unchanged(verdict: Verdict) -> tuple[Stability, ...]:
+    """Return entries for a verdict that does not depend on errors and priors."""
+    return tuple(Stability(change, verdict.word, ()) for change in CHANGES)
+
+
+def _contenders(search: Search, final: Fit) -> list[Fit]:
+    store = search.store
+    rest = [
+        fit
+        for fit in store.tried()
+        if fit.causes
+        and len(fit.causes) <= max(len(final.causes), 1)
+        and not (fit.hypothesis.remote or fit.at_bound)
+        and {c.name for c in fit.causes} != {c.name for c in final.causes}
+        and store.criterion(fit) < store.criterion(final) + search.criteria.claim.near
+    ]
+    best = sorted(rest, key=store.criterion)[: search.criteria.claim.contenders]
+    return [final, *best] if final.causes else best
+
+
+def _trial(
+    search: Search, final: Fit, contenders: list[Fit], members: Sequence[set[str]], change: str
+) -> Trial:
+    errors, priors = CHANGES[change]
+    fitter = _with(search.store.fitter, errors, priors)
+    store, c = FitStore(fitter), fitter.criteria
+    plain = store.fit(replace(final.hypothesis, causes=()))
+    refitted = [store.fit(fit.hypothesis, fit.values) for fit in contenders]
+    fits = [fit for fit in refitted if fit is not None]
+    claimed = refitted[0] if refitted and final.causes else None
+    # Rivals with fewer causes do not count as better because they are simpler: they are not claimed.
+    same = [fit for fit in fits if len(fit.causes) == len(final.causes)]
+    best = min(same or fits, key=store.criterion, default=None)
+    instead: Fit | None = None
+    if claimed is not None and best is not None:
+        ranked = sorted(same, key=store.criterion)
+        for fit in ranked[: [rival is claimed for rival in ranked].index(True)]:
+            alike = fitter.difference(claimed, fit) < c.claim.told_apart
+            if alike and store.criterion(claimed) <= store.criterion(fit) + c.search.survives:
+                best = claimed if fit is best else best  # one class, named after the claimed cause
+                break
+            was = contenders[[fit is refit for refit in refitted].index(True)]
+            if not _is_kin(search, final, was, members):
+                instead = was
+                break
+    moved = claimed is not None and errors == 1.0 and _moved(fitter, final, claimed)
+    if plain is not None and store.p_value(plain) > c.gate.level:
+        return Trial(Stability(change, ADEQUATE.word, ()), instead, moved)
+    if best is None or store.p_value(best) <= c.gate.surely:
+        return Trial(Stability(change, UNEXPLAINED.word, ()), instead, moved)
+    near = [
+        fit
+        for fit in same
+        if store.criterion(fit) <= store.criterion(best) + c.search.survives
+        and store.p_value(fit) > c.gate.surely
+        and fitter.difference(best, fit) >= c.claim.told_apart
+    ]
+    names = tuple(cause.name for cause in best.causes)
+    verdict = AMBIGUOUS if near else EFFECT_FOUND
+    return Trial(Stability(change, verdict.word, names), instead, moved)
+
+
+def _moved(fitter: Fitter, final: Fit, again: Fit) -> bool:
+    """Return whether the value of a claimed cause changes by far more than its standard deviation."""
+    for i in (i for cause in final.causes for i in fitter.indices(cause)):
+        k = final.free.index(i)
+        if (
+            abs(again.values[i] - final.values[i])
+            > fitter.criteria.reasons.far * final.covariance[k, k] ** 0.5
+        ):
+            return True
+    return False
+
+
+def _is_kin(search: Search, final: Fit, rival: Fit, members: Sequence[set[str]]) -> bool:
+    """Return whether one of two fits is a special case of the other, and the claimed class lists both.
+
+    Smaller errors always favour more parameters, and larger errors fewer.  With the stated errors the simpler fit is
+    adequate, the data cannot tell the two apart, and the claim covers both.
+    """
+    names = {c.name for c in final.causes} ^ {c.name for c in rival.causes}
+    return any(names <= group for group in members) and nested(search.store.fitter, final, rival)
+
+
+def _with(fitter: Fitter, errors: float, priors: float) -> Fitter:
+    """Return a fitter of the same structure and data with other errors and priors."""
+    data = fitter.data if errors == 1.0 else with_errors(fitter.data, errors)
+    return Fitter(fitter.structure, data, fitter.criteria, fitter.shape_scatter, widened=priors)

@@ -1,0 +1,112 @@
+"""Columns of measurements given in Python: names of arguments, shapes and types of arrays."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from pkmodes.core.base.errors import MeasurementError, listed, nearest_name, shown
+from pkmodes.loop.measured.columns import Array
+from pkmodes.loop.measured.quantities import QUANTITIES, NumberColumn, row_numbers
+
+
+def renamed_columns() -> dict[str, str]:
+    """Return the arguments by column name, where the two names differ."""
+    return {number.column: number.argument for number in row_numbers() if number.column != number.argument}
+
+
+def nearest_argument(name: str) -> str:
+    """Return the remedy for an unknown argument of `Measurements.from_rows`."""
+    optional = [q for q in QUANTITIES.values() if not q.value.required]
+    values, sigmas = ([getattr(q, part).argument for q in optional] for part in ("value", "sigma"))
+    shapes = ["mode", "shapes", "shape_sigma"]
+    names = ["points", "point_sigma", *values, *shapes, *sigmas, "band", "components", "settings", "level"]
+    alternatives = {**renamed_columns(), "x": "points", "shape": "shapes"}
+    return nearest_name(alternatives.get(name, name), names)
+
+
+def numbers_of(arrays: Mapping[str, ArrayLike | None], rows: int, source: str) -> dict[str, Array]:
+    """Return the columns of all quantities, with the usual standard deviations where none are given."""
+
+    def column(number: NumberColumn, numbers: ArrayLike | None) -> Array:
+        present = number.required or numbers is not None
+        return checked_array(numbers, number.argument, (rows,), source) if present else np.full(rows, np.nan)
+
+    columns: dict[str, Array] = {}
+    for quantity in reversed(
+        QUANTITIES.values()
+    ):  # of several mistakes, those in optional columns are reported first
+        value, sigma = quantity.value, quantity.sigma
+        values, stated = column(value, arrays.get(value.argument)), arrays.get(sigma.argument)
+        sigmas = column(sigma, stated if sigma.required else for_all(stated, rows))
+        if quantity.usual_sigma is not None:
+            sigmas = np.where(np.isnan(sigmas), quantity.usual_sigma(values), sigmas)
+        columns |= {value.argument: values, sigma.argument: sigmas}
+    return columns
+
+
+def read_only(array: Array) -> Array:
+    """Return the array, which can no longer be written to."""
+    array.flags.writeable = False
+    return array
+
+
+def for_all(values: ArrayLike | None, rows: int) -> ArrayLike | None:
+    """Repeat a single number for all rows; return anything else unchanged."""
+    return np.full(rows, values) if isinstance(values, int | float | np.integer | np.floating) else values
+
+
+def by_name(
+    columns: Mapping[str, ArrayLike] | None, argument: str, example: str, source: str
+) -> Mapping[str, ArrayLike]:
+    """Check a mapping of names to columns; empty if none is given."""
+    if columns is None:
+        return {}
+    if not isinstance(columns, Mapping) or not all(isinstance(name, str) for name in columns):
+        expected = "components by coordinate" if argument == "shapes" else "values by name"
+        raise MeasurementError(
+            f"expected {expected}, found {shown(columns)}",
+            f"{source}: {argument}",
+            f'for example: {{"{example}": [0.5, -0.2]}}',
+        )
+    return columns
+
+
+def drives_of_rows(drives: str | Sequence[str], rows: int, source: str) -> list[str]:
+    """Return what the motors did in each row, from one word for all rows or one for each."""
+    if isinstance(drives, str):
+        return [drives] * rows
+    words = listed(drives, "words", f"{source}: drives", '"held"', str, MeasurementError)
+    if len(words) != rows:
+        problem = f"expected one word for all rows, or {rows}, found {len(words)}"
+        raise MeasurementError(problem, f"{source}: drives", 'give "free" or "held" for each row')
+    return list(words)
+
+
+def mode_numbers(mode: Sequence[object], source: str) -> list[object]:
+    """Check the experimenter's mode numbers, which may be text."""
+    return listed(mode, "mode numbers", f"{source}: mode", "1", error=MeasurementError)
+
+
+def checked_array(
+    values: ArrayLike | None, name: str, shape: tuple[int, ...], source: str, whole: bool = False
+) -> Array:
+    """Copy an array, checking its shape and that it holds integers or numbers."""
+    try:
+        array = np.array(values)
+        if array.dtype.kind not in ("iu" if whole else "iuf") and array.size:
+            raise TypeError(f"values of type {array.dtype}")
+    except Exception as error:  # conversion of an arbitrary object may raise anything
+        kind = "whole numbers" if whole else "numbers"
+        raise MeasurementError(
+            f"expected {kind}, found {error}", f"{source}: {name}", f"give an array of {kind}"
+        ) from None
+    if array.shape != shape:
+        raise MeasurementError(
+            f"expected an array of shape {shape}, found {array.shape}",
+            f"{source}: {name}",
+            "give one entry for each row, and one column for each component",
+        )
+    return array.astype(int if whole else float)

@@ -1,0 +1,313 @@
+"""Convert the text of a measurement file to rows of cells, and the cells to numbers in SI units."""
+
+from __future__ import annotations
+
+import io
+import math
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from pkmodes.core.base.drives import DRIVES, FREE
+from pkmodes.core.base.errors import MeasurementError, shown
+from pkmodes.loop.measured.cells import QUOTED, SEPARATORS, TableNotation, separator_of
+from pkmodes.loop.measured.columns import Stated
+from pkmodes.loop.measured.header import SPREAD, TEXT, HeaderColumn
+from pkmodes.loop.measured.measurements import Measurements
+from pkmodes.loop.measured.quantities import LEVEL, required_columns, row_numbers
+from pkmodes.loop.measured.rules import (
+    SET,
+    SHAPE,
+    BrokenRuleError,
+    Problem,
+    Quoted,
+    message,
+    refuse,
+)
+from pkmodes.loop.measured.statements import ALSO, STATEMENT, STATEMENTS
+
+#: Name of the column with the state of the machine.
+STATE = "state"
+#: A line that tells spreadsheet programs which separator the cells have.
+SEPARATOR = re.compile(r"\"?sep\s*=\s*(.)\"?[,;\t]*", re.IGNORECASE)
+#: A comment that contains a comma, as spreadsheet programs write it.
+QUOTED_COMMENT = re.compile(r"\"(#[^\"]*)\"[,;\t ]*")
+
+
+class CsvLines(NamedTuple):
+    """Lines of cells with their line numbers, how they are written, and what comments say of all of them."""
+
+    records: list[tuple[int, str]]
+    notation: TableNotation
+    band: tuple[float, float] | None
+    drives: str | None
+    state: str
+    priors: dict[str, Stated]
+    usable: dict[str, Stated]
+
+    def header(self, source: str, remedy: str) -> tuple[str, list[str]]:
+        """Return the place and the cells of the header.
+
+        Raises MeasurementError if there is none, or it is not CSV.
+        """
+        if not self.records:
+            raise MeasurementError("expected a header and rows, found none", source, remedy)
+        number, line = self.records[0]
+        where = f"{source}: line {number}"
+        return where, self.notation.cells(line, where)
+
+    def rows(self, source: str, count: int) -> Iterator[tuple[str, list[str]]]:
+        """Yield the place and the cells of each row.
+
+        - count: cells of the header
+
+        Raises MeasurementError if a row has another number of cells, or is not CSV.
+        """
+        for number, line in self.records[1:]:
+            where = f"{source}: line {number}"
+            cells = self.notation.cells(line, where)
+            if len(cells) != count:
+                problem = f"expected {count} cells, found {len(cells)}"
+                raise MeasurementError(problem, where, "give each row as many cells as the header")
+            yield where, cells
+
+
+def read_lines(text: str, source: str) -> CsvLines:
+    """Split a file into its records, and what its comments say of the whole test.
+
+    Raises MeasurementError if such a comment is invalid or differs from a previous one.
+    """
+    records: list[tuple[int, str]] = []
+    stated: dict[str, dict[str, Stated]] = {name: {} for name in STATEMENTS}
+    for number, line in enumerate(io.StringIO(text, newline=None), start=1):
+        line, where = line.strip(" \n"), f"{source}: line {number}"  # a tab may end an empty cell
+        comment = QUOTED_COMMENT.fullmatch(line)
+        text = line.strip() if comment is None else comment[1]
+        if (match := STATEMENT.fullmatch(text.rstrip(",; \t"))) is not None:
+            word = match[1].lower()
+            name = ALSO.get(word, word)
+            statement = STATEMENTS[name]
+            if match[2] != ":":
+                problem = f'expected a colon after "{word}", found {shown(text)}'
+                raise MeasurementError(problem, where, statement.remedy)
+            value = statement.read(match[3], where)
+            key, value = value if statement.several else ("", value)
+            before = stated[name].setdefault(key, Stated(value, where))
+            if value != before.value:
+                problem = f"this {word} differs from that in {before.where.removeprefix(f'{source}: ')}"
+                raise MeasurementError(problem, where, "remove one of them")
+        elif not records and SEPARATOR.fullmatch(text) is not None:
+            continue  # the header shows what it states
+        elif text.strip(",; \t") and not text.startswith("#"):  # spreadsheet programs fill blank lines
+            records.append((number, line))
+    notation = TableNotation(separator_of(records[0][1])) if records else TableNotation()
+    records = _without_ends(records, notation.separator)
+    band, drives, state = (
+        next((entry.value for entry in stated[name].values()), None) for name in ("band", "drives", "state")
+    )
+    return CsvLines(records, notation, band, drives, state or "", stated["prior"], stated["usable"])
+
+
+def states_of(lines: CsvLines, cells: Sequence[str], source: str) -> list[str]:
+    """Return the state of each row: of its column, else that of a comment; empty where neither names one.
+
+    - cells: of the header
+
+    Raises MeasurementError if a row is not CSV, or names another state than a comment.
+    """
+    place = next((i for i, cell in enumerate(cells) if cell.strip().lower() == STATE), None)
+    states = []
+    for number, line in lines.records[1:]:
+        where = f"{source}: line {number}"
+        row = lines.notation.cells(line, where) if place is not None else []
+        state = row[place].strip() if place is not None and place < len(row) else ""
+        if state and lines.state and state != lines.state:
+            problem = f"expected {shown(lines.state)}, as stated for all rows, found {shown(state)}"
+            raise MeasurementError(problem, f"{where}, column {STATE}", "correct the row, or the statement")
+        states.append(state or lines.state)
+    return states
+
+
+def of_state(lines: CsvLines, cells: Sequence[str], source: str, state: str | None) -> CsvLines:
+    """Return the lines of one state of the machine, which they then state.
+
+    - cells: of the header
+    - state: by default, that of all rows
+
+    Raises MeasurementError if there are several states, some rows name none, or none is that.
+    """
+    states = states_of(lines, cells, source)
+    different = list(dict.fromkeys(states))
+    if state is None:
+        if len(different) < 2:
+            return lines._replace(state=next(iter(different), lines.state))
+        if "" in different:
+            number = lines.records[1 + states.index("")][0]
+            problem = (
+                f"expected a state in every row or in none, found nothing beside {shown(max(different))}"
+            )
+            raise MeasurementError(problem, f"{source}: line {number}, column {STATE}", "name the state")
+        problem = f"expected rows of one state of the machine, found {', '.join(map(shown, different))}"
+        raise MeasurementError(problem, f"{source}: column {STATE}", "compare states with pkmodes changed")
+    kept = [record for record, row_state in zip(lines.records[1:], states, strict=True) if row_state == state]
+    if not kept:
+        raise MeasurementError(f"no row is of the state {shown(state)}", source, "check the name")
+    return lines._replace(records=[lines.records[0], *kept], state=state)
+
+
+def _without_ends(records: list[tuple[int, str]], separator: str) -> list[tuple[int, str]]:
+    """Return lines without the separator that some programs write after the last cell of every row."""
+    lines = [line.rstrip(" ") for _, line in records]
+    if len(lines) < 2 or not all(line.endswith(separator) for line in lines[1:]):
+        return records
+    named, *counts = (QUOTED.sub("", line).count(separator) for line in lines)
+    if any(count != named + (not lines[0].endswith(separator)) for count in counts):
+        return records  # the last cells of the rows are blank, or some rows have too many
+    return [(number, line.removesuffix(separator)) for (number, _), line in zip(records, lines, strict=True)]
+
+
+def read_table(
+    columns: Sequence[HeaderColumn],
+    lines: CsvLines,
+    source: str,
+    components: Mapping[str, str],
+    drives: str | None = None,
+) -> Measurements:
+    """Convert the cells below the header; each invalid cell counts as a problem.
+
+    - source: the file
+    - components: pose components and their units
+    - drives: what the motors did, if the user says so
+
+    Raises MeasurementError with the first problem.
+    """
+    records, notation = lines.records[1:], lines.notation
+    if drives is not None and lines.drives not in (None, drives):
+        problem = f"the file states that the motors were {lines.drives}, not {drives}"
+        raise MeasurementError(problem, source, "leave drives out, or correct the file")
+    stated_drives = drives or lines.drives
+    if not records:
+        problem = "expected a row for each identified mode, found only a header"
+        raise MeasurementError(problem, source, "add the rows")
+    blank = {f"{SPREAD}{name}": 0.0 for name in components}  # the pose is exact
+    filled = {"pose", *required_columns(), *components}
+    numbers_of_lines = np.array([line for line, _ in records])
+    texts: dict[str, list[str]] = {name: [] for name in TEXT}
+    numbers: dict[str, list[float]] = {column.name: [] for column in columns if column.name not in TEXT}
+    problems: list[Problem] = []
+    for row, (number, line) in enumerate(records):
+        cells = notation.cells(line, f"{source}: line {number}")
+        if len(cells) != len(columns):
+            short = len(cells) < len(columns)
+            place = columns[len(cells)].text if short else str(len(columns) + 1)
+            problem = f"expected {len(columns)} cells, found {len(cells)}"
+            separators = SEPARATORS[notation.separator]
+            remedy = f"leave the cells of optional columns blank, but keep their {separators}"
+            if len(cells) == 1:
+                remedy = f"separate the cells by {separators}, as in the header"
+            if not short:
+                remedy = "remove the extra cells"
+            if not short and notation.separator == ",":
+                remedy = (
+                    "if numbers have decimal commas, export the table with semicolons between the cells, or "
+                )
+                remedy += "with decimal points; else remove the extra cells"
+            problems.append(Problem(row, place, problem, remedy))
+            continue
+        for column, cell in zip(columns, cells, strict=True):
+            if column.name == "drives":
+                word = cell.lower() or stated_drives or FREE
+                if word in DRIVES and stated_drives not in (None, word):
+                    problem = f"expected {stated_drives}, as stated for all rows, found {shown(cell)}"
+                    problems.append(Problem(row, column.text, problem, "correct the row, or the statement"))
+                texts[column.name].append(word)
+            elif column.name in TEXT:
+                texts[column.name].append(cell)
+            elif not cell and column.name not in filled:
+                numbers[column.name].append(blank.get(column.name, math.nan))
+            elif (value := notation.number(cell, column.factor)) is not None:
+                numbers[column.name].append(value)
+            else:
+                problem = f"expected a finite number, found {shown(cell) if cell else 'nothing'}"
+                unit = column.unit or column.si
+                remedy = f"write a plain number{f' in {unit}' if unit else ''}, with {notation.decimal}"
+                problems.append(Problem(row, column.text, problem, remedy))
+    if not problems:
+        problems = list(_rotations_in_degrees(columns, numbers, components))
+    refuse(problems, source, numbers_of_lines)
+    units = {column.name: column.unit for column in columns}
+    try:
+        motors: str | list[str] = texts["drives"] or stated_drives or FREE
+        return _measurements(texts, numbers, lines, source, units, components, motors)
+    except BrokenRuleError as error:
+        problem = message(error.problem, lambda quoted: _as_written(quoted, columns, lines))
+        raise MeasurementError(problem, error.where, error.remedy) from None
+
+
+def _rotations_in_degrees(
+    columns: Sequence[HeaderColumn], numbers: Mapping[str, Sequence[float]], components: Mapping[str, str]
+) -> Iterator[Problem]:
+    """Yield the first value of each pose rotation that cannot be in rad, if its column gives no unit."""
+    for column in columns:
+        if components.get(column.name) != "rad" or column.factor is not None:
+            continue
+        for row, value in enumerate(numbers[column.name]):
+            if abs(value) > math.pi:
+                problem = (
+                    f"expected a rotation in rad, of at most pi, found {value:g}: these look like degrees"
+                )
+                remedy = f"write the unit into the header: {column.name} [deg], or {column.name} [rad] if it is that"
+                yield Problem(row, column.text, problem, remedy)
+                break
+
+
+def _as_written(quoted: Quoted, columns: Sequence[HeaderColumn], lines: CsvLines) -> str:
+    """Format a number as in its cell, with the header's unit; also in SI units if these differ."""
+    number = format(quoted.value, quoted.digits)
+    place = [column.name for column in columns].index(quoted.column)
+    column = columns[place]
+    if column.factor is None:
+        return number
+    cell = lines.notation.cells(lines.records[1 + quoted.row][1], "")[place]
+    if column.si == column.unit:
+        return f"{cell} {column.unit}"
+    return f"{cell} {column.unit} ({f'{number} {column.si}'.strip()})"
+
+
+def _measurements(
+    texts: dict[str, list[str]],
+    numbers: dict[str, list[float]],
+    lines: CsvLines,
+    source: str,
+    units: Mapping[str, str],
+    components: Mapping[str, str],
+    drives: str | list[str],
+) -> Measurements:
+    """Build measurements from a file's columns by name; `units` are those of the header."""
+    rows = len(lines.records) - 1
+    blank = [0.0] * rows
+    columns: dict[str, Any] = {number.argument: numbers.get(number.column) for number in row_numbers()}
+    return Measurements.from_rows(
+        texts["pose"],
+        **columns,
+        points=np.array([numbers.get(name, blank) for name in components]).T,
+        point_sigma=np.array([numbers.get(f"{SPREAD}{name}", blank) for name in components]).T,
+        components=components,
+        mode=texts["mode"] or None,
+        shapes={
+            name.removeprefix(SHAPE): column for name, column in numbers.items() if name.startswith(SHAPE)
+        },
+        band=lines.band,
+        priors=lines.priors,
+        usable=lines.usable,
+        state=lines.state,
+        drives=drives,
+        source=source,
+        lines=np.array([line for line, _ in lines.records[1:]]),
+        unit=units["frequency"],
+        settings={name.removeprefix(SET): column for name, column in numbers.items() if name.startswith(SET)},
+        level=numbers.get(LEVEL.column),
+        level_unit=units.get(LEVEL.column, ""),
+    )

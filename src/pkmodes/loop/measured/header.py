@@ -1,0 +1,219 @@
+"""The header of a measurement file: the names and units of the columns.
+
+A name may be followed by a unit, ``frequency [rad/s]`` or ``frequency (rad/s)``.  Columns without a unit are in SI
+units, frequencies in Hz.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from decimal import Decimal
+from typing import NamedTuple, NoReturn
+
+from pkmodes.core.base.errors import MeasurementError, shown
+from pkmodes.core.robot.columns import factor_of, parted, unit_remedy
+from pkmodes.core.support.ordering import joined
+from pkmodes.loop.measured.formats import Machine
+from pkmodes.loop.measured.meanings import likely_meaning, worded
+from pkmodes.loop.measured.quantities import (
+    LEVEL,
+    QUANTITIES,
+    SHAPE_SIGMA,
+    quantity_numbers,
+    required_columns,
+    row_numbers,
+)
+from pkmodes.loop.measured.rules import SET, SHAPE, checked_level_unit
+from pkmodes.loop.measured.statements import ALSO
+
+#: Columns of text.
+TEXT = ("pose", "mode", "drives", "state")
+#: Prefix of the standard deviations of pose components.
+SPREAD = "sigma_"
+#: Column separator of tables that are not CSV.
+BAR = "|"
+#: Units of a shape component of unknown kind: a displacement or a rotation.
+MOTIONS = ("m", "rad")
+#: Remedy for measurements of another machine.
+OTHER_MACHINE = "give the robot file of that machine, or measurements of this one"
+
+
+class HeaderColumn(NamedTuple):
+    """A column: name without the unit, text of the header, unit, and factor to SI (None without a unit).
+
+    ``si`` is the unit assumed for a column without one, for messages; empty for ratios.
+    """
+
+    name: str
+    text: str
+    unit: str
+    factor: Decimal | None
+    si: str
+
+
+def components_of(
+    cells: Sequence[str], component_sets: Sequence[Mapping[str, str]], channels: Collection[str]
+) -> Mapping[str, str]:
+    """Choose the pose components of a header from several sets: the largest complete set, else the best match."""
+    names_of = [
+        *(f"{SHAPE}{name}" for name in channels),
+        *(name for component_set in component_sets for name in component_set),
+    ]
+    names = {parted(cell, names_of)[0] for cell in cells}
+    return max(
+        component_sets,
+        key=lambda component_set: (names >= component_set.keys(), len(names & component_set.keys())),
+    )
+
+
+def read_header(
+    cells: Sequence[str], where: str, machine: Machine, components: Mapping[str, str]
+) -> list[HeaderColumn]:
+    """Read the columns of a header; each must be known and occur only once.
+
+    - where: file and line
+    - machine: whose columns it may have
+    - components: names and SI units of the pose components: one of the machine's sets
+
+    Raises MeasurementError.
+    """
+    channels, positions, settings = machine.channels, machine.positions, machine.settings
+    needed = required_columns()
+    required = ("pose", *(components if positions else ()), *needed)
+    spreads = {f"{SPREAD}{name}": unit for name, unit in components.items()}
+    units = {number.column: number.unit for number in row_numbers()} | dict(components) | spreads
+    units |= {f"{SET}{name}": unit for name, unit in settings.items()} | {LEVEL.column: LEVEL.unit}
+    known_columns = ["pose", *components, *needed, *spreads]
+    known_columns += [number.column for number in quantity_numbers() if not number.required]
+    known_columns += ["mode", "state", LEVEL.column, *(["drives"] if positions else [])]
+    known_columns += [SHAPE_SIGMA.column, *(f"{SHAPE}{name}" for name in channels)]
+    known_columns += [f"{SET}{name}" for name in settings]
+    help_text = f"start with a header such as {','.join(required)}"
+    text = ",".join(cells)
+    if BAR in text and (len(cells) == 1 or {part.strip() for part in text.split(BAR)} >= {"pose"}):
+        problem = f"expected columns separated by commas, semicolons or tabs, found {shown(text)}"
+        remedy = (
+            f"the file uses bars: replace them, by semicolons if numbers have decimal commas; {help_text}"
+        )
+        _refuse(problem, where, remedy)
+    parts = [
+        (ALSO.get(name, name), unit)
+        for name, unit in (parted(cell, [*known_columns, *ALSO]) for cell in cells)
+    ]
+    names = [name for name, _ in parts]
+    if not set(names) & set(required):
+        _refuse(f"expected the names of the columns, found {shown(','.join(cells))}", where, help_text)
+    columns: list[HeaderColumn] = []
+    unknown = [i for i, name in enumerate(names) if name not in known_columns]
+    if len(unknown) > 1 and not owners([names[i] for i in unknown], machine.others()):
+        _refuse_all_unknown({i: cells[i] for i in unknown}, where, known_columns, names)
+    for i, (cell, (name, unit)) in enumerate(zip(cells, parts, strict=True)):
+        place = f"{where}, column {i + 1}"
+        if name not in known_columns:
+            if whose := owners([names[k] for k in unknown], machine.others()):
+                _refuse(f"{shown(name)} is a column of another machine: {whose}", place, OTHER_MACHINE)
+            _refuse_unknown(name, place, known_columns, names)
+        if name in names[:i]:
+            problem = f"the column {shown(name)} is repeated, first as column {names.index(name) + 1}"
+            _refuse(problem, place, "remove one of them")
+        factor = None if unit is None else _factor(name, unit, place, channels, units)
+        columns.append(HeaderColumn(name, cell, unit or "", factor, _plain(name, units)))
+    for name in required:
+        if name not in names:
+            _refuse(f'the column "{name}" is missing', where, help_text)
+    placed = [name for name in components if name in names]
+    for name in names:
+        if name in (*components, *spreads) and len(placed) < len(components):
+            missing = next(component for component in components if component not in placed)
+            problem = f'found the column "{name}" without "{missing}"'
+            _refuse(problem, where, f"give {joined(components)}, or no position column at all")
+    return columns
+
+
+def _plain(name: str, units: Mapping[str, str]) -> str:
+    """Return the unit of a column whose header gives none, for messages; empty for ratios."""
+    unit = units.get(name, "SI units")
+    return "" if unit == "1" else unit
+
+
+def _refuse(what: str, where: str, remedy: str) -> NoReturn:
+    raise MeasurementError(what, where, remedy)
+
+
+def owners(names: Sequence[str], by_machine: Mapping[str, Collection[str]]) -> str:
+    """Return, as a clause, whose columns the unknown ones of a file are; empty if no other machine has all."""
+    having = [machine for machine, columns in by_machine.items() if set(names) <= set(columns)]
+    *preceding, last = having or [""]
+    machines = f"{', '.join(preceding)} or {last}" if preceding else last
+    return f"the columns of the file are those of {machines}" if last else ""
+
+
+def _refuse_all_unknown(
+    cells: Mapping[int, str], where: str, known_columns: Sequence[str], taken: Collection[str]
+) -> NoReturn:
+    """Refuse several unknown columns, first those that probably mean a known one."""
+    meant: dict[int, str] = {}
+    for i, cell in cells.items():
+        before = {worded(meaning)[0] for meaning in meant.values()}
+        if meaning := likely_meaning(cell, known_columns, {*taken, *before}):
+            meant[i] = meaning
+    rest = [i for i in cells if i not in meant]
+    listing = [shown(cells[i]) if cells[i] else "one without a name" for i in (*meant, *rest)]
+    places = joined([str(i + 1) for i in cells])
+    likely = ", ".join(f'{shown(cells[i])} -> "{meaning}"' for i, meaning in meant.items())
+    remedy = f"likely meanings: {likely}; rename these" if meant else "remove them, or correct their names"
+    remedy += ", and remove the others" if meant and rest else ""
+    _refuse(f"unknown columns {', '.join(listing)}", f"{where}, columns {places}", remedy)
+
+
+def _refuse_unknown(name: str, place: str, known_columns: Sequence[str], taken: Collection[str]) -> NoReturn:
+    if not name:
+        _refuse("expected the name of a column, found nothing", place, "name the column or remove it")
+    problem = (
+        f"{shown(name)} is not a coordinate" if name.startswith(SHAPE) else f"unknown column {shown(name)}"
+    )
+    if f"{SHAPE}{name}" in known_columns:
+        _refuse(
+            problem, place, f"for the component of a mode shape, write {SHAPE}{name}; otherwise remove it"
+        )
+    # There are very many settable values: they are listed nowhere.
+    fixed_columns = [column for column in known_columns if not column.startswith(SET)]
+    otherwise = f"known: {', '.join(fixed_columns)}"
+    if name.startswith(SET) and len(fixed_columns) < len(known_columns):
+        problem = f"{shown(name)} is not a value that can be set"
+        otherwise = "see docs/sensitivities.md for the paths"
+    meaning = likely_meaning(name, known_columns, taken)
+    meant, unit = worded(meaning)
+    in_unit = f' With its unit: "{meaning}"' if unit else ""
+    _refuse(
+        problem,
+        place,
+        "remove it or correct the name: " + (f'did you mean "{meant}"?{in_unit}' if meaning else otherwise),
+    )
+
+
+def _factor(
+    name: str,
+    unit: str,
+    place: str,
+    channels: Collection[str] | Mapping[str, str],
+    units: Mapping[str, str],
+) -> Decimal | None:
+    """Return the factor that converts the numbers of a column to SI units; None for a level, of any unit."""
+    if name in TEXT:
+        problem = f"the column {shown(name)} has the unit {shown(unit)} but is not a quantity"
+        _refuse(problem, place, f'write only "{name}"')
+    if name == LEVEL.column:
+        checked_level_unit(unit, place)
+        return None
+    if name in units:
+        allowed: tuple[str, ...] = (units[name],)
+    elif isinstance(channels, Mapping):
+        allowed = (channels[name.removeprefix(SHAPE)],)
+    else:
+        allowed = MOTIONS
+    remedy = unit_remedy(units.get(name, "SI units"))
+    for quantity in QUANTITIES.values():
+        if name == quantity.sigma.column and unit == "%":
+            remedy = f"multiply by the {quantity.value.column}, and write the result in its unit"
+    return factor_of(name, unit, place, allowed, remedy)

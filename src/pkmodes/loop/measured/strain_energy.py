@@ -1,0 +1,139 @@
+"""Where along a series of channels the share of the strain energy changed: the damage index of Stubbs and Kim.
+
+Without a model, the energy of what lies between two neighbours is taken as the square of their relative motion, as in
+a chain of like springs: a storey, or a part of a belt or a bar.  Where stiffness is lost, the share of the energy of
+most modes grows.  The index (Stubbs, Kim and Farrar, Proc. 13th IMAC, 1995, 210-218) compares the shares F of n
+modes,
+
+    beta = sum (F_second + 1) / sum (F_first + 1),
+
+where the 1, the share of the whole, keeps places that hardly move from dividing by nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Annotated
+
+import numpy as np
+from msgspec import Meta
+from numpy.typing import NDArray
+
+from pkmodes.core.support.documents import Document, Number, Size
+from pkmodes.loop.measured.series import series_of
+from pkmodes.loop.measured.shape_changes import Aligned
+
+Array = NDArray[np.float64]
+#: Smallest ratio of the relative motions of a mode to their errors (root mean square) for which it has an index.
+FEWEST_TIMES = 3.0
+
+
+class StrainEnergyChange(Document, frozen=True):
+    """The damage index between two neighbours of a series of channels."""
+
+    pose: Annotated[str, Meta(description="Label of the pose in the first file.")]
+    channels: Annotated[list[str], Meta(description="The two neighbours.")]
+    lines: Annotated[list[Number], Meta(description="Modes that it is of: lines of the first file.")]
+    first: Annotated[
+        Size, Meta(description="Mean share of the strain energy of the series in the first file.")
+    ]
+    second: Annotated[Size, Meta(description="In the second file.")]
+    index: Annotated[
+        Size,
+        Meta(description="Damage index: above 1 where the share grew, as it does where stiffness is lost."),
+    ]
+    sigma: Annotated[
+        Size | None,
+        Meta(description="Standard deviation of it; null without sigma_shape of all these modes."),
+    ]
+    sigmas: Annotated[float | None, Meta(description="index - 1 in standard deviations.")]
+    differs: Annotated[
+        bool,
+        Meta(
+            description="Whether it is not 1, at the level of 1 % of all places of all shapes together (Holm)."
+        ),
+    ]
+
+
+def strain_energy_changes(
+    pose: str, lines: Sequence[int], shapes: Sequence[Aligned]
+) -> list[StrainEnergyChange]:
+    """Return the damage indices at a pose, of each series of channels.
+
+    - pose: its label
+    - lines: of the modes in the first file, length n
+    - shapes: their shapes in both, length n
+    """
+    of_series: dict[tuple[str, ...], list[tuple[int, Array, Array, tuple[float, float]]]] = {}
+    for line, mode in zip(lines, shapes, strict=True):
+        for members in series_of(mode.channels):
+            first, second = mode.first[members], mode.second[members]
+            pairs = ((first, mode.errors[0]), (second, mode.errors[1]))
+            if all(_moves(motion, error) for motion, error in pairs):
+                names = tuple(mode.channels[k] for k in members)
+                of_series.setdefault(names, []).append((line, first, second, mode.errors))
+    return [change for names, modes in of_series.items() for change in _of_series(pose, names, modes)]
+
+
+def most_changed(changes: Sequence[StrainEnergyChange]) -> StrainEnergyChange | None:
+    """Return the place whose index is clearly not 1, and farthest from it; None without any.
+
+    The shares of a series add up, so that a change at one place changes those of all others: the largest change is
+    returned, not the most certain one.
+    """
+    clear = [change for change in changes if change.differs]
+    return max(clear, key=lambda change: abs(np.log(change.index)), default=None)
+
+
+def _moves(motion: Array, error: float) -> bool:
+    """Return whether neighbours move relative to each other, by more than the errors where these are known."""
+    mean_square = float(np.mean(np.diff(motion) ** 2))
+    least = 0.0 if np.isnan(error) else 2.0 * (FEWEST_TIMES * error) ** 2
+    return mean_square > least
+
+
+def _of_series(
+    pose: str, names: Sequence[str], modes: Sequence[tuple[int, Array, Array, tuple[float, float]]]
+) -> list[StrainEnergyChange]:
+    """Return the damage indices along one series."""
+    before = [energy_shares(first, errors[0]) for _, first, _, errors in modes]
+    after = [energy_shares(second, errors[1]) for _, _, second, errors in modes]
+    shares = np.sum([share for share, _ in before], axis=0)
+    later = np.sum([share for share, _ in after], axis=0)
+    count = len(modes)
+    index = (later + count) / (shares + count)
+    spread = np.sum([variance for _, variance in before], axis=0)
+    later_spread = np.sum([variance for _, variance in after], axis=0)
+    sigma = np.sqrt(later_spread + index**2 * spread) / (shares + count)
+    return [
+        StrainEnergyChange(
+            pose=pose,
+            channels=[names[j], names[j + 1]],
+            lines=[line for line, *_ in modes],
+            first=float(shares[j] / count),
+            second=float(later[j] / count),
+            index=float(index[j]),
+            sigma=float(sigma[j]) if np.isfinite(sigma[j]) else None,
+            sigmas=float((index[j] - 1.0) / sigma[j]) if np.isfinite(sigma[j]) else None,
+            differs=False,  # until all places are judged together
+        )
+        for j in range(len(names) - 1)
+    ]
+
+
+def energy_shares(motion: Array, error: float) -> tuple[Array, Array]:
+    """Return the share of each pair of neighbours in the squares of all relative motions, and its variance.
+
+    - motion: of a series of channels, (n,)
+    - error: standard deviation of each component, independent of the others
+
+    Returns shares and variances, (n - 1,), to first order in the error, with the leading term of second order, which
+    is all that two neighbours have which move alike.
+    """
+    between = np.diff(np.eye(len(motion)), axis=0)
+    relative = between @ motion
+    total = relative @ relative
+    shares = relative**2 / total
+    slopes = 2.0 * (relative[:, None] * between - np.outer(shares, relative @ between)) / total
+    variance = 2.0 * error**2  # of a relative motion
+    return shares, (error**2) * (slopes**2).sum(axis=1) + 3.0 * (variance / total) ** 2

@@ -1,0 +1,128 @@
+"""When changed shapes of two measurements may not be taken as the place of a change."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from pkmodes.loop.measured.comparison import Caution, ModePair
+from pkmodes.loop.measured.measurements import Measurements
+from pkmodes.loop.measured.shape_changes import FEWEST_CHANNELS, ShapeChange
+from pkmodes.loop.measured.significance import LEVEL
+from pkmodes.loop.measured.strain_energy import StrainEnergyChange
+
+#: Relative distance of frequencies below which any change may mix two modes.
+CLOSE = 0.03
+#: Shapes with a smaller MAC may belong to different modes.
+LEAST_MAC = 0.9
+#: Cautions that rule out a change of shape as a sign of a place; the others only say that none can be seen.
+NO_PLACE: frozenset[Caution] = frozenset({"close_modes", "low_mac"})
+#: Meanings of the cautions.
+SENTENCES: dict[Caution, str] = {
+    "no_sigma_shape": "not both files give sigma_shape, so nobody knows whether the shape changed by more than its "
+    "errors.",
+    "close_modes": f"another mode is within {100.0 * CLOSE:.0f} %; the two turn into each other under any change, so "
+    "their shapes are no sign of its place.",
+    "low_mac": f"the MAC is below {LEAST_MAC}; it may be another mode, and its shape is no sign of a place.",
+    "same_shape": "the frequency changed, but not the shape by more than its errors: stiffness or mass changed in "
+    "proportion everywhere, or by too little for these errors to show where.",
+}
+#: Most lines named in a note.
+NAMED = 8
+
+
+def close_to_another(data: Measurements, row: int) -> bool:
+    """Return whether another mode at the pose of a row is closer than `CLOSE`."""
+    neighbours = (data.pose == data.pose[row]) & (np.arange(len(data.pose)) != row)
+    return bool((np.abs(np.log(data.frequency[neighbours] / data.frequency[row])) < CLOSE).any())
+
+
+def cautions_of(close: bool, mac: float | None, differs: bool, shape: ShapeChange | None) -> list[Caution]:
+    """Return why the shape of a pair does not show where something changed.
+
+    - close: whether another mode is close in one of the files
+    - differs: whether the frequency changed
+    """
+    cautions: list[Caution] = []
+    if shape is None:
+        cautions.append("few_channels")
+    elif shape.p_value is None:
+        cautions.append("no_sigma_shape")
+    if close:
+        cautions.append("close_modes")
+    if mac is not None and mac < LEAST_MAC:
+        cautions.append("low_mac")
+    if differs and shape is not None and shape.p_value is not None and not _changed(shape):
+        cautions.append("same_shape")
+    return cautions
+
+
+def _changed(shape: ShapeChange) -> bool:
+    """Return whether a shape changed, as a whole or at a place."""
+    places = [*shape.components, *shape.curvatures]
+    return (shape.p_value is not None and shape.p_value <= LEVEL) or any(place.differs for place in places)
+
+
+def notes_on_shapes(pairs: Sequence[ModePair], energies: Sequence[StrainEnergyChange]) -> list[str]:
+    """Return when the shapes may not be trusted, in sentences."""
+    notes = []
+    if pairs and all(pair.shape is None for pair in pairs):
+        notes.append(
+            f"No mode has a shape at {FEWEST_CHANNELS} or more channels of both files: shapes do not say where."
+        )
+    elif lines := _lines(pairs, "few_channels"):
+        notes.append(f"{lines}: no shape at {FEWEST_CHANNELS} or more channels of both files.")
+    notes += [f"{lines}: {why}" for caution, why in SENTENCES.items() if (lines := _lines(pairs, caution))]
+    trusted = [pair.shape for pair in pairs if pair.shape and not NO_PLACE.intersection(pair.cautions)]
+    curved = any(place.differs for shape in trusted for place in shape.curvatures)
+    if curved or any(energy.differs for energy in energies):
+        notes.append(
+            "Numbered channels are taken as a series along a line, in the order of their numbers and at equal "
+            "distances; if they are not, curvature and strain energy mean nothing. If a mass changed, strain energy "
+            "moves too, and the place is not that of the mass."
+        )
+    if curved:
+        notes.append(
+            "A curvature has about 2.4 times (the root of 6) the noise of a component: trust it only where it is "
+            "clear."
+        )
+    return notes
+
+
+def _lines(pairs: Sequence[ModePair], caution: str) -> str:
+    """Return the lines of the first file with a caution in words; empty without any."""
+    lines = [str(pair.first_line) for pair in pairs if caution in pair.cautions]
+    if not lines:
+        return ""
+    shown = ", ".join(lines[:NAMED]) + (f" and {len(lines) - NAMED} more" if len(lines) > NAMED else "")
+    return f"{'Line' if len(lines) == 1 else 'Lines'} {shown} of the first file"
+
+
+def notes_on_poses(first: Measurements, second: Measurements, places: Sequence[tuple[int, int]]) -> list[str]:
+    """Return the poses at which the two measurements were made in different conditions, in sentences."""
+    notes = []
+    loaded = [first.labels[i] for i, j in places if first.load(i) != second.load(j)]
+    if loaded:
+        notes.append(
+            f"Pose {loaded[0]}{_and_others(loaded)}: columns set: differ; the changes are also those of another load."
+        )
+    moved = [first.labels[i] for i, j in places if _elsewhere(first, second, i, j)]
+    if moved:
+        notes.append(
+            f"Pose {moved[0]}{_and_others(moved)}: the positions differ; the changes are also those of another pose."
+        )
+    return notes
+
+
+def _and_others(labels: Sequence[str]) -> str:
+    return f" and {len(labels) - 1} more" if len(labels) > 1 else ""
+
+
+def _elsewhere(first: Measurements, second: Measurements, pose: int, second_pose: int) -> bool:
+    """Return whether both give a position and these differ by more than their errors."""
+    a, b = first.points[pose], second.points[second_pose]
+    if not (first.points.any() and second.points.any()):
+        return False
+    errors = np.hypot(first.point_sigma[pose], second.point_sigma[second_pose])
+    return bool((np.abs(b - a) > 3.0 * errors + 1e-6).any())

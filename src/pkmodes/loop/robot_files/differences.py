@@ -1,0 +1,184 @@
+"""What two robot files of one mechanism declare differently: values with their uncertainties, and effects."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Annotated
+
+from msgspec import Meta
+
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.robot.covariance import COVARIANCE
+from pkmodes.core.robot.declaration import Declaration
+from pkmodes.core.robot.layout import by_path, takers
+from pkmodes.core.robot.units import Quantity
+from pkmodes.core.robot.usable import numbers_of
+from pkmodes.core.support.documents import Document
+
+
+class ValueDifference(Document, frozen=True):
+    """A quantity that the two robots declare differently."""
+
+    path: Annotated[str, Meta(description="Its dotted path.")]
+    unit: Annotated[str, Meta(description="Its SI unit; 1 if dimensionless.")]
+    first: Annotated[float | None, Meta(description="Value of the first robot; null where it declares none.")]
+    second: Annotated[
+        float | None, Meta(description="Value of the second robot; null where it declares none.")
+    ]
+    first_sigma: Annotated[float | None, Meta(description="Standard deviation; null where none is declared.")]
+    second_sigma: Annotated[float | None, Meta(description="Likewise of the second robot.")]
+    relative: Annotated[
+        float | None,
+        Meta(description="second / first - 1; null where one is not declared, or the first is 0."),
+    ]
+
+
+class ChoiceDifference(Document, frozen=True):
+    """A choice, such as a direction, or the correlations, that the two robots declare differently."""
+
+    path: Annotated[str, Meta(description="Its dotted path.")]
+    first: Annotated[str, Meta(description="As the first robot has it.")]
+    second: Annotated[str, Meta(description="As the second robot has it.")]
+
+
+@dataclass(frozen=True)
+class Differences:
+    """What two robots declare differently.
+
+    - values: in the order of the first file, then those of the second alone
+    - added, removed: effects that only the second robot has, and only the first
+    - compared: quantities that were compared
+    """
+
+    values: tuple[ValueDifference, ...]
+    choices: tuple[ChoiceDifference, ...]
+    added: tuple[str, ...]
+    removed: tuple[str, ...]
+    compared: int
+
+
+def check_one_mechanism(first: Declaration, second: Declaration) -> None:
+    """Refuse robots of different mechanisms, whose values and poses cannot be compared.
+
+    Raises PkmodesError.
+    """
+    if first.mechanism_name != second.mechanism_name:
+        problem = (
+            f"expected two robots of one mechanism, found {first.mechanism_name} and {second.mechanism_name}"
+        )
+        raise PkmodesError(
+            problem, f"{first.source}, {second.source}", "compare two files of the same mechanism"
+        )
+
+
+def differences(first: Declaration, second: Declaration) -> Differences:
+    """Compare the declarations of two robots.
+
+    An axis's own value is compared with the shared one where the other robot has none of its own.
+
+    Raises PkmodesError if their mechanisms differ.
+    """
+    check_one_mechanism(first, second)
+    paths = [
+        path
+        for path in dict.fromkeys([*first.quantities, *second.quantities])
+        if _compared(path, first, second)
+    ]
+    of_values = [_difference(path, first, second) for path in paths]
+    compared = [*of_values, *_usable(first, second)]
+    ours, theirs = _effects(first), _effects(second)
+    return Differences(
+        tuple(
+            difference
+            for difference in compared
+            if (difference.first, difference.first_sigma) != (difference.second, difference.second_sigma)
+        ),
+        (*_choices(first, second), *_correlations(first, second)),
+        tuple(name for name in theirs if name not in ours),
+        tuple(name for name in ours if name not in theirs),
+        len(compared),
+    )
+
+
+def _compared(path: str, first: Declaration, second: Declaration) -> bool:
+    """Return whether a value is compared by itself: not a shared one where the other robot's axes have their own."""
+    if path in first.quantities and path in second.quantities:
+        return True
+    overrides = [item.path for item in takers(first.mechanism).get(path, ())]
+    return not any(name in robot.quantities for robot in (first, second) for name in overrides)
+
+
+def _difference(path: str, first: Declaration, second: Declaration) -> ValueDifference:
+    ours, theirs = (_quantity(path, robot) for robot in (first, second))
+    unit = next(quantity.unit for quantity in (ours, theirs) if quantity is not None)
+    before, after = (None if quantity is None else quantity.value for quantity in (ours, theirs))
+    sigma_before, sigma_after = (None if quantity is None else quantity.sigma for quantity in (ours, theirs))
+    return ValueDifference(path, unit, before, after, sigma_before, sigma_after, _relative(before, after))
+
+
+def _relative(first: float | None, second: float | None) -> float | None:
+    return second / first - 1.0 if first and second is not None else None
+
+
+def _quantity(path: str, robot: Declaration) -> Quantity | None:
+    item = by_path(robot.mechanism).get(path)
+    shared = "" if item is None or not item.shared else path.replace(item.path, item.shared, 1)
+    return robot.quantities.get(path, robot.quantities.get(shared))
+
+
+def _usable(first: Declaration, second: Declaration) -> Iterator[ValueDifference]:
+    ours, theirs = (numbers_of(robot.mechanism, robot.usable) for robot in (first, second))
+    for path in dict.fromkeys([*ours, *theirs]):
+        unit = (ours.get(path) or theirs[path])[1]
+        before, after = (of[path][0] if path in of else None for of in (ours, theirs))
+        yield ValueDifference(path, unit, before, after, None, None, _relative(before, after))
+
+
+def _correlations(first: Declaration, second: Declaration) -> Iterator[ChoiceDifference]:
+    """Yield one entry if the errors of values are correlated differently."""
+    ours, theirs = (_pairs(robot) for robot in (first, second))
+    before, after = _between(ours), _between(theirs)
+    if ours != theirs:
+        far = max(abs(ours.get(pair, 0.0) - theirs.get(pair, 0.0)) for pair in ours.keys() | theirs.keys())
+        apart = f", which differ from those by up to {far:.2g}" if ours and theirs else ""
+        yield ChoiceDifference(COVARIANCE, before, after + apart)
+    elif ours and _stated(first) != _stated(second):
+        yield ChoiceDifference(COVARIANCE, before, f"{after}, the same with other standard deviations")
+
+
+def _pairs(robot: Declaration) -> dict[frozenset[str], float]:
+    """Return the correlation of each pair of values that are correlated."""
+    return {
+        frozenset((table.paths[i], table.paths[k])): rate
+        for table in robot.covariance
+        for i, row in enumerate(table.correlation)
+        for k, rate in enumerate(row[:i])
+        if rate
+    }
+
+
+def _stated(robot: Declaration) -> dict[str, float]:
+    """Return the standard deviations that tables state beside those of the values."""
+    return {
+        path: sigma
+        for table in robot.covariance
+        for path, sigma in zip(table.paths, table.sigmas or (), strict=False)
+    }
+
+
+def _between(pairs: Mapping[frozenset[str], float]) -> str:
+    """Return a table of correlations in words."""
+    count = len({path for pair in pairs for path in pair})
+    return f"correlations of {count} values" if count else "no correlations"
+
+
+def _effects(robot: Declaration) -> list[str]:
+    return list(dict.fromkeys(path.split(".")[0] for path in robot.effects))
+
+
+def _choices(first: Declaration, second: Declaration) -> Iterator[ChoiceDifference]:
+    ours, theirs = first.declared, second.declared
+    for path in ours:
+        if path not in first.quantities and path in theirs and ours[path] != theirs[path]:
+            yield ChoiceDifference(path, str(ours[path]), str(theirs[path]))

@@ -1,0 +1,117 @@
+"""What a small change of each quantity does to the frequencies at a pose: by one per cent, or by one sigma.
+
+The changes are derivatives times the change, exact to first order; a fall changes the frequencies by as much as a
+rise, the other way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.model import Model
+from pkmodes.loop.sensitivity.paths import resolve_all
+from pkmodes.loop.sensitivity.relative import alike_around, rates_of, scalable
+from pkmodes.loop.sensitivity.spread import frequency_sigmas, stated_sigmas
+
+Array = NDArray[np.float64]
+#: By how much each quantity changes: one per cent of its value, or the standard deviation that the robot file states.
+PERCENT, SIGMA = "percent", "sigma"
+#: Note on the standard deviation from all quantities where the robot file has tables of correlations.
+CORRELATED = (
+    "with the [[covariance]] of the robot file, so that it may be less than what one value does alone"
+)
+#: Changes below this fraction of a frequency are rounding.
+ROUNDING = 1e-11
+
+
+def coinciding(groups: Sequence[int], rigid: int, noun: str) -> list[str]:
+    """Say which modes of vibration coincide, and what their numbers then are.
+
+    - groups: a number for each mode, the same for the members of a group
+    - rigid: number of rigid-body modes, which come first
+    - noun: the numbers: derivatives, or changes
+    """
+    by_group = dict[int, list[str]]()
+    for number, group in enumerate(groups[rigid:], start=1):
+        by_group.setdefault(group, []).append(str(number))
+    return [
+        f"modes {', '.join(members)} coincide: the {noun} are those of the branches into which they split, in "
+        "ascending order"
+        for members in by_group.values()
+        if len(members) > 1
+    ]
+
+
+@dataclass(frozen=True, eq=False)
+class Changes:
+    """Changes of m frequencies of vibration at a pose, for T quantities.
+
+    - by: by how much each quantity changes, "percent" or "sigma"
+    - paths: of each quantity, length T; several where they act as one
+    - names: the same as they are shown, length T: ``1/...`` for one that acts like the reciprocal
+    - frequencies: in Hz, (m,)
+    - changes: for a rise of each quantity, (T, m) [Hz]
+    - together: by sigma, (m,): the standard deviation of each frequency, from all quantities [Hz]
+    """
+
+    by: str
+    paths: tuple[tuple[str, ...], ...]
+    names: tuple[tuple[str, ...], ...]
+    frequencies: Array
+    changes: Array
+    together: Array | None
+
+    def largest(self, mode: int, limit: int | None = None) -> list[int]:
+        """Return the quantities that change a mode (counted from 0), the largest change first."""
+        size = np.abs(self.changes[:, mode])
+        acting = size > ROUNDING * abs(self.frequencies[mode])
+        # Equal to six digits counts as equal: rounding does not order them.
+        rounded = [float(f"{value:.6g}") for value in size.tolist()]
+        order = sorted(np.flatnonzero(acting).tolist(), key=lambda i: -rounded[i])
+        return order[:limit]
+
+    def largest_of_all(self, limit: int | None = None) -> list[int]:
+        """Return the quantities by their largest relative change in any mode."""
+        size = np.nanmax(np.abs(self.changes / self.frequencies), axis=1, initial=0.0)
+        rounded = [float(f"{value:.6g}") for value in size.tolist()]
+        order = sorted(np.flatnonzero(size > ROUNDING).tolist(), key=lambda i: -rounded[i])
+        return order[:limit]
+
+
+def changes_at(
+    model: Model, pose: ArrayLike, drives: str, by: str = PERCENT, paths: Sequence[str] | None = None
+) -> Changes:
+    """Compute what a change of each quantity does to the frequencies of vibration.
+
+    - pose: in SI units, (d,)
+    - by: by sigma, only the quantities with a standard deviation count, "percent" or "sigma"
+    - paths: quantities to change by one per cent, none of them 0; by default those of which a per cent means
+      something
+
+    Raises PkmodesError if `by` is neither word, or the robot file states no standard deviation.
+    """
+    rigid = model.solved(drives).rigid_modes
+    if by == PERCENT:
+        candidates, combined = scalable(model.robot) if paths is None else list(paths), None
+        alike_groups = alike_around(model, pose, candidates, drives)
+        members = tuple(tuple(candidates[i] for i in group.members) for group in alike_groups)
+        names = tuple(tuple(group.names(candidates)) for group in alike_groups)
+        values = resolve_all(model.robot, [group[0] for group in members])
+        steps = [0.01 * path.value for path in values]
+    elif by == SIGMA:
+        combined = frequency_sigmas(model, pose, drives=drives)[rigid:]
+        sigmas = stated_sigmas(model.robot)
+        steps = list(sigmas.values())
+        names = members = tuple((path,) for path in sigmas)
+    else:
+        raise PkmodesError(
+            f'expected "{PERCENT}" or "{SIGMA}", found {by!r}', "by", f'for example: by="{SIGMA}"'
+        )
+    rates = rates_of(model, pose, [group[0] for group in members], drives, "raise")[:, rigid:]
+    frequencies = model.frequencies(pose, drives=drives)[rigid:]
+    return Changes(by, members, names, frequencies, rates * np.array(steps)[:, None], combined)

@@ -1,0 +1,233 @@
+"""Derivatives of modes from the compiled evaluator, and from NumPy where modes coincide or joints are locked.
+
+The evaluator takes parameter paths as weighted entries of the gradient of an eigenvalue.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cache, cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.compiled.lanes import ALL_COORDINATES, RATES_OF_MATRICES, UNSOLVED, Terms, flat
+from pkmodes.core.linalg.eigen import magnitude
+from pkmodes.core.mechanism.poses import CHUNK, codes_of
+from pkmodes.core.mechanism.registry import Mechanism
+from pkmodes.core.mechanism.regular import sample
+from pkmodes.core.robot.layout import Slot
+from pkmodes.core.solve.at_poses import RobotAtPoses
+from pkmodes.core.solve.batch import Job
+from pkmodes.core.solve.solver import EIGENVALUES, Codes, Solver
+from pkmodes.core.system.evaluation import Evaluation, ExtendedSystem, may_be_refused, number_of_modes
+from pkmodes.loop.sensitivity.locked import Locked, joints_of
+from pkmodes.loop.sensitivity.matrices import POSE, MatrixDerivatives, effect_fields
+from pkmodes.loop.sensitivity.modes import ROUNDING, separate
+from pkmodes.loop.sensitivity.paths import ParameterPath
+
+Array = NDArray[np.float64]
+Index = NDArray[np.intp]
+#: The compiled evaluator's names of the fields of `sensitivity.sensitivities.Sensitivities` that it evaluates.
+RATES = {"eigenvalues": "eigenvalue_rates", "frequencies": "frequency_rates"}
+
+
+def terms_of(system: ExtendedSystem, paths: Sequence[ParameterPath]) -> Terms:
+    """Return the terms of parameter paths.
+
+    - system: of the robot, with or without effects
+    """
+    terms = terms_of_all([system], [paths])
+    return terms._replace(first=terms.first[0], effects=terms.effects[0])
+
+
+def terms_of_all(systems: Sequence[ExtendedSystem], paths: Sequence[Sequence[ParameterPath]]) -> Terms:
+    """Return the terms of several robots with the same free coordinates, each with equally many paths."""
+    system = systems[0]
+    values, parameters = _places(system.mechanism)
+    pose = len(values)
+    joints, free = pose + len(system.mechanism.pose), frozenset(system.free.tolist())
+    of_paths = [
+        list(_terms(robot_system, path, values, free))
+        for robot_system, robot_paths in zip(systems, paths, strict=True)
+        for path in robot_paths
+    ]
+    places = [place for terms in of_paths for place, _ in terms]
+    count, ends = len(paths[0]), np.cumsum([0, *map(len, of_paths)], dtype=np.int32)
+    return Terms(
+        first=ends[np.arange(len(systems))[:, None] * count + np.arange(count + 1)],
+        places=np.array(places, dtype=np.int32),
+        weights=np.array([weight for terms in of_paths for _, weight in terms], dtype=float),
+        effects=np.array([flat(robot_system.effects) for robot_system in systems]),
+        all_coordinates=any(parameters <= place < pose or place >= joints for place in places),
+        locked_joints=any(place >= joints and place - joints not in free for place in places),
+    )
+
+
+def _terms(
+    system: ExtendedSystem, path: ParameterPath, values: Mapping[Slot, int], free: frozenset[int]
+) -> Iterator[tuple[int, float]]:
+    """Yield place and weight of the terms of a path."""
+    pose = len(values)
+    joints, of_slot = pose + len(system.mechanism.pose), joints_of(system.mechanism)
+    for slot, weight in path.weights.items():
+        if slot in of_slot:
+            for joint in of_slot[slot]:
+                rate = float(system.joint_rates[joint]) if joint in free else 1.0
+                yield joints + joint, weight * rate
+        elif slot[0] == POSE:
+            yield pose + slot[1][0], weight
+        else:
+            yield values[slot], weight
+
+
+@cache
+def _places(mechanism: Mechanism) -> tuple[dict[Slot, int], int]:
+    """Return the place of each number of a robot in a gradient, and how many of them are parameters."""
+    dotted, parameters = effect_fields(mechanism), 0
+    slots: list[Slot] = []
+    for numbers in (sample(mechanism), mechanism.extended.Effects()):
+        parameters = len(slots)
+        slots += [
+            (dotted.get(name, name), index)
+            for name, value in zip(numbers._fields, numbers, strict=True)
+            for index in np.ndindex(np.shape(value))
+        ]
+    return {slot: place for place, slot in enumerate(slots)}, parameters
+
+
+def rates_job(
+    solver: Solver,
+    system: Evaluation,
+    source: str,
+    terms: Terms,
+    close: float,
+    requested: Sequence[str],
+    by_numpy: Callable[[Array], Mapping[str, Array]],
+) -> Job:
+    """Return the job that evaluates derivatives of eigenvalues and frequencies.
+
+    - solver: that differentiates
+    - system: of the robot
+    - source: the robot, for messages
+    - terms: of T paths
+    - close: as for `pkmodes.Model.sensitivities`
+    - requested: fields
+    - by_numpy: evaluates the fields at some poses, (n, d)
+    """
+    modes = number_of_modes(system)
+
+    def compute(points: Array, rows: Mapping[str, Array], threads: int) -> Codes:
+        at = RobotAtPoses(system, points, source, {})
+        if not rows:
+            return solver.compute(at, rows, threads)
+        eigenvalues = np.empty((len(points), modes))
+        written = {RATES[name]: array for name, array in rows.items()}
+        codes = solver.rates(at, {**written, EIGENVALUES: eigenvalues}, terms, threads)
+        for start in range(0, len(codes), CHUNK):
+            part = slice(start, start + CHUNK)
+            coincident = _coincide(eigenvalues[part], system, close, "eigenvalues" in requested)
+            codes[part][(codes[part] == 0) & coincident] = UNSOLVED
+        return codes
+
+    tail = (len(terms.first) - 1, modes)
+    return Job(
+        tails=dict.fromkeys(requested, (tail, "f8")),
+        reasons=codes_of(system.mechanism),
+        compute=compute,
+        by_numpy=by_numpy,
+        checks_poses=True,
+        refusable=may_be_refused(system),
+    )
+
+
+def _coincide(eigenvalues: Array, system: Evaluation, close: float, of_zero: bool) -> NDArray[np.bool_]:
+    """Return where modes form a group; with `of_zero` also of those whose frequency is zero to rounding."""
+    sizes = magnitude(eigenvalues, system.first, system.rigid_modes, system.loose_motions)
+    coincident = ~separate(eigenvalues, close, sizes)
+    if not of_zero:
+        moving = np.abs(eigenvalues) > ROUNDING * sizes
+        coincident &= moving[:, 1:] | moving[:, :-1]
+    return np.asarray(coincident.any(axis=1))
+
+
+class CompiledDerivatives(MatrixDerivatives):
+    """Derivatives of given modes, evaluated together for all poses, robots and paths.
+
+    - system, p, paths, matrices, locked: as for `MatrixDerivatives`
+    - along: what the kernel evaluated of the modes for which derivatives will be requested
+      (`pkmodes.core.compiled.evaluator.Evaluator.along`).  NumPy evaluates other fields where they are read.
+    """
+
+    def __init__(
+        self,
+        system: ExtendedSystem,
+        p: Array,
+        paths: Sequence[Sequence[ParameterPath]],
+        along: Mapping[str, Array],
+        matrices: tuple[Array, Array] | None = None,
+        locked: Locked | None = None,
+    ) -> None:
+        super().__init__(system, p, paths, matrices, locked)
+        self._compiled = along
+
+    @cached_property
+    def _all_coordinates(self) -> tuple[Array, Array]:
+        if not self._compiled.keys() >= set(ALL_COORDINATES):
+            return super()._all_coordinates
+        M, K = (self._compiled[name] for name in ALL_COORDINATES)
+        return self.system.of_generated(M, K)
+
+    @cached_property
+    def _dense(self) -> tuple[Array, Array]:
+        if not self._compiled.keys() >= set(RATES_OF_MATRICES):
+            return super()._dense
+        dM, dK = (self._compiled[name] for name in RATES_OF_MATRICES)
+        for matrix in (dM, dK):
+            matrix[:, list(self.locked)] = np.nan
+        return dM, dK
+
+    def eigenvalues(self, eigenvalues: Array, shapes: Array) -> Array:
+        """Return derivatives of simple eigenvalues, (N, m, T)."""
+        rates = np.ascontiguousarray(np.swapaxes(self._compiled["mode_rates"], 1, 2))
+        self._add_locked(rates, eigenvalues, shapes)
+        return rates
+
+    def changes(self, eigenvalues: Array, shapes: Array, poses: Index | None = None) -> tuple[Array, Array]:
+        """Return (dK - lambda dM) phi, (N, T, m, n), and phi^T dM phi, (N, T, m), along each path."""
+        if poses is not None or "changes" not in self._compiled:
+            return super().changes(eigenvalues, shapes, poses)
+        change, norm = self._compiled["changes"], self._compiled["norms"]
+        return self._with_locked(change, norm, eigenvalues, shapes)
+
+    def motions(self, shapes: Array) -> Array | None:
+        """Return the derivatives of the platform's motion in fixed shapes, (N, T, m, components)."""
+        return self._compiled["motions"]
+
+
+def derivatives_of(
+    solver: Solver | None,
+    system: ExtendedSystem,
+    p: Array,
+    paths: Sequence[Sequence[ParameterPath]],
+    modes: tuple[Array, Array],
+    terms: Terms | None,
+    fields: Sequence[str],
+    *,
+    matrices: tuple[Array, Array] | None = None,
+    locked: Locked | None = None,
+) -> MatrixDerivatives:
+    """Return the derivatives of modes along paths, from one call of a compiled solver if it has them.
+
+    - solver: of the robots
+    - system, p, paths, matrices, locked: as for `MatrixDerivatives`
+    - modes: eigenvalues and shapes, (N, m) and (N, m, n); m may be 0
+    - terms: of the paths, if there is a solver
+    - fields: what the solver evaluates, as of `pkmodes.core.solve.solver.Solver.along`; nothing, if empty
+    """
+    along = None
+    if solver is not None and terms is not None and fields:
+        along = solver.along(RobotAtPoses(system, p, "", {}), modes, terms, fields)
+    if along is None:
+        return MatrixDerivatives(system, p, paths, matrices, locked)
+    return CompiledDerivatives(system, p, paths, along, matrices, locked)

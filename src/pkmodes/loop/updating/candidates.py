@@ -1,0 +1,389 @@
+"""Parameters and candidate causes of a robot: its nuisances, the catalogue of effects, and suspected values.
+
+A declared value with a standard deviation is a nuisance, a value without one may be suspected, and a value with a
+standard deviation of 0 is known.  The elements of a whole (``axis.span``) are suspected together, under its path.
+
+Candidates that concern one of several equal parts are remote: a value of one axis if the file gives one for all, and
+a compliance of the catalogue in a single joint, which has no name in the catalogue.  A compliance with a separate
+value in each joint is not a candidate either, but the general form against which the shared one is tested.  An effect
+that a file may give joint by joint, such as a frame by direction, has a named candidate for each.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from pkmodes.core.base.errors import PkmodesError, nearest_name, shown
+from pkmodes.core.robot.layout import GRAVITY, Item, by_path, lent, takers
+from pkmodes.core.robot.parameter_groups import groups_by_path, items_of, weights_of
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.robot.units import with_unit
+from pkmodes.core.support.covariance import Prior, priors_of
+from pkmodes.core.support.words import meaning_of
+from pkmodes.loop.diagnosis.problem import Assumption, Candidate, Parameter
+from pkmodes.loop.sensitivity.paths import ParameterPath, paths, resolve
+from pkmodes.loop.updating import frame
+from pkmodes.loop.updating.joints import joints_of
+from pkmodes.loop.updating.kinds import with_kinds
+from pkmodes.loop.updating.load_cases import LoadCases
+from pkmodes.loop.updating.usual import usual, usual_factor
+from pkmodes_description import Effect, EffectParameter, ParameterGroup
+
+#: Prefix of suspected values as candidates.
+PREFIX = "parameter:"
+#: Prefix of the paths of effects; effects as candidates have their bare names.
+EFFECTS = "effects."
+#: A suspected value is searched for between a third and three times the declared one: beyond that, the robot file
+#: describes another machine.
+FACTOR = 3.0
+
+
+def suspects(
+    robot: Robot, chosen: Sequence[str] | None = None, loads: LoadCases | None = None
+) -> tuple[list[Parameter], list[Candidate], dict[str, ParameterPath]]:
+    """Return the parameters of the diagnosis, its candidates, and the path of each parameter of the robot.
+
+    - chosen: names of candidates: effects, ``parameter:<path>``, ``measurement:<what>``, or the words ``effects``,
+      ``parameters`` and ``measurement`` for all of a kind.  By default all effects, every value that may be
+      suspected, and the frame of the measurement.
+    - loads: values set by the measurements: an effect whose constant is set becomes a candidate, and a value set at
+      every pose is known
+
+    Raises PkmodesError if a name is unknown.
+    """
+    loads = LoadCases.none(robot, 0) if loads is None else loads
+    nuisances = [path for path in _varying(robot) if robot.quantities[path].sigma]
+    candidates = _chosen(robot, chosen, loads)
+    if chosen is None:
+        candidates += _of_one_entry(robot)
+    candidates = _with_assumptions(robot, candidates, loads)
+    candidates += _with_another_constant(robot, candidates)
+    of_frame, frames = frame.suspects(robot.mechanism)
+    of_robot = [name for candidate in candidates if candidate not in frames for name in candidate.parameters]
+    moves = [resolve(robot, name) for name in dict.fromkeys([*nuisances, *of_robot])]
+    joints = _joints(robot) if candidates else {}
+    if loads.settings:
+        set_paths = {move.path for move in moves if loads.always(move)}
+        moves = [move for move in moves if move.path not in set_paths]
+        joints = {name: move for name, move in joints.items() if not loads.always(move)}
+        candidates = _unknown(candidates, set_paths, chosen or ())
+    moves += joints.values()
+    named = {name for candidate in candidates for name in _released_alone(robot, candidate)}
+    candidates += [
+        Candidate(name, (move.path,), f"{name} yields", remote=True, nameable=False)
+        for name, move in joints.items()
+        if name not in named
+    ]
+    candidates += _unlike(robot, candidates, joints)
+    suspected = {name for candidate in candidates if candidate in frames for name in candidate.parameters}
+    priors = priors_of(robot)
+    parameters = [_parameter(robot, move, priors.get(move.path, Prior())) for move in moves]
+    parameters += [parameter for parameter in of_frame if parameter.name in suspected]
+    return parameters, with_kinds(candidates), {move.path: move for move in moves}
+
+
+def _unknown(candidates: Sequence[Candidate], set_paths: set[str], chosen: Sequence[str]) -> list[Candidate]:
+    """Return the candidates without the parameters that the measurements set at every pose."""
+    kept = []
+    for candidate in candidates:
+        remaining = tuple(name for name in candidate.parameters if name not in set_paths)
+        if not remaining and candidate.name in chosen:
+            names, single = " and ".join(candidate.parameters), len(candidate.parameters) == 1
+            is_known, it = ("is known", "it") if single else ("are known", "them")
+            problem = f"{names} {is_known}: the measurements set {it} at every pose"
+            raise PkmodesError(problem, "candidates", f"leave {candidate.name} out")
+        if remaining == candidate.parameters or (remaining and not candidate.remote):
+            joints = tuple(joint for joint in candidate.joints if joint.parameter in remaining)
+            kept.append(replace(candidate, parameters=remaining, joints=joints))
+    return kept
+
+
+def _chosen(robot: Robot, chosen: Sequence[str] | None, loads: LoadCases) -> list[Candidate]:
+    kinds = {
+        "effects": _effects(robot, loads),
+        "parameters": _suspected(robot),
+        "measurement": {candidate.name: candidate for candidate in frame.suspects(robot.mechanism)[1]},
+    }
+    available = {name: candidate for kind in kinds.values() for name, candidate in kind.items()}
+    if chosen is None:
+        return list(available.values())
+    if isinstance(chosen, str):
+        problem = f"expected a list of names, found {shown(chosen)}"
+        raise PkmodesError(problem, "candidates", f"write [{shown(chosen)}]")
+    candidates: dict[str, Candidate] = {}
+    for name in chosen:
+        if name in kinds:
+            candidates |= kinds[name]
+        elif name in available:
+            candidates[name] = available[name]
+        else:
+            candidates[name] = _asked_for(robot, name, [*available])
+    return list(candidates.values())
+
+
+def _with_assumptions(robot: Robot, candidates: Sequence[Candidate], loads: LoadCases) -> list[Candidate]:
+    """Return candidates, with the defaults that their effects assume where no file states a value."""
+    assumed: dict[str, list[Assumption]] = {}
+    for borrowed, lender in lent(robot.mechanism).items():
+        default, move = by_path(robot.mechanism)[lender].key.default, resolve(robot, borrowed)
+        if default and not {lender, borrowed} & robot.quantities.keys() and not loads.always(move):
+            words = f"a {lender} of {with_unit(default, move.unit)}"
+            for name in robot.mechanism.effects[borrowed.split(".")[1]].forms:
+                assumed.setdefault(name, []).append(Assumption(borrowed, lender, words))
+    return [replace(candidate, assumes=tuple(assumed.get(candidate.name, ()))) for candidate in candidates]
+
+
+def _with_another_constant(robot: Robot, candidates: Sequence[Candidate]) -> list[Candidate]:
+    """Return effects with a wrong declared constant, such as the mass of a moving frame: alone they would not fit."""
+    with_constants = []
+    for borrowed, lender in lent(robot.mechanism).items():
+        _, name, constant = borrowed.split(".")
+        declared = robot.quantities.get(lender)
+        if declared is not None and declared.sigma is not None:
+            continue
+        forms = robot.mechanism.effects[name].forms
+        for candidate in (candidate for candidate in candidates if candidate.name in forms):
+            sentence = f"{candidate.sentence}, and its {constant} differs from the declared one"
+            with_constants.append(
+                Candidate(
+                    f"{candidate.name} with another {lender}",
+                    (*candidate.parameters, borrowed),
+                    sentence,
+                    remote=True,
+                    nameable=False,
+                )
+            )
+    return with_constants
+
+
+def _varying(robot: Robot) -> list[str]:
+    """Return the declared values that the robot depends on: not those that every entry overrides, lent ones once."""
+    varying = set(paths(robot))
+    varying -= {borrowed for borrowed, lender in lent(robot.mechanism).items() if lender in robot.quantities}
+    return [path for path in robot.quantities if path in varying]
+
+
+def _asked_for(robot: Robot, name: str, available: list[str]) -> Candidate:
+    """Return a candidate that is not suspected by default, such as a value of one axis."""
+    path = name.removeprefix(PREFIX)
+    effects = robot.mechanism.effects
+    effect = name.removeprefix(EFFECTS).partition(".")[0]
+    if effect in effects and name in effects[effect].forms:
+        form = effects[effect].forms[name]
+        refuse_declared(f"the effect {name}", _sigmas(robot, _paths(effects[effect], form)))
+        excluding = " and ".join(p for p in _excluding(effects[effect], form) if p in robot.quantities)
+        if excluding:
+            problem = f"{name} is not suspected: the robot file declares {excluding} in its place"
+            raise PkmodesError(problem, "candidates", f"leave {name} out, or remove {excluding}")
+    if name.startswith(EFFECTS) and effect in effects:
+        raise PkmodesError(f"unknown candidate {shown(name)}", "candidates", f'did you mean "{effect}"?')
+    if name == path or path not in paths(robot):
+        losses = [effect.name for effect in effects.values() if effect.dissipates]
+        suggestions = [*available, *losses, *(f"{PREFIX}{p}" for p in paths(robot))]
+        remedy = nearest_name(name, suggestions, "use the names in docs/diagnosis.md")
+        raise PkmodesError(f"unknown candidate {shown(name)}", "candidates", remedy)
+    whole, item = groups_by_path(robot.mechanism).get(path), by_path(robot.mechanism).get(path)
+    refuse_declared(path, _sigmas(robot, [path, *(_elements(robot, whole) if whole is not None else ())]))
+    shared = item.shared if item is not None else ""
+    if (
+        path not in robot.quantities
+        and shared in robot.quantities
+        and robot.quantities[shared].sigma is not None
+    ):
+        state = "refitted for all together" if robot.quantities[shared].sigma else "known exactly"
+        raise PkmodesError(
+            f"{shared} is {state}: the robot file gives a sigma",
+            "candidates",
+            f"to suspect {path}, declare it in the robot file without a sigma",
+        )
+    resolve(robot, path)
+    return Candidate(name, (path,), _wrong(robot, path))
+
+
+def _sigmas(robot: Robot, declared: Sequence[str]) -> list[float | None]:
+    """Return the standard deviations of those values that the robot file gives."""
+    return [quantity.sigma for path in declared if (quantity := robot.quantities.get(path)) is not None]
+
+
+def refuse_declared(subject: str, sigmas: Sequence[float | None]) -> None:
+    """Refuse a candidate that has a value with a standard deviation.
+
+    Raises PkmodesError.
+    """
+    stated = [sigma for sigma in sigmas if sigma is not None]
+    if stated:
+        state = "refitted already" if any(stated) else "known exactly"
+        raise PkmodesError(
+            f"{subject} is {state}: the robot file gives a sigma",
+            "candidates",
+            "leave it out, or remove the sigma",
+        )
+
+
+def _elements(robot: Robot, whole: ParameterGroup) -> list[str]:
+    """Return the paths of the elements of a whole."""
+    return [number.path for item in items_of(robot.mechanism, whole) for number in item.numbers]
+
+
+def _paths(effect: Effect, parameters: Iterable[EffectParameter]) -> list[str]:
+    return [f"{EFFECTS}{effect.name}.{p.name}" for p in parameters]
+
+
+def _excluding(effect: Effect, form: Iterable[EffectParameter]) -> list[str]:
+    """Return the paths that a robot file cannot have together with some parameters."""
+    return [path for p in form for path in _paths(effect, effect.excluded(p.name))]
+
+
+def _released_alone(robot: Robot, candidate: Candidate) -> list[str]:
+    """Return the joints, by the names of their own candidates, that a candidate of the catalogue releases alone."""
+    effect = robot.mechanism.effects.get(candidate.name.partition(".")[0])
+    form = () if effect is None or candidate.name == effect.name else effect.forms.get(candidate.name, ())
+    return [_of_joint(effect.name, name) for p in form for name in p.releases] if effect is not None else []
+
+
+def _effects(robot: Robot, loads: LoadCases) -> dict[str, Candidate]:
+    """Return the effects that the file does not declare, or declares without a standard deviation."""
+    candidates = {}
+    robots = (robot, *(case.robot for case in loads.cases))
+    values_of = [{**variant.constants, **variant.effects} for variant in robots]
+    there = {path for values in values_of for path, value in values.items() if value}
+    for effect in robot.mechanism.conservative_effects.values():
+        # A parameter that is multiplied by a constant given nowhere, such as a tension, has no effect.
+        constants = [p.name for p in effect.parameters if not p.fitted and p.greater_than is not None]
+        absent = [name for name in constants if f"{effect.name}.{name}" not in there]
+        for name, form in effect.forms.items():
+            paths = _paths(effect, form)
+            suspected = all(sigma is None for sigma in _sigmas(robot, paths))
+            declared = any(path in robot.quantities for path in _excluding(effect, form))
+            if suspected and not absent and not declared:
+                whole = "" if name == effect.name else effect.name
+                sentence = _sentence(effect, name, form)
+                joints = joints_of(robot.mechanism, paths, form, PREFIX)
+                candidates[name] = Candidate(name, tuple(paths), sentence, part_of=whole, joints=joints)
+    return candidates
+
+
+def _sentence(effect: Effect, name: str, form: Sequence[EffectParameter]) -> str:
+    """Return what an effect means for the machine, or a parameter of it that may be suspected alone."""
+    return effect.sentence if name == effect.name else f"{effect.sentence}: {form[0].description}"
+
+
+def _suspected(robot: Robot) -> dict[str, Candidate]:
+    """Return the candidates of values without a standard deviation; wholes in place of their elements."""
+    parts = {element for whole in robot.mechanism.parameter_groups for element in _elements(robot, whole)}
+    suspected = [
+        path
+        for path in _varying(robot)
+        if robot.quantities[path].sigma is None and path not in parts and _may_be_wrong(robot, path)
+    ]
+    for whole in robot.mechanism.parameter_groups:
+        free = all(robot.quantities[element].sigma is None for element in _elements(robot, whole))
+        if free and weights_of(robot, whole):
+            suspected.append(whole.path)
+    local = {path: any(part.isdigit() for part in path.split(".")) for path in suspected}
+    candidates = [
+        Candidate(f"{PREFIX}{path}", (path,), _wrong(robot, path), local=local[path]) for path in suspected
+    ]
+    return {candidate.name: candidate for candidate in candidates}
+
+
+def _wrong(robot: Robot, path: str) -> str:
+    """Return the sentence of a suspected value, in the words of the mechanism's description."""
+    words = meaning_of(robot.mechanism, path).partition(",")[0]
+    return f"the declared {words or f'value of {path}'} is wrong"
+
+
+def _may_be_wrong(robot: Robot, path: str) -> bool:
+    item = by_path(robot.mechanism).get(path)
+    if item is None or not item.key.suspected:
+        return False
+    return item.key is not GRAVITY or robot.quantities[path].value != 0.0  # a gravity component of 0 is exact
+
+
+def _of_one_entry(robot: Robot) -> list[Candidate]:
+    """Return the values of single axes for which the file gives one shared value without a sigma."""
+    candidates, all_paths = [], paths(robot)
+    for path in all_paths:
+        item = by_path(robot.mechanism).get(path)
+        if item is not None and item.shared in all_paths and path not in robot.quantities:
+            following = [
+                taker for taker in takers(robot.mechanism)[item.shared] if taker.path not in robot.quantities
+            ]
+            if robot.quantities[item.shared].sigma is None and len(following) > 1:
+                sentence = f"the value of {path} differs from that of the other axes"
+                candidates.append(Candidate(f"{PREFIX}{path}", (path,), sentence, remote=True))
+    return candidates
+
+
+def _joints(robot: Robot) -> dict[str, ParameterPath]:
+    """Return compliances in single joints; those of the catalogue are in all joints of their kind."""
+    joints = {}
+    for effect in robot.mechanism.effects.values():
+        name, unit = f"{effect.name}.{effect.parameters[0].name}", effect.parameters[0].unit
+        for q in effect.coordinates if len(effect.coordinates) > 1 else ():
+            releasing = _paths(effect, (p for p in effect.parameters if q.name in p.releases))
+            if 0.0 in _sigmas(robot, releasing):  # known exactly
+                continue
+            slot = (f"{name}.{q.name}", ())
+            path = ParameterPath(f"{EFFECTS}{name}.{q.name}", 0.0, unit, {slot: 1.0})
+            joints[_of_joint(effect.name, q.name)] = path
+    return joints
+
+
+def _of_joint(effect: str, coordinate: str) -> str:
+    return f"{effect} of {coordinate} alone"
+
+
+def _unlike(
+    robot: Robot, candidates: Sequence[Candidate], joints: Mapping[str, ParameterPath]
+) -> list[Candidate]:
+    """Return the general forms of candidate compliances, with a separate value in each joint."""
+    general = []
+    effects = robot.mechanism.effects
+    for name in [candidate.name for candidate in candidates if candidate.name in effects]:
+        released = [joint for q in effects[name].coordinates if (joint := _of_joint(name, q.name)) in joints]
+        if len(released) > 1:
+            parameters = tuple(joints[joint].path for joint in released)
+            general_name = f"{name} with a separate value in each joint"
+            general.append(Candidate(general_name, parameters, general_of=name))
+    return general
+
+
+def _parameter(robot: Robot, move: ParameterPath, prior: Prior) -> Parameter:
+    sigma = prior.sigma
+    item = by_path(robot.mechanism).get(move.path)
+    lower, upper = -np.inf, np.inf
+    believed = None
+    if move.path.startswith(EFFECTS):
+        _, effect, name, *_ = move.path.split(".")
+        least = next(p.greater_than for p in robot.mechanism.effects[effect].parameters if p.name == name)
+        lower = -np.inf if least is None else least
+        if sigma is None and lower == -1.0 and move.unit == "1":
+            believed = usual_factor(move.value)
+    elif item is None or not item.key.signed:
+        lower = 0.0
+        if sigma is None and move.value > 0.0:
+            lower, upper = move.value / FACTOR, move.value * FACTOR
+    elif sigma is None:
+        farthest = _farthest(robot, item)
+        lower, upper = move.value - farthest, move.value + farthest
+    unit = move.unit.replace(" ", "*")
+    if sigma is None and not move.path.startswith(EFFECTS):
+        believed = usual(item, move.value, move.unit, 0.0 if item is None else _largest(robot, item))
+    return Parameter(
+        move.path, move.value, unit, sigma, lower, upper, usual=believed, correlated=prior.correlated
+    )
+
+
+def _farthest(robot: Robot, item: Item) -> float:
+    """Return the largest plausible deviation of an element of a vector: that of a factor of three of the vector."""
+    return (FACTOR - 1.0) * _largest(robot, item) or np.inf
+
+
+def _largest(robot: Robot, item: Item) -> float:
+    """Return the largest element of a vector."""
+    elements = [robot.quantities[n.path].value for n in item.numbers if n.path in robot.quantities]
+    return max(map(abs, elements), default=0.0)

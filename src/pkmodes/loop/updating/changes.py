@@ -1,0 +1,232 @@
+"""What changed on a robot between campaigns of modal measurements, of which the first is trusted."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import partial
+
+import numpy as np
+
+from pkmodes.core.base.errors import MeasurementError, PkmodesError, shown
+from pkmodes.core.model import Model
+from pkmodes.core.robot.layout import Slot
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.support.threads import one_blas_thread
+from pkmodes.loop.diagnosis.fit.hypothesis import parallel
+from pkmodes.loop.diagnosis.problem import Candidate, Parameter, Structure
+from pkmodes.loop.diagnosis.search.additions import Progress
+from pkmodes.loop.diagnosis.states.changes import Trusted, with_known
+from pkmodes.loop.diagnosis.states.result import Change, merged
+from pkmodes.loop.diagnosis.states.words import candidate_as_change
+from pkmodes.loop.diagnosis.verdict.verdicts import AMBIGUOUS
+from pkmodes.loop.measured.measurements import Measurements
+from pkmodes.loop.sensitivity.paths import ParameterPath, resolve
+from pkmodes.loop.updating.candidates import EFFECTS, PREFIX
+from pkmodes.loop.updating.joints import joints_of
+from pkmodes.loop.updating.measured_robot import MeasuredRobot
+from pkmodes.loop.updating.robot_structure import RobotStructure
+from pkmodes.loop.updating.shared_values import axis_deviations, in_use, of_one_machine
+
+#: Default names of the states; several later ones are numbered.
+BEFORE, AFTER = "before", "after"
+#: Standard deviation of the relative stiffness change that all transmissions of a kind may share from one day to
+#: another, as with temperature.
+DAY = 0.015
+#: Odds of an exchanged or moved part relative to a change in use.
+EXCHANGED = 0.1
+#: The stiffness of the equal parts of a transmission.
+STIFFNESS = "stiffness"
+
+
+@one_blas_thread()
+def changed(
+    model: Robot | Model,
+    trusted: Measurements,
+    later: Measurements | Mapping[str, Measurements] | Sequence[Measurements],
+    *,
+    candidates: Sequence[str] | None = None,
+    holdout: Sequence[str] | None = None,
+    priors: Mapping[str, float | str] | None = None,
+    progress: Progress | None = None,
+    terms: bool = True,
+    name: str = "",
+) -> Change:
+    """Find what changed on a robot since a trusted campaign.
+
+    Uncertain values of the robot are fitted to the trusted campaign, and what the model is then wrong by is taken off
+    the later one: differences are compared with differences.  The stiffness that all belts, legs or reducers share
+    may differ by 1.5 % from one day to another.
+
+    Parameters
+    ----------
+    model : Robot or Model
+        From `pkmodes.read_robot` or `pkmodes.load`.
+    trusted : Measurements
+        From `read`.
+    later : Measurements, sequence or mapping of these
+        One campaign, or several, each compared with the trusted one.  The keys of a mapping name the states.
+    candidates : sequence of str, optional
+        What may have changed, as in `diagnose`; by default everything.
+    holdout : sequence of str, optional
+        Labels of held-out poses of the later campaigns; by default one in six.
+    priors : mapping of str to float or str, optional
+        As in `diagnose`.
+    progress : callable, optional
+        Called with a sentence at each step.
+    terms : bool, optional
+        Whether one thing at one place is tried where the candidates do not explain the difference.
+    name : str, optional
+        Name of the trusted state, if its measurements name none.
+
+    Returns
+    -------
+    Change
+        A diagnosis of the difference, with ``states``, and ``changed``: True, False, or None where the data do not
+        tell.
+
+    Raises
+    ------
+    PkmodesError
+        If a pose cannot be reached, a name is unknown, or the campaigns have no mode in common, the same rows, or
+        motors in different states.
+    """
+    names, campaigns = _named(trusted, later, name)
+    first = MeasuredRobot.of(model, trusted)
+    wrong = axis_deviations(first.robot)
+    common = Trusted.of(names[0], _extended(first.structure(candidates=()), wrong), trusted)
+    baseline = _as_trusted(first.robot, common.values)
+    changes = {}
+    for name, data in zip(names[1:], campaigns, strict=True):
+        measured = MeasuredRobot.of(baseline, data).where_usable()
+        if progress is not None and len(campaigns) > 1:
+            progress(f"comparing {name} with {names[0]}")
+        measured_structure = _extended(measured.structure(candidates, priors), wrong)
+        structure = with_known(_with_values(measured_structure, common.values), common.values)
+        ask = partial(
+            common.changed_to,
+            name,
+            data=measured.data,
+            holdout=None
+            if holdout is None
+            else [label for label in holdout if label in measured.data.labels],
+            progress=progress,
+            terms=terms,
+        )
+        changes[name] = _explained_change(ask, _with_day(structure), everything=candidates is not None)
+    return merged(names[0], changes)
+
+
+def _explained_change(
+    ask: Callable[[Structure], Change], structure: RobotStructure, *, everything: bool
+) -> Change:
+    """Return what changed: something that changes in use, or a part that was exchanged or moved.
+
+    Such a part is less likely: it is named in the class of what explains the difference, or where nothing else does.
+    """
+    robot = structure.robot
+    chosen = [
+        of_one_machine(candidate)
+        for candidate in structure.candidates
+        if everything or in_use(robot, candidate)
+    ]
+    first = ask(structure.extended([], {}, chosen))
+    settled = first.changed is False or first.verdict == AMBIGUOUS.word
+    if everything or (settled and not first.explained):
+        return first
+    parts = list(exchanged(structure))
+    second = ask(structure.extended([], {}, [*chosen, *parts]))
+    if not second.claimed & {part.name for part in parts}:
+        return first
+    if first.explained:
+        return second
+    note = "nothing that changes in use explains this: only a part that was exchanged or moved does"
+    return replace(second, notes=(note, *second.notes))
+
+
+def exchanged(structure: RobotStructure) -> Iterator[Candidate]:
+    """Yield the candidates that need an exchanged or moved part, except those that act like a change in use."""
+    robot = structure.robot
+    single = [candidate for candidate in structure.candidates if len(candidate.parameters) == 1]
+    places = {p.name: i for i, p in enumerate(structure.parameters)}
+    values = np.array([p.value for p in structure.parameters])
+    rates = structure.predict(values, [places[candidate.parameters[0]] for candidate in single]).rates
+    used = np.array([in_use(robot, candidate) for candidate in single])
+    same = {single[i].name for i in np.flatnonzero(parallel(rates)[:, used].any(axis=1))}
+    for candidate in structure.candidates:
+        if not in_use(robot, candidate) and candidate.name not in same:
+            yield replace(of_one_machine(candidate), odds=EXCHANGED)
+
+
+def _with_values(structure: RobotStructure, values: Mapping[str, float]) -> RobotStructure:
+    """Return a structure with the values of the trusted state that are in no candidate."""
+    robot, there = structure.robot, {p.name for p in structure.parameters}
+    moves = {name: resolve(robot, name) for name in values if name not in there}
+    parameters = [Parameter(name, path.value, path.unit) for name, path in moves.items()]
+    return structure.extended(parameters, moves, structure.candidates)
+
+
+def _extended(
+    structure: RobotStructure, further: tuple[Sequence[Parameter], Mapping[str, ParameterPath]]
+) -> RobotStructure:
+    """Return a structure with further parameters and their paths, and the same candidates."""
+    return structure.extended(*further, structure.candidates)
+
+
+def _named(
+    trusted: Measurements,
+    later: Measurements | Mapping[str, Measurements] | Sequence[Measurements],
+    trusted_name: str,
+) -> tuple[list[str], list[Measurements]]:
+    """Return the names of the states, the trusted one first, and the later campaigns."""
+    if isinstance(later, Measurements):
+        later = [later]
+    if not isinstance(later, Mapping | Sequence) or isinstance(later, str) or not later:
+        problem = f"expected measurements, found {shown(later)}"
+        raise PkmodesError(problem, "later", "give those of one state, or a list or mapping of several")
+    data = list(later.values()) if isinstance(later, Mapping) else list(later)
+    for place, measurements in {
+        "trusted": trusted,
+        **{f"later {i + 1}": x for i, x in enumerate(data)},
+    }.items():
+        if not isinstance(measurements, Measurements):
+            problem = f"expected measurements, found {shown(measurements)}"
+            raise PkmodesError(problem, place, "read them with pkmodes.loop.updating.read(path)")
+    first = trusted_name or trusted.state or BEFORE
+    if isinstance(later, Mapping):
+        names = list(map(str, later))
+    else:
+        single_names = [campaign.state or AFTER for campaign in data]
+        several = [campaign.state or f"{AFTER} {i + 1}" for i, campaign in enumerate(data)]
+        names = single_names if len(data) == 1 else several
+    for i, name in enumerate(names):
+        if name in (first, *names[:i]):
+            problem = f"two states are called {shown(name)}"
+            raise MeasurementError(problem, data[i].source, "give each state another name")
+    return [first, *names], data
+
+
+def _as_trusted(robot: Robot, values: Mapping[str, float]) -> Robot:
+    """Return a robot with the values of the trusted state, none of which is uncertain: any may have changed."""
+    uncertain = {path for path, quantity in robot.quantities.items() if quantity.sigma}
+    without_sigma = {path: {"sigma": None} for path in uncertain - values.keys()}
+    fitted = {path: {"value": values[path], "sigma": None} for path in uncertain & values.keys()}
+    return robot.with_values({**without_sigma, **fitted})
+
+
+def _with_day(structure: RobotStructure) -> RobotStructure:
+    """Return a structure in which all transmissions of a kind may differ by the day-to-day variation."""
+    mechanism, common = structure.robot.mechanism, dict[str, ParameterPath]()
+    for effect in mechanism.conservative_effects.values():
+        names = [f"{EFFECTS}{effect.name}.{p.name}" for p in effect.parameters]
+        joints = joints_of(mechanism, names, effect.parameters, PREFIX)
+        if not joints or joints[0].quantity.split()[-1] != STIFFNESS:
+            continue
+        part = joints[0].words.rpartition(" ")[0]
+        name = f"day.{part.replace(' ', '_')}_{STIFFNESS}"
+        slots: dict[Slot, float] = {(path.removeprefix(EFFECTS), ()): 1.0 for path in names}
+        common[name] = ParameterPath(name, 0.0, "1", slots)
+    parameters = [Parameter(name, 0.0, "1", DAY, lower=-0.5, upper=1.0) for name in common]
+    return structure.extended(
+        parameters, common, [candidate_as_change(candidate) for candidate in structure.candidates]
+    )

@@ -1,0 +1,39 @@
+"""The channels in which shapes of a robot are measured, and which of them are axes of one sensor.
+
+A sensor may be mounted in another direction than the file says.
+"""
+
+from __future__ import annotations
+
+from pkmodes.core.mechanism.registry import Mechanism
+from pkmodes.loop.diagnosis.problem import Sensor
+
+
+def channels(mechanism: Mechanism) -> dict[str, str]:
+    """Return the shape components of a robot with their units: all coordinates, released or not, and the platform."""
+    extended = mechanism.extended
+    coordinates = dict(zip(extended.COORDINATES, extended.COORDINATE_UNITS, strict=True))
+    return coordinates | {component.name: component.unit for component in mechanism.platform}
+
+
+def sensors(mechanism: Mechanism) -> tuple[Sensor, ...]:
+    """Return the sensors with several axes: on the platform, and on parts that an effect moves in all directions.
+
+    One on the platform may measure displacements, another one rotations.
+    The coordinates of such a part are those of one effect, one for each direction of the platform's motion, of the
+    same unit and in the same order: the displacements of a frame.
+    """
+    axes = mechanism.directions
+    place = mechanism.pose_is.partition(" in ")[0].removesuffix(" centre")
+    components = tuple(component.name for component in mechanism.platform)
+    of_platform = (axes, components[: len(axes)]), (mechanism.rotations, components[len(axes) :])
+    multi_axis = [Sensor(place, channels, along) for along, channels in of_platform if len(along) > 1]
+    if len(axes) < 2:
+        return tuple(multi_axis)
+    for effect in mechanism.effects_in_order:
+        names = tuple(coordinate.name for coordinate in effect.coordinates)
+        stem = names[0].removesuffix(axes[0]) if names else ""
+        alike = len({coordinate.unit for coordinate in effect.coordinates}) == 1
+        if alike and names == tuple(f"{stem}{axis}" for axis in axes):
+            multi_axis.append(Sensor("", names, axes))
+    return tuple(multi_axis)

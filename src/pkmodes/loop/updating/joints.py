@@ -1,0 +1,46 @@
+"""The equal parts of which an effect changes each by a factor of its own, in the mechanism's words.
+
+"relative change of the stiffness of leg 3" is that of leg 3; the declared value that changes is the one whose key is
+a stiffness and whose description counts legs: ``axis.3.leg.stiffness``.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from pkmodes.core.mechanism.described import Mechanism
+from pkmodes.core.robot.layout import items
+from pkmodes.core.support.words import ENTRY
+from pkmodes.loop.diagnosis.problem import Joint
+from pkmodes_description import EffectParameter
+
+#: Description of an effect's parameter that changes one of several equal parts.
+CHANGE = re.compile(r"relative change of the (\w[\w ]*) of (\w[\w ]*) (\d+)")
+
+
+def joints_of(
+    mechanism: Mechanism, paths: Sequence[str], parameters: Sequence[EffectParameter], prefix: str
+) -> tuple[Joint, ...]:
+    """Return the equal parts that the parameters of an effect change, one for each; none if they do anything else.
+
+    - paths: of the parameters
+    - prefix: of a term that is a declared value
+    """
+    matches = [CHANGE.fullmatch(p.description) for p in parameters]
+    joints = []
+    for path, parts in zip(paths, matches, strict=True):
+        if parts is None or len(paths) < 2:
+            return ()
+        quantity, part, number = parts.groups()
+        counted = re.compile(rf"\b{re.escape(part)} {ENTRY}\b")
+        declared_paths = [
+            item.path
+            for item in items(mechanism)
+            if item.entry == int(number) - 1
+            and item.key.name.split("_")[-1] == quantity.split()[-1]
+            and counted.search(item.key.description)
+        ]
+        term = f"{prefix}{declared_paths[0]}" if len(declared_paths) == 1 else ""
+        joints.append(Joint(path, f"{part} {number}", quantity, term))
+    return tuple(joints)

@@ -1,0 +1,78 @@
+"""The values of a machine that two states share though the robot file has them wrong, and those that may change.
+
+Masses, inertias and stiffnesses of each axis differ by some per cent from what a file declares.  They are fitted to
+the trusted state within a prior, beside the values that the file calls uncertain: what changes a mode depends on how
+it moves, and of modes that are close to each other that depends on such differences.
+
+Masses and stiffnesses change in use.  Lengths, radii and gear ratios are those of parts, which change if one is
+exchanged or moved.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from pkmodes.core.robot.layout import Item, by_path, items, takers
+from pkmodes.core.robot.parameter_groups import groups_by_path
+from pkmodes.core.robot.robot import Robot
+from pkmodes.loop.diagnosis.problem import Candidate, Parameter
+from pkmodes.loop.sensitivity.paths import ParameterPath, paths, resolve
+from pkmodes.loop.updating.candidates import PREFIX
+from pkmodes.loop.updating.frame import PREFIX as OF_MEASUREMENT
+
+#: Relative standard deviation of a declared mass, inertia or stiffness of an axis.
+WRONG = 0.03
+#: Dimensions of values that belong to a part, which do not change in use.
+OF_PARTS = ("length", "angle", "acceleration", "number", "moment of inertia")
+#: Dimensions of values that a robot file may have wrong by a few per cent.
+UNCERTAIN = ("mass", "moment of inertia")
+STIFFNESS = "stiffness"
+#: Prefix of the deviations.
+SHARED = "shared."
+#: Prior deviation between the frames of two campaigns on one machine, relative to that between a campaign and the
+#: robot file.
+NEARER = 0.025
+
+
+def axis_deviations(robot: Robot) -> tuple[list[Parameter], dict[str, ParameterPath]]:
+    """Return the deviations of declared values from those of the machine, of each axis, and the path of each."""
+    all_paths, parameters, moves = set(paths(robot)), [], {}
+    shared = takers(robot.mechanism)
+    for item in items(robot.mechanism):
+        if item.path in shared or item.path not in all_paths or not _may_be_wrong(item):
+            continue
+        quantities = [robot.quantities[path] for path in (item.path, item.shared) if path in robot.quantities]
+        path = resolve(robot, item.path)
+        if path.value <= 0.0 or any(quantity.sigma == 0.0 for quantity in quantities[:1]):
+            continue
+        name = f"{SHARED}{item.path}"
+        lower = -0.5 * path.value
+        parameters.append(Parameter(name, 0.0, path.unit, WRONG * path.value, lower=lower, upper=path.value))
+        moves[name] = ParameterPath(name, 0.0, path.unit, path.weights)
+    return parameters, moves
+
+
+def _may_be_wrong(item: Item) -> bool:
+    dimension = item.key.dimension
+    return (
+        item.key.kind == "quantity"
+        and bool(item.key.field)
+        and (dimension in UNCERTAIN or dimension.endswith(STIFFNESS))
+    )
+
+
+def in_use(robot: Robot, candidate: Candidate) -> bool:
+    """Return whether something may change while the parts of a machine stay the same and where they are."""
+    if not candidate.name.startswith(PREFIX):
+        return True
+    items_by_path, groups = by_path(robot.mechanism), groups_by_path(robot.mechanism)
+    path = candidate.name.removeprefix(PREFIX)
+    item = items_by_path.get(path) or items_by_path.get(path.rpartition(".")[0])
+    return path not in groups and item is not None and item.key.dimension not in OF_PARTS
+
+
+def of_one_machine(candidate: Candidate) -> Candidate:
+    """Return a candidate with the prior that it has between two campaigns on one machine."""
+    if not candidate.name.startswith(OF_MEASUREMENT) or candidate.sigma is None:
+        return candidate
+    return replace(candidate, sigma=tuple(NEARER * sigma for sigma in candidate.sigma))

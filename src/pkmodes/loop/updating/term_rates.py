@@ -1,0 +1,202 @@
+"""Derivatives of the modes of a robot at a site, with a term or without."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.mechanism.stepped import STEP
+from pkmodes.core.support.expansion import modal_expansion
+from pkmodes.loop.diagnosis.problem import Prediction
+from pkmodes.loop.sensitivity.locked import released
+from pkmodes.loop.sensitivity.matrices import MatrixDerivatives
+from pkmodes.loop.sensitivity.paths import ParameterPath
+from pkmodes.loop.updating.predictions import Moves
+from pkmodes.loop.updating.site_with_term import (
+    PlacedTerm,
+    PresentTerm,
+    Site,
+    TermModes,
+    channels_of,
+    in_all_coordinates,
+    platform_with,
+)
+from pkmodes.loop.updating.term_changes import (
+    Surroundings,
+    TermContribution,
+    at_null,
+    change_of,
+    changes_along,
+)
+from pkmodes_description import Term
+
+Array = NDArray[np.float64]
+Index = NDArray[np.intp]
+
+
+class _Rates(NamedTuple):
+    """Rates along one parameter.
+
+    - change: of (K - lambda M) phi, (N, m, n)
+    - norm: of phi^T M phi, (N, m)
+    - motion: of the platform's motion in fixed coordinates, (N, m, components)
+    - deflection: of coordinates that are locked, (N, m, e + a)
+    """
+
+    change: Array
+    norm: Array
+    motion: Array | None = None
+    deflection: Array | None = None
+
+
+class TermRates:
+    """Derivatives of the modes of a site.
+
+    - modes: at the site
+    - present: the term that the modes have
+    """
+
+    def __init__(self, site: Site, modes: TermModes, present: PresentTerm | None) -> None:
+        self.site, self.modes, self.present = site, modes, present
+        self._term = None if present is None else present.place.term
+        self._platform = np.real(platform_with(self._term, site.around))
+
+    def of_robot(self, moves: Moves, shape_rates: bool) -> Prediction:
+        """Return the modes with derivatives along moves of the robot."""
+        prediction = self._prediction(list(self._along(moves.paths)), shape_rates)
+        if moves.mix is None:
+            return prediction
+        along = prediction.shape_rates
+        return Prediction(
+            prediction.eigenvalues,
+            prediction.rates @ moves.mix,
+            prediction.shapes,
+            prediction.rigid,
+            None if along is None else along @ moves.mix[:, None],
+        )
+
+    def of_terms(self, parameters: Sequence[tuple[PlacedTerm, int, Array]], shape_rates: bool) -> Prediction:
+        """Return the modes with derivatives with respect to parameters of terms.
+
+        - parameters: the term, which of its parameters, and the values of all of them
+        """
+        return self._prediction([self._with_parameter(*parameter) for parameter in parameters], shape_rates)
+
+    @cached_property
+    def _channels(self) -> Array:
+        """Channels of the modes, (N, m, C)."""
+        return channels_of(self.site.system, self._platform, self._motions)
+
+    @cached_property
+    def _motions(self) -> Array:
+        """Shapes in all coordinates, (N, m, e + a)."""
+        return in_all_coordinates(self.modes.matrices, self.modes.shapes)
+
+    def _prediction(self, rates: Sequence[_Rates], shape_rates: bool) -> Prediction:
+        eigenvalues, shapes = self.modes.eigenvalues, self.modes.shapes
+        slopes = np.zeros((*eigenvalues.shape, len(rates)))
+        along = np.zeros((*self._channels.shape, len(rates))) if shape_rates else None
+        if rates:
+            change = np.stack([of_one.change for of_one in rates], axis=1)
+            slopes = np.einsum("ntmi,nmi->nmt", change, shapes)
+            if along is not None:
+                along = self._shape_rates(change, rates)
+        return Prediction(eigenvalues, slopes, self._channels, self.modes.matrices.rigid, along)
+
+    def _along(self, paths: Sequence[ParameterPath]) -> Iterator[_Rates]:
+        """Yield the rates along paths of the robot, which has a term."""
+        if not paths:
+            return
+        assert self.present is not None  # without a term, the robot itself is evaluated
+        term, values = self.present.place.term, self.present.values
+        site, matrices = self.site, self.modes.matrices
+        derivatives = MatrixDerivatives(site.system, site.points, [paths], site.matrices)
+        dM, dK = derivatives.dense()
+        n = dM.shape[-1]
+        for t, path in enumerate(paths):
+            of_M, of_K = (np.zeros_like(matrix) for matrix in matrices.in_free())
+            if t not in derivatives.locked:
+                of_M[:, :n, :n], of_K[:, :n, :n] = dM[:, t], dK[:, t]
+            motion = None
+            if path.weights and changes_along(term, site.system, path):
+                stepped = Surroundings(site.system, site.points, path)
+                change = self._free(change_of(term, values, stepped).rates())
+                of_M, of_K = of_M + change.M, of_K + change.K
+                turned = np.imag(platform_with(term, stepped)) / STEP
+                motion = self._motions @ np.swapaxes(turned, -1, -2)
+            rates = self._linear(of_M, of_K)._replace(motion=motion)
+            if t in derivatives.locked:
+                locked = derivatives.locked_joints
+                rates = self._released(rates, locked.joints, locked.weights[derivatives.locked.index(t)])
+            yield rates
+
+    def _with_parameter(self, place: PlacedTerm, k: int, values: Array) -> _Rates:
+        """Return the rates with parameter k of a term, from the values of all its parameters."""
+        if self.present is not None and place is self.present.place:
+            stepped = values.astype(complex)
+            stepped[k] += STEP * 1j
+            return self._linear(*self._free(change_of(place.term, stepped, self.site.around).rates()))
+        if k == 0:
+            return self._absent(place.term, values)
+        return _Rates(np.zeros_like(self.modes.shapes), np.zeros_like(self.modes.eigenvalues))
+
+    def _free(self, change: TermContribution) -> TermContribution:
+        free = self.modes.matrices.free
+        return TermContribution(change.M[:, free[:, None], free], change.K[:, free[:, None], free])
+
+    def _linear(self, dM: Array, dK: Array) -> _Rates:
+        shapes, eigenvalues = self.modes.shapes, self.modes.eigenvalues
+        inertia = shapes @ dM
+        change = shapes @ dK - eigenvalues[..., None] * inertia
+        return _Rates(change, np.einsum("nmi,nmi->nm", inertia, shapes))
+
+    def _released(self, rates: _Rates, joints: Index, weights: Array) -> _Rates:
+        """Return rates with those of compliances of locked joints, (r,): each deflects under its force."""
+        modes, matrices = self.modes, self.modes.matrices
+        force, change, norm = released(
+            (matrices.M, matrices.K),
+            matrices.free,
+            joints,
+            weights[None],
+            modes.eigenvalues,
+            modes.shapes,
+        )
+        deflection = np.zeros_like(self._motions) if rates.deflection is None else rates.deflection
+        deflection[..., joints] -= weights * force
+        return _Rates(rates.change + change[:, 0], rates.norm + norm[:, 0], rates.motion, deflection)
+
+    def _absent(self, term: Term, values: Array) -> _Rates:
+        motions = self._motions
+        e = self.site.matrices[0].shape[-1]
+        rates = at_null(term, values, self.site.around, self.modes.eigenvalues, motions[..., :e])
+        change = np.zeros_like(motions)
+        change[..., :e] = rates.change
+        return _Rates(change[..., self.modes.matrices.free], rates.norm, rates.motion)
+
+    def _shape_rates(self, change: Array, rates: Sequence[_Rates]) -> Array:
+        """Return the derivatives of the channels, (N, m, C, T)."""
+        modes, matrices = self.modes, self.modes.matrices
+        norm = np.stack([of_one.norm for of_one in rates], axis=1)
+        share = modal_expansion(change, norm, modes.eigenvalues, modes.shapes)
+        along = share @ self._channels[:, None]
+        # Coordinates without inertia, and locked ones, are in no mode.
+        follow = np.zeros((*share.shape[:3], matrices.M.shape[-1]))
+        r = np.flatnonzero(matrices.massless)
+        if len(r):
+            q = matrices.free[r]
+            K = matrices.K[:, q[:, None], q]
+            solution = np.linalg.solve(K[:, None], np.swapaxes(change[..., r], -1, -2))
+            follow[..., q] -= np.swapaxes(solution, -1, -2)
+        for t, of_one in enumerate(rates):
+            if of_one.deflection is not None:
+                follow[:, t] += of_one.deflection
+        along += channels_of(self.site.system, self._platform, follow)
+        components = self._platform.shape[-2]
+        for t, of_one in enumerate(rates):
+            if of_one.motion is not None:
+                along[:, t, :, -components:] += of_one.motion
+        return np.ascontiguousarray(np.moveaxis(along, 1, -1))

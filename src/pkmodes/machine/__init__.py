@@ -1,0 +1,1 @@
+"""A machine in use: responses, input shapers, maps of the workspace, datasets."""

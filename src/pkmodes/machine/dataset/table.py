@@ -1,0 +1,62 @@
+"""A map as a table: one row for each mode at each pose."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from pkmodes.core.solve.fields import EVERY, MODE, of_maps
+from pkmodes.machine.dataset.variables import LIST, OF_POSES, OF_TRACKING, dims_of
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+#: Order of the columns: one for each mode, for each pose, and for each component of these.
+ORDER = ((True, False), (False, False), (True, True), (False, True))
+
+
+def _dims() -> dict[str, tuple[str, ...]]:
+    """Return the axes of each variable after those of the poses."""
+    of_fields = {field.variable: dims_of(field) for field in of_maps(EVERY)}
+    return of_fields | {variable.name: variable.dims for variable in (*OF_TRACKING, *OF_POSES)}
+
+
+def _kind(dims: tuple[str, ...]) -> tuple[bool, bool]:
+    """Return whether a variable has a value for each mode, and whether it has components."""
+    return MODE in dims, bool({*dims} - {MODE})
+
+
+def table_of(dataset: xarray.Dataset) -> pandas.DataFrame:
+    """Return the modes of a dataset as a table.
+
+    - dataset: from `pkmodes.Model.map` or `pkmodes.Modes.to_dataset`
+
+    Returns one row for each mode at each pose, with the coordinates of the map as columns; shapes and positions have
+    one column for each component, such as ``platform_shape:x``, ``joint_position:x_1``.
+    """
+    import xarray
+
+    columns: dict[str, xarray.DataArray] = {}
+    for name, dims in sorted(_dims().items(), key=lambda item: ORDER.index(_kind(item[1]))):
+        if name not in dataset:
+            continue
+        if dims in ((), (MODE,)):
+            columns[name] = dataset[name]
+        else:
+            along = dims[-1]
+            labels = dataset[along].values.tolist()
+            columns |= {f"{name}:{label}": dataset[name].sel({along: label}, drop=True) for label in labels}
+    wide = xarray.Dataset(columns)
+    order = [str(dim) for dim in (*dataset["valid"].dims, MODE) if dim in wide.dims]
+    if not order:  # one pose, without frequencies and shapes
+        wide, order = wide.expand_dims(LIST), [LIST]
+    return wide.to_dataframe(dim_order=order).reset_index()
+
+
+def write_table(table: pandas.DataFrame, path: Path) -> None:
+    """Write a table as CSV or, by the name of the file, Parquet; numbers that do not exist are empty."""
+    if path.suffix == ".csv":
+        words = {name: table[name].map({False: "false", True: "true"}) for name in table.select_dtypes(bool)}
+        table.assign(**words).to_csv(path, index=False, lineterminator="\n")
+    else:
+        table.to_parquet(path, index=False)

@@ -1,0 +1,216 @@
+"""The dataset of a map, with CF attributes, from the rows that were computed.
+
+Its fields are in memory, or Dask arrays if the rows are stored.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import partial
+from math import prod
+from typing import TYPE_CHECKING, Any
+from uuid import uuid4
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.robot.declaration import changeable
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.solve.fields import EVERY, INDEPENDENT, MODE, of_maps
+from pkmodes.core.system.evaluation import evaluation
+from pkmodes.core.system.motors import solved_system
+from pkmodes.machine.dataset.attributes import attributes_of, imported, labels_of, meanings_of
+from pkmodes.machine.dataset.variables import LIST, variables
+from pkmodes.machine.maps.evaluating import MapLayout, codes
+from pkmodes.machine.maps.poses import Places, PoseGrid
+from pkmodes.machine.maps.tracking import Tracked
+from pkmodes.machine.maps.variants import SAMPLE, Variants
+
+if TYPE_CHECKING:
+    import xarray
+
+Array = NDArray[Any]
+#: Poses of a stored map that are read and written at once.
+CHUNK = 16_384
+
+
+def dataset_of(
+    robot: Robot,
+    places: Places,
+    variants: Variants,
+    layout: MapLayout,
+    arrays: Mapping[str, Any],
+    tracked: Tracked | None = None,
+) -> xarray.Dataset:
+    """Return the dataset of a map.
+
+    - robot: as declared
+    - arrays: the fields of `pkmodes.machine.maps.evaluating.tails`, each (rows, ...)
+    - tracked: modes by shape instead of by rank
+
+    Raises MissingExtraError if xarray is not installed.
+    """
+    mechanism = robot.mechanism
+    normal = places.normal(mechanism.directions)
+    leading = (*variants.dims, *places.dims)
+    shape = (*variants.shape, *places.shape)
+    coordinates = layout.coordinates if layout.shapes else mechanism.independent
+    # Shapes may have been needed for tracking only.
+    kept = {field.variable for field in of_maps(layout.conditions)}
+    shown = [name for name in arrays if name in kept or name == "code"]
+    fields = _fields_of({name: arrays[name] for name in shown}, shape, np.array(codes(mechanism)), tracked)
+    if len(shown) < len(arrays):
+        columns = [layout.coordinates.index(name) for name in coordinates]
+        for field in of_maps(layout.conditions):
+            if INDEPENDENT in field.dims:
+                fields[field.variable] = fields[field.variable][..., columns]
+    described = variables(mechanism, normal, layout.conditions, tracked is not None)
+    data = {
+        v.name: (
+            (*leading, *v.dims),
+            fields[v.name],
+            {**v.attributes, **meanings_of(robot, v.name)},
+        )
+        for v in described
+    }
+    rigid_counts = [
+        solved_system(evaluation(variant), layout.drives).rigid_modes for variant in variants.robots
+    ]
+    rigid = np.array(rigid_counts).reshape(variants.shape)
+    if (rigid != rigid.flat[0]).any():
+        about = {"units": "1", "long_name": "number of rigid-body modes of this robot, which are left out"}
+        data["rigid_modes"] = (variants.dims, rigid, about)
+    dataset: xarray.Dataset = imported().Dataset(
+        data,
+        coords={**_coordinates(robot, places, variants), **labels_of(mechanism, layout.modes, coordinates)},
+        attrs=attributes_of(
+            robot, solved_system(evaluation(robot), layout.drives).rigid_modes, layout.drives
+        ),
+    )
+    return dataset
+
+
+def _coordinates(robot: Robot, places: Places, variants: Variants) -> dict[str, Any]:
+    """Return the coordinates along the leading axes."""
+    units = changeable(robot)
+    coordinates: dict[str, Any] = {
+        path: (path, values, {"units": units.get(path, "1"), "long_name": f"parameter {path}"})
+        for path, values in variants.swept.items()
+    }
+    if variants.samples is not None:
+        numbers = np.arange(1, variants.samples + 1)
+        coordinates[SAMPLE] = (SAMPLE, numbers, {"units": "1", "long_name": "number of the sampled robot"})
+        for path, values in variants.drawn.items():
+            attributes = {"units": units.get(path, "1"), "long_name": f"parameter {path}, drawn"}
+            coordinates[path] = (SAMPLE, values, attributes)
+    about = {c.name: {"units": c.unit, "long_name": c.description} for c in robot.mechanism.pose}
+    if isinstance(places, PoseGrid):
+        coordinates |= {name: (name, places.axes[name], about[name]) for name in places.dims}
+    else:
+        coordinates |= {name: (LIST, places.table[:, i], about[name]) for i, name in enumerate(places.names)}
+        labels = np.array(places.labels) if places.labels else np.arange(len(places.table))
+        coordinates[LIST] = (LIST, labels, {"units": "1", "long_name": "pose"})
+    return coordinates
+
+
+def _fields_of(
+    arrays: Mapping[str, Any], shape: tuple[int, ...], reasons: Array, tracked: Tracked | None = None
+) -> dict[str, Any]:
+    """Return the fields of a map.
+
+    - arrays: the fields of `pkmodes.machine.maps.evaluating.tails`, each (rows, ...); stored ones become Dask arrays,
+    so that
+      a map can be written without having it in memory
+    - shape: of the map; rows are in C order
+    - reasons: by code
+    - tracked: modes by shape instead of by rank
+    """
+    fields = {name: _spaced(arrays[name], shape) for name in arrays}
+    code = fields.pop("code")
+    fields["valid"] = _applied(lambda part: part == 0, np.dtype(bool), code)
+    fields["reason"] = _applied(reasons.__getitem__, reasons.dtype, code)
+    return fields if tracked is None else fields | _tracked(fields, tracked, shape)
+
+
+def chunks_of(shape: tuple[int, ...], leading: int) -> tuple[int, ...]:
+    """Return the size of the parts of a field: all values at about `CHUNK` poses next to each other."""
+    chunks, remaining = list(shape), CHUNK
+    for axis in reversed(range(leading)):
+        chunks[axis] = min(shape[axis], max(remaining, 1))
+        remaining //= shape[axis]
+    return tuple(chunks)
+
+
+def _spaced(values: Any, shape: tuple[int, ...]) -> Any:
+    """Return a field with the leading axes of the map."""
+    whole = (*shape, *values.shape[1:])
+    if isinstance(values, np.ndarray):
+        return values.reshape(whole)
+    from dask.array import map_blocks
+    from dask.array.core import normalize_chunks
+
+    dtype = np.dtype(values.dtype.str)  # Zarr names the byte order, which netCDF4 takes for another one
+
+    def part(block_info: Any) -> Array:
+        """Read the rows of a part, which are next to each other."""
+        starts, sizes = zip(*[(a, b - a) for a, b in block_info[None]["array-location"]], strict=True)
+        first, count = np.ravel_multi_index(starts[: len(shape)], shape), prod(sizes[: len(shape)])
+        return np.asarray(values[first : first + count], dtype).reshape(sizes)
+
+    chunks = normalize_chunks(chunks_of(whole, len(shape)), whole)
+    meta = np.empty((0,) * len(whole), dtype)
+    # A name of its own: by default Dask would make one of the rows themselves.
+    return map_blocks(part, name=f"rows-{uuid4()}", chunks=chunks, dtype=dtype, meta=meta)
+
+
+def _lazy(whole: Array, shape: tuple[int, ...]) -> Any:
+    """Return an array in parts, for fields that are stored."""
+    from dask.array import from_array
+
+    return from_array(whole, chunks=chunks_of(whole.shape, len(shape)), name=False)
+
+
+def _applied(function: Callable[..., Array], dtype: np.dtype[Any], *fields: Any) -> Any:
+    """Apply a function to fields, part by part if they are stored."""
+    if isinstance(fields[0], np.ndarray):
+        return function(*fields)
+    from dask.array import map_blocks
+
+    like = max(fields, key=lambda field: field.ndim)
+    return map_blocks(
+        function, *fields, dtype=dtype, chunks=like.chunks, meta=np.empty((0,) * like.ndim, dtype)
+    )
+
+
+def _tracked(fields: Mapping[str, Any], tracked: Tracked, shape: tuple[int, ...]) -> dict[str, Any]:
+    """Return the fields of modes in the tracked order, and those that only a tracked map has."""
+    valid = fields["valid"][..., None]
+    order, signs, events = (
+        values.reshape(*shape, -1) for values in (tracked.order, tracked.signs, tracked.events)
+    )
+    if not isinstance(valid, np.ndarray):
+        order, signs, events = (_lazy(values, shape) for values in (order, signs, events))
+    reordered = {}
+    for field in of_maps(EVERY):
+        values = fields.get(field.variable)
+        if values is None or field.dims[:1] != (MODE,):
+            continue
+        further = (..., *[None] * (len(field.dims) - 1))
+        factors = (signs[further],) if field.signed else ()
+        along = partial(_reordered, axis=-len(field.dims))
+        reordered[field.variable] = _applied(along, values.dtype, values, order[further], *factors)
+    reordered["rank"] = _applied(
+        lambda places, good: np.where(good, places + 1, 0).astype(np.int8), np.dtype(np.int8), order, valid
+    )
+    reordered["tracking"] = events
+    return reordered
+
+
+def _reordered(values: Array, places: Array, factors: Array | None = None, *, axis: int) -> Array:
+    """Return values of modes in another order, multiplied by factors if there are any.
+
+    - places, factors: of length 1 along axes after that of the modes
+    - axis: that of the modes
+    """
+    ordered = np.take_along_axis(values, places, axis=axis)
+    return ordered if factors is None else ordered * factors

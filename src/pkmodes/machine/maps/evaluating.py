@@ -1,0 +1,188 @@
+"""The fields of a map at poses: their names, shapes and types, the same for all robots, and their values for one.
+
+Modes, statics and kinematics are NaN where a pose cannot be evaluated.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cache
+from hashlib import sha256
+from pathlib import Path
+from socket import gethostname
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.mechanism.poses import codes_of
+from pkmodes.core.mechanism.registry import Mechanism
+from pkmodes.core.model import Model
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.robot.usable import USABLE
+from pkmodes.core.robot.usable_poses import inside
+from pkmodes.core.solve.fields import (
+    COORDINATE,
+    DIRECTION,
+    INDEPENDENT,
+    LINEAR,
+    MODE,
+    SHAPES,
+    Field,
+    conditions_of,
+    missing,
+    of_maps,
+    sizes_of,
+    tail,
+)
+from pkmodes.core.system.evaluation import evaluation, number_of_modes
+from pkmodes.core.system.motors import solved_system
+
+Array = NDArray[Any]
+
+
+@dataclass(frozen=True)
+class MapLayout:
+    """Lengths along the axes of a map that come after the poses; the same for all of its robots.
+
+    - modes: largest number of vibration modes of any robot
+    - coordinates: all coordinates of any robot
+    - conditions: conditions under which fields are there, from `pkmodes.core.solve.fields.conditions_of`
+    - backend, drives: as for `pkmodes.Model.modes`
+    """
+
+    modes: int
+    coordinates: tuple[str, ...]
+    conditions: frozenset[str]
+    backend: str
+    drives: str
+
+    @property
+    def shapes(self) -> bool:
+        """Whether mode shapes are kept."""
+        return SHAPES in self.conditions
+
+    def without_shapes(self) -> MapLayout:
+        """Return the layout of a map that does not keep mode shapes."""
+        return replace(self, conditions=self.conditions - {SHAPES})
+
+
+def tails(robot: Robot, layout: MapLayout) -> dict[str, tuple[tuple[int, ...], str]]:
+    """Return the shape at one pose, and the type, of each field."""
+    coordinates = len(layout.coordinates)
+    independent = coordinates if layout.shapes else None
+    sizes = sizes_of(robot.mechanism, layout.modes, coordinates, independent)
+    sizes[LINEAR] = sizes[DIRECTION]
+    fields = {field.variable: (tail(field, sizes), field.dtype) for field in of_maps(layout.conditions)}
+    return {**fields, "code": ((), "i1")}
+
+
+def layout_of(robots: Sequence[Robot], shapes: bool, backend: str, drives: str) -> MapLayout:
+    """Return the layout that holds the modes of all robots."""
+    modes, order = 0, {}
+    for robot in robots:
+        system = evaluation(robot)
+        solved = solved_system(system, drives)
+        modes = max(modes, number_of_modes(solved) - solved.rigid_modes)
+        order.update(dict.fromkeys(system.coordinates))
+    released = [q.name for effect in robots[0].mechanism.effects.values() for q in effect.coordinates]
+    ordered = [q.name for q in robots[0].mechanism.coordinates] + released
+    coordinates = tuple(sorted(order, key=ordered.index))
+    return MapLayout(modes, coordinates, conditions_of(robots, shapes, drives), backend, drives)
+
+
+@dataclass(frozen=True)
+class Task:
+    """Consecutive rows of a map, row = robot * poses + pose.
+
+    - pieces: robots, and the poses of each, each (N, d)
+    - code: hash of the generated code, from `code_of`
+    - max_condition: as for `pkmodes.Model`
+    - normal: direction perpendicular to the plane of the grid
+    - used: whether poses beyond the usable limits of a robot are left out
+    """
+
+    pieces: tuple[tuple[Robot, Array], ...]
+    code: str
+    max_condition: float
+    normal: str | None
+    layout: MapLayout
+    used: bool = False
+
+
+@cache
+def code_of(mechanism: Mechanism) -> str:
+    """Return a hash of the generated code of a mechanism, which may differ between two runs or machines."""
+    files = (Path(str(module.__file__)) for module in (mechanism.model, mechanism.extended))
+    return sha256(b"\0".join(path.read_bytes() for path in files)).hexdigest()
+
+
+def evaluate(task: Task) -> dict[str, Array]:
+    """Evaluate the rows of a task.
+
+    Returns arrays, each (rows, ...): as in `tails`; ``code`` indexes `codes`.
+    Raises PkmodesError if the generated code here is not that of the task.
+    """
+    mechanism = task.pieces[0][0].mechanism
+    if code_of(mechanism) != task.code:
+        problem = f"the generated code of {mechanism.name} differs from that of the map"
+        raise PkmodesError(
+            problem, gethostname(), "generate it there with the same pkmodes, and restart the worker"
+        )
+    parts = [_piece(*piece, task) for piece in task.pieces]
+    if len(parts) == 1:
+        return parts[0]
+    return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+
+
+def _piece(robot: Robot, points: Array, task: Task) -> dict[str, Array]:
+    layout, model = task.layout, Model(robot, task.max_condition)
+    fields = of_maps(layout.conditions)
+    # One thread: tasks run side by side.
+    checked, values = model.fields_at(
+        points,
+        "nan",
+        [field.name for field in fields],
+        layout.backend,
+        drives=layout.drives,
+        given={"normal": task.normal},
+    )
+    arrays = {"code": checked.codes.copy()}
+    sizes = tails(robot, layout)
+    for field in fields:
+        shape, dtype = sizes[field.variable]
+        array = arrays[field.variable] = np.full((len(points), *shape), missing(dtype), dtype)
+        _place(field, values[field.name], array, model, layout, checked.valid)
+    if task.used:
+        beyond = checked.valid & ~inside(robot, points)
+        for array in arrays.values():
+            array[beyond] = missing(array.dtype.str)
+        arrays["code"][beyond] = codes(robot.mechanism).index(USABLE)
+    return arrays
+
+
+def codes(mechanism: Mechanism) -> tuple[str, ...]:
+    """Return the reasons that the codes of a map index: those of poses, and that a pose is not usable."""
+    return (*codes_of(mechanism), USABLE)
+
+
+def _place(
+    field: Field, values: Array, array: Array, model: Model, layout: MapLayout, valid: NDArray[np.bool_]
+) -> None:
+    """Place the values of a robot in an array with the modes and coordinates of all robots."""
+    if field.dims[:1] == (MODE,):
+        values = values[:, model.solved(layout.drives).rigid_modes :]
+        array = array[:, : values.shape[1]]
+    if COORDINATE in field.dims:
+        array[valid] = 0.0  # a joint that this robot does not release does not move
+        array[..., [layout.coordinates.index(name) for name in model.coordinates]] = values
+    elif INDEPENDENT in field.dims:
+        independent = model.robot.mechanism.independent
+        shown = layout.coordinates if layout.shapes else independent
+        array[..., [shown.index(name) for name in independent]] = values
+    elif LINEAR in field.dims:
+        array[..., : values.shape[-1]] = values
+    else:
+        array[...] = values

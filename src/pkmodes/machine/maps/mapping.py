@@ -1,0 +1,308 @@
+"""The map of a robot: plan, evaluation, dataset, file."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from hashlib import sha256
+from math import prod
+from os import PathLike
+from typing import TYPE_CHECKING, Any, NoReturn
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.base.drives import FREE, checked_drives
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.base.version import VERSION
+from pkmodes.core.model import Model
+from pkmodes.core.robot.usable import USABLE
+from pkmodes.core.solve.backends import AUTO, checked_threads, chosen
+from pkmodes.core.system.evaluation import evaluation
+from pkmodes.core.system.motors import solved_system
+from pkmodes.machine.dataset.attributes import imported
+from pkmodes.machine.dataset.robot_text import text_of
+from pkmodes.machine.maps.dataset import dataset_of
+from pkmodes.machine.maps.evaluating import MapLayout, Task, code_of, layout_of, tails
+from pkmodes.machine.maps.map_file import MapFile
+from pkmodes.machine.maps.poses import Places, PoseGrid, places_of
+from pkmodes.machine.maps.running import run_tasks
+from pkmodes.machine.maps.storage import SUFFIX, Store, Tails, damage_refused, in_memory, locked, on_disk
+from pkmodes.machine.maps.tracking import Tracked, track
+from pkmodes.machine.maps.variants import SAMPLE, Variants, variants_of
+from pkmodes.machine.maps.workspace import bounds_of, reachable
+
+if TYPE_CHECKING:
+    import xarray
+
+
+Array = NDArray[Any]
+#: Rows of a task: enough to make its start-up cost negligible, few enough for progress reports and memory.
+ROWS = 16_384
+Progress = Callable[[int, int], None]
+
+
+@dataclass(frozen=True, eq=False)
+class MapPlan:
+    """What a map computes."""
+
+    model: Model
+    places: Places
+    variants: Variants
+    layout: MapLayout
+
+    @property
+    def poses(self) -> int:
+        """Number of poses of each robot."""
+        return prod(self.places.shape)
+
+    @property
+    def rows(self) -> int:
+        """Number of poses of all robots."""
+        return len(self.variants.robots) * self.poses
+
+    @property
+    def task_count(self) -> int:
+        """Number of tasks."""
+        return -(-self.rows // ROWS)
+
+    def rows_of(self, number: int) -> slice:
+        """Return the rows of a task."""
+        return slice(number * ROWS, min((number + 1) * ROWS, self.rows))
+
+    def task(self, number: int) -> Task:
+        """Return a task."""
+        rows, size, pieces = self.rows_of(number), self.poses, []
+        for robot in range(rows.start // size, -(-rows.stop // size)):
+            first, last = max(rows.start - robot * size, 0), min(rows.stop - robot * size, size)
+            pieces.append((self.variants.robots[robot], self.places.points(np.arange(first, last))))
+        mechanism = self.model.mechanism
+        common = code_of(mechanism), self.model.max_condition, self.normal, self.layout
+        return Task(tuple(pieces), *common, used=self.used)
+
+    @property
+    def used(self) -> bool:
+        """Whether poses beyond the usable limits of a robot are left out."""
+        return isinstance(self.places, PoseGrid) and self.places.used
+
+    @property
+    def normal(self) -> str | None:
+        """Direction perpendicular to the plane of the grid."""
+        return self.places.normal(self.model.mechanism.directions)
+
+    @property
+    def record(self) -> dict[str, Any]:
+        """What determines the result, as JSON can hold it: an interrupted map is continued only with the same."""
+        places = self.places
+        table = (
+            {name: v.tolist() for name, v in places.axes.items()} if isinstance(places, PoseGrid) else None
+        )
+        return {
+            "version": VERSION,
+            "mechanism": code_of(self.model.mechanism),
+            "robot": text_of(self.model.robot),
+            "largest condition number": self.model.max_condition,
+            "grid": table,
+            "poses": None if isinstance(places, PoseGrid) else sha256(places.table.tobytes()).hexdigest(),
+            # Lists keep the order, on which that of the rows depends.
+            "sweep": [[path, values.tolist()] for path, values in self.variants.swept.items()],
+            "samples": [[path, values.tolist()] for path, values in self.variants.drawn.items()],
+            "shapes": self.layout.shapes,
+            "back end": self.layout.backend,
+            "drives": self.layout.drives,
+            "rows of a task": ROWS,
+            **({"used": True} if self.used else {}),
+        }
+
+
+def map_of(
+    model: Model,
+    grid: Any = None,
+    *,
+    sweep: Mapping[str, Any] | None = None,
+    samples: int | None = None,
+    seed: int = 0,
+    shapes: bool = False,
+    tracked: bool = False,
+    out: str | PathLike[str] | None = None,
+    overwrite: bool = False,
+    scheduler: str | None = None,
+    threads: int | None = None,
+    backend: str = AUTO,
+    drives: str = FREE,
+    progress: Progress | None = None,
+) -> xarray.Dataset:
+    """Compute the modes over the workspace, and over ranges of parameters.
+
+    Parameters
+    ----------
+    model : Model
+        The evaluator of the robot.
+    grid : mapping of str to array_like, or array_like of shape (N, d), optional
+        Ascending values, or one number, for each component of the pose, in SI units; or poses one after the
+        other.  By default a grid over the reachable workspace, within the usable limits of the robot.
+    sweep : mapping of str to array_like, optional
+        Values of parameters in SI units, by path; all combinations are evaluated.
+    samples : int, optional
+        Number of robots whose values with a standard deviation are drawn from normal distributions.
+    seed : int
+        Of the draws.
+    shapes : bool
+        Whether to keep mode shapes.
+    tracked : bool
+        Whether to number modes by their shapes instead of by rank, from the middle of the map outwards.
+    out : path-like, optional
+        File to write: ``.nc`` (NetCDF-4), ``.zarr``, or a table in ``.csv`` or ``.parquet``.  The map is computed
+        in a folder next to it, ``<out>.partial``: after an interruption the same call continues there.
+    overwrite : bool
+        Whether an existing file may be replaced.
+    scheduler : str, optional
+        Address of a Dask scheduler whose workers evaluate the map.
+    threads : int, optional
+        Without a scheduler, by default one per core.
+    backend : {"auto", "numpy", "compiled"}
+        As for `modes`.
+    drives : {"free", "held"}
+        As for `modes`.
+    progress : callable, optional
+        Called with the number of poses done and their total.
+
+    Returns
+    -------
+    xarray.Dataset
+        Described in docs/maps.md.  Where `out` is NetCDF or Zarr, its values are read from the file when they are
+        needed.
+
+    Raises
+    ------
+    PkmodesError
+        If an argument is invalid, no pose can be evaluated, or the workers of a scheduler cannot finish.
+    OutputError
+        If the file exists or cannot be written, or an interrupted map there is another one or damaged.
+    MissingExtraError
+        If the libraries of the extra ``map`` are not installed.
+
+    Examples
+    --------
+    >>> import numpy as np, pkmodes
+    >>> model = pkmodes.load("robots/linear-delta-2022.toml")
+    >>> dataset = model.map({"x": np.linspace(0.3, 0.8, 6), "y": 0.0, "z": -0.245})
+    >>> dataset.frequency.sel(mode=1).squeeze().round(2).values
+    array([46.34, 49.55, 54.23, 55.56, 50.33, 46.8 ])
+    """
+    imported()
+    file = None if out is None else MapFile.checked(out, overwrite)
+    thread_count = checked_threads(threads)
+    variants = variants_of(model.robot, sweep, samples, seed)
+    places = reachable(model) if grid is None else places_of(model.mechanism, grid)
+    layout = layout_of(variants.robots, shapes or tracked, chosen(backend), checked_drives(drives))
+    plan = MapPlan(model, places, variants, layout)
+    if tracked:
+        _check_trackable(plan)
+    sizes = tails(model.robot, layout)
+
+    def computed(store: Store) -> xarray.Dataset:
+        _fill(plan, store, thread_count, scheduler, progress)
+        if not (store.codes() == 0).any():
+            store.remove()
+            _refuse_outside(plan)
+        tracked_modes = track_plan(plan, store.arrays) if tracked else None
+        saved_layout = layout if shapes else layout.without_shapes()
+        return dataset_of(model.robot, places, variants, saved_layout, store.arrays, tracked_modes)
+
+    if file is None:
+        return computed(_in_memory(plan, sizes))
+    folder = file.path.with_name(file.path.name + SUFFIX)
+    with locked(folder):
+        store = on_disk(folder, plan.record, plan.rows, ROWS, sizes)
+        with damage_refused(folder):
+            dataset = computed(store)
+            file.write(dataset, folder)
+            kept: xarray.Dataset | None = dataset.load() if file.is_table else None
+        store.remove()
+    return file.opened() if kept is None else kept
+
+
+def _in_memory(plan: MapPlan, sizes: Tails) -> Store:
+    try:
+        return in_memory(plan.rows, plan.task_count, sizes)
+    except (MemoryError, ValueError):  # ValueError: more than an array can have
+        problem = f"a map of {plan.rows:,} poses does not fit in memory"
+        raise PkmodesError(
+            problem, "map", "write it to a file with out (--out), or make the grid coarser"
+        ) from None
+
+
+def _fill(
+    plan: MapPlan, store: Store, threads: int, scheduler: str | None, progress: Progress | None
+) -> None:
+    """Compute the tasks that are not done."""
+    done = sum(plan.rows_of(i).stop - plan.rows_of(i).start for i in np.flatnonzero(store.done).tolist())
+
+    def tasks() -> Iterator[tuple[int, Task]]:
+        for number in np.flatnonzero(~store.done).tolist():
+            yield number, plan.task(number)
+
+    def put(number: int, values: Mapping[str, Array]) -> None:
+        store.put(plan.rows_of(number), values)
+
+    def finish(number: int) -> None:
+        nonlocal done
+        done += plan.rows_of(number).stop - plan.rows_of(number).start
+        if progress is not None:
+            progress(done, plan.rows)
+
+    if progress is not None:
+        progress(done, plan.rows)
+    if not store.done.all():
+        run_tasks(tasks(), put, finish, threads, scheduler)
+
+
+def _refuse_outside(plan: MapPlan) -> NoReturn:
+    """Refuse a map without a single pose that can be evaluated."""
+    model, size = Model(plan.variants.robots[0], plan.model.max_condition), plan.poses
+    sample = plan.places.points(np.unique(np.linspace(0, size - 1, min(size, 1000)).astype(int)))
+    sentence = str(model.check(sample).sentences[0]).partition(";")[0] if len(sample) else ""
+    sentence = sentence or model.reasons[USABLE]  # it can be reached
+    of = " by any of its robots" if len(plan.variants.robots) > 1 else ""
+    problem = f"none of the {plan.rows:,} poses of the map can be evaluated{of}; the first: {sentence}"
+    if isinstance(plan.places, PoseGrid):
+        where, remedy = "grid", 'write them with their unit, such as "300 mm:800 mm:51"'
+    else:
+        name = next((component.name for component in model.mechanism.pose if component.unit == "m"), "x")
+        where, remedy = (
+            "poses",
+            f"write the unit in the header of the file, such as {name} [mm], or give metres",
+        )
+    raise PkmodesError(problem, where, bounds_of(model, sample, remedy))
+
+
+def _check_trackable(plan: MapPlan) -> None:
+    drives = plan.layout.drives
+    systems = [(system, solved_system(system, drives)) for system in map(evaluation, plan.variants.robots)]
+    counts = {(system.coordinates, solved.rigid_modes) for system, solved in systems}
+    if len(counts) > 1:
+        problem = "modes cannot be tracked across robots with different coordinates"
+        raise PkmodesError(
+            problem, "tracked", "sweep an effect from a value above zero, or leave out tracked"
+        )
+
+
+def track_plan(plan: MapPlan, arrays: Mapping[str, Any]) -> Tracked:
+    """Track the modes of a map; samples are compared with the first one."""
+    robots, size = plan.variants.robots, plan.poses
+
+    def masses(rows: NDArray[np.intp]) -> Array:
+        matrices: Array | None = None
+        for robot in np.unique(rows // size):
+            mine = rows // size == robot
+            at = evaluation(robots[robot])
+            M = at.free_part(at.all_coordinates(plan.places.points(rows[mine] % size))[0])
+            matrices = np.empty((len(rows), *M.shape[1:])) if matrices is None else matrices
+            matrices[mine] = M
+        assert matrices is not None
+        return matrices
+
+    dims = (*plan.variants.dims, *plan.places.dims)
+    shape = (*plan.variants.shape, *plan.places.shape)
+    return track(arrays, shape, tuple(name != SAMPLE for name in dims), masses)

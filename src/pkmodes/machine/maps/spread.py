@@ -1,0 +1,64 @@
+"""Uncertainty of the declared robot's frequencies along one axis of a map."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.model import Model
+from pkmodes.core.robot.robot import Robot
+from pkmodes.loop.sensitivity.spread import spread_of, stated_sigmas
+from pkmodes.machine.maps.variants import SAMPLE, taken
+
+if TYPE_CHECKING:
+    import xarray
+
+Array = NDArray[np.float64]
+
+
+def spread_along(robot: Robot, dataset: xarray.Dataset, dim: str, max_condition: float) -> Array | None:
+    """Return the standard deviations of the frequencies of a map along one axis.
+
+    - robot: as declared
+    - dataset: a map of this robot
+    - dim: the axis: ``pose``, a component of the pose, or a swept parameter, whose values are known
+    - max_condition: as for `pkmodes.Model`
+
+    Returns (values, m), in Hz, in the order of the map's modes.  None where the robot file states no standard
+    deviations, and where the map has further axes: its frequencies then differ at each value, and sampled robots show
+    their scatter.
+    """
+    dims = [str(name) for name in dataset["frequency"].dims]
+    further = [name for name in dims if name not in (dim, "mode") and dataset.sizes[name] > 1]
+    if further or SAMPLE in dims or not stated_sigmas(robot):
+        return None
+    drives = str(dataset.attrs["drives"])
+    frequencies = dataset["frequency"].transpose(dim, ..., "mode").values.reshape(dataset.sizes[dim], -1)
+    components = [component.name for component in robot.mechanism.pose]
+    points = np.stack(
+        [np.broadcast_to(dataset[name].values.reshape(-1), len(frequencies)) for name in components], axis=-1
+    )
+    swept = {name: dataset[name].values for name in dims if "." in name}
+    set_paths = taken(robot, swept)
+    if dim in swept:
+        robots = [
+            robot.with_values(
+                {name: float(values[i if name == dim else 0]) for name, values in swept.items()}
+            )
+            for i in range(len(frequencies))
+        ]
+        spreads = [
+            spread_of(Model(variant, max_condition), point, drives, "nan", set_paths)
+            for variant, point in zip(robots, points, strict=True)
+        ]
+    else:
+        variant = robot.with_values({name: float(v[0]) for name, v in swept.items()}) if swept else robot
+        spreads = [spread_of(Model(variant, max_condition), points, drives, "nan", set_paths)]
+    if any(part is None for part in spreads):
+        return None
+    spread = np.vstack([part for part in spreads if part is not None])[:, -frequencies.shape[1] :]
+    # A tracked map numbers its modes by shape, not by frequency.
+    ranks = np.argsort(np.argsort(frequencies, axis=1), axis=1)
+    return np.take_along_axis(spread, ranks, axis=1)

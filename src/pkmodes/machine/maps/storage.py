@@ -1,0 +1,242 @@
+"""The fields of a map: in memory, or in a folder from which an interrupted run can be continued.
+
+The folder holds a Zarr group.  Its attributes are the plan: what is computed.  It has an array for each field, and in
+each array a chunk for each task.  Zarr writes a chunk, with its checksum, under another name and then renames it.  So
+a task is done if all of its chunks are there with the right checksum: a killed process loses only tasks in progress,
+and rows that were damaged or removed since are computed again.
+
+A lock keeps the folder from a second process.  It is the first file in it, under a name that nothing else has: a
+folder that has other files and no lock is the user's, and nothing is written into it, nothing removed.
+"""
+
+from __future__ import annotations
+
+import errno
+import os
+import shutil
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from math import prod
+from pathlib import Path
+from stat import S_ISDIR, S_ISREG
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.base.errors import OutputError, shown
+from pkmodes.core.solve.fields import missing
+from pkmodes.core.support.writing import refusal
+
+Array = NDArray[Any]
+#: Shape at one pose and type of each field.
+Tails = Mapping[str, tuple[tuple[int, ...], str]]
+SUFFIX = ".partial"
+#: Name of the group in the folder.
+GROUP = "fields.zarr"
+LOCK = "pkmodes-map.lock"
+START_AGAIN = "delete this folder to start again, or choose another output"
+
+
+@dataclass(frozen=True, eq=False)
+class Store:
+    """The fields of a map.
+
+    - arrays: each (rows, ...)
+    - done: tasks that an earlier run completed, (tasks,)
+    - folder: where the arrays are, if not in memory
+    """
+
+    arrays: dict[str, Any]
+    done: NDArray[np.bool_]
+    folder: Path | None = None
+
+    def put(self, rows: slice, values: Mapping[str, Array]) -> None:
+        """Store the values of a task, which has these rows; several threads may store different tasks.
+
+        Raises OutputError if they cannot be written.
+        """
+        try:
+            for name, array in self.arrays.items():
+                array[rows] = values[name]
+        except OSError as error:
+            assert self.folder is not None, "memory raises no such error"
+            raise refusal(error, self.folder) from None
+
+    def codes(self) -> Array:
+        """Return the code of each row, after all of them were stored.
+
+        Raises OutputError if someone removed files meanwhile: Zarr would read them as if nothing could be evaluated
+        there.
+        """
+        codes = np.asarray(self.arrays["code"][:])
+        if self.folder is not None and (codes < 0).any():
+            problem = "expected the rows of the map in progress, found that some were removed meanwhile"
+            raise OutputError(problem, str(self.folder), "the same command computes them again")
+        return codes
+
+    def remove(self) -> None:
+        """Remove the files of the map, which is complete, or has nothing to continue."""
+        if self.folder is not None:
+            shutil.rmtree(self.folder / GROUP)
+
+
+@contextmanager
+def damage_refused(folder: Path) -> Iterator[None]:
+    """Explain what to do if rows were damaged after they had been stored.
+
+    Raises OutputError if a checksum is not that of the rows.
+    """
+    try:
+        yield
+    except ValueError as error:
+        if "checksum" not in str(error):  # of Zarr's codec
+            raise
+        problem = "rows of the map in progress were damaged meanwhile"
+        raise OutputError(problem, str(folder), "the same command computes them again") from None
+
+
+def in_memory(rows: int, tasks: int, tails: Tails) -> Store:
+    """Return empty fields in memory, with no task done."""
+    arrays = {name: np.empty((rows, *tail), dtype) for name, (tail, dtype) in tails.items()}
+    return Store(arrays, np.zeros(tasks, dtype=bool))
+
+
+def on_disk(folder: Path, plan: dict[str, Any], rows: int, rows_of_a_task: int, tails: Tails) -> Store:
+    """Return fields in a folder, with the tasks that are done there.
+
+    - folder: exists; continued if it holds the same plan
+    - plan: what is computed, as JSON can hold it
+
+    Raises OutputError if the folder cannot be written, has no room, or holds another map.
+    """
+    group, tasks = folder / GROUP, range(-(-rows // rows_of_a_task))
+    size = rows * sum(prod(tail) * np.dtype(dtype).itemsize for tail, dtype in tails.values())
+    try:
+        if not _continued(group, plan):
+            _begin(group, plan, size)
+        arrays = {
+            name: _array(group / name, (rows, *tail), rows_of_a_task, dtype)
+            for name, (tail, dtype) in tails.items()
+        }
+        done = [all(_whole(group / name, array, task) for name, array in arrays.items()) for task in tasks]
+    except OSError as error:
+        raise refusal(error, folder) from None
+    return Store(arrays, np.array(done), folder)
+
+
+def _continued(group: Path, plan: dict[str, Any]) -> bool:
+    """Return whether there is an interrupted map with this plan; refuse another one."""
+    import zarr
+
+    try:
+        interrupted = zarr.open_group(group, mode="r", zarr_format=3).attrs.asdict()
+    except FileNotFoundError:
+        return False
+    except OSError:
+        raise
+    except Exception:  # depends on what Zarr finds wrong with the file
+        problem = "the plan of the interrupted map is damaged"
+        raise OutputError(problem, str(group.parent), START_AGAIN) from None
+    differing = [key for key in {**plan, **interrupted} if plan.get(key) != interrupted.get(key)]
+    if differing:
+        problem = f"this folder holds an interrupted map that differs in: {', '.join(differing)}"
+        raise OutputError(problem, str(group.parent), START_AGAIN)
+    return True
+
+
+def _begin(group: Path, plan: dict[str, Any], size: int) -> None:
+    """Make the group, if there is room for arrays of that many bytes."""
+    import zarr
+
+    if shutil.disk_usage(group.parent).free < size:  # say so before anything is computed
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+    zarr.create_group(group, overwrite=True, zarr_format=3, attributes=plan)
+
+
+def _array(place: Path, shape: tuple[int, ...], rows_of_a_task: int, dtype: str) -> Any:
+    """Return an array of the group, with the chunks that it has."""
+    import zarr
+    from zarr.codecs import Crc32cCodec
+
+    # Whatever is there, the plan says what it has to be.
+    (place / "zarr.json").unlink(missing_ok=True)
+    chunks = (min(rows_of_a_task, shape[0]), *(max(length, 1) for length in shape[1:]))
+    return zarr.create_array(
+        place,
+        shape=shape,
+        chunks=chunks,
+        dtype=dtype,
+        fill_value=missing(dtype),
+        compressors=[Crc32cCodec()],
+        zarr_format=3,
+        config={"write_empty_chunks": True},  # otherwise a task without a valid pose is never done
+    )
+
+
+def _whole(place: Path, array: Any, task: int) -> bool:
+    """Return whether the rows of a task are there as they were stored."""
+    if not array.size:  # a robot without modes
+        return True
+    if not (place / array.metadata.encode_chunk_key((task,) + (0,) * (array.ndim - 1))).is_file():
+        return False
+    try:
+        array.blocks[task]
+    except ValueError:  # the checksum is another one
+        return False
+    return True
+
+
+@contextmanager
+def locked(folder: Path) -> Iterator[None]:
+    """Make a folder and keep a second process from writing into it.
+
+    The system releases the lock of a process that was killed.  A folder in which nothing was begun is removed again.
+
+    Raises OutputError if it cannot be made, is not that of a map in progress, or another process holds it.
+    """
+    from filelock import FileLock, Timeout
+
+    lock = FileLock(folder / LOCK, blocking=False)
+    try:
+        if not folder.is_symlink():
+            with suppress(FileExistsError):
+                folder.mkdir()
+        _check_own(folder)
+        lock.acquire()
+    except Timeout:
+        problem, remedy = "another process is writing this map", "wait for it, or choose another output"
+        raise OutputError(problem, str(folder), remedy) from None
+    except OSError as error:
+        raise refusal(error, folder) from None
+    try:
+        yield
+    finally:
+        with suppress(OSError):
+            if [path.name for path in folder.iterdir()] == [LOCK]:
+                (folder / LOCK).unlink()
+                folder.rmdir()
+        lock.release()
+
+
+def _check_own(folder: Path) -> None:
+    """Refuse what is not a folder of a map in progress; one that is empty may become one."""
+    entries = sorted(path.name for path in folder.iterdir()) if folder.is_dir() else []
+    obstacle, remedy = "", "move or rename it, or choose another output"
+    if folder.is_symlink():
+        obstacle, remedy = "a symbolic link", "remove it, or choose another output"
+    elif not folder.is_dir():
+        obstacle = "a file"
+    elif entries and LOCK not in entries:
+        obstacle = f"one with other files ({shown(entries[0])})"
+    if obstacle:
+        problem = f"expected a folder for the map in progress, found {obstacle}"
+        raise OutputError(problem, str(folder), remedy)
+    for place, folders, files in os.walk(folder):
+        for name in (*folders, *files):
+            with suppress(FileNotFoundError):  # another process, which the lock will tell, removes its own
+                kind = (Path(place) / name).lstat().st_mode
+                if not (S_ISREG(kind) or S_ISDIR(kind)):
+                    problem = f"expected files for the map in progress, found a link or device, {shown(name)}"
+                    raise OutputError(problem, str(folder), START_AGAIN)

@@ -1,0 +1,189 @@
+"""Poles of a robot at poses, and where the ratio of light damping is not that of the pole.
+
+The poles are the eigenvalues of the damped system in modal coordinates (`pkmodes.core.linalg.damping`), whatever the
+damping.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pkmodes.core.base.drives import FREE, checked_drives
+from pkmodes.core.linalg.damping import ModalDamping
+from pkmodes.core.mechanism.poses import OnError
+from pkmodes.core.model import Model
+from pkmodes.core.solve.backends import AUTO
+from pkmodes.machine.response.linearised import LinearisedRobot, nan_in_both_parts
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+#: Modes whose eigenvalues exceed those of all lower ones by this factor may be solved for separately from these,
+FAR = 1e6
+#: if what damping couples of them, D_ij^2 / lambda_j, is below this.
+UNCOUPLED = 1e-12
+#: A note names ratios that differ from that of their pole by more than this fraction.
+DIFFERENT = 0.1
+
+
+def poles_at(
+    model: Model,
+    poses: ArrayLike,
+    on_error: OnError = "raise",
+    *,
+    drives: str = FREE,
+    backend: str = AUTO,
+) -> Complex:
+    """Compute the poles of small vibrations, whatever the damping (docs/response.md).
+
+    Parameters
+    ----------
+    model : Model
+        The evaluator of the robot.
+    poses : array_like, shape (d,) or (..., d)
+        In SI units.
+    on_error : {"raise", "nan"}
+        As for `modes`.
+    drives : {"free", "held"}
+        As for `modes`.
+    backend : {"auto", "numpy", "compiled"}
+        As for `modes`: what solves the undamped eigenproblem.
+
+    Returns
+    -------
+    ndarray of complex128, shape (..., 2 m)
+        In 1/s, by ascending magnitude; of a pair, the one with positive imaginary part first.  They are exact for
+        viscous friction and damping ratios; a loss factor is the viscous damping that it is at the frequency of
+        each mode.
+
+    Examples
+    --------
+    >>> import pkmodes
+    >>> model = pkmodes.load("robots/linear-delta-2022.toml").with_values({"damping.ratio": 0.02})
+    >>> model.poles([0.6, 0.0, -0.245], drives="held")[:2].round(2)
+    array([-4.05+202.7j, -4.05-202.7j])
+    """
+    checked_drives(drives)
+
+    def at(points: Array) -> Complex:
+        return poles(LinearisedRobot(model, points, drives, backend).damping)
+
+    (values,) = model.evaluated(at, model.checked(poses, on_error))
+    return nan_in_both_parts(np.asarray(values, dtype=complex))
+
+
+def notes_on_damping(linearised: LinearisedRobot, ratios: Array) -> list[str]:
+    """Return sentences on the modes at a pose whose ratio of light damping is not that of their pole.
+
+    - linearised: at the one pose
+    - ratios: of `pkmodes.Modes.damping_ratios`, (m,)
+    """
+    if not np.nan_to_num(ratios).any():
+        return []
+    exact = ratios_of_poles(linearised.damping)[0]
+    notes = []
+    for i in range(linearised.rigid, len(ratios)):
+        if abs(ratios[i] - exact[i]) > DIFFERENT * exact[i]:
+            notes.append(
+                f"mode {i + 1 - linearised.rigid}: the damping ratio {ratios[i]:.3g} is that of light damping, but "
+                f"that of the pole is {exact[i]:.3g}: use the poles"
+            )
+    return notes
+
+
+def poles(damping: ModalDamping) -> Complex:
+    """Return the poles, (N, 2 m) [1/s]: ascending magnitude, of a pair the one with positive imaginary part first."""
+    if not _coupled(damping.matrix):
+        return _sorted(_of_single_modes(damping))
+    values = np.linalg.eigvals(_first_order(damping)).astype(complex)
+    for pose, parts in _apart(damping):
+        values[pose] = np.concatenate([np.linalg.eigvals(_first_order(part))[0] for part in parts])
+    return _sorted(values)
+
+
+def ratios_of_poles(damping: ModalDamping) -> Array:
+    """Return the damping ratios -Re(s)/|s| of the poles in which each mode takes part most, (N, m)."""
+    ratios = _ratios_of_poles(damping)
+    for pose, parts in _apart(damping):
+        ratios[pose] = np.concatenate([_ratios_of_poles(part)[0] for part in parts])
+    return ratios
+
+
+def _coupled(D: Array) -> bool:
+    """Return whether damping couples modes."""
+    return bool(np.count_nonzero(D) > np.count_nonzero(np.diagonal(D, axis1=-2, axis2=-1)))
+
+
+def _of_single_modes(damping: ModalDamping) -> Complex:
+    """Return the roots of s^2 + d s + lambda = 0 of each mode, (N, 2 m), without cancellation."""
+    half = 0.5 * np.diagonal(damping.matrix, axis1=-2, axis2=-1)
+    square = half**2 - damping.eigenvalues
+    root = np.sqrt(square.astype(complex))
+    first = -(half + root)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        of_real = np.where(first == 0.0, 0.0, damping.eigenvalues / first)
+    return np.concatenate([first, np.where(square >= 0.0, of_real, root - half)], axis=1)
+
+
+def _apart(damping: ModalDamping) -> Iterator[tuple[int, list[ModalDamping]]]:
+    """Yield the poses with modes far above the others, with the modes in separate parts.
+
+    Rounding of the fastest modes would take digits from the slow ones.  What damping couples between them changes
+    their poles by a fraction D_ij^2 / lambda_j.
+    """
+    eigenvalues, D, rigid = damping
+    size = np.abs(eigenvalues)
+    m = size.shape[1]
+    for pose in np.flatnonzero((size[:, -1] > FAR * size[:, rigid : rigid + 1].max(axis=1)) & (m > rigid)):
+        cuts = [
+            i
+            for i in range(rigid + 1, m)
+            if size[pose, i] > FAR * size[pose, i - 1]
+            and (D[pose, :i, i:] ** 2 <= UNCOUPLED * size[pose, i:]).all()
+        ]
+        if cuts:
+            ends = [0, *cuts, m]
+            yield (
+                int(pose),
+                [
+                    ModalDamping(eigenvalues[pose : pose + 1, a:b], D[pose : pose + 1, a:b, a:b], 0)
+                    for a, b in pairwise(ends)
+                ],
+            )
+
+
+def _ratios_of_poles(damping: ModalDamping) -> Array:
+    values, vectors = np.linalg.eig(_first_order(damping))
+    m = damping.eigenvalues.shape[1]
+    part = np.abs(vectors[:, :m]) ** 2 + np.abs(vectors[:, m:]) ** 2
+    ahead = (values.imag >= 0.0)[:, None]
+    best = np.where(ahead, part, -1.0).argmax(axis=2)
+    pole = np.take_along_axis(values, best, axis=1)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.asarray(-pole.real / np.abs(pole))
+
+
+def _first_order(damping: ModalDamping) -> Array:
+    """Return the matrix of the rates of (omega eta, eta_dot), whose entries are all in 1/s."""
+    eigenvalues, D, _ = damping
+    count, m = eigenvalues.shape
+    omega, place = np.sqrt(np.abs(eigenvalues)), np.arange(m)
+    A = np.zeros((count, 2 * m, 2 * m))
+    A[:, place, m + place] = omega
+    A[:, m + place, place] = -np.sign(eigenvalues) * omega
+    A[:, m:, m:] = -D
+    return A
+
+
+def _sorted(values: Complex) -> Complex:
+    """Sort poles by magnitude; conjugates, which differ by rounding at most, by descending imaginary part."""
+    size = np.abs(values)
+    order = np.argsort(size, axis=1, kind="stable")
+    values, size = np.take_along_axis(values, order, 1), np.take_along_axis(size, order, 1)
+    same = np.diff(size, axis=1) <= 1e-12 * size[:, 1:]
+    group = np.concatenate([np.zeros((len(values), 1), int), np.cumsum(~same, axis=1)], axis=1)
+    order = np.lexsort((-values.imag, group), axis=-1)
+    return np.take_along_axis(values, order, 1)

@@ -1,0 +1,243 @@
+"""The choice of a shaper over operating points: the best fixed one of each kind, and those that follow the pose."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.base.arguments import Constraint, check_argument, is_number, one_of
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.support import numbers
+from pkmodes.core.support.ordering import joined
+from pkmodes.core.support.progress import say
+from pkmodes.machine.shaping.at_poses import check_factors, following
+from pkmodes.machine.shaping.firmware import NAMES, VERSIONS, setting, version_name
+from pkmodes.machine.shaping.firmware import firmware as lines
+from pkmodes.machine.shaping.firmware_impulses import has_own
+from pkmodes.machine.shaping.fixed import best_fixed
+from pkmodes.machine.shaping.kinds import KINDS, PRODUCT, plain
+from pkmodes.machine.shaping.residual_vibration import residual
+from pkmodes.machine.shaping.results import LEFT, Amplitude, Candidate, Choice
+from pkmodes.machine.shaping.ringing import Ringing
+from pkmodes.machine.shaping.shapers import Shaper
+
+Array = NDArray[np.float64]
+#: Time between two commands of the controller [s].
+TICK = 1e-3
+#: Shortest shaper, in ticks: the impulses of a shorter one would coincide.
+TICKS = 2
+SHARE = Constraint("a share above 0 and at most 1", lambda value: is_number(value) and 0.0 < value <= 1.0)
+TIME = Constraint("a positive time in s", lambda value: is_number(value) and 0.0 < value < np.inf)
+
+
+def default_kinds(modes: int) -> tuple[str, ...]:
+    """Return the kinds that are compared by default: all of one mode, and products of zv for several."""
+    return (*KINDS, *(PRODUCT.join(["zv"] * count) for count in range(2, modes + 1)))
+
+
+def choose(
+    at: Ringing,
+    kinds: Iterable[str] | None = None,
+    *,
+    left: float = LEFT,
+    length: float | None = None,
+    tick: float = TICK,
+    firmware: str | None = None,
+    follow: bool = True,
+) -> Choice:
+    """Compare shapers: see `pkmodes.Model.shapers`.
+
+    - follow: whether to compare those that follow the pose as well
+    """
+    check_argument(left, SHARE, "left", "for example: 0.1")
+    check_argument(tick, TIME, "tick", "for example: 0.001")
+    if length is not None:
+        check_argument(length, TIME, "length", "for example: 0.05")
+    if firmware is not None and not (isinstance(firmware, str) and firmware in VERSIONS):
+        older = ", ".join(name for name in VERSIONS if name not in NAMES)
+        check_argument(firmware, one_of(NAMES), "firmware", f"for example: klipper; older versions: {older}")
+    if isinstance(kinds, str):
+        kinds = (kinds,)
+    names = default_kinds(at.modes) if kinds is None else tuple(dict.fromkeys(map(plain, kinds)))
+    for name in names:
+        check_factors(name, at, "kinds")
+    if not names:
+        raise PkmodesError(
+            "expected at least one kind of shaper, found none", "kinds", f"known: {', '.join(KINDS)}"
+        )
+    both: list[Candidate] = []
+    all_names = (*names, *names) if follow and at.known_between else names
+    for number, name in enumerate(all_names):
+        say(f"shaper {number + 1} of {len(all_names)}: {name}")
+        if number < len(names):
+            frequencies, fixed = best_fixed(name, at, firmware)
+            both.append(_candidate(name, False, frequencies, at.mean_ratio, fixed, at))
+        else:
+            followed = following(name, at, both[number - len(names)].shaper)
+            both.append(_candidate(name, True, (), np.nan, followed, at))
+    short = [candidate for candidate in both if np.min(candidate.shaper.durations) < TICKS * tick]
+    candidates = tuple(
+        candidate for candidate in both if all(candidate is not excluded for excluded in short)
+    )
+    if not any(not candidate.follows_pose for candidate in candidates):
+        longest = max(candidate.duration for candidate in both)
+        problem = (
+            f"the shapers last {1e3 * longest:.3g} ms at most, less than two ticks of {1e3 * tick:.3g} ms"
+        )
+        raise PkmodesError(problem, "tick", "shorten the tick, or choose a longer kind")
+    recommended, notes = _recommended(candidates, left, length, firmware, at)
+    if firmware is not None:
+        notes += _as_made(candidates, firmware)
+    if short:
+        kept = {candidate.kind for candidate in candidates}
+        listed = dict.fromkeys(
+            f"{candidate.kind}{_variant(candidate, at) if candidate.kind in kept else ''}"
+            for candidate in short
+        )
+        notes.append(f"{', '.join(listed)}: left out, shorter than two ticks of {1e3 * tick:.3g} ms")
+    unshaped = _amplitude(at, at.unshaped)
+    return Choice(at, unshaped, candidates, recommended, (*at.notes(), *notes), left, length, firmware)
+
+
+def _per_cent(share: float) -> str:
+    return f"{numbers.plain(100 * share, 2)} %" if share >= 1e-6 else "nothing"
+
+
+def _variant(candidate: Candidate, at: Ringing) -> str:
+    return f" of the {at.point_is}" if candidate.follows_pose else ", fixed"
+
+
+def lines_of(candidate: Candidate) -> dict[str, str | None]:
+    """Return the lines of a fixed shaper for the current version by firmware; None where it has no such shaper."""
+    return lines(*candidate.design)
+
+
+def _as_made(candidates: Sequence[Candidate], version: str) -> list[str]:
+    """Return a note on the kinds whose impulses a version computes by its own formulas, which are those compared."""
+    with_own_impulses = [
+        candidate.kind
+        for candidate in candidates
+        if not candidate.follows_pose and has_own(version, candidate.kind, candidate.damping_ratio)
+    ]
+    if not with_own_impulses:
+        return []
+    are = "is" if len(with_own_impulses) == 1 else "are"
+    return [
+        f"the fixed {joined(with_own_impulses)} {are} compared with the impulses that "
+        f"{version_name(version, version)} makes"
+    ]
+
+
+def recommended_of(
+    candidates: Sequence[Candidate], share: float, length: float | None, firmware: str | None
+) -> tuple[int | None, bool]:
+    """Return the index of the shortest fixed shaper that is good enough, or else of the best one.
+
+    - share: share at the worst pose that is good enough
+    - length: longest duration allowed [s]
+    - firmware: the version of a firmware that has it; None for any
+
+    Returns, in this order:
+    - index: None if none lasts at most `length`, or the firmware has none
+    - good: whether it is good enough
+    """
+    allowed = [
+        i
+        for i, candidate in enumerate(candidates)
+        if not candidate.follows_pose
+        and (length is None or candidate.duration <= length)
+        and (firmware is None or setting(firmware, *candidate.design) is not None)
+    ]
+    good = [i for i in allowed if candidates[i].left.worst <= share]
+    if good:
+        return min(good, key=lambda i: candidates[i].duration), True
+    return min(allowed, key=lambda i: candidates[i].left.worst, default=None), False
+
+
+def _recommended(
+    candidates: tuple[Candidate, ...],
+    share: float,
+    length: float | None,
+    firmware: str | None,
+    at: Ringing,
+) -> tuple[int, list[str]]:
+    """Return the index of the recommended shaper, and notes on it."""
+    best, good = recommended_of(candidates, share, length, firmware)
+    notes: list[str] = []
+    if best is None:
+        fixed = [candidate for candidate in candidates if not candidate.follows_pose]
+        has = [
+            candidate
+            for candidate in fixed
+            if firmware is None or setting(firmware, *candidate.design) is not None
+        ]
+        if not has:
+            kinds = ", ".join(candidate.kind for candidate in fixed)
+            problem = f"{version_name(firmware or '')} has none of the shapers compared: {kinds}"
+            raise PkmodesError(problem, "firmware", "compare others, such as zv, mzv and ei")
+        of = "" if firmware is None else f" that {version_name(firmware)} has"
+        problem = f"no fixed shaper{of} lasts at most {1e3 * (length or 0.0):.4g} ms"
+        shortest = min(candidate.duration for candidate in has)
+        raise PkmodesError(problem, "length", f"the shortest one lasts {1e3 * shortest:.4g} ms")
+    if good:
+        return best, notes
+    of = "" if firmware is None else f" of {version_name(firmware)}"
+    notes.append(
+        f"no fixed shaper{of} leaves at most {numbers.plain(100 * share, 3)} % {at.where_most}; the best one is "
+        "recommended"
+    )
+    following = [
+        candidate
+        for candidate in candidates
+        if candidate.follows_pose and (length is None or candidate.duration <= length)
+    ]
+    if following:
+        follower = min(following, key=lambda candidate: (round(candidate.left.worst, 6), candidate.duration))
+        uncertain = follower.left.rms_uncertain
+        spread = (
+            ""
+            if uncertain is None
+            else f", {numbers.plain(100 * uncertain, 2)} % on average with uncertain frequencies"
+        )
+        notes.append(
+            f"following the {at.point_is}, {follower.kind} leaves {_per_cent(follower.left.worst)} "
+            f"{at.where_most}{spread}, and more while the machine moves (pkmodes.Model.simulate)"
+        )
+    return best, notes
+
+
+def _candidate(
+    kind: str, follows: bool, frequencies: tuple[float, ...], zeta: float, shaper: Shaper, at: Ringing
+) -> Candidate:
+    shaped = shaped_by(shaper, at)
+    return Candidate(
+        kind, follows, frequencies, zeta, shaper, relative(shaper, at, shaped), shaped / at.unshaped
+    )
+
+
+def shaped_by(shaper: Shaper, at: Ringing) -> Array:
+    """Return the vibration that a shaper leaves, or one for each operating point, (N,) [s^2]."""
+    return at.shaped(residual(shaper, at.frequencies, at.damping_ratios))
+
+
+def relative(shaper: Shaper, at: Ringing, shaped: Array) -> Amplitude:
+    """Return what a shaper leaves over all operating points, relative to no shaper."""
+    amplitude, before = _amplitude(at, shaped), np.sqrt(np.mean(at.unshaped**2))
+    squares = [
+        share * np.mean(at.shaped(residual(shaper, f, at.damping_ratios)) ** 2) for share, f in at.at_spread()
+    ]
+    return Amplitude(
+        float(amplitude.rms / before),
+        float(amplitude.worst / at.unshaped.max()),
+        amplitude.pose,
+        float(np.sqrt(sum(squares)) / before) if squares else None,
+        amplitude.setting,
+    )
+
+
+def _amplitude(at: Ringing, values: Array) -> Amplitude:
+    where = int(np.argmax(values))
+    rms = float(np.sqrt(np.mean(values**2)))
+    return Amplitude(rms, float(values[where]), at.poses[where], setting=at.setting_of(where))

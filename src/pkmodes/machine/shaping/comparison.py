@@ -1,0 +1,93 @@
+"""Shapers for a robot: compared over poses, and over settings such as payloads."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+from numpy.typing import ArrayLike
+
+from pkmodes.core.model import Model
+from pkmodes.machine.shaping.choice import TICK, choose
+from pkmodes.machine.shaping.results import LEFT, Choice
+from pkmodes.machine.shaping.ringing import ringing
+from pkmodes.machine.shaping.schedule import check_heights, notes_of, schedule_of, varying
+
+
+def shapers_over(
+    model: Model,
+    poses: ArrayLike,
+    kinds: Sequence[str] | None = None,
+    *,
+    modes: int | None = None,
+    left: float = LEFT,
+    length: float | None = None,
+    tick: float = TICK,
+    firmware: str | None = None,
+    settings: Mapping[str, Any] | None = None,
+    height: Sequence[float] | None = None,
+    drives: str | None = None,
+) -> Choice:
+    """Compare shapers over poses: the best fixed one of each kind, and those that follow the pose.
+
+    Where parameters take several values in use, as a payload does, poses times settings count, and a schedule has the
+    best fixed shaper of each setting.
+
+    Parameters
+    ----------
+    model : Model
+        The evaluator of the robot.
+    poses : array_like, shape (..., d)
+        Such as a grid over the workspace; those that cannot be evaluated, or at which a mode does not oscillate,
+        are left out.
+    kinds : str or sequence of str, optional
+        By default all for one mode, and products of zv up to the number of modes.
+    modes : int, optional
+        The lowest modes that count; by default three.
+    left : float
+        Share of the vibration that a fixed shaper may leave at the worst pose to be good enough.
+    length : float, optional
+        Longest duration of a shaper [s].
+    tick : float
+        Time between two commands of the controller [s]; shapers shorter than two ticks are left out.
+    firmware : {"klipper", "marlin", "reprapfirmware"}, optional
+        Compare shapers as its current version makes them, and recommend one that it has.  Older ones are
+        ``"klipper-2025-09"``, ``"klipper-2025-08"``, ``"marlin-2025-09"`` and ``"reprapfirmware-3.5"``.
+    settings : mapping of str to array_like, optional
+        Values of parameters in SI units by path, such as ``{"effects.payload.mass": [0.0, 0.5, 1.0]}``; every
+        combination counts.
+    height : sequence of two float, optional
+        Layer heights of the lowest and of the highest value [m], between which the one parameter with several values
+        grows evenly.
+    drives : {"free", "held"}, optional
+        What the motors do: by default they give way on the springs that the robot file has for them
+        (``[effects.servo_stiffness]``), "free", and are held without any.
+
+    Returns
+    -------
+    Choice
+        ``candidates``, and ``recommended``: the index of the shortest fixed shaper that is good enough, else of
+        the one that leaves least at its worst pose.  At no pose those that follow it leave more than fixed ones.
+        ``schedule``, with several settings: the shaper of each, chosen by the same rule over its poses.
+
+    Raises
+    ------
+    PkmodesError
+        If an argument is invalid, no fixed shaper is long or short enough, or the firmware has none of them; or if
+        motors that nothing holds are to be free.
+    RobotFileError
+        If a robot file with a setting would be rejected.
+    PoseError
+        If no pose can be evaluated.
+    """
+    at = ringing(model, poses, modes, settings, drives)
+    if height is not None:
+        check_heights(height, varying(at.settings))
+    if kinds is not None and not isinstance(kinds, str):
+        kinds = tuple(kinds)
+    whole = choose(at, kinds, left=left, length=length, tick=tick, firmware=firmware)
+    if len(at.settings) < 2:
+        return whole
+    schedule = schedule_of(model, poses, whole, kinds, tick, height)
+    return replace(whole, schedule=schedule, notes=(*whole.notes, *notes_of(schedule)))

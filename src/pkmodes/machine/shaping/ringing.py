@@ -1,0 +1,301 @@
+"""How a machine in use rings: the lowest modes, and how much each moves the platform.
+
+Its motors are held, or give way on the springs that the robot file has for them.  It is evaluated at operating
+points: at poses or, if parameters such as a payload take several values in use, at the poses of each setting of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pkmodes.core.base.arguments import POSITIVE_INTEGER, check_argument
+from pkmodes.core.base.drives import HELD, motors
+from pkmodes.core.base.errors import PkmodesError, PoseError
+from pkmodes.core.model import Model
+from pkmodes.core.solve.backends import AUTO
+from pkmodes.core.support.motors import drives_in_use, motors_give_way, motors_in_words
+from pkmodes.core.support.progress import say
+from pkmodes.core.system.evaluation import number_of_modes
+from pkmodes.loop.sensitivity.spread import spread_of
+from pkmodes.machine.shaping.settings import Setting, settings_of
+
+Array = NDArray[np.float64]
+#: Default number of modes considered, the lowest ones.
+MODES = 3
+#: Ratio of the largest to the median amplitude above which a few poses decide everything.
+DOMINATING = 20.0
+#: Relative difference below which frequencies count as equal.
+SAME = 1e-9
+#: Points and weights of the average over a normal distribution (Gauss-Hermite quadrature): exact for polynomials up
+#: to degree 17, and accurate to 1e-3 for the vibration that shapers leave.
+SPREAD, SHARE = (np.array(column) for column in np.polynomial.hermite_e.hermegauss(9))
+
+
+@dataclass(frozen=True, eq=False)
+class Ringing:
+    """The lowest m modes of a machine in use at N poses, or at N operating points: poses of settings.
+
+    Attributes
+    ----------
+    poses : ndarray, shape (N, d)
+        Those that can be evaluated and at which all these modes oscillate.
+    frequencies, damping_ratios : ndarray, shape (N, m)
+        In Hz, and 1.
+    weights : ndarray, shape (N, m)
+        Amplitude of the platform in each mode after a step of its acceleration by 1 m/s^2: the root of the sum of
+        squares over the directions of the step [s^2].
+    spread : ndarray, shape (N, m), or None
+        Relative standard deviations of the frequencies, from those in the robot file; None where it has none.
+    left_out : int
+        Poses that were given but cannot be evaluated, or at which a mode does not oscillate.
+    settings : tuple of Setting
+        Empty where the robot is as its file says.
+    setting : ndarray of int, shape (N,), or None
+        Index of the setting of each operating point; None without settings.
+    drives : {"free", "held"}
+        What the motors do: held, or free against springs.
+    motors : str
+        The same in words.
+    """
+
+    poses: Array
+    frequencies: Array
+    damping_ratios: Array
+    weights: Array
+    spread: Array | None
+    left_out: int
+    settings: tuple[Setting, ...] = ()
+    setting: NDArray[np.intp] | None = None
+    drives: str = HELD
+    motors: str = motors([HELD])
+
+    @cached_property
+    def unshaped(self) -> Array:
+        """Amplitude of all modes together without a shaper [s^2], (N,)."""
+        return np.asarray(np.linalg.norm(self.weights, axis=-1))
+
+    def shaped(self, remaining: Array) -> Array:
+        """Return the same with a shaper that leaves some of each mode, (N, m), as (N,) [s^2]."""
+        return np.asarray(np.linalg.norm(self.weights * remaining, axis=-1))
+
+    @property
+    def modes(self) -> int:
+        """How many modes a shaper may have factors for."""
+        return int(self.frequencies.shape[1])
+
+    @property
+    def known_between(self) -> bool:
+        """Whether shapers can be designed for any pose, so that they may follow it."""
+        return True
+
+    @property
+    def where_most(self) -> str:
+        """Where the largest remaining vibration is sought, in words."""
+        return f"at the worst {self.point_is}"
+
+    @property
+    def point_is(self) -> str:
+        """What distinguishes operating points: their pose, and their setting where there are several."""
+        return "pose and setting" if len(self.settings) > 1 else "pose"
+
+    @property
+    def points_are(self) -> str:
+        """The same in the plural."""
+        return "poses and settings" if len(self.settings) > 1 else "poses"
+
+    def setting_of(self, point: int) -> Setting | None:
+        """Return the setting of an operating point; None without settings."""
+        return None if self.setting is None else self.settings[self.setting[point]]
+
+    def only(self, setting: int) -> Ringing:
+        """Return the part at one of the settings."""
+        kept = self.setting == setting
+        return replace(
+            self,
+            poses=self.poses[kept],
+            frequencies=self.frequencies[kept],
+            damping_ratios=self.damping_ratios[kept],
+            weights=self.weights[kept],
+            spread=None if self.spread is None else self.spread[kept],
+            left_out=0,
+            settings=(self.settings[setting],),
+            setting=np.zeros(int(np.count_nonzero(kept)), dtype=np.intp),
+        )
+
+    def notes(self) -> list[str]:
+        """Return notes on these modes for the reader."""
+        notes = []
+        if self.left_out:
+            are = "pose is" if self.left_out == 1 else "poses are"
+            of = ", counted at each setting" if len(self.settings) > 1 else ""
+            notes.append(
+                f"{self.left_out} {are} left out{of}: not reachable, or a mode does not oscillate there"
+            )
+        if self._alike:
+            notes.append(
+                f"no frequency changes with the settings: {' and '.join(self.settings[0].values)} cannot be seen in "
+                "the modes that count"
+            )
+        beyond = float(self.unshaped.max() / np.median(self.unshaped))
+        if beyond > DOMINATING:
+            notes.append(
+                f"the machine rings {beyond:.0f} times as much {self.where_most} as at half of them: poses near "
+                "singular ones decide; give the part of the workspace that is used, as a grid or as [usable] in the "
+                "robot file"
+            )
+        if not self.damping_ratios.any():
+            notes.append("the robot file has no damping: shapers are designed for none; see [damping]")
+        return notes
+
+    @property
+    def _alike(self) -> bool:
+        """Whether the settings differ and the frequencies do not."""
+        if len(self.settings) < 2:
+            return False
+        parts = [self.only(i).frequencies for i in range(len(self.settings))]
+        return all(part.shape == parts[0].shape and np.allclose(part, parts[0], SAME, 0.0) for part in parts)
+
+    @property
+    def mean_ratio(self) -> float:
+        """Damping ratio of all modes and poses, weighted by their squared amplitudes."""
+        return float(np.average(self.damping_ratios, weights=self.weights**2))
+
+    def at_spread(self) -> list[tuple[float, Array]]:
+        """Return frequencies offset from the declared ones according to their standard deviations, (N, m).
+
+        Each comes with its share of the average over all of them; empty without standard deviations.
+        """
+        if self.spread is None:
+            return []
+        shares = SHARE / SHARE.sum()
+        return [
+            (float(w), self.frequencies * np.exp(x * self.spread))
+            for x, w in zip(SPREAD, shares, strict=True)
+        ]
+
+
+def ringing(
+    model: Model,
+    poses: ArrayLike,
+    modes: int | None = None,
+    settings: Mapping[str, Any] | None = None,
+    drives: str | None = None,
+) -> Ringing:
+    """Evaluate the modes of a machine in use.
+
+    - poses: those that cannot be evaluated, or at which a mode does not oscillate, are left out, (..., d)
+    - modes: how many modes count, the lowest; by default three, or all if there are fewer
+    - settings: values of parameters in SI units, by path: the poses of every combination count
+    - drives: as for `pkmodes.Model.shapers`
+
+    Raises PkmodesError if the machine has fewer modes, or rigid ones although its motors are held; if motors that
+    nothing holds are to be free, or some settings have springs on the motors and others none; or if settings are
+    invalid.
+    Raises RobotFileError if a robot file with a setting would be rejected.
+    Raises PoseError if no pose is left.
+    """
+    say("computing the modes of the machine in use")
+    if settings is None or (isinstance(settings, Mapping) and not settings):
+        does = drives_in_use(model.robot, drives)
+        return _at_poses(model, poses, _count(model, modes, does), does)
+    return at_settings(model, poses, modes, settings_of(model, settings), drives)
+
+
+def at_settings(
+    model: Model, poses: ArrayLike, modes: int | None, settings: Sequence[Setting], drives: str | None
+) -> Ringing:
+    """Evaluate the modes at the poses of each setting: see `ringing`."""
+    models = [model.with_values(setting.values) for setting in settings]
+    does = _common_drives(models, settings, drives)
+    count = min(_count(variant, modes, does) for variant in models)
+    parts = []
+    for variant, setting in zip(models, settings, strict=True):
+        try:
+            parts.append(_at_poses(variant, poses, count, does, fixed_paths=setting.values))
+        except PoseError as error:
+            raise PoseError(f"{error.what}, at {setting}", error.where, error.remedy, error.index) from None
+    spread = [part.spread for part in parts if part.spread is not None]
+    return Ringing(
+        np.concatenate([part.poses for part in parts]),
+        np.concatenate([part.frequencies for part in parts]),
+        np.concatenate([part.damping_ratios for part in parts]),
+        np.concatenate([part.weights for part in parts]),
+        np.concatenate(spread) if len(spread) == len(parts) else None,
+        sum(part.left_out for part in parts),
+        tuple(settings),
+        np.repeat(np.arange(len(parts)), [len(part.poses) for part in parts]),
+        does,
+        parts[0].motors,
+    )
+
+
+def _common_drives(models: Sequence[Model], settings: Sequence[Setting], drives: str | None) -> str:
+    """Return what the motors do at all settings.
+
+    Raises PkmodesError if some settings have springs on the motors and others none.
+    """
+    give_way = [motors_give_way(variant.robot) for variant in models]
+    if drives != HELD and len(set(give_way)) > 1:
+        soft, none = (settings[give_way.index(gives)] for gives in (True, False))
+        problem = f"at {soft} springs hold the motors, and at {none} none do"
+        raise PkmodesError(problem, "settings", 'give values above 0 only, or take drives="held"')
+    return drives_in_use(models[0].robot, drives)
+
+
+def _at_poses(
+    model: Model, poses: ArrayLike, count: int, drives: str, fixed_paths: Collection[str] = ()
+) -> Ringing:
+    """Evaluate the lowest modes at poses; frequencies are not spread by values that are known."""
+    fields = ("frequencies", "damping_ratios", "vibration_amplitudes")
+    checked, values = model.fields_at(poses, "nan", fields, AUTO, drives=drives)
+    f, zeta, w = (
+        values[name].reshape(len(checked.points), *values[name].shape[len(checked.batch) :])[:, :count]
+        for name in fields
+    )
+    good = np.asarray((f > 0.0).all(axis=-1) & (zeta < 1.0).all(axis=-1) & np.isfinite(w).all(axis=(-2, -1)))
+    if not good.any():
+        problem = f"expected poses at which the machine can ring, found none among {len(good)}"
+        raise PoseError(
+            problem, "poses", "give poses in the workspace, at which the modes that count oscillate"
+        )
+    points = checked.points[good]
+    return Ringing(
+        points,
+        f[good],
+        zeta[good],
+        np.linalg.norm(w[good], axis=-1),
+        _spread(model, points, f[good], drives, fixed_paths),
+        int(np.count_nonzero(~good)),
+        drives=drives,
+        motors=motors_in_words(model.robot, drives),
+    )
+
+
+def _count(model: Model, modes: int | None, drives: str) -> int:
+    held = model.solved(HELD)
+    if held.rigid_modes:
+        problem = (
+            f"with motors held the machine still has {held.rigid_modes} rigid modes: no shaper cancels these"
+        )
+        raise PkmodesError(problem, model.robot.source, "check the drives of the mechanism")
+    available = number_of_modes(model.solved(drives))
+    if modes is None:
+        return min(MODES, available)
+    check_argument(modes, POSITIVE_INTEGER, "modes", "for example: 3")
+    if modes > available:
+        doing = motors_in_words(model.robot, drives)
+        problem = f"expected at most the {available} modes that the machine has with {doing}, found {modes}"
+        raise PkmodesError(problem, "modes", f"give 1 to {available}")
+    return modes
+
+
+def _spread(model: Model, points: Array, f: Array, drives: str, fixed_paths: Collection[str]) -> Array | None:
+    """Return the relative standard deviations of frequencies: declared values err little."""
+    sigmas = spread_of(model, points, drives, known=fixed_paths)
+    return None if sigmas is None else np.nan_to_num(sigmas[:, : f.shape[1]]) / f

@@ -1,0 +1,185 @@
+"""A schedule: for each setting of a machine, such as each payload, the fixed shaper that suits its poses.
+
+A firmware has one shaper at a time, and cannot see a payload; but a print grows with its layers, so that the lines of
+a schedule can be placed at their layers.  Each shaper serves until halfway to the next setting.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pkmodes.core.base.arguments import Constraint, check_argument, is_number
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.model import Model
+from pkmodes.core.support.numbers import plain
+from pkmodes.core.support.ordering import joined, listed
+from pkmodes.core.support.progress import say
+from pkmodes.machine.shaping.choice import choose, relative, shaped_by
+from pkmodes.machine.shaping.firmware import NAMES
+from pkmodes.machine.shaping.results import Choice, Schedule, Step
+from pkmodes.machine.shaping.ringing import Ringing, at_settings
+from pkmodes.machine.shaping.settings import Setting
+from pkmodes.machine.shaping.shapers import Shaper
+
+Array = NDArray[np.float64]
+#: Most settings named in a note.
+NAMED = 4
+
+
+def _are_heights(value: Any) -> bool:
+    pair = isinstance(value, Sequence | np.ndarray) and not isinstance(value, str) and len(value) == 2
+    return pair and all(map(is_number, value)) and 0.0 <= value[0] < value[1] < np.inf
+
+
+HEIGHTS = Constraint("two heights in m, the lower one first", _are_heights)
+
+
+def schedule_of(
+    model: Model,
+    poses: ArrayLike,
+    whole: Choice,
+    kinds: Iterable[str] | None,
+    tick: float,
+    height: Sequence[float] | None,
+) -> Schedule:
+    """Choose a fixed shaper for each setting, by the rule of the choice for all of them.
+
+    - model: the evaluator of the robot
+    - poses: those of the choice, (..., d)
+    - whole: for all settings
+    - kinds: of the choice
+    - tick: of the choice [s]
+    - height: layer heights of the first and of the last value [m], between which the parameter grows evenly
+
+    Raises PkmodesError if no shaper is long or short enough at a setting.
+    """
+    at = whole.ringing
+    parameter = varying(at.settings)
+    choices = []
+    for i, setting in enumerate(at.settings):
+        say(f"setting {i + 1} of {len(at.settings)}: {setting}")
+        limits: Any = {"left": whole.left, "length": whole.length, "firmware": whole.firmware}
+        try:
+            choices.append(choose(at.only(i), kinds, tick=tick, follow=False, **limits))
+        except PkmodesError as error:
+            raise type(error)(f"at {setting}: {error.what}", error.where, error.remedy) from None
+    best = [choice.candidates[choice.recommended].shaper for choice in choices]
+    scheduled = each_setting(best, at)
+    serves, ends = _between(model, poses, at, parameter, best)
+    heights = _heights(serves, height)
+    fixed = whole.candidates[whole.recommended].shaper
+    steps = [
+        Step(
+            setting,
+            choice,
+            float(shaped_by(fixed, choice.ringing).max() / choice.unshaped.worst),
+            serves[i] if serves else None,
+            ends[i] if ends else None,
+            heights[i] if heights else None,
+        )
+        for i, (setting, choice) in enumerate(zip(at.settings, choices, strict=True))
+    ]
+    return Schedule(tuple(steps), parameter, relative(scheduled, at, shaped_by(scheduled, at)))
+
+
+def varying(settings: Sequence[Setting]) -> str | None:
+    """Return the path of the only parameter that has several values; None if there is not exactly one."""
+    paths = settings[0].values if settings else ()
+    several = [path for path in paths if len({setting.values[path] for setting in settings}) > 1]
+    return several[0] if len(several) == 1 else None
+
+
+def check_heights(height: Any, parameter: str | None) -> None:
+    """Refuse anything but the heights of the first and the last value of a single parameter.
+
+    Raises PkmodesError.
+    """
+    check_argument(height, HEIGHTS, "height", "for example: (0.0, 0.2)")
+    if parameter is None:
+        problem = (
+            "layer heights belong to one parameter that takes several values, and there is not exactly one"
+        )
+        raise PkmodesError(problem, "height", "give several values to one parameter, such as a payload")
+
+
+def each_setting(shapers: Sequence[Shaper], at: Ringing) -> Shaper:
+    """Return the shaper of each operating point, (N, n): shorter ones get impulses of nothing at their end."""
+    count = max(shaper.delays.shape[-1] for shaper in shapers)
+    padding = [(0, count - shaper.delays.shape[-1]) for shaper in shapers]
+    pairs = list(zip(shapers, padding, strict=True))
+    amplitudes = np.array([np.pad(shaper.amplitudes, pad) for shaper, pad in pairs])
+    delays = np.array([np.pad(shaper.delays, pad, mode="edge") for shaper, pad in pairs])
+    return Shaper(amplitudes[at.setting], delays[at.setting])
+
+
+def _between(
+    model: Model, poses: ArrayLike, at: Ringing, parameter: str | None, best: Sequence[Shaper]
+) -> tuple[list[tuple[float, float]], list[float]]:
+    """Return the values between which each shaper serves, and the most that it leaves halfway to its neighbours.
+
+    Both are empty where several parameters vary.
+    """
+    if parameter is None:
+        return [], []
+    values = [setting.values[parameter] for setting in at.settings]
+    halfway = [0.5 * (low + high) for low, high in pairwise(values)]
+    first = at.settings[0]
+    there = at_settings(
+        model,
+        poses,
+        at.modes,
+        [Setting({**first.values, parameter: value}, first.units) for value in halfway],
+        at.drives,
+    )
+    ends = [0.0] * len(values)
+    for k in range(len(halfway)):
+        part = there.only(k)
+        for i in (k, k + 1):
+            ends[i] = max(ends[i], float(shaped_by(best[i], part).max() / part.unshaped.max()))
+    return list(pairwise([values[0], *halfway, values[-1]])), ends
+
+
+def _heights(
+    serves: Sequence[tuple[float, float]], height: Sequence[float] | None
+) -> list[tuple[float, float]]:
+    """Return the layer heights between which each shaper serves."""
+    if not serves or height is None:
+        return []
+    values, layers = (serves[0][0], serves[-1][1]), tuple(map(float, height))
+    return [
+        (float(np.interp(low, values, layers)), float(np.interp(high, values, layers)))
+        for low, high in serves
+    ]
+
+
+def notes_of(schedule: Schedule) -> list[str]:
+    """Return notes on the schedule for the reader."""
+    notes, limit = [], f"{plain(100 * schedule.steps[0].choice.left, 3)} %"
+    poor = [str(step.setting) for step in schedule.steps if not step.good]
+    if poor:
+        notes.append(
+            f"at {listed(poor, NAMED, '; ')} no fixed shaper leaves at most {limit} at the worst pose: the best one "
+            "is scheduled"
+        )
+    ends = max((step.at_ends for step in schedule.steps if step.at_ends is not None), default=0.0)
+    if ends > max(schedule.steps[0].choice.left, *(step.best.left.worst for step in schedule.steps)):
+        notes.append(
+            f"halfway between two settings the schedule leaves up to {plain(100 * ends, 2)} %: give more values"
+        )
+    lacking = [NAMES[name] for name, text in schedule.lines().items() if text is None]
+    if lacking and schedule.steps[0].choice.firmware is None:
+        notes.append(
+            f"no schedule for {joined(lacking)}, which lack{'s' if len(lacking) == 1 else ''} one of its shapers; "
+            "--firmware schedules only those that one has"
+        )
+    if schedule.steps[0].heights is not None:
+        notes.append(
+            f"the heights are those of a print with which {schedule.parameter} grows evenly, as one with the same "
+            "cross-section in every layer"
+        )
+    return notes

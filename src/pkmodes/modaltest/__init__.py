@@ -1,0 +1,1 @@
+"""From measured signals to modes: files of signals, identification, campaigns."""

@@ -1,0 +1,152 @@
+"""Records of responses alone: ambient vibration, decays or sweeps, from one board or several recording together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from pkmodes.core.base.errors import MeasurementError, shown
+from pkmodes.modaltest.campaign.boards import Board, boards_together, with_clocks
+from pkmodes.modaltest.campaign.campaign import Campaign, Record
+from pkmodes.modaltest.campaign.found import FileFit, FileModes
+from pkmodes.modaltest.campaign.sensor_functions import in_file
+from pkmodes.modaltest.campaign.time_records import (
+    BRIDGED,
+    TimeSignals,
+    time_signals,
+    with_bridges,
+    with_levels,
+)
+from pkmodes.modaltest.identification.clocks import Delay
+from pkmodes.modaltest.identification.estimates import Mode
+from pkmodes.modaltest.identification.ssi_bands import FEWEST_PERIODS
+from pkmodes.modaltest.identification.ssi_identification import identify_responses
+
+
+def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
+    """Return the modes of the responses in a file, their shapes by sensor.
+
+    Raises MeasurementError if the file is faulty, or too short for the band.
+    """
+    recording, delays, columns = _beside(path, record, setup, campaign)
+
+    def identified(variants: Sequence[TimeSignals]) -> tuple[FileFit, tuple[str, ...]]:
+        estimate, messages = identify_responses(
+            recording.step,
+            variants[0].pieces,
+            band=record.band,
+            tones=campaign.tones,
+            edits=campaign.asked(record),
+        )
+        return FileFit(estimate, recording.names), tuple(
+            f"{recording.source}: {message}" for message in messages
+        )
+
+    with in_file(recording.source), _gaps_named(recording):
+        fit, messages = with_bridges(identified, [recording], recording.source)
+    shortest = FEWEST_PERIODS / record.band[0]
+    short = [piece for piece in recording.pieces if len(piece) * recording.step < shortest]
+    if short:
+        messages = (
+            *messages,
+            f"{recording.source}: {len(short)} pieces between gaps are shorter than {shortest:.3g} s and were "
+            "left out",
+        )
+    unsigned: dict[str, list[str]] = {}
+
+    def accelerations(mode: Mode) -> Mode:
+        whole = replace(mode, shape=mode.shape * recording.as_accelerations(mode.pole))
+        adjusted, lost = with_clocks(whole, columns, delays)
+        for name in lost:
+            unsigned.setdefault(name, []).append(f"{mode.frequency:.4g}")
+        return adjusted
+
+    fit = replace(fit, estimate=fit.estimate.changed(accelerations))
+    lost = [
+        f"{recording.source}: the modes at {', '.join(modes)} Hz have no components of {name}: its clock is not known"
+        " well enough to tell their sign"
+        for name, modes in unsigned.items()
+    ]
+    all_messages = (*recording.messages, *messages, *lost)
+    return with_levels(fit, all_messages, recording)
+
+
+def _beside(
+    path: Path, record: Record, setup: str, campaign: Campaign
+) -> tuple[TimeSignals, Mapping[str, Delay], Mapping[str, slice]]:
+    """Return the signals of a file, joined with those that other boards recorded at the same time.
+
+    Sensors of other boards keep their campaign names.
+
+    Returns, in this order:
+    - signals
+    - delays, columns: offset added to the times of each other board, and the columns of its signals, by setup
+    """
+    signals = time_signals(path, record, setup, campaign, highest=record.band[1])
+    other_boards = {
+        name: time_signals(file, record, name, campaign, highest=record.band[1])
+        for name, file in record.beside(path).items()
+    }
+    if not other_boards:
+        return signals, {}, {}
+    names, columns, names_in_file = list(signals.names), {}, set(signals.names_in_file)
+    taken = {campaign.sensors_in(setup)[name].key for name in names}
+    for name, board_signals in other_boards.items():
+        sensors = campaign.sensors_in(name)
+        keys = [sensors[sensor_name].key for sensor_name in board_signals.names]
+        names_in_file |= {sensors[sensor_name].key for sensor_name in board_signals.names_in_file}
+        twice = next((key for key in keys if key in taken), None)
+        if twice is not None:
+            problem = f"the sensor {shown(twice)} is in the files of both {setup} and {name}"
+            raise MeasurementError(
+                problem, board_signals.source, f'give each [[sensor]] its own: setup = "{name}"'
+            )
+        columns[name] = slice(len(names), len(names) + len(keys))
+        names += keys
+        taken |= set(keys)
+    boards = {
+        name: Board(board.source, board.step, board.starts, board.pieces)
+        for name, board in {setup: signals, **other_boards}.items()
+    }
+    aligned = boards_together(boards, record.clocks, record.band)
+    all_signals = (signals, *other_boards.values())
+    bridged = any(board.once_more is not None for board in all_signals)
+    caveats = (
+        (f"{signals.source}: what interpolating adds to sigma is not known of several boards",)
+        if bridged
+        else ()
+    )
+    joint = replace(
+        signals,
+        step=aligned.step,
+        pieces=aligned.pieces,
+        starts=aligned.starts,
+        names=tuple(names),
+        derivatives=np.concatenate([board.derivatives for board in all_signals]),
+        names_in_file=frozenset(names_in_file),
+        messages=(
+            *(message for board in all_signals for message in board.messages),
+            *aligned.messages,
+            *caveats,
+        ),
+        gap=max(board.gap for board in all_signals),
+        once_more=None,
+    )
+    return joint, aligned.delays, columns
+
+
+@contextmanager
+def _gaps_named(signals: TimeSignals) -> Iterator[None]:
+    """If a record is too short because it is split, state up to which frequency its gaps can be bridged."""
+    try:
+        yield
+    except MeasurementError as error:
+        if not signals.gap > 0.0:
+            raise
+        problem = f"{error.what}: {len(signals.pieces) - 1} gaps of {1e3 * signals.gap:.3g} ms split it"
+        remedy = f"end the band at {BRIDGED / signals.gap:.3g} Hz or lower, where they are bridged; or {error.remedy}"
+        raise MeasurementError(problem, error.where, remedy) from None

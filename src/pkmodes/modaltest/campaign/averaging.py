@@ -1,0 +1,232 @@
+"""The mean of a mode over repeats, and its standard deviation.
+
+Few repeats tell little of their own scatter.  So the scatter of all modes of a record is pooled, and that of each
+mode is drawn towards it: the posterior variance of Smyth, Stat. Appl. Genet. Mol. Biol. 3 (2004), with a prior worth
+`PRIOR` degrees of freedom.  Frequencies scatter because the machine changes: relative to the frequency, alike for all
+modes.  Damping ratios and shapes scatter mostly by noise, which weak modes feel more: relative to what the
+identification leaves open of each.
+Student's t turns the result into a standard deviation two of which cover 95 % of errors.  The uncertainty of the
+identification itself is added: repeats at one place do not show it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import t as student
+
+from pkmodes.modaltest.campaign.found import Found
+from pkmodes.modaltest.campaign.grouping import reunited
+from pkmodes.modaltest.campaign.levels import between_files, widest
+from pkmodes.modaltest.identification.level import LevelShift
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+#: Weight of the pooled scatter against that of a single mode, in repeats: the published value for similar variances.
+PRIOR = 4.0
+#: Share of errors that two standard deviations cover.
+COVERED = 0.95
+
+
+@dataclass(frozen=True, eq=False)
+class Mean:
+    """A mode over its repeats.
+
+    - mode: means; its standard deviations are those of the identification
+    - scatter: standard deviation of the mean frequency from the scatter of the repeats, relative; NaN for a single
+      one
+    - damping_scatter: likewise of the damping ratio, relative
+    - shape_scatter: likewise of a component of the shape, relative to the largest
+    - files: those in which it was found
+    - variance: unbiased variance of the mean of ln f from the scatter; `scatter` is larger, as few repeats estimate
+      it badly
+    - between: how the frequency changes with the level of the files
+    """
+
+    mode: Found
+    scatter: float
+    damping_scatter: float
+    shape_scatter: float
+    files: tuple[int, ...]
+    variance: float = np.nan
+    between: LevelShift | None = None
+
+
+def averaged(groups: Sequence[dict[int, Found]]) -> list[Mean]:
+    """Return the means of the modes of one record, in their order."""
+    logs = [np.log([mode.frequency for mode in group.values()]) for group in groups]
+    damping = [_logs([mode.damping for mode in group.values()]) for group in groups]
+    means = [mean_shape([mode.shape for mode in group.values()]) for group in groups]
+    shapes = [residuals for _, residuals in means]
+    fits = [list(group.values()) for group in groups]
+    scatters = [
+        _scatter(
+            [float(np.var(values, ddof=1)) if len(values) > 1 else np.nan for values in logarithms],
+            [len(values) for values in logarithms],
+            left_open,
+        )
+        for logarithms, left_open in (
+            (logs, None),
+            (damping, _left_open([[_relative(mode) for mode in modes] for modes in fits])),
+        )
+    ]
+    counts = [len(group) for group in groups]
+    of_shapes = _scatter(
+        [_mean_square(residuals) for residuals in shapes],
+        counts,
+        _left_open([[mode.sigma_shape for mode in modes] for modes in fits]),
+    )
+    between = between_files(groups)
+    return [
+        Mean(
+            _of(list(group.values()), means[i][0]),
+            scatters[0][i][0],
+            scatters[1][i][0],
+            of_shapes[i][0],
+            tuple(sorted(group)),
+            scatters[0][i][1],
+            between[i],
+        )
+        for i, group in enumerate(groups)
+    ]
+
+
+def grouped_means(listed: Sequence[Sequence[Mean]]) -> list[dict[int, Mean]]:
+    """Group the means that belong to one mode, each keyed by the index of its setup or label in the list."""
+    groups = reunited([[mean.mode for mean in means] for means in listed])
+    return [{i: listed[i][k] for i, k in group.items()} for group in groups]
+
+
+def _of(modes: list[Found], shape: dict[str, complex]) -> Found:
+    """Return the mean of a mode over its repeats, with the uncertainty from their identification."""
+    n = np.sqrt(len(modes))
+
+    def pooled(values: Sequence[float]) -> float:
+        return float(np.sqrt(np.mean(np.square(values))) / n)
+
+    damping_ratios = [mode.damping for mode in modes if np.isfinite(mode.damping)]
+    order_counts = [mode.found_in for mode in modes if mode.found_in is not None]
+    participation, apart = _participation(modes, shape)
+    of_fits = pooled([mode.sigma_size for mode in modes])
+    return Found(
+        float(np.mean([mode.frequency for mode in modes])),
+        float(np.mean(damping_ratios)) if damping_ratios else np.nan,
+        shape,
+        pooled([mode.sigma_frequency for mode in modes]),
+        pooled([mode.sigma_damping for mode in modes]),
+        pooled([mode.sigma_shape for mode in modes]),
+        min(order_counts, key=lambda counts: counts[0] / counts[1])
+        if len(order_counts) == len(modes)
+        else None,
+        resolution=max(mode.resolution for mode in modes),
+        shift=widest([mode.shift for mode in modes]),
+        participation=participation,
+        sigma_size=max((sigma for sigma in (of_fits, apart) if np.isfinite(sigma)), default=np.nan),
+    )
+
+
+def _participation(modes: Sequence[Found], shape: Mapping[str, complex]) -> tuple[dict[str, complex], float]:
+    """Return the mean participations that match the mean shape, and the relative standard deviation of their size."""
+    participations: dict[str, list[complex]] = {}
+    for mode in modes:
+        common = [name for name in mode.shape if name in shape]
+        repeat, mean = (np.array([components[name] for name in common]) for components in (mode.shape, shape))
+        size = float(np.vdot(mean, mean).real)
+        scale = complex(np.vdot(mean, repeat) / size) if size > 0.0 else complex(np.nan)
+        for name, value in mode.participation.items():
+            participations.setdefault(name, []).append(scale * value)
+    means = {name: complex(np.mean(values)) for name, values in participations.items()}
+    largest = max(means, key=lambda name: abs(means[name]), default="")
+    if len(participations.get(largest, ())) < 2:
+        return means, np.nan
+    values = np.array(participations[largest])
+    return means, float(np.std(values, ddof=1) / np.sqrt(len(values)) / abs(means[largest]))
+
+
+def _logs(values: Sequence[float]) -> Array:
+    positive = np.array([value for value in values if value > 0.0])
+    return np.asarray(np.log(positive))
+
+
+def _relative(mode: Found) -> float:
+    """Return the relative standard deviation of a damping ratio; NaN where there is none."""
+    return mode.sigma_damping / mode.damping if mode.damping > 0.0 else np.nan
+
+
+def _left_open(stated: Sequence[Sequence[float]]) -> list[float] | None:
+    """Return the identification's uncertainty of each mode, rms over files; None unless it is known for all."""
+    positive = [[sigma for sigma in sigmas if sigma > 0.0] for sigmas in stated]
+    return [float(np.sqrt(np.mean(np.square(sigmas)))) for sigmas in positive] if all(positive) else None
+
+
+def _scatter(
+    variances: Sequence[float], counts: Sequence[int], sizes: Sequence[float] | None = None
+) -> list[tuple[float, float]]:
+    """Return relative standard deviations and variances of means over n repeats; NaN for single ones.
+
+    Scatters are pooled relative to `sizes`, which are all 1 by default.
+    """
+    if sizes is not None:
+        relative = [v / size**2 for v, size in zip(variances, sizes, strict=True)]
+        relative_scatters = _scatter(relative, counts)
+        return [(s * size, v * size**2) for (s, v), size in zip(relative_scatters, sizes, strict=True)]
+    repeated = [(v, n - 1) for v, n in zip(variances, counts, strict=True) if n > 1 and np.isfinite(v)]
+    if not repeated:
+        return [(np.nan, np.nan)] * len(counts)
+    freedom = sum(n for _, n in repeated)
+    pooled = sum(v * n for v, n in repeated) / freedom
+    prior = min(PRIOR, freedom)  # the pooled variance itself is known no better
+    scatters = []
+    for v, n in zip(variances, counts, strict=True):
+        if n < 2 or not np.isfinite(v):
+            scatters.append((np.nan, np.nan))
+            continue
+        own_freedom = n - 1
+        # The mode is part of the pool: if it is the only one, its variance is its own.
+        worth = prior if freedom > own_freedom else 0.0
+        variance = (worth * pooled + own_freedom * v) / (worth + own_freedom)
+        quantile = student.ppf(0.5 + 0.5 * COVERED, worth + own_freedom) / 2.0
+        scatters.append((float(quantile * np.sqrt(variance / n)), variance / n))
+    return scatters
+
+
+def mean_shape(shapes: Sequence[Mapping[str, complex]]) -> tuple[dict[str, complex], Complex]:
+    """Return the mean of arbitrarily scaled shapes, relative to its largest component, and the residual of each.
+
+    Each shape is scaled to fit the mean; the mean is their strongest singular vector.  A component missing from some
+    shapes is averaged over the others; one that nothing links to the rest is left out.
+    """
+    names = list(dict.fromkeys(name for shape in shapes for name in shape))
+    if not names:
+        return {}, np.empty((0, 0), dtype=complex)
+    table = np.array([[shape.get(name, np.nan) for name in names] for shape in shapes], dtype=complex)
+    whole = [row for row in table if np.isfinite(row).all()]
+    start = whole[0] if whole else np.nan_to_num(table[int(np.argmax(np.isfinite(table).sum(axis=1)))])
+    mean = start / np.abs(start).max()
+    for _ in range(20):
+        scaled = np.array([row * _scale(row, mean) for row in table])
+        count = np.isfinite(scaled).sum(axis=0)
+        before, mean = mean, np.where(count > 0, np.nansum(scaled, axis=0) / np.maximum(count, 1), np.nan)
+        mean = mean / mean[np.nanargmax(np.abs(mean))]
+        if np.array_equal(mean, before, equal_nan=True):  # at once for a single shape
+            break
+    finite = np.isfinite(mean)
+    shape = {name: complex(mean[i]) for i, name in enumerate(names) if finite[i]}
+    return shape, (scaled - mean)[:, finite]
+
+
+def _scale(row: Complex, mean: Complex) -> complex:
+    """Return the factor that makes a shape most like the mean, NaN if they have no component in common."""
+    common = np.isfinite(row) & np.isfinite(mean)
+    size = float(np.vdot(row[common], row[common]).real)
+    return complex(np.vdot(row[common], mean[common]) / size) if size > 0.0 else complex(np.nan)
+
+
+def _mean_square(residuals: Complex) -> float:
+    """Return the variance of the real part of a component over repeats; each scale uses up a degree of freedom."""
+    if len(residuals) < 2 or residuals.shape[1] < 2:
+        return np.nan
+    return float(np.nansum(residuals.real**2) / ((len(residuals) - 1) * (residuals.shape[1] - 1)))

@@ -1,0 +1,213 @@
+"""Records of hammer blows in time: the functions of a file, or of all points over which a hammer roved.
+
+In front of sensors that stay, the points that are hit are the places of the shape and the sensors its references.
+Their functions, though measured one after the other, are those of one structure, and are fitted together.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import NoReturn
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.base.errors import MeasurementError, shown
+from pkmodes.core.support.ordering import listed
+from pkmodes.modaltest.campaign.campaign import Campaign, Record
+from pkmodes.modaltest.campaign.found import NAMELESS, FileFit, FileModes
+from pkmodes.modaltest.campaign.frequency_records import Responses, frf_fit, of_reference, remarks_on
+from pkmodes.modaltest.campaign.roving import RovingPoint
+from pkmodes.modaltest.campaign.sensor_functions import asked_of, in_file
+from pkmodes.modaltest.campaign.sensors import Transducer, unsigned
+from pkmodes.modaltest.campaign.time_records import TimeSignals, time_signals, with_bridges, with_levels
+from pkmodes.modaltest.identification.estimates import Estimate, Mode
+from pkmodes.modaltest.identification.frf_estimates import impact_estimate, samples_of_blows
+from pkmodes.modaltest.signals.functions import MOST_NAMES
+from pkmodes.modaltest.signals.reading import read_signals
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+#: Shortest record of blows, in periods of the lower end of the band.
+PERIODS_OF_BLOWS = 2.0
+#: Largest relative difference between the rates of two files that counts as rounding.
+ROUNDING = 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class _Blows:
+    """The signals of a file of blows, and the campaign's force that acts in it; None if the campaign has none."""
+
+    signals: TimeSignals
+    acting: Transducer | None
+
+
+def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
+    """Return the modes of the blows in a file, their shapes by sensor, or by force where the hammer roved.
+
+    Raises MeasurementError if the file is faulty, has no force, or has fewer blows than the campaign states.
+    """
+    blows = _blows(path, record, setup, campaign)
+    names = () if blows.acting is None else (blows.acting.name,)
+    file_modes = _modes([blows], names, record, campaign, blows.signals.source)
+    unnamed = (blows.signals.force,) if not names and blows.signals.force not in NAMELESS else ()
+    names_in_file = blows.signals.names_in_file | set(map(unsigned, names))
+    return replace(file_modes, names_in_file=names_in_file, unnamed=unnamed, forces=names)
+
+
+def roving_modes(points: Mapping[str, RovingPoint], record: Record, campaign: Campaign) -> FileModes:
+    """Return the modes of the blows at all points of a hammer that roved, their shapes by the keys of the forces.
+
+    - points: a file of each setup, each with a force of the campaign
+
+    Raises MeasurementError if a file is faulty, or they differ in their sensors or rates.
+    """
+    files = [_blows(point.path, record, setup, campaign) for setup, point in points.items()]
+    first = files[0].signals
+    for signals in (file.signals for file in files):
+        if signals.names_in_file != first.names_in_file or abs(signals.step / first.step - 1.0) > ROUNDING:
+            problem = f"expected the sensors and the rate of {first.source}"
+            raise MeasurementError(problem, signals.source, "measure all points alike")
+    names = [name for name in first.names if all(name in file.signals.names for file in files)]
+    if not names:
+        problem = "expected a sensor that is not silent at any point that was hit, found none"
+        raise MeasurementError(problem, record.pose, "check the sensors and their cables")
+    files = [replace(file, signals=file.signals.of(names)) for file in files]
+    acting = [file.acting.key for file in files if file.acting is not None]
+    return _modes(files, acting, record, campaign, record.pose, list(points.values()))
+
+
+def _blows(path: Path, record: Record, setup: str, campaign: Campaign) -> _Blows:
+    """Read a file of blows."""
+    signals = time_signals(path, record, setup, campaign)
+    if not signals.forces:
+        _refuse_without_force(path, record, signals.source)
+    if len(signals.pieces) > 1:
+        problem = f"expected one piece of even sampling, found {len(signals.pieces)}"
+        raise MeasurementError(problem, signals.source, "measure the blows again, or leave the file out")
+    if not np.ptp(signals.forces[0]):
+        problem = "expected blows, found a constant force"
+        raise MeasurementError(problem, signals.source, "check the hammer's cable")
+    seconds = len(signals.forces[0]) * signals.step
+    if seconds * record.band[0] < PERIODS_OF_BLOWS:
+        problem = (
+            f"expected at least {PERIODS_OF_BLOWS:g} periods of {record.band[0]:g} Hz, found {seconds:.3g} s"
+        )
+        raise MeasurementError(problem, signals.source, "measure longer, or narrow the band")
+    return _Blows(signals, _acting(signals.force, setup, campaign, signals.source))
+
+
+def _refuse_without_force(path: Path, record: Record, source: str) -> NoReturn:
+    """Refuse a file without a force, listing its signals, one of which may be the force."""
+    functions = read_signals(path, replace(asked_of(record), force=False)).functions
+    names = list(dict.fromkeys(function.response for function in functions))
+    of_file = (
+        f"of {listed([*map(shown, names)], MOST_NAMES)} say in the record which it is, names = {{ force = "
+    )
+    remedy = f'{of_file}"NAME" }}, or give its type in a universal file; without a force the kind is ambient'
+    raise MeasurementError("expected a force, found none", source, remedy)
+
+
+def _acting(name: str, setup: str, campaign: Campaign, source: str) -> Transducer | None:
+    """Return the force of the campaign that is measured in a file, None if it has none in this setup.
+
+    Raises MeasurementError if it is none of the campaign's forces, or could be any of several.
+    """
+    forces = campaign.forces_in(setup)
+    if not forces:
+        return None
+    force = of_reference(name, forces)
+    if force is None:
+        problem = f"expected a force of the campaign, {', '.join(map(shown, forces))}, found {shown(name)}"
+        remedy = 'name each [[force]] as in the files; where these say only "force", give each its setup'
+        raise MeasurementError(problem, source, remedy)
+    return force
+
+
+def _modes(
+    files: Sequence[_Blows],
+    forces: Sequence[str],
+    record: Record,
+    campaign: Campaign,
+    source: str,
+    points: Sequence[RovingPoint] = (),
+) -> FileModes:
+    """Return the modes of files of blows, with shapes at the named forces, or else at the sensors."""
+    signals = [file.signals for file in files]
+    fit, bridge_messages = with_bridges(
+        lambda recordings: _fit(recordings, forces, record, campaign, source, points), signals, source
+    )
+    messages = (*(message for recording in signals for message in recording.messages), *bridge_messages)
+    joint = replace(signals[0], pieces=tuple(piece for recording in signals for piece in recording.pieces))
+    return with_levels(fit, messages, joint, record.exponential)
+
+
+def _fit(
+    signals: Sequence[TimeSignals],
+    forces: Sequence[str],
+    record: Record,
+    campaign: Campaign,
+    source: str,
+    points: Sequence[RovingPoint],
+) -> tuple[FileFit, tuple[str, ...]]:
+    """Return the fit of files of blows, and messages about it."""
+    hits, step, sensors = record.hits, signals[0].step, signals[0].names
+    messages = list[str]()
+    lengths, values, coherences, sizes = list[int](), list[Complex](), list[Array | None](), list[float]()
+    for recording in signals:
+        with in_file(recording.source):
+            lengths.append(samples_of_blows(step, recording.forces[0], hits))
+    for recording in signals:
+        with in_file(recording.source):
+            functions = impact_estimate(
+                step,
+                recording.forces[0],
+                recording.pieces[0],
+                hits=hits,
+                exponential=record.exponential,
+                longest=min(lengths),
+            )
+        messages += [f"{recording.source}: {message}" for message in functions.messages]
+        f = functions.frequencies
+        values.append(functions.H * recording.as_accelerations(2j * np.pi * f)[:, :, None])
+        coherences.append(functions.coherence)
+        sizes.append(functions.sigma_size)
+    stated = [coherence for coherence in coherences if coherence is not None]
+    coherence = np.concatenate(stated, axis=2) if len(stated) == len(signals) else None
+    reference = signals[0].force if len(signals) == 1 else ""
+    responses = Responses(f, np.concatenate(values, axis=2), coherence, sensors, (), (reference,))
+    if forces:
+        responses = responses.roving(range(len(forces)), forces)
+    if points:
+        changes = [
+            point.change(f, [force], sensors, record.exponential, float(1.0 / f[1]))
+            for point, force in zip(points, forces, strict=True)
+        ]
+        responses = replace(responses, values=responses.values + np.concatenate(changes, axis=1))
+    with in_file(source):
+        fit = frf_fit(responses, functions.averages, record, campaign)
+    messages += remarks_on(fit, source)
+
+    def wider(mode: Mode) -> Mode:
+        # The functions of a file share an error of size: that of one component of the shape, or of all.
+        if len(signals) > 1:
+            return replace(mode, sigma_shape=float(np.hypot(mode.sigma_shape, max(sizes))))
+        return replace(mode, sigma_size=float(np.hypot(mode.sigma_size, max(sizes))))
+
+    estimate = _complete(fit.estimate, float(1.0 / f[1]), record.exponential)
+    return replace(fit, estimate=estimate.changed(wider)), tuple(messages)
+
+
+def _complete(estimate: Estimate, length: float, exponential: float | None) -> Estimate:
+    """Return the modes of blows with the participations of complete decays, which the record cuts off.
+
+    - length: of the record of each blow [s]
+    """
+
+    def whole(mode: Mode) -> Mode:
+        pole = mode.pole - (1.0 / exponential if exponential else 0.0)
+        return replace(mode, participation=np.asarray(mode.participation) / (1.0 - np.exp(pole * length)))
+
+    return estimate.changed(whole)

@@ -1,0 +1,149 @@
+"""The parts of a file's fit that a report shows: a few functions, thinned to visible detail, and the poles.
+
+A campaign may have gigabytes of functions; only what is drawn is kept.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.modaltest.campaign.found import FileFit
+from pkmodes.modaltest.identification.estimates import Stabilisation
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+#: Most functions of a file that are drawn.
+CURVES = 4
+#: Parts of the band; the lines with the lowest and the highest value of each are drawn.
+PARTS = 180
+
+
+@dataclass(frozen=True, eq=False)
+class InspectedFunction:
+    """A function of a file.
+
+    - name: response, or response / reference
+    - frequencies: (f,) [Hz]
+    - measured, synthesised: (f,)
+    - coherence: (f,)
+    """
+
+    name: str
+    frequencies: Array
+    measured: Complex
+    synthesised: Complex
+    coherence: Array | None
+
+
+@dataclass(frozen=True, eq=False)
+class Inspection:
+    """What is drawn of the fit of a file.
+
+    - setup, file: name of the file without its folder.  If files of all setups were fitted together, their common
+      name, and no setup.
+    - others: number of further files of the setup, or of each setup, that are not drawn
+    - frequencies, total: sum of the magnitudes of all measured functions, each relative to its rms, (f,)
+    - curves: those that show the modes best; each mode appears in at least one of them as far as there is room
+    - functions: number of functions from which they were chosen
+    - tones: lines without bandwidth that were found [Hz]
+    """
+
+    setup: str
+    file: str
+    others: int
+    stabilisation: Stabilisation
+    frequencies: Array
+    total: Array
+    curves: tuple[InspectedFunction, ...]
+    functions: int
+    tones: tuple[float, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Repeats:
+    """The frequencies of the modes of a setup, file by file.
+
+    - files: names of the files that were read, without their folders
+    - modes: for each mode its frequency [Hz] by the index of the file
+    """
+
+    setup: str
+    files: tuple[str, ...]
+    modes: tuple[Mapping[int, float], ...]
+
+
+def inspection(setup: str, file: str, further_files: int, fit: FileFit) -> Inspection:
+    """Return what is drawn of the fit of one of several files."""
+    estimate = fit.estimate
+    f, (F, S, R) = estimate.frequencies, estimate.measured.shape
+    places = [
+        (s, r)
+        for s in range(S)
+        for r in range(R)
+        if np.isfinite(estimate.measured[:, s, r]).all() and estimate.measured[:, s, r].any()
+    ]
+    sizes = {place: np.abs(estimate.measured[:, place[0], place[1]]) for place in places}
+    total = np.zeros(F)
+    for size in sizes.values():
+        total += size / np.sqrt(np.mean(size**2))
+    modes = [*estimate.modes, *(mode for mode in estimate.added if not isinstance(mode, str))]
+    at = [int(np.argmin(np.abs(f - mode.frequency))) for mode in modes]
+    heights = np.array([size[at] / np.sqrt(np.mean(size**2)) for size in sizes.values()])
+    chosen = [places[k] for k in _chosen(heights)]
+    shown = thinned(total)
+    return Inspection(
+        setup,
+        file,
+        further_files,
+        estimate.stabilisation,
+        f[shown],
+        total[shown],
+        tuple(_curve(fit, s, r) for s, r in chosen),
+        len(places),
+        estimate.tones,
+    )
+
+
+def _curve(fit: FileFit, s: int, r: int) -> InspectedFunction:
+    estimate = fit.estimate
+    measured = estimate.measured[:, s, r]
+    shown = thinned(np.abs(measured))
+    name = fit.responses[s] + (f" / {fit.references[r]}" if fit.references else "")
+    return InspectedFunction(
+        name,
+        estimate.frequencies[shown],
+        measured[shown],
+        estimate.synthesised[shown, s, r],
+        None if fit.coherence is None else fit.coherence[shown, s, r],
+    )
+
+
+def _chosen(heights: Array) -> list[int]:
+    """Return the functions that together show the modes best, in ascending order.
+
+    Greedy: each step takes the function that most raises the modes above the best of those already chosen.
+
+    - heights: magnitude of each function at each mode, relative to its rms, (functions, modes)
+    """
+    best, chosen = np.zeros(heights.shape[1:]), list[int]()
+    for _ in range(min(CURVES, len(heights))):
+        gain = np.log1p(np.maximum(heights, best)).sum(axis=1)
+        gain[chosen] = -1.0
+        k = int(gain.argmax())
+        chosen.append(k)
+        best = np.maximum(best, heights[k])
+    return sorted(chosen)
+
+
+def thinned(values: Array) -> NDArray[np.int64]:
+    """Return the indices of the values (F,) that are drawn: the lowest and the highest of each of many parts."""
+    if len(values) <= 2 * PARTS:
+        return np.arange(len(values))
+    kept = {0, len(values) - 1}
+    for part in np.array_split(np.arange(len(values)), PARTS):
+        kept |= {int(part[values[part].argmin()]), int(part[values[part].argmax()])}
+    return np.array(sorted(kept))

@@ -1,0 +1,97 @@
+"""Frequencies that change with the level of excitation: while a vibration decays, and between files.
+
+Within a file the decays tell (`pkmodes.modaltest.identification.level`).  Repeats whose levels differ tell it as
+well: the logarithm of the frequency is regressed on that of the level, and Student's t decides, with the scatter
+about the regressions pooled over the modes of a record, as few repeats say little about their own.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import t as student
+
+from pkmodes.core.support.numbers import plain
+from pkmodes.loop.measured.amplitude import DIFFER
+from pkmodes.modaltest.campaign.found import Found
+from pkmodes.modaltest.identification.level import FALSE_ALARM, LEAST, LevelShift
+
+Array = NDArray[np.float64]
+
+#: Fewest files for a regression.
+FEWEST = 3
+#: Weight of the pooled scatter against that of a single mode, in repeats, as in `averaging`.
+PRIOR = 4.0
+
+
+@dataclass(frozen=True, eq=False)
+class _Regression:
+    """Regression of a mode's ln f on the level of the files, both (n,), and the variance of ln f from the fits."""
+
+    level: Array
+    fitted: Array
+    squares: float
+    of_fits: float
+
+    @property
+    def freedom(self) -> int:
+        return len(self.level) - 2
+
+
+def between_files(groups: Sequence[Mapping[int, Found]]) -> list[LevelShift | None]:
+    """Return, for each mode, how its frequency changes with the level of the files; None for no detectable change."""
+    fits = [_regression(list(group.values())) for group in groups]
+    usable = [fit for fit in fits if fit is not None]
+    freedom = sum(fit.freedom for fit in usable)
+    pooled = sum(fit.squares for fit in usable) / max(freedom, 1)
+    return [None if fit is None else _shift(fit, pooled, freedom) for fit in fits]
+
+
+def _regression(modes: Sequence[Found]) -> _Regression | None:
+    """Return the regression of a mode over its files, None if their levels agree or are unknown."""
+    if len(modes) < FEWEST or not all(mode.level > 0.0 for mode in modes):
+        return None
+    level, f = (np.log([getattr(mode, name) for mode in modes]) for name in ("level", "frequency"))
+    if np.ptp(level) < math.log(DIFFER):
+        return None
+    slope, constant = np.polyfit(level - level.mean(), f, 1)
+    fitted = constant + slope * (level - level.mean())
+    of_fits = float(np.mean([(mode.sigma_frequency / mode.frequency) ** 2 for mode in modes]))
+    return _Regression(level, fitted, float(((f - fitted) ** 2).sum()), of_fits)
+
+
+def _shift(fit: _Regression, pooled: float, freedom: int) -> LevelShift | None:
+    high, low = math.exp(fit.fitted[fit.level.argmax()]), math.exp(fit.fitted[fit.level.argmin()])
+    worth = min(PRIOR, freedom) if freedom > fit.freedom else 0.0
+    variance = (worth * pooled + fit.squares) / (worth + fit.freedom)
+    t = math.sqrt(float(((fit.fitted - fit.fitted.mean()) ** 2).sum()) / max(variance, fit.of_fits, 1e-300))
+    shift = LevelShift(high, low, math.exp(float(np.ptp(fit.level))))
+    sure = 2.0 * student.sf(t, worth + fit.freedom) < FALSE_ALARM
+    return shift if sure and shift.spread > LEAST * low else None
+
+
+def widest(shifts: Sequence[LevelShift | None]) -> LevelShift | None:
+    """Return the change with the largest spread, None for none."""
+    changes = [shift for shift in shifts if shift is not None]
+    return max(changes, key=lambda shift: shift.spread, default=None)
+
+
+def with_half(sigma: float, shift: LevelShift | None) -> float:
+    """Return a standard deviation with half the spread of a change added in quadrature [Hz]."""
+    return sigma if shift is None else math.hypot(sigma, 0.5 * shift.spread)
+
+
+def level_messages(
+    pose: str, frequency: float, within: LevelShift | None, between: LevelShift | None
+) -> list[str]:
+    """Return messages about a mode whose frequency changes with the level."""
+    return [
+        f"{pose}: the mode at {frequency:.4g} Hz changes with the level: {shift.high:.5g} to {shift.low:.5g} Hz "
+        f"while {falls} {plain(shift.fall, 2)}-fold; half the difference is in sigma"
+        for shift, falls in ((within, "its amplitude falls"), (between, "the level of the files falls"))
+        if shift is not None
+    ]

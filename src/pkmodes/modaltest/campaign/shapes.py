@@ -1,0 +1,159 @@
+"""From sensor readings to the components of a mode shape: least squares over all sensors.
+
+On a platform that turns, metres and radians are made comparable by the spread of the sensors over it: a rotation
+counts as the displacement at that distance.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.support.ordering import joined
+from pkmodes.modaltest.campaign.mounts import ROTATION, spread
+from pkmodes.modaltest.campaign.sensors import Transducer
+from pkmodes.modaltest.identification.estimates import turned_real
+
+Array = NDArray[np.float64]
+#: A component is undetermined if its share in a motion that no sensor shows exceeds this.
+HIDDEN = 1e-6
+#: Reasons why a component is blank.
+UNDETERMINED = (
+    "what was measured on the platform does not tell {}: left blank; "
+    "add a sensor at another place or in another direction"
+)
+UNCERTAIN = "{} would be known no better than to the largest component: left blank"
+
+
+@dataclass(frozen=True, eq=False)
+class Combined:
+    """A shape by channel.
+
+    - values: those that the sensors determine; other channels are left out
+    - growth: ratio of the relative standard deviation of the least certain component to that of the sensors; 1 if no
+      platform turns, as its components are then as certain as its sensors
+    - blank, uncertain: components of a turning platform that its sensors do not determine, and those whose error is
+      as large as the largest component
+    """
+
+    values: dict[str, complex]
+    growth: float = 1.0
+    blank: tuple[str, ...] = ()
+    uncertain: tuple[str, ...] = ()
+
+
+def combined(
+    shape: Mapping[str, complex], places: Mapping[str, Transducer], sigma: float = np.nan
+) -> Combined:
+    """Return a shape by channel.
+
+    - shape: by sensor
+    - places: the sensors, by the same names, at the pose of the shape; those without weights appear in no shape
+    - sigma: standard deviation of each sensor's component, relative to the largest
+    """
+    used = [name for name in shape if places[name].weights]
+    order = dict.fromkeys(channel for name in used for channel in places[name].weights)
+    components: dict[str, complex] = {}
+    gains: dict[str, float] = {}
+    for names in _together(used, places):
+        solved = _solved(names, shape, places)
+        components |= solved[0]
+        gains |= solved[1]
+    values = {channel: components[channel] for channel in order if channel in components}
+    of_platform = {
+        name for sensor in used if (mount := places[sensor].mount) for name in mount.platform.components
+    }
+    if not of_platform:
+        return Combined(values)
+    better, growth = _known(values, gains, shape, sigma)
+    undetermined = tuple(name for name in order if name in of_platform - values.keys())
+    return Combined(better, growth, undetermined, tuple(name for name in values if name not in better))
+
+
+def _together(used: Sequence[str], places: Mapping[str, Transducer]) -> list[list[str]]:
+    """Return the sensors in groups that share no channel: of hundreds of sensors, most are in a group of one."""
+    group_of: dict[str, list[str]] = {}
+    for name in used:
+        groups = {id(group_of[c]): group_of[c] for c in places[name].weights if c in group_of}
+        merged = [*(sensor for group in groups.values() for sensor in group), name]
+        for channel in {c for sensor in merged for c in places[sensor].weights}:
+            group_of[channel] = merged
+    return list({id(group): group for group in group_of.values()}.values())
+
+
+def _solved(
+    names: Sequence[str], shape: Mapping[str, complex], places: Mapping[str, Transducer]
+) -> tuple[dict[str, complex], dict[str, float]]:
+    """Return the channels that sensors determine, and the rms error of each for an error of 1 at every sensor."""
+    channels = list(dict.fromkeys(channel for name in names for channel in places[name].weights))
+    A = np.array([[places[name].weights.get(channel, 0.0) for channel in channels] for name in names])
+    values = np.array([shape[name] for name in names])
+    rows, columns = _lengths(names, channels, places)
+    U, s, Vh = np.linalg.svd(A * rows[:, None] / columns)
+    rank = int((s > HIDDEN * s[0]).sum())
+    hidden = np.abs(Vh[rank:]).max(axis=0, initial=0.0) > HIDDEN
+    solution = Vh[:rank].T @ ((U[:, :rank].T @ (values * rows)) / s[:rank]) / columns
+    gains = np.linalg.norm(Vh[:rank].T @ (U[:, :rank].T * rows / s[:rank, None]), axis=1) / columns
+    determined = [i for i in range(len(channels)) if not hidden[i] and np.isfinite(solution[i])]
+    return {channels[i]: complex(solution[i]) for i in determined}, {
+        channels[i]: float(gains[i]) for i in determined
+    }
+
+
+def _lengths(
+    names: Sequence[str], channels: Sequence[str], places: Mapping[str, Transducer]
+) -> tuple[Array, Array]:
+    """Return the lengths that turn rotations of sensors and of channels into metres; 1 for everything else."""
+    mounts = [mount for name in names if (mount := places[name].mount) is not None]
+    if not mounts:
+        return np.ones(len(names)), np.ones(len(channels))
+    length = spread(mounts)
+    return (
+        np.array([length if mount.angular else 1.0 for mount in mounts]),
+        np.array([length if channel.startswith(ROTATION) else 1.0 for channel in channels]),
+    )
+
+
+def _known(
+    values: dict[str, complex], gains: Mapping[str, float], shape: Mapping[str, complex], sigma: float
+) -> tuple[dict[str, complex], float]:
+    """Return the components with errors below the largest of them, and the growth of their errors."""
+    error, size = sigma * _largest(shape), _largest(values)
+    while values and error * (worst := max(gains[name] for name in values)) >= size > 0.0:
+        values = {name: value for name, value in values.items() if gains[name] < worst}
+        size = _largest(values)
+    return values, max(gains[name] for name in values) * _largest(shape) / size if size > 0.0 else 1.0
+
+
+def _largest(shape: Mapping[str, complex]) -> float:
+    """Return the largest real part of a shape rotated to be as real as possible."""
+    whole = np.array(list(shape.values()))
+    turned = np.linalg.norm(turned_real(whole)) if len(whole) else 0.0
+    return float(np.linalg.norm(whole) / turned) if turned > 0.0 else 0.0
+
+
+def left_blank(where: str, sentence: str, modes: Sequence[tuple[float, Sequence[str]]]) -> list[str]:
+    """Return messages about the components that are blank in modes, each given by its frequency [Hz]."""
+    frequencies_of: dict[tuple[str, ...], list[str]] = {}
+    for frequency, names in modes:
+        frequencies_of.setdefault(tuple(names), []).append(f"{frequency:.4g}")
+    sentences = []
+    for names, those in frequencies_of.items():
+        in_modes = (
+            f" in the mode{'s' if len(those) > 1 else ''} at {', '.join(those)} Hz"
+            if len(frequencies_of) > 1
+            else ""
+        )
+        sentences += [f"{where}: {sentence.format(joined(names, 'or') + in_modes)}"] if names else []
+    return sentences
+
+
+def turned_shape(shape: Mapping[str, complex]) -> dict[str, complex]:
+    """Return a shape rotated to be as real as possible, relative to its largest component; its real part is used."""
+    if not shape:
+        return {}
+    turned = turned_real(np.array(list(shape.values())))
+    return dict(zip(shape, turned.tolist(), strict=True))

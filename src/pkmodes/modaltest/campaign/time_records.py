@@ -1,0 +1,263 @@
+"""Signals in time: the columns of a file as evenly sampled arrays.
+
+Modes of such records also get the error that interpolated samples add, and the level of their vibration.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pkmodes.core.base.errors import MeasurementError, shown
+from pkmodes.modaltest.campaign.campaign import Campaign, Record
+from pkmodes.modaltest.campaign.found import FileFit, FileModes, modes_of_fit
+from pkmodes.modaltest.campaign.grouping import APART
+from pkmodes.modaltest.campaign.quotients import force_in
+from pkmodes.modaltest.campaign.sensor_faults import overloads, silent
+from pkmodes.modaltest.campaign.sensor_functions import (
+    ACCELERATION,
+    check_size,
+    motion_of,
+    refuse_repeated,
+    sensor_functions,
+)
+from pkmodes.modaltest.identification.estimates import Mode
+from pkmodes.modaltest.identification.level import levels
+from pkmodes.modaltest.signals.checks import FEWEST
+from pkmodes.modaltest.signals.functions import FunctionKind
+from pkmodes.modaltest.signals.reduction import reduced, reduction
+from pkmodes.modaltest.signals.sampling import Piece, even_pieces, stated_pieces
+from pkmodes.modaltest.signals.sensor_faults import stopped
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+#: Longest gap that is bridged by interpolation, in periods of the upper end of the band.
+BRIDGED = 0.1
+#: Rates that differ by less, relative, are the same.
+SAME_RATE = 1e-3
+
+
+@dataclass(frozen=True, eq=False)
+class TimeSignals:
+    """Signals of a file.
+
+    - step: between samples [s]
+    - pieces: responses in SI units, each (n_i, S); a gap begins another piece
+    - forces: in SI units where the file gives one, each (n_i,); empty without a force
+    - force: name of the force in the file
+    - names: of the S sensors with a signal
+    - derivatives: (S,); 0 for displacements, 1 for velocities, 2 for accelerations
+    - names_in_file: names of all the campaign's sensors in the file
+    - gap: median of the times that are lost between the pieces [s]; 0 for a single piece
+    - starts: times of the first samples of the pieces [s]
+    - once_more: the same with as many further samples interpolated; None if none are
+    """
+
+    source: str
+    step: float
+    pieces: tuple[Array, ...]
+    forces: tuple[Array, ...]
+    force: str
+    names: tuple[str, ...]
+    derivatives: NDArray[np.intp]
+    names_in_file: frozenset[str]
+    messages: tuple[str, ...]
+    gap: float = 0.0
+    starts: tuple[float, ...] = ()
+    once_more: TimeSignals | None = None
+
+    def of(self, names: Sequence[str]) -> TimeSignals:
+        """Return the signals of some sensors."""
+        at = [self.names.index(name) for name in names]
+        pieces = tuple(piece[:, at] for piece in self.pieces)
+        once_more = None if self.once_more is None else self.once_more.of(names)
+        return replace(
+            self, pieces=pieces, names=tuple(names), derivatives=self.derivatives[at], once_more=once_more
+        )
+
+    def as_accelerations(self, s: ArrayLike) -> Complex:
+        """Return factors that make accelerations of the responses, (..., S), at complex frequencies s [1/s]."""
+        return np.asarray(np.asarray(s, dtype=complex)[..., None] ** (ACCELERATION - self.derivatives))
+
+
+def time_signals(
+    path: Path, record: Record, setup: str, campaign: Campaign, *, highest: float | None = None
+) -> TimeSignals:
+    """Read the signals of a file.
+
+    - highest: highest frequency of interest [Hz]: long records are reduced to fewer samples
+
+    Raises MeasurementError if the file is faulty, has none of the campaign's sensors, or its signals differ in their
+    times.
+    """
+    sensors = campaign.sensors_in(setup)
+    functions = sensor_functions(
+        path, FunctionKind.TIME, frozenset(sensors), record, signs=campaign.signs_of_file
+    )
+    read, used = functions.read, functions.used
+    time = used[0].abscissa
+    forces = [function for function in read.functions if function.force]
+    if len(forces) > 1:
+        problem = f"expected one force, found {len(forces)}"
+        raise MeasurementError(problem, read.source, "give one excitation in each file")
+    if forces and not np.array_equal(forces[0].abscissa, time):
+        problem = f"the times of the force differ from those of {shown(used[0].response)}"
+        raise MeasurementError(problem, read.source, "sample all signals of a file together")
+    names = [function.response for function in used]
+    repeated = next((name for i, name in enumerate(names) if name in names[:i]), None)
+    if repeated is not None:
+        refuse_repeated(repeated, f"the signal {shown(repeated)}", read.source)
+    motions = [
+        motion_of(function, sensors[function.response], campaign.channels, read.source) for function in used
+    ]
+    pieces, gaps = _pieces(time, record, read.source)
+    fewer = 1 if highest is None else reduction(len(time), pieces[0].step, highest)
+    overloaded, blows = list[str](), bool(forces)
+    for force in forces:
+        overloaded += overloads(force.response, force.values.real, read.source, of_blows=blows)
+    rests: dict[int, slice] = {}
+    columns, bridged_columns = list[list[Array]](), list[list[Array]]()
+    bridged = any(piece.numbers is not None for piece in pieces)
+    for i, (function, of) in enumerate(zip(used, motions, strict=True)):
+        values = function.values.real  # a long signal fills much of the memory: one at a time
+        check_size(of.factor * np.array([values.min(), values.max()]), read.source)
+        if (rest := stopped(values)) is not None:
+            rests[i] = rest
+        overloaded += overloads(function.response, values, read.source, of_blows=blows)
+        filled = [piece.filled(values) for piece in pieces]
+        columns.append([of.factor * reduced(samples, fewer) for samples in filled])
+        if bridged:
+            again = (piece.once_more(samples) for piece, samples in zip(pieces, filled, strict=True))
+            bridged_columns.append([of.factor * reduced(samples, fewer) for samples in again])
+    still, of_still = silent(used, rests, time, read.source)
+    if len(still) == len(used):
+        problem = f"expected signals, found only constant ones: {', '.join(names)}"
+        raise MeasurementError(problem, read.source, "check the sensors and their cables")
+    moving = [i for i in range(len(used)) if i not in still]
+    if record.band[1] > 0.5 / pieces[0].step:
+        half = 0.5 / pieces[0].step
+        problem = f"expected a band below half the sampling rate, {half:.6g} Hz, found {record.band[1]:g} Hz"
+        raise MeasurementError(problem, read.source, "narrow the band of the record, or sample faster")
+    units = [1.0 if force.unit is None else force_in(force.unit) for force in forces]
+    acting = tuple(
+        piece.filled(np.asarray(force.values.real)) * unit
+        for force, unit in zip(forces, units, strict=True)
+        for piece in pieces
+    )
+    signals = TimeSignals(
+        read.source,
+        pieces[0].step * fewer,
+        tuple(np.stack(parts, axis=1) for parts in zip(*(columns[i] for i in moving), strict=True)),
+        acting,
+        forces[0].response if forces else "",
+        tuple(names[i] for i in moving),
+        np.array([motions[i].derivative for i in moving]),
+        frozenset(names),
+        (*read.messages, *gaps, *of_still, *overloaded),
+        _lost(time, pieces),
+        tuple(float(time[piece.part.start]) for piece in pieces),
+    )
+    if not bridged:
+        return signals
+    interpolated = replace(
+        signals,
+        pieces=tuple(
+            np.stack(parts, axis=1) for parts in zip(*(bridged_columns[i] for i in moving), strict=True)
+        ),
+        forces=tuple(
+            piece.once_more(force_samples)
+            for piece, force_samples in zip(pieces * len(forces), acting, strict=True)
+        ),
+    )
+    return replace(signals, once_more=interpolated)
+
+
+def _pieces(time: Array, record: Record, source: str) -> tuple[tuple[Piece, ...], tuple[str, ...]]:
+    """Return the even parts of a record, and messages about them; a stated rate prevails over uneven times."""
+    rate = record.rate
+    try:
+        pieces, messages = even_pieces(time, source, BRIDGED / record.band[1])
+    except MeasurementError:
+        if rate is None or time.size < FEWEST:
+            raise
+        pieces, messages = stated_pieces(time, rate, source)
+        by_times = (time.size - 1) / float(time[-1] - time[0])
+        uneven = f"{source}: its times are uneven: the rate of the record, {rate:g} Hz, is used; by the times it is"
+        return pieces, (f"{uneven} {by_times:.6g} Hz", *messages)
+    by_times = 1.0 / pieces[0].step
+    if rate is not None and abs(by_times / rate - 1.0) > SAME_RATE:
+        even = f"{source}: its times are even and used, {by_times:.6g} Hz; the record states {rate:g} Hz"
+        lost = time.size * (rate / by_times - 1.0)
+        messages = (*messages, f"{even}: by that, {lost:.0f} samples are missing" if lost > 0.0 else even)
+    return pieces, messages
+
+
+def _lost(time: Array, pieces: Sequence[Piece]) -> float:
+    """Return the median of the times lost between pieces [s]."""
+    lost = [time[b.part.start] - time[a.part.stop - 1] - a.step for a, b in pairwise(pieces)]
+    return float(np.median(lost)) if lost else 0.0
+
+
+def with_bridges(
+    find: Callable[[Sequence[TimeSignals]], tuple[FileFit, tuple[str, ...]]],
+    recordings: Sequence[TimeSignals],
+    source: str,
+) -> tuple[FileFit, tuple[str, ...]]:
+    """Return the fit of signals and messages about it, with the effect of interpolated samples in its sigmas.
+
+    It is the change from interpolating as many further samples, relative to the standard deviations, rms over all
+    modes.
+    """
+    fit, messages = find(recordings)
+    if not fit.estimate.modes or all(recording.once_more is None for recording in recordings):
+        return fit, messages
+    bridged_modes = find([recording.once_more or recording for recording in recordings])[0].estimate.modes
+    changes: list[float] = []
+    for mode in fit.estimate.modes:
+        counterpart = min(
+            bridged_modes, key=lambda candidate: abs(candidate.frequency - mode.frequency), default=mode
+        )
+        if counterpart is mode or abs(counterpart.frequency / mode.frequency - 1.0) > APART:
+            continue
+        for name in ("frequency", "damping"):
+            sigma = getattr(mode, f"sigma_{name}")
+            changes += [(getattr(counterpart, name) - getattr(mode, name)) / sigma] if sigma > 0.0 else []
+    if not changes:
+        remark = "with as many samples interpolated once more no mode is found: none can be trusted"
+        return fit, (*messages, f"{source}: {remark}")
+    moved = float(np.sqrt(np.mean(np.square(changes))))
+
+    def wider(mode: Mode) -> Mode:
+        names = "sigma_frequency", "sigma_damping", "sigma_shape", "sigma_size"
+        return replace(mode, **{name: getattr(mode, name) * np.hypot(1.0, moved) for name in names})
+
+    remark = f"as many samples interpolated once more move the modes by {moved:.2g} of their standard deviations, rms"
+    sentence = f"{source}: {remark}: this is added in quadrature"
+    return replace(fit, estimate=fit.estimate.changed(wider)), (*messages, sentence)
+
+
+def with_levels(
+    fit: FileFit, messages: Sequence[str], signals: TimeSignals, exponential: float | None = None
+) -> FileModes:
+    """Return the modes of a file with their levels.
+
+    - fit: with shapes in accelerations of the file's sensors
+    - exponential: time constant of a window that the responses have had [s]
+    """
+    file_modes = modes_of_fit(fit, messages, signals.names_in_file)
+    modes = fit.estimate.modes
+    if not modes:
+        return file_modes
+    poles = np.array([mode.pole for mode in modes])
+    roving = fit.references == signals.names
+    at_sensors = [mode.participation if roving else mode.shape for mode in modes]
+    shapes = np.array(at_sensors) / signals.as_accelerations(poles)
+    mode_levels = levels(signals.step, signals.pieces, poles, shapes, exponential)
+    pairs = zip(file_modes.modes, mode_levels, strict=True)
+    with_levels = tuple(replace(mode, level=level.amplitude, shift=level.shift) for mode, level in pairs)
+    return replace(file_modes, modes=with_levels)

@@ -1,0 +1,114 @@
+"""Choice of physical modes by clusters of poles over model orders.
+
+Reynders, Houbrechts and De Roeck, Mechanical Systems and Signal Processing 29, 2012: certainly spurious poles are
+removed by hard criteria (negative or very high damping), the others are clustered hierarchically with average
+linkage by the distance of their eigenvalues plus 1 - MAC, and large clusters are physical.  Two things differ.  The
+distance of eigenvalues is relative to the bandwidth of the modes and not to their frequency: two modes 1 % apart are
+close at 3 % damping and well separated at 0.3 %, and the limit needs no tuning to the measurement.  And large means a
+fixed share of the orders, not the larger of two groups: with k-means, a measurement without spurious poles would lose
+modes.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.cluster.hierarchy import fcluster, linkage
+from scipy.spatial.distance import squareform
+
+from pkmodes.modaltest.identification.lscf import OrderPoles
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+#: Highest damping ratio of an identifiable vibration mode of a machine: beyond it there is no peak.
+HIGHEST_DAMPING = 0.2
+#: Largest average distance between the poles of one mode: |difference| / sum of |Re|, plus 1 - MAC.  Two equal shapes
+#: reach it half a bandwidth apart, where two peaks cannot be told apart.
+ONE_MODE = 0.5
+#: Least share of the orders in which a mode must be found.  Low orders have no poles to spare for weak modes; whether
+#: a mode exceeds the noise is decided after the fit, so this need not be strict.
+SHARE = 0.3
+
+
+@dataclass(frozen=True, eq=False)
+class PoleCluster:
+    """A cluster of poles.
+
+    - pole: median of the cluster [1/s]
+    - shape: of the pole nearest to the median, at any scale, (S,)
+    - participation: likewise, (R,)
+    - order_count: number of orders in which it was found
+    """
+
+    pole: complex
+    shape: Complex
+    participation: Complex
+    order_count: int
+
+
+def pole_clusters(by_order: Sequence[OrderPoles], low: float, high: float) -> list[PoleCluster]:
+    """Return the clusters that are large enough, by ascending frequency.
+
+    - low, high: only poles between these frequencies are used [Hz]
+
+    References
+    ----------
+    Reynders et al. 2012, sections 4 and 5.
+    """
+    usable = [usable_poles(model.poles, low, high) for model in by_order]
+    poles = np.concatenate([model.poles[use] for model, use in zip(by_order, usable, strict=True)])
+    shapes = np.concatenate([model.shapes[use] for model, use in zip(by_order, usable, strict=True)])
+    parts = np.concatenate([model.participation[use] for model, use in zip(by_order, usable, strict=True)])
+    order = np.repeat(np.arange(len(by_order)), [int(use.sum()) for use in usable])
+    if not len(poles):
+        return []
+    labels = _labels(poles, shapes, parts)
+    clusters = []
+    for label in range(1, int(labels.max()) + 1):
+        members = np.flatnonzero(labels == label)
+        count = len(np.unique(order[members]))
+        if count >= math.ceil(SHARE * len(by_order)):
+            clusters.append(_candidate(poles[members], shapes[members], parts[members], count))
+    return sorted(clusters, key=lambda cluster: abs(cluster.pole))
+
+
+def usable_poles(poles: Complex, low: float, high: float) -> NDArray[np.bool_]:
+    """Return which poles may be modes between two frequencies: positive damping below the highest."""
+    size = np.abs(poles)
+    frequency, damping = size / (2.0 * math.pi), -poles.real / np.where(size > 0.0, size, 1.0)
+    inside = (poles.imag > 0.0) & (frequency >= low) & (frequency <= high)
+    return np.asarray(inside & (damping > 0.0) & (damping < HIGHEST_DAMPING))
+
+
+def orders_with(by_order: Sequence[OrderPoles], pole: complex) -> int:
+    """Return the number of orders that have a pole within the half bandwidth of a mode."""
+    return sum(bool((np.abs(model.poles - pole) < abs(pole.real)).any()) for model in by_order)
+
+
+def _labels(poles: Complex, shapes: Complex, parts: Complex) -> NDArray[np.int32]:
+    if len(poles) == 1:
+        return np.ones(1, np.int32)
+    spread = np.abs(poles.real)
+    apart = np.abs(poles[:, None] - poles) / (spread[:, None] + spread)
+    distance = apart + 1.0 - _alike(shapes) * _alike(parts)
+    np.fill_diagonal(distance, 0.0)
+    tree = linkage(squareform(0.5 * (distance + distance.T), checks=False), "average")
+    return np.asarray(fcluster(tree, ONE_MODE, "distance"), dtype=np.int32)
+
+
+def _alike(vectors: Complex) -> Array:
+    """Return the MAC of each pair of vectors."""
+    sizes = np.linalg.norm(vectors, axis=1, keepdims=True)
+    units = vectors / np.where(sizes > 0.0, sizes, 1.0)
+    return np.asarray(np.abs(units.conj() @ units.T) ** 2)
+
+
+def _candidate(poles: Complex, shapes: Complex, parts: Complex, count: int) -> PoleCluster:
+    middle = complex(np.median(poles.real), np.median(poles.imag))
+    nearest = int(np.argmin(np.abs(poles - middle)))
+    return PoleCluster(middle, shapes[nearest], parts[nearest], count)

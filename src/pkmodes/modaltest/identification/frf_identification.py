@@ -1,0 +1,243 @@
+"""Modes from frequency response functions.
+
+Poles of many model orders (`lscf`), clusters of them (`clusters`), and a fit by maximum likelihood to the lines
+around each group of clusters (`frf_refinement`), which decides what is a mode and gives its uncertainty.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.modaltest.identification.asked import NOTHING, RequestedModes, nearest_frequency
+from pkmodes.modaltest.identification.clusters import orders_with, pole_clusters, usable_poles
+from pkmodes.modaltest.identification.estimates import Estimate, Mode, Stabilisation
+from pkmodes.modaltest.identification.frf_added import with_added
+from pkmodes.modaltest.identification.frf_covariance import (
+    Uncertainty,
+    common_sigma,
+    component_sigmas,
+    determined,
+)
+from pkmodes.modaltest.identification.frf_estimates import without_window
+from pkmodes.modaltest.identification.frf_lines import FrequencyLines, at_tones, used_lines
+from pkmodes.modaltest.identification.frf_model_errors import with_model_error, without_model_errors
+from pkmodes.modaltest.identification.frf_refinement import refined, significant
+from pkmodes.modaltest.identification.frf_search import hidden, with_poles
+from pkmodes.modaltest.identification.frf_skirts import NARROW, Line, distinct_tones, without_bandwidth
+from pkmodes.modaltest.identification.lscf import OrderPoles, lscf
+from pkmodes.modaltest.identification.modes import IdentifiedModes
+from pkmodes.modaltest.identification.residues import lsfd, with_residual_terms
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+#: Poles of the highest order, and number of orders up to it: about three times as many poles as a machine has modes
+#: in a band, as residual terms, noise and the hammer's spectrum take poles too.
+MOST_POLES, ORDERS = 60, 20
+#: Most searches of the residual; each finds all modes that no stronger one hides.
+MOST_SEARCHES = 4
+#: Most passes in which tones are found and left out: a strong one hides others.
+MOST_PASSES = 4
+#: Modes outside the band by up to this fraction of its width are fitted too, but not reported.
+MARGIN = 0.04
+#: Least half bandwidth, in line spacings, of a resonance near a tone; a tone has none.
+RESONANCE = 0.3
+#: Why a requested mode is not added that its fit shows not to be one.
+OUTSIDE = "its fit leaves the band, has no positive damping, or is a line without bandwidth"
+#: Half bandwidth, in line spacings, below which a pole is a single line and no resonance that the lines resolve.
+NO_BANDWIDTH = 0.1
+
+
+def identify_frf(
+    frequencies: Array,
+    H: Complex,
+    *,
+    band: tuple[float, float],
+    power: int,
+    coherence: Array | None = None,
+    averages: int | None = None,
+    exponential: float | None = None,
+    tones: Sequence[float] = (),
+    edits: RequestedModes = NOTHING,
+) -> Estimate:
+    """Identify the modes in a band.
+
+    - frequencies: ascending, (F,) [Hz]
+    - H: sensors may have different units, (F, S, R).  Columns that were not measured are NaN.
+    - band: [Hz]
+    - power: 0 for displacement, 1 for velocity, 2 for acceleration
+    - coherence: (F, S, R)
+    - averages: number behind the coherence: with it, the coherence gives the variance of the noise; otherwise only
+      its course over the lines
+    - exponential: time constant of an exponential window of the responses [s]
+    - tones: lines at these frequencies and their multiples are not modes [Hz]
+    - edits: modes that the user adds
+
+    Raises MeasurementError if the band holds too few lines, or no function is complete.
+    """
+    inside = (frequencies >= band[0]) & (frequencies <= band[1]) & (frequencies > 0.0)
+    f, measured = frequencies[inside], H[inside]
+    of_lines = None if coherence is None else coherence[inside]
+    margin = MARGIN * (band[1] - band[0])
+    low, high = band[0] - margin, band[1] + margin
+    lines: list[Line] = []
+    for last in (False,) * MOST_PASSES + (True,):
+        data, scale = used_lines(
+            f, measured, of_lines, averages, exponential, tones, [line.frequency for line in lines]
+        )
+        by_order = _by_order(data)
+        start = _candidates(by_order, data, low, high)
+        modes, bounds = _with_hidden(data, *refined(data, start, low, high), low, high, power)
+        new_tones = [] if last else _unasked(without_bandwidth(data, modes), edits)
+        if not new_tones:
+            break
+        lines += new_tones
+    modes, bounds, error, left_out = without_model_errors(data, modes, bounds, low, high)
+
+    def mode(modes: IdentifiedModes, bounds: Uncertainty, m: int) -> Mode:
+        found_in = orders_with(by_order, modes.poles[m]), len(by_order)
+        return _mode(modes, with_model_error(modes, bounds, error), m, scale, exponential, found_in)
+
+    extended = with_added(data, modes, bounds, edits)
+    kept = _in_band(extended.modes, data, band, exponential, tones)
+    places = [i for i in extended.added if isinstance(i, int)]
+    reported = np.setdiff1d(np.flatnonzero(kept), places)
+    before = np.flatnonzero(extended.struck & _in_band(modes, data, band, exponential, tones))
+    step = float(np.median(np.diff(f)))
+    reported_modes = [mode(extended.modes, extended.bounds, int(m)) for m in reported]
+    wide = extended.modes.half_widths[reported] > NARROW * step
+    reported_modes = [
+        candidate
+        for candidate, resolved in zip(reported_modes, wide, strict=True)
+        if resolved or np.isfinite(candidate.shape).any()
+    ]  # a narrow pole without a shape is what a drifting tone leaves beside the lines that are left out
+    reported_modes += [mode(modes, bounds, int(m)) for m in before]
+    return Estimate(
+        modes=tuple(sorted(reported_modes, key=lambda candidate: candidate.frequency)),
+        stabilisation=_stabilisation(by_order, band),
+        frequencies=f,
+        measured=measured,
+        synthesised=_response(data, extended.modes, power, f) * scale[:, None],
+        added=tuple(
+            i if isinstance(i, str) else mode(extended.modes, extended.bounds, i) if kept[i] else OUTSIDE
+            for i in extended.added
+        ),
+        tones=distinct_tones(lines, step),
+        model_error=error,
+        left_out=tuple(
+            frequency
+            for frequency in left_out
+            if band[0] <= frequency <= band[1] and nearest_frequency(edits.add, frequency) is None
+        ),
+    )
+
+
+def _unasked(lines: list[Line], edits: RequestedModes) -> list[Line]:
+    """Return the lines at which the user has not requested a mode."""
+    return [line for line in lines if nearest_frequency(edits.add, line.frequency) is None]
+
+
+def _by_order(data: FrequencyLines) -> list[OrderPoles]:
+    """Return poles from all complete sensors; if there are none, from all functions as of a single reference."""
+    measured = data.measured
+    complete = np.logical_and.reduce(measured, axis=1)
+    if complete.any():
+        values, variance = data.H[:, complete], data.variance[:, complete]
+    else:
+        values, variance = data.H[:, measured][..., None], data.variance[:, measured][..., None]
+    R = values.shape[2]
+    top = min(MOST_POLES // R, max(len(data.frequencies) // (3 * R), 2))
+    orders = np.unique(np.round(np.linspace(max(2, top // 8), top, ORDERS)).astype(int))
+    weights = 1.0 / np.sqrt(variance.mean(axis=2))
+    return lscf(data.frequencies, values, weights / weights.max(), [int(n) for n in orders])
+
+
+def _candidates(by_order: list[OrderPoles], data: FrequencyLines, low: float, high: float) -> IdentifiedModes:
+    """Return the clusters as a starting point, with participations of 1 if theirs do not match the references."""
+    clusters = pole_clusters(by_order, low, high)
+    R, N = data.H.shape[2], len(clusters)
+    poles = np.array([cluster.pole for cluster in clusters], complex)
+    shared = all(cluster.participation.size == R for cluster in clusters)
+    parts = np.array(
+        [cluster.participation if shared else np.ones(R) for cluster in clusters], complex
+    ).reshape(N, R)
+    first = lsfd(data.frequencies, data.H, data.weights(), poles, parts, 0)
+    return IdentifiedModes(poles, np.nan_to_num(first.shapes), parts)
+
+
+def _with_hidden(
+    data: FrequencyLines, modes: IdentifiedModes, bounds: Uncertainty, low: float, high: float, power: int
+) -> tuple[IdentifiedModes, Uncertainty]:
+    """Return the modes with those that a search finds in their residual."""
+    for _ in range(MOST_SEARCHES):
+        fit = _response(data, modes, power, data.frequencies)
+        poles = hidden(data, fit, significant(data))
+        if not len(poles):
+            break
+        extended, more_bounds = refined(
+            data, with_poles(modes, poles, data.frequencies, data.H - fit), low, high
+        )
+        if len(extended.poles) <= len(modes.poles):
+            break
+        modes, bounds = extended, more_bounds
+    return modes, bounds
+
+
+def _response(data: FrequencyLines, modes: IdentifiedModes, power: int, frequencies: Array) -> Complex:
+    """Return the modes with residual terms, in the units of `data`, (F, S, R), at frequencies [Hz]."""
+    displacement = replace(modes, shapes=modes.shapes / modes.poles[:, None] ** power)
+    full = with_residual_terms(data.frequencies, data.H, data.weights(), displacement, power)
+    return full.response(frequencies)
+
+
+def _in_band(
+    modes: IdentifiedModes,
+    data: FrequencyLines,
+    band: tuple[float, float],
+    exponential: float | None,
+    tones: Sequence[float],
+) -> NDArray[np.bool_]:
+    poles = without_window(modes.poles, exponential)
+    frequency = np.abs(poles) / (2.0 * math.pi)
+    tone = at_tones(frequency, tones, 2.0 * data.step) & (modes.half_widths < RESONANCE * data.step)
+    line = modes.half_widths < NO_BANDWIDTH * data.step
+    return np.asarray((frequency >= band[0]) & (frequency <= band[1]) & (poles.real < 0.0) & ~tone & ~line)
+
+
+def _mode(
+    modes: IdentifiedModes,
+    bounds: Uncertainty,
+    m: int,
+    scale: Array,
+    exponential: float | None,
+    found_in: tuple[int, int],
+) -> Mode:
+    """Return one of the modes, in the units of the functions."""
+    pole = complex(without_window(modes.poles[m], exponential))
+    shape, covariance = modes.shapes[m] * scale, scale[:, None] * bounds.shapes[m] * scale
+    resolved = determined(shape, covariance)
+    sigmas = component_sigmas(shape[resolved], covariance[np.ix_(resolved, resolved)])
+    largest = int(np.argmax(np.where(resolved, np.abs(shape), 0.0)))
+    return Mode(
+        pole=pole,
+        shape=np.where(resolved, shape, complex(np.nan, np.nan)),
+        sigma_frequency=float(bounds.poles[m, 1]) / (2.0 * math.pi),
+        sigma_damping=float(bounds.poles[m, 0]) / abs(pole),
+        sigma_shape=common_sigma(sigmas) if resolved.any() else math.nan,
+        found_in=found_in,
+        participation=modes.participation[m],
+        sigma_size=math.sqrt(max(covariance[largest, largest].real, 0.0) / 2.0) / abs(shape[largest])
+        if resolved.any()
+        else math.nan,
+    )
+
+
+def _stabilisation(by_order: list[OrderPoles], band: tuple[float, float]) -> Stabilisation:
+    orders = np.array([model.order for model in by_order], np.int64)
+    poles = tuple(model.poles[usable_poles(model.poles, *band)] for model in by_order)
+    return Stabilisation(orders, tuple(order_poles[np.argsort(order_poles.imag)] for order_poles in poles))

@@ -1,0 +1,128 @@
+"""The lines of frequency responses that a fit uses, relative to each sensor's size, with their noise."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.base.errors import MeasurementError
+from pkmodes.modaltest.identification.frf_noise import (
+    LAGS,
+    coherence_variance,
+    difference_variance,
+    exponential_correlation,
+)
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+#: Fewest lines in which a mode can be told from noise.
+FEWEST_LINES = 24
+#: Lines this close to a multiple of a tone are left out, in line spacings: a tone between two lines shows in both.
+TONE_REACH = 1.01
+#: Lines closer to a tone than this, in line spacings, contain all of it that a spectral window (Hann's) spreads.
+SPREAD = 2.1
+
+
+@dataclass(frozen=True, eq=False)
+class FrequencyLines:
+    """Functions to be fitted.
+
+    - frequencies: (F,) [Hz]
+    - place: on the grid of lines, (F,)
+    - H: (F, S, R); NaN where not measured
+    - variance: of the noise, (F, S, R), as far as known beforehand
+    - correlation: of the noise at lags of lines, if known
+    - stated: whether the variance is absolute, and not only right in its relative size
+    """
+
+    frequencies: Array
+    place: NDArray[np.int64]
+    H: Complex
+    variance: Array
+    correlation: Complex | None
+    stated: bool
+
+    @property
+    def measured(self) -> NDArray[np.bool_]:
+        """Which functions were measured, (S, R)."""
+        return np.asarray(np.isfinite(self.H).all(axis=0))
+
+    @property
+    def step(self) -> float:
+        """Distance of the lines [Hz]."""
+        return float(np.median(np.diff(self.frequencies)))
+
+    def weights(self) -> Array:
+        """Return the inverse standard deviation of each sensor's lines, (F, S), 0 for dead sensors."""
+        finite = np.isfinite(self.variance)
+        mean = np.where(finite, self.variance, 0.0).sum(axis=2) / np.maximum(finite.sum(axis=2), 1)
+        return np.where(mean > 0.0, 1.0 / np.sqrt(np.where(mean > 0.0, mean, 1.0)), 0.0)
+
+
+def used_lines(
+    f: Array,
+    H: Complex,
+    coherence: Array | None,
+    averages: int | None,
+    exponential: float | None,
+    tones: Sequence[float],
+    found_tones: Sequence[float] = (),
+) -> tuple[FrequencyLines, Array]:
+    """Return the lines that are used, relative to the rms of each sensor, and these rms values.
+
+    Lines at a multiple of a stated tone and around a tone that was found are left out.
+    """
+    measured = np.isfinite(H).all(axis=0)
+    alive = measured & (np.abs(np.where(measured, H, 0.0)).max(axis=0, initial=0.0) > 0.0)
+    if len(f) < FEWEST_LINES:
+        problem = f"expected at least {FEWEST_LINES} lines, found {len(f)}"
+        raise MeasurementError(problem, "the band", "measure with a finer line spacing, or use a wider band")
+    if not alive.any():
+        raise MeasurementError("found no function without gaps", "the band", "check the files")
+    squares: Array = np.where(alive, (np.abs(np.where(alive, H, 0.0)) ** 2).mean(axis=0), np.nan)
+    scale = np.sqrt(np.array([np.nanmean(row) if np.isfinite(row).any() else 1.0 for row in squares]))
+    step = float(np.median(np.diff(f)))
+    used = ~at_tones(f, tones, step)
+    for tone in found_tones:
+        used &= np.abs(f - tone) > SPREAD * step
+    if used.sum() < FEWEST_LINES:
+        problem = f"expected at least {FEWEST_LINES} lines beside the tones, found {int(used.sum())}"
+        raise MeasurementError(problem, "tones", "state only tones that the signals have")
+    values = np.where(alive, H, np.nan)[used] / scale[:, None]
+    variance = difference_variance(values)
+    stated = coherence is not None and averages is not None
+    if coherence is not None:
+        by_coherence = coherence_variance(values, coherence[used], averages or 2)
+        variance = by_coherence if stated else _scaled_to(by_coherence, variance)
+        variance = _smoothed(np.maximum(variance, 1e-3 * difference_variance(values)))
+    correlation = None if exponential is None else exponential_correlation(step, exponential, LAGS * 4)
+    place = np.round((f[used] - f[0]) / step).astype(np.int64)
+    return FrequencyLines(f[used], place, values, variance, correlation, stated), scale
+
+
+def at_tones(f: Array, tones: Sequence[float], step: float) -> NDArray[np.bool_]:
+    """Return which lines are at a multiple of a tone."""
+    hit = np.zeros(len(f), bool)
+    for tone in tones:
+        multiple = np.maximum(np.round(f / tone), 1.0)
+        hit |= np.abs(f - multiple * tone) < TONE_REACH * step
+    return hit
+
+
+def _scaled_to(relative: Array, absolute: Array) -> Array:
+    """Return variances with the course over the lines of one estimate and the size of another."""
+    ratio = np.median(absolute / np.maximum(relative, 1e-300), axis=0)
+    return np.asarray(relative * ratio)
+
+
+def _smoothed(variance: Array, width: int = 9) -> Array:
+    """Return a moving average over the lines: the coherence of few averages scatters."""
+    kernel = np.ones(width)
+    count = np.convolve(np.ones(len(variance)), kernel, "same")
+    flat = variance.reshape(len(variance), -1)
+    smooth = np.stack([np.convolve(column, kernel, "same") / count for column in flat.T], axis=1)
+    return np.asarray(smooth.reshape(variance.shape))

@@ -1,0 +1,203 @@
+r"""Maximum-likelihood fit of a few neighbouring modes to the lines around them.
+
+In a window of lines, and after subtraction of the modes outside it,
+
+.. math:: H_{sr}(f) = \sum_m \frac{\phi_{sm} L_{rm}}{j \omega - \lambda_m} + \sum_{k=0}^3 c_{srk} f^k ,
+
+where the polynomial stands for whatever is smooth: residual terms, modes outside the band, and what differentiation
+to velocity or acceleration adds.  It is projected out (variable projection: Golub and Pereyra, SIAM
+Journal on Numerical Analysis 10, 1973).  The model is holomorphic in its parameters, so that the Gauss-Newton method
+works on complex numbers; with circular noise of known variance at each channel its minimum is the maximum-likelihood
+estimate (Guillaume, Verboven and Vanlanduit, ISMA 23, 1998).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.modaltest.identification.modes import IdentifiedModes
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+#: Coefficients of the smooth part at each channel: a cubic leaves 1 % of the curvature of a mode that lies one window
+#: width outside the window.
+SMOOTH = 4
+#: Most steps: Gauss-Newton converges in a few or, for modes that the lines cannot tell apart, not at all.
+MOST_STEPS = 25
+#: Relative decrease of the cost that ends the iteration: far below what one line's noise contributes.
+CONVERGED = 1e-7
+#: Damping of the steps (Levenberg and Marquardt), relative to the diagonal: initial, and at which the fit gives up.
+FIRST_DAMPING, LAST_DAMPING = 1e-4, 1e8
+
+
+@dataclass(frozen=True, eq=False)
+class Window:
+    """Lines with the smooth part projected out.
+
+    - s: j omega, (F,) [1/s]
+    - sigma: relative noise of the lines, by which all other arrays are divided, (F,)
+    - smooth: orthonormal, (F, K)
+    - H: without the smooth part, (F, S, R); 0 where not measured
+    - weights: inverse variances, (S, R), 0 where not measured
+    """
+
+    s: Complex
+    sigma: Array
+    smooth: Complex
+    H: Complex
+    weights: Array
+
+
+@dataclass(frozen=True, eq=False)
+class WindowFit(IdentifiedModes):
+    """Modes fitted in a window.
+
+    - cost: weighted sum of squares of the residual
+    """
+
+    cost: float
+    converged: bool
+
+
+def window(frequencies: Array, H: Complex, weights: Array, sigma: Array) -> Window:
+    """Return lines ready for `polish`.
+
+    - frequencies: (F,) [Hz]
+    - H: (F, S, R); NaN where not measured
+    - weights: inverse variances, (S, R)
+    - sigma: relative noise of the lines, (F,)
+    """
+    middle, half = frequencies.mean(), 0.5 * float(np.ptp(frequencies))
+    powers = np.vander((frequencies - middle) / half, SMOOTH)
+    smooth = np.linalg.qr(powers / sigma[:, None])[0].astype(complex)
+    used = np.where(np.isfinite(H).all(axis=0), weights, 0.0)
+    values = np.where(used > 0.0, H, 0.0) / sigma[:, None, None]
+    values = values - np.tensordot(smooth, np.tensordot(smooth.conj(), values, (0, 0)), 1)
+    s = np.asarray(2j * math.pi * frequencies, dtype=complex)
+    return Window(s, sigma, smooth, np.asarray(values), used)
+
+
+def basis(at: Window, poles: Complex) -> Complex:
+    """Return 1/(j omega - lambda) and its derivative by lambda without their smooth part, (F, 2 N)."""
+    g = 1.0 / (at.s[:, None] - poles)
+    E = np.concatenate([g, g**2], axis=1) / at.sigma[:, None]
+    return np.asarray(E - at.smooth @ (at.smooth.conj().T @ E))
+
+
+def polish(at: Window, poles: Complex, participation: Complex) -> WindowFit:
+    """Fit modes from a starting point.
+
+    - poles: (N,) [1/s]
+    - participation: at any scale, (N, R)
+    """
+    N = len(poles)
+    total = float((at.weights * (np.abs(at.H) ** 2).sum(axis=0)).sum())
+    state = _scaled(poles, _shapes_given(at, poles, participation), participation)
+    E = basis(at, state[0])
+    cost, gradient, A = _normal(at, E, *state, total)
+    damping, converged = FIRST_DAMPING, False
+    for _ in range(MOST_STEPS):
+        step = np.linalg.solve(A + np.diag(damping * A.diagonal().real + 1e-300), gradient)
+        trial = _moved(state, np.asarray(step, dtype=complex), N)
+        if (trial[0].real < 0.0).all() and (np.abs(step[:N]) < 3.0 * np.abs(state[0].real)).all():
+            trial = _scaled(*trial)
+            E = basis(at, trial[0])
+            new = _normal(at, E, *trial, total)
+            if new[0] <= cost:
+                converged = cost - new[0] <= CONVERGED * cost
+                state, (cost, gradient, A) = trial, new
+                damping = max(damping / 10.0, 1e-12)
+                if converged:
+                    break
+                continue
+        damping *= 10.0
+        if damping > LAST_DAMPING:
+            converged = float(np.abs(gradient[:N]).max()) < np.inf
+            break
+    return WindowFit(*state, cost, converged)
+
+
+def columns(shapes: Complex, participation: Complex) -> tuple[NDArray[np.int64], Complex]:
+    """Return the derivatives of the model by its parameters as products of a basis function and a channel vector.
+
+    The parameters are the poles, the shapes (mode by mode), and the participations except the largest of each mode,
+    which sets the scale.
+
+    Returns, in this order:
+    - functions: of `basis`, (P,)
+    - channels: (P, S, R)
+    """
+    (N, S), R = shapes.shape, participation.shape[1]
+    functions, channels = [*range(N, 2 * N)], [*(shapes[:, :, None] * participation[:, None, :])]
+    for m in range(N):
+        for s in range(S):
+            functions.append(m)
+            channel = np.zeros((S, R), complex)
+            channel[s] = participation[m]
+            channels.append(channel)
+    for m, fixed in enumerate(np.abs(participation).argmax(axis=1)):
+        for r in range(R):
+            if r != fixed:
+                functions.append(m)
+                channel = np.zeros((S, R), complex)
+                channel[:, r] = shapes[m]
+                channels.append(channel)
+    return np.array(functions), np.array(channels)
+
+
+def _normal(
+    at: Window, E: Complex, poles: Complex, shapes: Complex, participation: Complex, total: float
+) -> tuple[float, Complex, Complex]:
+    """Return the cost, the right-hand side and the matrix of the normal equations."""
+    N = len(poles)
+    gram = E.conj().T @ E
+    X = np.tensordot(E.conj(), at.H, (0, 0))
+    residues = shapes[:, :, None] * participation[:, None, :]
+    remainder = X - np.tensordot(gram[:, :N], residues, 1)
+    explained = (residues.conj() * at.weights * (X[:N] + remainder[:N])).sum().real
+    functions, channels = columns(shapes, participation)
+    P = len(functions)
+    weighted = (channels.conj() * at.weights).reshape(P, -1)
+    gradient = (weighted * remainder[functions].reshape(P, -1)).sum(axis=1)
+    A = (weighted @ channels.reshape(P, -1).T) * gram[np.ix_(functions, functions)]
+    idle = A.diagonal().real <= 0.0  # a sensor without data
+    A[idle, idle] = 1.0
+    return total - float(explained), gradient, A
+
+
+def _shapes_given(at: Window, poles: Complex, participation: Complex) -> Complex:
+    """Return the least-squares shapes (N, S) for given poles and participations."""
+    E = basis(at, poles)[:, : len(poles)]
+    gram, X = E.conj().T @ E, np.tensordot(E.conj(), at.H, (0, 0))
+    shapes = np.empty((len(poles), at.H.shape[1]), complex)
+    for s, w in enumerate(at.weights):
+        matrix = gram * ((participation.conj() * w) @ participation.T)
+        right = (participation.conj() * w * X[:, s]).sum(axis=1)
+        size = np.sqrt(np.maximum(matrix.diagonal().real, 1e-300))
+        solved = np.linalg.lstsq(matrix / (size[:, None] * size), right / size, rcond=1e-12)[0]
+        shapes[:, s] = solved / size
+    return shapes
+
+
+def _moved(
+    state: tuple[Complex, Complex, Complex], step: Complex, N: int
+) -> tuple[Complex, Complex, Complex]:
+    poles, shapes, participation = state
+    S, R = shapes.shape[1], participation.shape[1]
+    further = participation.copy()
+    rest = step[N + N * S :].reshape(N, R - 1)
+    for m, fixed in enumerate(np.abs(participation).argmax(axis=1)):
+        further[m, np.arange(R) != fixed] += rest[m]
+    return poles + step[:N], shapes + step[N : N + N * S].reshape(N, S), further
+
+
+def _scaled(poles: Complex, shapes: Complex, participation: Complex) -> tuple[Complex, Complex, Complex]:
+    """Return participations whose largest component is 1."""
+    largest = np.take_along_axis(participation, np.abs(participation).argmax(axis=1)[:, None], 1)
+    largest = np.where(largest == 0.0, 1.0, largest)
+    return poles, shapes * largest, participation / largest

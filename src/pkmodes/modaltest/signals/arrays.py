@@ -1,0 +1,384 @@
+"""Files of named arrays, of MATLAB and of NumPy: which of them are times, frequencies, signals and functions.
+
+A vector is a signal under its name; a column of a matrix ``NAME`` one under ``NAME_1``, ``NAME_2``, ..., and of
+functions with several references ``NAME_1__2`` (frequencies x sensors x references).  Fields of structs,
+``STRUCT.FIELD``, are called by the field alone where only one is called so.  Signals may be several measurements
+(times x sensors x measurements, with forces times x measurements), of which one is read.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from functools import cache, partial
+from typing import Any, NamedTuple, NoReturn
+
+import numpy as np
+
+from pkmodes.core.base.errors import MeasurementError, shown
+from pkmodes.core.support.ordering import listed
+from pkmodes.modaltest.signals.checks import FEWEST, check_abscissa, check_finite, within
+from pkmodes.modaltest.signals.functions import (
+    FORCE,
+    MOST_NAMES,
+    Array,
+    Complex,
+    Function,
+    FunctionKind,
+    SignalFile,
+    SignalRequest,
+    StoredFunction,
+)
+from pkmodes.modaltest.signals.sampling import counts_samples, even_times
+from pkmodes.modaltest.signals.variables import (
+    EXPANDED,
+    MOST_VALUES,
+    REMEDY,
+    ROOM,
+    FileVariable,
+    Values,
+    loaded,
+)
+
+REFERENCE = "__"
+#: Names of abscissas and of sampling rates, in any case; the first that a file has prevails.
+TIMES = ("time", "t", "time_domain")
+FREQUENCIES = ("frequency", "frequencies", "freq", "frequencyband", "f")
+RATES = ("fs", "rate", "sampling_rate", "sample_rate")
+#: Names that a record may replace: these two are variables, all others signals.
+ABSCISSAS = ("time", "frequency")
+#: Rates that differ by less, relative, are the same.
+SAME = 1e-6
+NAMES = 'say in the record which it is, names = { time = "NAME" } or { frequency = "NAME" }, or give the rate there'
+
+
+class _Signal(NamedTuple):
+    """A vector in a variable.
+
+    - name, response, reference: its own, and those of its sensor and reference
+    - pick: extracts it from all values
+    - length: number of its values
+    - measurement: index of the measurement in its variable, from 0; None if this does not hold several
+    """
+
+    name: str
+    response: str
+    reference: str
+    variable: str
+    pick: Callable[[Values], Values]
+    length: int
+    measurement: int | None = None
+
+
+def functions_of(
+    variables: Sequence[FileVariable],
+    source: str,
+    request: SignalRequest,
+    file_kind: str,
+    size: int | None = None,
+) -> SignalFile:
+    """Return the functions that variables hold; only the values of requested ones are read.
+
+    - file_kind: kind of the file, for messages
+    - size: of the file [bytes], which limits the size of its unpacked arrays
+
+    Raises MeasurementError if there are no times, frequencies or rate, or arrays do not belong together.
+    """
+    by_name: dict[str, FileVariable] = {}
+    fields = Counter(variable.name.rpartition(".")[2] for variable in variables)
+    for variable in variables:
+        field = variable.name.rpartition(".")[2]
+        name = field if fields[field] == 1 else variable.name
+        if name in by_name:
+            raise MeasurementError("expected each name once, found it again", f"{source}: {name}", REMEDY)
+        by_name[name] = variable._replace(name=name)
+    own_names = _naming(request, of_abscissa=True).own_names(by_name, source)
+    by_name = {
+        own_names.get(name, name): variable._replace(name=own_names.get(name, name))
+        for name, variable in by_name.items()
+    }
+    by_name.pop("", None)
+    named, kind = _abscissa_name(by_name, request, source)
+    rate_of = _first(RATES, [name for name, variable in by_name.items() if variable.size == 1])
+    count = None if named is None else by_name[named].size
+    all_signals: list[_Signal] = []
+    skipped: dict[str, str] = {}
+    several = _several(by_name, kind)
+    forces = {FORCE, request.names.get(FORCE, "").lower()}
+    for name, variable in by_name.items():
+        if (
+            name == named
+            or (named is None and name == rate_of)
+            or (name == FORCE and kind is not FunctionKind.TIME)
+        ):
+            continue
+        in_variable = _signals(variable, kind, count, several if name.lower() in forces else None)
+        if not in_variable:
+            skipped[name] = variable.description
+        if (
+            request.sensors is not None
+            and name in request.sensors
+            and name not in {e.name for e in in_variable}
+        ):
+            text = f"expected a vector of numbers, found {variable.description}"
+            remedy = (
+                f"name its columns: {', '.join(e.name for e in in_variable[:3])}" if in_variable else REMEDY
+            )
+            raise MeasurementError(text, f"{source}: {name}", remedy)
+        all_signals += in_variable
+    rate = _rate(None if rate_of is None else by_name[rate_of], request, source) if named is None else None
+    if named is None and (rate is None or not all_signals):
+        _refuse_nothing(by_name, skipped, source)
+    signals = _called(all_signals, request, source)
+    forced = FORCE if kind is FunctionKind.TIME else None
+    requested = [
+        signal for signal in signals if signal.name == forced or request.wants(signal.response, signal.name)
+    ]
+    if requested or all(signal.measurement is None for signal in signals):
+        requested, source = _of_measurement(requested, request, source)
+    read = [
+        by_name[name]
+        for name in dict.fromkeys([*([named] if named else []), *(s.variable for s in requested)])
+    ]
+    total = sum(variable.size for variable in read)
+    if total > MOST_VALUES:
+        text = f"cannot read the arrays: they have {total:,} values, more than {MOST_VALUES:,}"
+        raise MeasurementError(text, source, "split the record, or give a binary universal file")
+    bytes_of_all = sum(variable.size * variable.itemsize for variable in read)
+    if size is not None and bytes_of_all > ROOM + EXPANDED * size:
+        text = f"cannot read the arrays: they have {bytes_of_all:,} bytes, and the file {size:,}"
+        remedy = (
+            f"save the signals that were measured: compressed, they have more than 1/{EXPANDED} of their size"
+        )
+        raise MeasurementError(text, source, remedy)
+    load = cache(lambda name: loaded(by_name[name].load, source, file_kind))
+    messages = [
+        f"{source}: {name}: skipped: {description} holds no signals" for name, description in skipped.items()
+    ]
+    abscissa = None if named is None else _abscissa(load(named), f"{source}: {named}")
+    if abscissa is not None and kind is FunctionKind.TIME and counts_samples(abscissa):
+        rate = _rate(None if rate_of is None else by_name[rate_of], request, source)
+        messages += [] if rate is None else [f"{source}: {named} counts samples, of {rate:g} Hz"]
+    if rate is not None:
+        abscissa = even_times((requested or signals)[0].length, rate)
+    assert abscissa is not None
+    functions = tuple(
+        _function(signal, by_name[signal.variable], load, abscissa, kind, source, request)
+        for signal in requested
+    )
+    return SignalFile(source, functions, (), tuple(messages))
+
+
+def _refuse_nothing(by_name: Mapping[str, FileVariable], skipped: Mapping[str, str], source: str) -> NoReturn:
+    labels = [f"{name} ({skipped[name]})" if name in skipped else name for name in by_name]
+    listing = listed(labels, MOST_NAMES) or "no variables"
+    text = f"expected times, frequencies or a sampling rate, found {listing}"
+    raise MeasurementError(text, source, f"{NAMES}; or {REMEDY}")
+
+
+def _naming(request: SignalRequest, *, of_abscissa: bool) -> SignalRequest:
+    """Return a request with the names of abscissas only, or of signals only."""
+    names = {
+        own_name: name for own_name, name in request.names.items() if (own_name in ABSCISSAS) is of_abscissa
+    }
+    return replace(request, names=names)
+
+
+def _called(signals: Sequence[_Signal], request: SignalRequest, source: str) -> list[_Signal]:
+    """Return signals by their names here, without those that give way to others."""
+    own_names = _naming(request, of_abscissa=False).own_names(
+        dict.fromkeys(s.response for s in signals), source
+    )
+    renamed = []
+    for signal in signals:
+        response = own_names.get(signal.response, signal.response)
+        if response:
+            renamed.append(
+                signal._replace(name=response + signal.name[len(signal.response) :], response=response)
+            )
+    return renamed
+
+
+def _several(by_name: Mapping[str, FileVariable], kind: FunctionKind) -> int | None:
+    """Return the number of measurements in arrays of times, sensors and measurements; None if they do not agree."""
+    counts = {
+        variable.shape[2]
+        for variable in by_name.values()
+        if variable.shape is not None and len(variable.shape) == 3
+    }
+    return counts.pop() if kind is FunctionKind.TIME and len(counts) == 1 else None
+
+
+def _of_measurement(
+    signals: Sequence[_Signal], request: SignalRequest, source: str
+) -> tuple[list[_Signal], str]:
+    """Return the signals of the requested measurement, or of the only one, and its name for messages."""
+    numbers = list(dict.fromkeys(signal.measurement for signal in signals if signal.measurement is not None))
+    if not numbers:
+        if request.member:
+            problem = "expected an array of times, sensors and measurements, found none"
+            raise MeasurementError(problem, source, f"leave {shown(request.member)} out of its name")
+        return list(signals), source
+    names = [str(number + 1) for number in numbers]
+    if not request.member and len(names) > 1:
+        file = source.rpartition("/")[2]
+        example = ", ".join(shown(f"{file}/{name}") for name in names[:2])
+        problem = f"expected one measurement, found {len(names)}"
+        raise MeasurementError(problem, source, f"name each that is meant: files = [{example}]")
+    chosen = request.member or names[0]
+    if chosen not in names:
+        problem = f"expected a measurement from {names[0]} to {names[-1]}, found {shown(chosen)}"
+        raise MeasurementError(problem, source, "correct the number after the name of the file")
+    number = numbers[names.index(chosen)]
+    place = f"{source}/{chosen}" if request.member else source
+    return [signal for signal in signals if signal.measurement in (None, number)], place
+
+
+def _signals(
+    variable: FileVariable, kind: FunctionKind, count: int | None, blows: int | None = None
+) -> list[_Signal]:
+    """Return the signals in a variable.
+
+    - count: of the times or frequencies, if known
+    - blows: if it is the force: number of measurements in the file
+    """
+    shape, lengths = variable.shape or (), variable.lengths
+    if not lengths or max(lengths) < FEWEST:
+        return []
+    spectral = kind is not FunctionKind.TIME
+    if len(lengths) == 2 and lengths[1] == blows:
+        shape = (lengths[0], 1, lengths[1])  # times x measurements
+    of_measurements = not spectral and len(shape) == 3
+    if len(lengths) == 1 and not of_measurements:
+        response, _, reference = variable.name.partition(REFERENCE) if spectral else (variable.name, "", "")
+        return [_Signal(variable.name, response, reference, variable.name, np.ravel, lengths[0])]
+    sizes = shape if of_measurements else lengths
+    if len(sizes) > 3 or (count is not None and count not in sizes):
+        return []
+    axis = sizes.index((sizes[0] if of_measurements else max(sizes)) if count is None else count)
+
+    def picked(at: tuple[int, ...]) -> Callable[[Values], Values]:
+        def pick(values: Values) -> Values:
+            table: Any = np.moveaxis(values.reshape(sizes, order="F"), axis, 0)
+            column: Values = table[(slice(None), *at)]
+            return column
+
+        return pick
+
+    signals = []
+    single = of_measurements and blows is not None and sizes[1 if axis == 0 else 0] == 1
+    for at in np.ndindex(*(n for i, n in enumerate(sizes) if i != axis)):
+        response, *references = f"{variable.name}_{at[0] + 1}", *(str(i + 1) for i in at[1:])
+        if of_measurements:
+            response, references = variable.name if single else response, []
+        name = REFERENCE.join([response, *references])
+        measurement = at[1] if of_measurements else None
+        pick, length = picked(at), sizes[axis]
+        signals.append(_Signal(name, response, "".join(references), variable.name, pick, length, measurement))
+    return signals
+
+
+def _abscissa_name(
+    by_name: Mapping[str, FileVariable], request: SignalRequest, source: str
+) -> tuple[str | None, FunctionKind]:
+    """Return the name of the vector of times or frequencies, None if there is none, and the kind of the signals."""
+    vectors = [
+        name
+        for name, variable in by_name.items()
+        if len(variable.lengths) == 1 and name not in (request.sensors or ())
+    ]
+    time, frequency = _first(TIMES, vectors), _first(FREQUENCIES, vectors)
+    if time is not None and frequency is not None:
+        declared = [name in request.names for name in ABSCISSAS]
+        places = [names.index(name.lower()) for names, name in ((TIMES, time), (FREQUENCIES, frequency))]
+        if declared[0] is declared[1] and places[0] == places[1]:
+            text = f"expected a vector {time} or {frequency}, found both"
+            raise MeasurementError(text, source, "leave one of them out")
+        of_time = declared[0] if declared[0] is not declared[1] else places[0] < places[1]
+        time, frequency = (time, None) if of_time else (None, frequency)
+    return time or frequency, FunctionKind.TIME if frequency is None else FunctionKind.FRF
+
+
+def _first(names: Sequence[str], present_names: Sequence[str]) -> str | None:
+    """Return the first of some names that a file has, in any case; but T and F are usually something else."""
+    for name in names:
+        alike = [
+            candidate
+            for candidate in present_names
+            if candidate == name or (len(name) > 1 and candidate.lower() == name)
+        ]
+        if alike:
+            return name if name in alike else alike[0]
+    return None
+
+
+def _rate(variable: FileVariable | None, request: SignalRequest, source: str) -> float | None:
+    """Return the sampling rate [Hz] of the record or of the file."""
+    if variable is None:
+        return request.rate
+    rate = float(np.real(loaded(variable.load, source, "signal")[0]))
+    if not (np.isfinite(rate) and rate > 0.0):
+        where = f"{source}: {variable.name}"
+        raise MeasurementError(f"expected a sampling rate above 0, found {rate:g}", where, REMEDY)
+    if request.rate is not None and abs(rate - request.rate) > SAME * rate:
+        text = f"the campaign says a rate of {request.rate:g} Hz, and the file {rate:g} Hz"
+        where = f"{source}: {variable.name}"
+        raise MeasurementError(text, where, "correct the campaign, or leave the rate out of it")
+    return rate
+
+
+def _abscissa(values: Values, where: str) -> Array:
+    if np.iscomplexobj(values):
+        raise MeasurementError("expected real numbers, found complex ones", where, REMEDY)
+    abscissa = np.asarray(values, np.float64)
+    check_abscissa(abscissa, where)
+    return abscissa
+
+
+def _function(
+    signal: _Signal,
+    variable: FileVariable,
+    load: Callable[[str], Values],
+    abscissa: Array,
+    kind: FunctionKind,
+    source: str,
+    request: SignalRequest,
+) -> Function:
+    """Return the function of a signal; numbers that are not of double precision are kept as stored."""
+    where = f"{source}: {signal.name}"
+    length = max(variable.lengths) if len(variable.lengths) == 1 else None
+    vector = None
+    if length is None or variable.again is None:
+        vector = signal.pick(load(signal.variable))
+        length = vector.size
+    if length != abscissa.size:
+        problem = f"expected {abscissa.size} values, one for each time or frequency, found {length}"
+        raise MeasurementError(problem, where, "save vectors of one length, or remove this one")
+    inside = within(abscissa, None if kind is FunctionKind.TIME else request.band)
+    is_complex = vector is not None and vector.dtype.kind == "c"
+    if vector is not None and vector.dtype.kind not in "iu":
+        check_finite(vector[inside], where, inside.start)
+        if kind is not FunctionKind.TIME and not (finite := np.isfinite(vector)).all():
+            vector = np.where(finite, vector, np.nan)
+    if kind is FunctionKind.TIME and is_complex:
+        problem = "expected a real signal, found complex values"
+        raise MeasurementError(
+            problem, where, 'name the abscissa "frequency" if these are frequency responses'
+        )
+    if kind is not FunctionKind.TIME:
+        kind = FunctionKind.FRF if is_complex else FunctionKind.SPECTRUM
+    force = kind is FunctionKind.TIME and signal.name == FORCE
+    precision = np.complex128 if is_complex else np.float64
+    if vector is not None and vector.dtype == precision:
+        return Function(kind, signal.response, signal.reference, abscissa, vector, None, None, force)
+    stored = variable.again if vector is None else partial(np.asarray, vector)
+    assert stored is not None
+    load_again = partial(_in_double_precision, stored, precision)
+    return StoredFunction(
+        kind, signal.response, signal.reference, abscissa, None, None, force, load=load_again
+    )
+
+
+def _in_double_precision(stored: Callable[[], Values], precision: type) -> Array | Complex:
+    return np.asarray(stored(), precision)

@@ -1,0 +1,185 @@
+"""From dataset 58 to functions: kinds, names, units, and what each kind requires."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from pkmodes.core.base.errors import MeasurementError
+from pkmodes.modaltest.signals.checks import FEWEST, check_abscissa, check_coherence, within
+from pkmodes.modaltest.signals.dataset58 import Axis, Header, Points, Stored, dof_name, rotates
+from pkmodes.modaltest.signals.functions import (
+    Array,
+    Complex,
+    Function,
+    FunctionKind,
+    SignalRequest,
+    StoredFunction,
+)
+from pkmodes.modaltest.signals.units import NO_UNIT, FileUnits, hertz_in, quotient, seconds_in, unit_text
+
+#: Function types that can be read.
+KINDS = {
+    1: FunctionKind.TIME,
+    2: FunctionKind.SPECTRUM,
+    3: FunctionKind.SPECTRUM,
+    4: FunctionKind.FRF,
+    6: FunctionKind.COHERENCE,
+    9: FunctionKind.SPECTRUM,
+}
+#: Function types that cannot be read, where a reason can be given.
+OTHERS = {
+    0: "general, which says nothing",
+    5: "a transmissibility, whose poles are not those of the structure: the force must be measured",
+    7: "an auto correlation",
+    8: "a cross correlation",
+    10: "an energy spectral density",
+    11: "a probability density",
+    12: "a spectrum without averages",
+}
+#: Specific data types: of an ordinate, and of an abscissa, for which 0 and 1 state nothing.
+FORCE = 13
+TIMES, FREQUENCIES = (0, 1, 17), (0, 1, 18)
+
+
+@dataclass
+class Abscissas:
+    """Even abscissas in s or Hz by start, step and number of points: functions share them."""
+
+    shared: dict[tuple[float, float, int], Array] = field(default_factory=dict)
+
+    def of(self, points: Points, factor: float) -> Array:
+        """Return the abscissa of a dataset, times a factor.
+
+        Raises MeasurementError if an even one does not ascend, since its start is too large for its step.
+        """
+        if points.abscissa is not None:
+            return points.abscissa * factor
+        header = points.header
+        key = (header.start * factor, header.step * factor, header.count)
+        if key not in self.shared:
+            even = np.arange(header.count, dtype=np.float64)
+            with np.errstate(over="ignore"):
+                even *= key[1]  # in place: a long record fills much of the memory
+                even += key[0]
+            check_abscissa(even[:2], points.where)  # the ends are the farthest from 0, where rounding is
+            check_abscissa(even[-2:], points.where)
+            even.flags.writeable = False
+            self.shared[key] = even
+        return self.shared[key]
+
+
+def converted(values: Array | Complex, kind: FunctionKind) -> Array | Complex:
+    """Return values in the form of their kind: NaN for gaps, the magnitude of a cross spectrum, a real coherence."""
+    if kind is not FunctionKind.TIME and not (finite := np.isfinite(values)).all():
+        values = np.where(finite, values, np.nan)
+    if kind is FunctionKind.FRF or not np.iscomplexobj(values):
+        return values
+    return np.abs(values) if kind is FunctionKind.SPECTRUM else np.real(values).copy()
+
+
+def _loaded(stored: Stored, kind: FunctionKind) -> Array | Complex:
+    """Return the values of a function from its file, in double precision."""
+    return converted(stored.read("y"), kind)
+
+
+def function_of(
+    points: Points, units: FileUnits, abscissas: Abscissas, request: SignalRequest
+) -> Function | str | None:
+    """Return the function in a dataset 58.
+
+    - points: the dataset
+    - units: of the file
+    - abscissas: of the functions before it; one is added
+    - request: the request for the file
+
+    Returns the function, None if its sensor is not requested, or why it is skipped.
+    Raises MeasurementError if it does not satisfy the requirements of its type.
+    """
+    header = points.header
+    kind = KINDS.get(header.function)
+    if kind is None:
+        kinds = "none of time, frequency response, coherence and power spectrum"
+        return f"function type {header.function} is {OTHERS.get(header.function, kinds)}"
+    if header.abscissa.data_type not in (TIMES if kind is FunctionKind.TIME else FREQUENCIES):
+        return f"data type {header.abscissa.data_type} of its abscissa is not that of a {kind} function"
+    of_force = header.ordinate.data_type == FORCE
+    if of_force and kind is FunctionKind.SPECTRUM:
+        return "it is the spectrum of a force"
+    response = dof_name(header.response)
+    force = of_force and kind is FunctionKind.TIME
+    if not (force or request.wants(response)):
+        return None
+    factor = (seconds_in if kind is FunctionKind.TIME else hertz_in)(header.abscissa.label) or 1.0
+    abscissa = abscissas.of(points, factor)
+    points.check_finite(within(abscissa, None if kind is FunctionKind.TIME else request.band))
+    _check(points, kind)
+    unit, reference_unit = _units(header, kind, units)
+    assumed = not units.stated and header.ordinate.label.lower() in NO_UNIT
+    common: dict[str, Any] = {
+        "kind": kind,
+        "response": response,
+        "reference": _reference(header, kind),
+        "abscissa": abscissa,
+        "unit": unit,
+        "reference_unit": reference_unit,
+        "force": force,
+        "assumed": assumed,
+    }
+    if isinstance(points.values, Stored):
+        return StoredFunction(load=partial(_loaded, points.values, kind), **common)
+    return Function(values=converted(points.values, kind), **common)
+
+
+def _check(points: Points, kind: FunctionKind) -> None:
+    """Refuse data that do not suit the kind of function."""
+    header, remedy = points.header, "export it again as what it is"
+    if kind is FunctionKind.FRF and not header.complex:
+        problem = "expected complex values of a frequency response, found real ones, which have no phase"
+        raise MeasurementError(problem, points.where, remedy)
+    if kind is FunctionKind.TIME and header.complex:
+        raise MeasurementError(
+            "expected real values of a time signal, found complex ones", points.where, remedy
+        )
+    if header.count < FEWEST:
+        problem = f"expected at least {FEWEST} points, found {header.count}"
+        raise MeasurementError(problem, points.where, "export the whole measurement")
+    if kind is FunctionKind.COHERENCE:
+        values = points.values.read("y") if isinstance(points.values, Stored) else points.values
+        check_coherence(converted(values, kind), points.where)
+
+
+def _reference(header: Header, kind: FunctionKind) -> str:
+    """Return the name of the excitation; an auto spectrum states its own sensor there, which is no excitation."""
+    own_sensor = kind is FunctionKind.SPECTRUM and header.reference == header.response
+    return (
+        ""
+        if kind is FunctionKind.TIME or own_sensor or header.reference == (0, 0)
+        else dof_name(header.reference)
+    )
+
+
+def _units(header: Header, kind: FunctionKind, units: FileUnits) -> tuple[str | None, str | None]:
+    """Return the units of the values, and of the force of a frequency response.
+
+    A label states the unit of the numbers; the units of the file apply to functions without one.
+    """
+
+    def of_axis(axis: Axis, dof: tuple[int, int]) -> str | None:
+        if axis.label.lower() not in NO_UNIT:
+            return unit_text(axis.label)
+        return units.of_data(axis.data_type, rotates(dof))
+
+    if kind is FunctionKind.COHERENCE:
+        return None, None
+    if kind is FunctionKind.SPECTRUM:
+        return unit_text(header.ordinate.label), None
+    unit = of_axis(header.ordinate, header.response)
+    if kind is FunctionKind.TIME:
+        return unit, None
+    reference = of_axis(header.denominator, header.reference)
+    both = quotient(header.ordinate.label)
+    return (both[0], both[1]) if both[1] is not None else (unit, reference)

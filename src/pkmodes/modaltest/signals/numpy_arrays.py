@@ -1,0 +1,112 @@
+"""Files of NumPy: ``.npz`` with arrays under their names, ``.npy`` with a single one, which is called ``data``.
+
+Fields of structured arrays go by their own names.
+"""
+
+from __future__ import annotations
+
+import io
+import math
+import zipfile
+from collections.abc import Callable, Iterator
+from functools import partial, reduce
+from operator import getitem
+from os import fspath
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.lib import format as npy
+
+from pkmodes.loop.measured.formats import Format
+from pkmodes.modaltest.signals.arrays import functions_of
+from pkmodes.modaltest.signals.functions import SignalFile, SignalRequest
+from pkmodes.modaltest.signals.variables import FileVariable, at_most, loaded
+from pkmodes.modaltest.signals.zip_files import opened_zip
+
+NPY, NPZ = b"\x93NUMPY", b"PK\x03\x04"
+WHAT, DATA = "NumPy", "data"
+#: Bytes at the beginning of an array, in which its header is.
+HEADER = 1 << 14
+#: Most bytes of an array with fields, which is read as a whole.
+LARGEST = 2_000_000_000
+
+
+def read_numpy(path: Path, request: SignalRequest) -> SignalFile:
+    """Read a file of NumPy.
+
+    Raises MeasurementError if it is damaged, has objects, or its arrays do not belong together.
+    """
+    source = fspath(path)
+    with path.open("rb") as file:
+        single = file.read(len(NPY)) == NPY
+    if single:
+        array: Any = loaded(lambda: np.load(path, mmap_mode="r", allow_pickle=False), source, WHAT)
+        variables = []
+        for field, kind in _fields(array.dtype):
+            part: Any = reduce(getitem, field, array)
+            variables.append(
+                _variable(".".join(field) or DATA, part.shape, kind.base, partial(np.asarray, part))
+            )
+        return functions_of(variables, source, request, WHAT)
+    with loaded(lambda: opened_zip(path), source, WHAT) as archive:
+        names = archive.namelist()
+        variables = loaded(
+            lambda: at_most(variable for name in names for variable in _members(archive, name)), source, WHAT
+        )
+        return functions_of(variables, source, request, WHAT, path.stat().st_size)
+
+
+def _members(archive: zipfile.ZipFile, name: str) -> list[FileVariable]:
+    """Return an array of an archive, or those that are its fields; only its header is read."""
+    with archive.open(name) as file:
+        beginning = io.BytesIO(file.read(HEADER))
+    version = npy.read_magic(beginning)
+    header = npy.read_array_header_1_0 if version == (1, 0) else npy.read_array_header_2_0
+    shape, _, dtype = header(beginning)
+
+    def load(field: tuple[str, ...]) -> Any:
+        if math.prod(shape) * dtype.itemsize > LARGEST:
+            raise ValueError(f"the array {name} has more than {LARGEST / 1e9:g} GB")
+        with archive.open(name) as file:
+            array: Any = npy.read_array(file, allow_pickle=False)
+        return reduce(getitem, field, array)
+
+    return [
+        _variable(
+            ".".join([name.removesuffix(".npy"), *field]),
+            (*shape, *kind.shape),
+            kind.base,
+            partial(load, field),
+        )
+        for field, kind in _fields(dtype)
+    ]
+
+
+def _fields(dtype: np.dtype[Any]) -> Iterator[tuple[tuple[str, ...], np.dtype[Any]]]:
+    """Yield the fields of a type, by their nested names, and their types; the type itself if it has none."""
+    if dtype.names is None:
+        yield (), dtype
+    for name in dtype.names or ():
+        for inner, kind in _fields(dtype[name]):
+            yield (name, *inner), kind
+
+
+def _variable(name: str, shape: tuple[int, ...], dtype: Any, load: Callable[[], Any]) -> FileVariable:
+    numeric = dtype.kind in "iufc"
+    description = f"an array of {' x '.join(map(str, shape))} values" if numeric else str(dtype)
+    return FileVariable(
+        name, description, (shape or (1,)) if numeric else None, partial(_values, load), dtype.itemsize
+    )
+
+
+def _values(load: Callable[[], Any]) -> Any:
+    return np.ravel(load(), order="F")
+
+
+def is_numpy(head: bytes) -> bool:
+    """Return whether a file is a NumPy file: an archive is one if its first member is an array."""
+    return head.startswith(NPY) or (head.startswith(NPZ) and b".npy" in head[:256])
+
+
+NUMPY = Format("NumPy", (".npy", ".npz"), is_numpy, read_numpy)

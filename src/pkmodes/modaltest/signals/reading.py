@@ -1,0 +1,98 @@
+"""Read measured signals from a file of any of the known formats."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from os import PathLike, fspath
+from pathlib import Path
+
+from pkmodes.core.base.errors import MeasurementError, shown
+from pkmodes.loop.measured.csv_format import check_regular, unreadable
+from pkmodes.loop.measured.formats import Format
+from pkmodes.modaltest.signals.archives import ARCHIVE, SHAKE_AND_TUNE
+from pkmodes.modaltest.signals.functions import SignalFile, SignalRequest
+from pkmodes.modaltest.signals.matlab import MATLAB
+from pkmodes.modaltest.signals.numpy_arrays import NUMPY
+from pkmodes.modaltest.signals.table import TABLE
+from pkmodes.modaltest.signals.universal_file import UNIVERSAL_FILE
+from pkmodes.modaltest.signals.wav import WAV
+
+Reader = Callable[[Path, SignalRequest], SignalFile]
+#: Formats by name, in the order in which they are tried.
+FORMATS: dict[str, Format[Reader]] = {
+    file_format.name: file_format
+    for file_format in (UNIVERSAL_FILE, MATLAB, NUMPY, WAV, SHAKE_AND_TUNE, ARCHIVE, TABLE)
+}
+#: Formats that hold several records, each with a name.
+SEVERAL = (SHAKE_AND_TUNE, ARCHIVE, MATLAB, NUMPY)
+#: Number of first bytes by which a format is recognised.
+HEAD = 4096
+EVERYTHING = SignalRequest()
+WHAT, REMEDY = "the signals", "give a universal file, a MATLAB, NumPy or WAV file, or a table in text"
+
+
+def format_of(path: Path, head: bytes) -> Format[Reader] | None:
+    """Return the format of a file: by its first bytes, then by its suffix; None if neither is known.
+
+    Any text may be a table, so for text the suffix decides first: a universal file without its beginning is no table.
+    """
+    by_content = [file_format for file_format in FORMATS.values() if file_format.recognises(head)]
+    by_suffix = [
+        file_format for file_format in FORMATS.values() if path.suffix.lower() in file_format.suffixes
+    ]
+    certain = [file_format for file_format in by_content if file_format is not TABLE]
+    return next(iter([*certain, *by_suffix, *by_content]), None)
+
+
+def read_signals(path: str | PathLike[str], request: SignalRequest = EVERYTHING) -> SignalFile:
+    """Read the measured signals or identified modes in a file.
+
+    - path: a universal file with datasets 58, 58b, 55 or 2414; a MATLAB, NumPy or WAV file; a table in text; or one
+      of several records in a file of Shake&Tune, an archive or an array, ``belts.zip/raw_data_a.csv``
+    - request: the request for its content; everything by default
+
+    Raises MeasurementError if the file cannot be read, is incomplete or invalid, with the place in it.
+    """
+    place, member = _within(Path(path))
+    source = fspath(place)
+    head = _head(place, source)
+    if not head:
+        raise MeasurementError("expected measured signals, found an empty file", source, REMEDY)
+    file_format = format_of(place, head)
+    if file_format is None:
+        problem = "expected a file of measured signals, found another kind of content"
+        raise MeasurementError(problem, source, REMEDY)
+    if member and file_format not in SEVERAL:
+        problem = "expected an archive or a file of Shake&Tune, MATLAB or NumPy, "
+        problem += f"found another file ({file_format.name})"
+        raise MeasurementError(problem, source, f"leave {shown(member)} out of its name")
+    if request.names and file_format is UNIVERSAL_FILE:
+        problem = "expected names of columns, variables or channels in the record, found a universal file"
+        raise MeasurementError(
+            problem, source, "leave names out: a universal file says which signal is the force"
+        )
+    try:
+        return file_format.read(place, replace(request, member=member))
+    except OSError as error:
+        raise unreadable(error, source, WHAT) from None
+
+
+def _within(path: Path) -> tuple[Path, str]:
+    """Return the file of a path, and the record that the path names in it; "" for the file alone."""
+    try:
+        parents = () if path.exists() else path.parents
+        file = next((parent for parent in parents if parent.is_file()), None)
+    except OSError:  # such as a name that is too long; opening it says why
+        file = None
+    return (path, "") if file is None else (file, path.relative_to(file).as_posix())
+
+
+def _head(path: Path, source: str) -> bytes:
+    """Return the first bytes of a file."""
+    try:
+        check_regular(path, source, WHAT, REMEDY)
+        with path.open("rb") as file:
+            return file.read(HEAD)
+    except (OSError, ValueError) as error:  # ValueError: a path with a null character
+        raise unreadable(error, source, WHAT) from None

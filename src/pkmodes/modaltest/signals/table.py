@@ -1,0 +1,339 @@
+"""Tables of signals, frequency responses or spectra in text, such as data loggers, Klipper and pkmodes write."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Set
+from dataclasses import replace
+from functools import partial
+from itertools import islice
+from os import fspath
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.base.errors import MeasurementError, shown
+from pkmodes.loop.measured.formats import Format
+from pkmodes.modaltest.signals.checks import FEWEST, outside_coherence
+from pkmodes.modaltest.signals.clock import is_clock, seconds_of
+from pkmodes.modaltest.signals.functions import (
+    Array,
+    Complex,
+    Function,
+    FunctionKind,
+    SignalFile,
+    SignalRequest,
+    StoredFunction,
+)
+from pkmodes.modaltest.signals.sampling import as_sampled, counts_samples, even_times
+from pkmodes.modaltest.signals.table_columns import FunctionColumn, TableLayout, layout_of
+from pkmodes.modaltest.signals.table_programs import framed
+from pkmodes.modaltest.signals.table_rates import (
+    counted,
+    counter_in,
+    rates_in,
+    same_rate,
+    stated_rate,
+)
+from pkmodes.modaltest.signals.table_text import TableText, check_text, split_table
+from pkmodes.modaltest.signals.units import hertz_in, quotient, radians_in, seconds_in, unit_text
+
+#: Most bytes of a table: larger ones would not fit into memory as text and as numbers.
+LARGEST_FILE = 1_000_000_000
+#: Phases without a unit are radians up to the first (from -pi to pi, or up to 2 pi), and degrees from the second.
+RADIANS, DEGREES = 2.0 * np.pi, 40.0
+#: First bytes by which binary data are told from text.
+HEAD = 4096
+#: Statement of lost samples in any comment; other wordings are looked for only in lines beginning with ``##``.
+LOST_SAMPLES = re.compile(
+    r"\b(?:skipped|lost|missed|missing|dropped)[ _]samples?[ \t]*[:=][ \t]*0*[1-9]", re.IGNORECASE
+)
+LOSS = re.compile(r"\b(?:drop|overflow|over-?run|overrange|lost|loss|miss(?:ed|ing)|gap|clip)", re.IGNORECASE)
+NONE_LOST = re.compile(r"\b(?:no|none|without|never)\b", re.IGNORECASE)
+NUMBERS = re.compile(r"\d+(?:\.\d+)?")
+STATEMENT = re.compile(r"#\s*(unit|quantity|drives)\s*:(.*)", re.IGNORECASE)
+#: Most lines about lost samples that are reported, and most letters of each.
+MOST_LOSSES, LONGEST_LOSS = 20, 500
+#: A column: whole numbers may have a smaller type than double precision.
+Numbers = NDArray[Any]
+
+
+def read_table(path: Path, request: SignalRequest) -> SignalFile:
+    """Read a table.
+
+    Raises MeasurementError if it has no header, or its columns cannot be read, with line and column.
+    """
+    source = fspath(path)
+    if path.stat().st_size > LARGEST_FILE:
+        remedy = "give a binary universal file, or split the table"
+        raise MeasurementError("cannot read the table: it is larger than 1 GB", source, remedy)
+    with path.open("rb") as file:
+        check_text(file.read(HEAD), source)  # before gigabytes of something else are read
+        file.seek(0)
+        return tabulated(file.read(), source, request)
+
+
+def tabulated(content: bytes, source: str, request: SignalRequest) -> SignalFile:
+    """Return the signals in the content of a table: see `read_table`."""
+    frame = framed(content, source)
+    del content
+    text = split_table(frame.content, source, request.columns)
+    frame_rate, losses = frame.rate, frame.losses
+    del frame  # other copies of the table
+    remarks = []
+    if request.rate is None:
+        request = replace(request, rate=frame_rate)
+    elif frame_rate not in (None, request.rate):
+        remarks = [_other_rate(frame_rate, request.rate)]
+    rated = bool(rates_in(text.comments))
+    layout = layout_of(text.names, f"{source}: line {text.header_line}", request, rated=rated)
+    places = [place for column in layout.columns for place in column.places]
+    if layout.kind is FunctionKind.FRF and layout.abscissa is not None and text.may_have_gaps:
+        factor = _factor(layout, text)
+        text = text.without_gaps(
+            layout.abscissa, places, lambda number: _counts(factor * number, request.band)
+        )
+    read_places = ([] if layout.abscissa is None else [layout.abscissa]) + places
+    if (
+        not read_places
+    ):  # still checked, so that a damaged table is not mistaken for one without these sensors
+        read_places = [0]
+    clock = layout.abscissa is not None and is_clock(text.cell(layout.abscissa))
+    of_numbers = places if clock and places else read_places
+    numbers: dict[int, Numbers] = dict(zip(of_numbers, text.columns(of_numbers), strict=True))
+    if clock:
+        assert layout.abscissa is not None
+        numbers[layout.abscissa] = _clock(layout.abscissa, text)
+    rows = numbers[read_places[0]].size
+    if rows < FEWEST:
+        problem = f"expected at least {FEWEST} rows, found {rows}"
+        raise MeasurementError(problem, source, "export the whole measurement")
+    counts = not clock and _counts_samples(layout, numbers)
+    rate, notes = _rate(text, request, frame_rate) if layout.abscissa is None or counts else (None, [])
+    remarks += notes
+    if rate is None:  # without any statement to the contrary, times that count samples are seconds
+        abscissa = _abscissa(layout, numbers, text)
+    else:
+        abscissa, notes = _by_rate(rate, layout, rows, text)
+        remarks += notes
+    for column in layout.columns:
+        if column.kind is FunctionKind.COHERENCE:
+            _check_coherence(column, numbers, text)
+    channels = {f"{column.response}/{column.reference}".removesuffix("/") for column in layout.columns}
+    stated = _stated(text.comments, channels)
+    functions = tuple(_function(column, numbers, abscissa, stated, source) for column in layout.columns)
+    messages = tuple(f"{source}: {remark}" for remark in (*remarks, *_losses(text.comments), *losses))
+    return SignalFile(source, functions, (), messages, stated)
+
+
+def _counts_samples(layout: TableLayout, numbers: dict[int, Numbers]) -> bool:
+    """Return whether so-called times may be sample numbers."""
+    if layout.abscissa is None or layout.kind is not FunctionKind.TIME or layout.label:
+        return False
+    return counts_samples(numbers[layout.abscissa])
+
+
+def _rate(
+    text: TableText, request: SignalRequest, frame_rate: float | None
+) -> tuple[float | None, list[str]]:
+    """Return the rate [Hz] of the record, or else of the file, and messages about it."""
+    if request.rate is None:
+        return stated_rate(text.comments, text.source)
+    contradicting = [rate for rate, _ in rates_in(text.comments) if not same_rate(rate, request.rate)]
+    if not contradicting or request.rate == frame_rate:
+        return request.rate, []
+    return request.rate, [_other_rate(contradicting[0], request.rate)]
+
+
+def _by_rate(rate: float, layout: TableLayout, rows: int, text: TableText) -> tuple[Array, list[str]]:
+    """Return the times of all rows by a rate [Hz], and messages about samples that a column counts."""
+    if layout.abscissa is not None:
+        name = shown(text.names[layout.abscissa])
+        return even_times(rows, rate), [f"its column {name} counts samples, of {rate:g} Hz"]
+    place = counter_in(text.names, [place for column in layout.columns for place in column.places])
+    after = None if place is None else _counted(place, text)
+    if place is None or after is None or after[-1] == rows - 1:
+        return even_times(rows, rate), []
+    lost = f"its column {shown(text.names[place])} shows that {after[-1] - rows + 1:.0f} samples are missing"
+    return after / rate, [lost]
+
+
+def _counted(place: int, text: TableText) -> Array | None:
+    """Return the sample numbers in a column, from 0; None if it holds anything else."""
+    try:
+        (numbers,) = text.columns([place])
+    except MeasurementError:  # no column of the campaign: it may hold anything
+        return None
+    return counted(np.asarray(numbers, np.float64))
+
+
+def _abscissa(layout: TableLayout, numbers: dict[int, Numbers], text: TableText) -> Array:
+    """Return the times or frequencies of all rows."""
+    assert layout.abscissa is not None
+    name = text.names[layout.abscissa]
+    abscissa = np.asarray(numbers[layout.abscissa], np.float64)
+    abscissa *= _factor(layout, text)  # in place: a long table fills much of the memory
+    if layout.kind is FunctionKind.TIME:
+        abscissa = as_sampled(abscissa)
+    late = np.flatnonzero(abscissa[1:] <= abscissa[:-1])
+    if late.size:
+        row = int(late[0]) + 1
+        problem = f"expected ascending values, found {abscissa[row]:.10g} after {abscissa[row - 1]:.10g}"
+        where = f"{text.source}: line {text.line_of(row)}, column {name}"
+        raise MeasurementError(problem, where, "sort the rows, and give each value once, with enough digits")
+    return abscissa
+
+
+def _factor(layout: TableLayout, text: TableText) -> float:
+    """Return the factor of the times or frequencies to s or Hz."""
+    assert layout.abscissa is not None
+    factor = (
+        (seconds_in if layout.kind is FunctionKind.TIME else hertz_in)(layout.label) if layout.label else 1.0
+    )
+    if factor is None:
+        where = f"{text.source}: line {text.header_line}, column {text.names[layout.abscissa]}"
+        expected = "time" if layout.kind is FunctionKind.TIME else "frequency"
+        raise MeasurementError(
+            f"expected a unit of {expected}, found {shown(layout.label)}", where, "correct it"
+        )
+    return factor
+
+
+def _counts(frequency: float, band: tuple[float, float] | None) -> bool:
+    """Return whether a line must have values: in the band or, without a band, above 0 Hz."""
+    return frequency > 0.0 if band is None else band[0] <= frequency <= band[1]
+
+
+def _other_rate(stated: float | None, requested: float) -> str:
+    return f"the file states a rate of {stated:g} Hz; that of the record, {requested:g} Hz, is used"
+
+
+def _clock(place: int, text: TableText) -> Array:
+    """Return the seconds since the first time of a column of times of day."""
+    times, bad = seconds_of(text.texts(place))
+    if bad is not None:
+        cell = next(islice(text.texts(place), bad, None))
+        problem = f"expected a time, found {shown(cell) or 'nothing'}"
+        where = f"{text.source}: line {text.line_of(bad)}, column {text.names[place]}"
+        raise MeasurementError(problem, where, "write each time as 2024-05-03 10:00:00.005, or in seconds")
+    return times
+
+
+def _check_coherence(column: FunctionColumn, numbers: dict[int, Numbers], text: TableText) -> None:
+    """Refuse a coherence outside 0 to 1, with its line."""
+    (place,) = column.places
+    fault = outside_coherence(numbers[place])
+    if fault is not None:
+        row, problem, remedy = fault
+        where = f"{text.source}: line {text.line_of(row)}, column {text.names[place]}"
+        raise MeasurementError(problem, where, remedy)
+
+
+def _function(
+    column: FunctionColumn, numbers: dict[int, Numbers], abscissa: Array, stated: dict[str, str], source: str
+) -> Function:
+    """Return a function, whose values are computed from the numbers of the table at each access."""
+    parts = [numbers[place] for place in column.places]
+    unit, reference_unit = unit_text(column.unit), None
+    load: Callable[[], Array | Complex] = partial(np.asarray, parts[0], np.float64)
+    if column.kind is FunctionKind.FRF:
+        load = partial(_complex, parts[0], parts[1])
+        if column.polar:
+            load = partial(
+                _polar, parts[0], parts[1], _phase_factor(column, parts[1], source), column.decibels
+            )
+        channel = f"{column.response}/{column.reference}".removesuffix("/")
+        unit, reference_unit = quotient(column.unit or stated.get(f"unit {channel}", ""))
+    if column.kind is FunctionKind.COHERENCE:
+        unit = None
+    return StoredFunction(
+        kind=column.kind,
+        response=column.response,
+        reference=column.reference,
+        abscissa=abscissa,
+        unit=unit,
+        reference_unit=reference_unit,
+        force=column.force,
+        load=load,
+    )
+
+
+def _complex(real: Numbers, imaginary: Numbers) -> Complex:
+    values = np.empty(real.size, np.complex128)
+    values.real, values.imag = real, imaginary
+    return values
+
+
+def _phase_factor(column: FunctionColumn, phase: Numbers, source: str) -> float:
+    """Return the factor of a phase to radians; without a unit, it is in degrees if it is too large for radians."""
+    label, largest = column.labels[1], float(max(phase.max(initial=0), -float(phase.min(initial=0))))
+    where = f"{source}: phase of {column.response}"
+    if not label and RADIANS < largest < DEGREES:
+        problem = f"expected the unit of the phase, found none, and phases up to {largest:.4g}"
+        raise MeasurementError(problem, where, "write it in the header: [deg] or [rad]")
+    factor = radians_in(label or ("rad" if largest <= RADIANS else "deg"))
+    if factor is None:
+        raise MeasurementError(f"expected a unit of angle, found {shown(label)}", where, "write deg or rad")
+    return factor
+
+
+def _polar(magnitude: Numbers, phase: Numbers, factor: float, decibels: bool) -> Complex:
+    """Return a frequency response from magnitude and phase."""
+    size = 10.0 ** (magnitude / 20.0) if decibels else magnitude
+    return np.asarray(size * np.exp(1j * factor * phase))
+
+
+def _stated(comments: Iterable[str], channels: Set[str]) -> dict[str, str]:
+    """Return statements in comments as written by pkmodes: quantity, drives, and the unit of each channel."""
+    statements = {}
+    for match in (STATEMENT.fullmatch(text.rstrip(" ,;\t")) for text in comments):
+        if match is None:
+            continue
+        word, value = match[1].lower(), match[2].strip()
+        if word == "unit":
+            channel, equals, value = (part.strip() for part in value.partition("="))
+            if not equals or channel not in channels:
+                continue
+            word = f"unit {channel}"
+        if value:
+            statements[word] = value
+    return statements
+
+
+def _losses(comments: Iterable[str]) -> list[str]:
+    """Return the comments that state lost or overloaded samples, unless they state that there are none."""
+    losses, omitted = list[str](), 0
+    for text in comments:
+        if not (_states_losses(text) if text.startswith("##") else LOST_SAMPLES.search(text)):
+            continue
+        if len(losses) < MOST_LOSSES:
+            losses.append(f"the file states: {text.lstrip('# ').strip()[:LONGEST_LOSS]}")
+        else:
+            omitted += 1
+    return [*losses, f"{omitted} more lines of it state such losses"] if omitted else losses
+
+
+def _states_losses(text: str) -> bool:
+    """Return whether some clause of a comment states losses."""
+    for clause in re.split(r"[,;|]", text.lstrip("#")):
+        counts = [float(number) for number in NUMBERS.findall(clause)]
+        if LOSS.search(clause) and not NONE_LOST.search(clause) and (any(counts) or not counts):
+            return True
+    return False
+
+
+def looks_like_text(head: bytes) -> bool:
+    """Return whether a file begins with printable text that has letters: a header or a comment."""
+    if not head.strip() or b"\0" in head:
+        return False
+    try:
+        text = head.decode("utf-8-sig", "strict" if len(head) < 4000 else "ignore")
+    except UnicodeDecodeError:
+        text = head.decode("latin-1")
+    strange = sum(not (character.isprintable() or character in "\t\r\n") for character in text)
+    return strange == 0 and any(character.isalpha() for character in text)
+
+
+TABLE = Format("table", (".csv", ".tsv", ".txt", ".dat", ".lvm"), looks_like_text, read_table)

@@ -1,0 +1,150 @@
+"""Sound files (.wav), as data loggers and audio interfaces write them: channels ``1``, ``2``, ... in their order.
+
+Numbers are fractions of full scale, for which the file gives no unit.  The chunks of the file are checked before
+SciPy reads it, which would allocate the sizes in a damaged header (Multimedia Programming Interface and Data
+Specifications 1.0, IBM and Microsoft, 1991).
+"""
+
+from __future__ import annotations
+
+import struct
+import warnings
+from os import fspath
+from pathlib import Path
+from typing import Any, BinaryIO, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.base.errors import MeasurementError, shown
+from pkmodes.loop.measured.formats import Format
+from pkmodes.modaltest.signals.checks import FEWEST, check_finite
+from pkmodes.modaltest.signals.functions import (
+    FORCE,
+    Array,
+    Function,
+    FunctionKind,
+    SignalFile,
+    SignalRequest,
+)
+from pkmodes.modaltest.signals.variables import MOST_VALUES, loaded
+
+RIFF, WAVE = (b"RIFF", b"RIFX"), b"WAVE"
+#: Bytes of the header of the file, of the header of a chunk, and of the number format.
+HEAD, CHUNK, FORM = 12, 8, 16
+#: Codes of number formats: integers, floating point, and either of them with more channels.
+INTEGERS, FLOATING, EXTENDED = 1, 3, 0xFFFE
+BITS = {INTEGERS: (8, 16, 24, 32), FLOATING: (32, 64), EXTENDED: (8, 16, 24, 32, 64)}
+MOST_CHANNELS = 1024
+INCOMPLETE = "open it in a sound editor and export it again, as WAV with 16, 24 or 32 bits (PCM)"
+
+
+class _Form(NamedTuple):
+    """The number format of a file: code, channels, sampling rate [Hz], bytes of a sample and bits."""
+
+    code: int
+    channels: int
+    rate: int
+    bytes_each: int
+    bits: int
+
+
+def read_wav(path: Path, request: SignalRequest) -> SignalFile:
+    """Read a sound file.
+
+    Raises MeasurementError if it is damaged, compressed or incomplete.
+    """
+    source = fspath(path)
+    with path.open("rb") as file:
+        form = _checked(file, path.stat().st_size, source)
+    samples = loaded(lambda: _samples(path), source, "WAV")
+    signals = dict(zip(map(str, range(1, form.channels + 1)), samples.T, strict=True))  # as stored
+    own_names = request.own_names(signals, source)
+    messages = [f"{source}: its numbers are parts of full scale: sizes are known but for a factor"]
+    rest = [name for name in signals if name not in (request.sensors or signals) and name not in own_names]
+    if request.force and FORCE not in own_names.values() and len(rest) == 1:
+        own_names[rest[0]] = FORCE
+        messages.append(f"{source}: channel {rest[0]}, which is that of no sensor, is taken for the force")
+    time = np.arange(len(samples)) / form.rate
+    functions = []
+    for name, stored in signals.items():
+        called = own_names.get(name, name)
+        if called and (called == FORCE or request.wants(called)):
+            values = _parts_of_full_scale(stored)
+            check_finite(values, f"{source}: channel {name}")
+            functions.append(
+                Function(FunctionKind.TIME, called, "", time, values, None, None, called == FORCE)
+            )
+    return SignalFile(source, tuple(functions), (), tuple(messages))
+
+
+def _samples(path: Path) -> NDArray[Any]:
+    """Return all samples as they are stored, (N, channels)."""
+    from scipy.io import wavfile
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", wavfile.WavFileWarning)  # chunks that it does not know
+        numbers: NDArray[Any] = wavfile.read(path)[1]
+    return numbers.reshape(len(numbers), -1)
+
+
+def _parts_of_full_scale(stored: NDArray[Any]) -> Array:
+    """Return the samples of a channel relative to full scale; unsigned eight-bit samples are centred first."""
+    values: Array = stored.astype(np.float64)
+    if stored.dtype.kind != "f":
+        size = 2.0 ** (8 * stored.dtype.itemsize - 1)  # SciPy puts 24 bits into the upper ones of 32
+        values -= size if stored.dtype.kind == "u" else 0.0
+        values /= size
+    return values
+
+
+def _checked(file: BinaryIO, length: int, source: str) -> _Form:
+    """Check all chunks of a file and return its number format.
+
+    Raises MeasurementError if a chunk is longer than the file, or the numbers are in an unsupported format.
+    """
+    order = "<" if file.read(HEAD).startswith(RIFF[0]) else ">"
+    form, data, at = None, list[int](), HEAD
+    while at + CHUNK <= length:
+        file.seek(at)
+        name, size = struct.unpack(f"{order}4sI", file.read(CHUNK))
+        if size > length - at - CHUNK:
+            words = shown(name.decode("latin-1").strip())
+            message = f"expected {size} bytes of the chunk {words}, "
+            message += f"found {length - at - CHUNK} to the end of the file"
+            raise MeasurementError(message, source, INCOMPLETE)
+        if name == b"fmt " and size >= FORM:
+            code, channels, rate, _, bytes_each, bits = struct.unpack(f"{order}HHIIHH", file.read(FORM))
+            form = _Form(code, channels, rate, bytes_each, bits)
+        elif name == b"data":
+            data.append(size)
+        at += CHUNK + size + size % 2
+    if form is None or len(data) != 1:
+        message = "expected one chunk of samples and one on their form"
+        raise MeasurementError(message, source, INCOMPLETE)
+    if (problem := _problem(form, data[0])) is not None:
+        raise MeasurementError(problem, source, INCOMPLETE)
+    return form
+
+
+def _problem(form: _Form, size: int) -> str | None:
+    """Return the problem with `size` bytes of samples in a format, None if there is none."""
+    if form.bits not in BITS.get(form.code, ()):
+        return f"expected plain numbers of 8 to 64 bits, found {form.bits} bits of type {form.code}"
+    if not 1 <= form.channels <= MOST_CHANNELS or form.bytes_each != form.channels * form.bits // 8:
+        return f"expected 1 to {MOST_CHANNELS} channels, found {form.channels} in {form.bytes_each} bytes a sample"
+    if not form.rate:
+        return "expected a sampling rate above 0, found 0"
+    if size < FEWEST * form.bytes_each or size % form.bytes_each:
+        return f"expected whole samples of {form.bytes_each} bytes, at least {FEWEST}, found {size} bytes"
+    if size // form.bytes_each * form.channels > MOST_VALUES:
+        return f"expected at most {MOST_VALUES:,} values, found {size // form.bytes_each * form.channels:,}"
+    return None
+
+
+def is_wav(head: bytes) -> bool:
+    """Return whether a file is a sound file."""
+    return head.startswith(RIFF) and head[8:HEAD] == WAVE
+
+
+WAV = Format("WAV", (".wav",), is_wav, read_wav)

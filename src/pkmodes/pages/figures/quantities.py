@@ -1,0 +1,145 @@
+"""What the figures of a plane need besides its map: relative sensitivities, and how shapes change."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.support.mac import mass_weighted_mac
+from pkmodes.loop.sensitivity.alike import alike
+from pkmodes.loop.sensitivity.relative import scalable
+from pkmodes.loop.sensitivity.sensitivities import sensitivities_at
+from pkmodes.loop.sensitivity.spread import spread_of
+from pkmodes.machine.maps.workspace import box_of, usable_box, within
+from pkmodes.pages.plots.plane import Plane
+from pkmodes.pages.plots.workspace import Volume
+from pkmodes.pages.view.robot_drawing import RobotDrawing
+
+if TYPE_CHECKING:
+    from pkmodes.core.model import Model
+
+Array = NDArray[Any]
+#: Approximate number of poses in a map of sensitivities.
+SENSITIVITIES = 2_000
+#: Heights at which the volume around a plane is outlined, and poses along each side of an outline.
+HEIGHTS, FINE = 16, 160
+
+
+def relative_sensitivities(model: Model, plane: Plane, drives: str) -> tuple[list[str], Array]:
+    """Return the relative sensitivities of the frequencies of vibration on a coarser grid of the plane.
+
+    Returns, in this order:
+    - names: quantities of the robot (`scalable`); those that act as one at all these poses have a common name, such
+      as ``belt.specific_stiffness, belt.width``
+    - relative: d ln f / d ln p, (along, across, parameters, modes)
+    """
+    paths = scalable(model.robot)
+    few = coarser(plane)
+    points = points_of(model, few)
+    sensitivities = sensitivities_at(
+        model, points, paths, fields=["frequencies"], on_error="nan", drives=drives
+    )
+    modes = plane.dataset.sizes["mode"]
+    rates = sensitivities.frequencies[..., -modes:]
+    frequency = few.dataset["frequency"].values
+    relative = rates * sensitivities.values[:, None] / frequency[..., None, :]
+    groups = alike(relative)
+    return [group.name(paths) for group in groups], relative[..., [group.members[0] for group in groups], :]
+
+
+def median_spread(model: Model, plane: Plane, drives: str) -> Array | None:
+    """Return the median standard deviation of each frequency of vibration over a coarser grid of the plane.
+
+    Returns (modes,): in Hz, from those of the robot file; None where it states none.
+    """
+    few = coarser(plane)
+    poses = points_of(model, few)[few.dataset["valid"].values]
+    spread = spread_of(model, poses, drives, "nan")
+    if spread is None:
+        return None
+    middle: Array = np.nanmedian(spread[:, -plane.dataset.sizes["mode"] :], axis=0)
+    return middle
+
+
+def coarser(plane: Plane) -> Plane:
+    """Return the plane with every second, third... pose, so that sensitivities take little time."""
+    step = max(1, int(np.ceil(np.sqrt(plane.dataset["valid"].size / SENSITIVITIES))))
+    dataset = plane.dataset.isel(
+        {plane.along: slice(None, None, step), plane.across: slice(None, None, step)}
+    )
+    return replace(plane, dataset=dataset)
+
+
+def points_of(model: Model, plane: Plane) -> Array:
+    """Return the poses of a plane, (along, across, d)."""
+    along, across = np.meshgrid(
+        plane.dataset[plane.along].values, plane.dataset[plane.across].values, indexing="ij"
+    )
+    values = {plane.along: along, plane.across: across}
+    constant = plane.rest if plane.normal is None else {plane.normal: plane.at, **plane.rest}
+    values |= {name: np.full(along.shape, value) for name, value in constant.items()}
+    return np.stack([values[component.name] for component in model.mechanism.pose], axis=-1)
+
+
+def volume_of(model: Model, plane: Plane) -> Volume | None:
+    """Return where the robot is used around a plane, or where it can be if the plane itself is beyond its limits.
+
+    None for a mechanism that moves in two directions, and for a plane in which the platform turns.
+    """
+    if plane.normal is None:
+        return None
+    usable, here = within(model), points_of(model, plane)[plane.dataset["valid"].values]
+    limited = bool(usable(here).all())
+    pose = here[len(here) // 2] if plane.rest and len(here) else None
+    low, high = usable_box(model, pose) if limited else box_of(model, pose)
+    names = [component.name for component in model.mechanism.pose]
+    counts = {plane.normal: HEIGHTS, plane.along: FINE, plane.across: FINE}
+    axes = {}
+    for i, name in enumerate(names):
+        if name in counts:
+            around = 0.03 * (high[i] - low[i]) if name != plane.normal else 0.0  # so that outlines are closed
+            axes[name] = np.linspace(low[i] - around, high[i] + around, counts[name])
+    order = (plane.normal, plane.along, plane.across)
+    grid = dict(zip(order, np.meshgrid(*(axes[name] for name in order), indexing="ij"), strict=True))
+    grid |= {name: np.full(grid[plane.along].shape, value) for name, value in plane.rest.items()}
+    poses = np.stack([grid[name] for name in names], axis=-1)
+    valid = model.check(poses).valid
+    valid = valid & usable(poses) if limited else valid
+    return Volume(axes[plane.normal], axes[plane.along], axes[plane.across], valid)
+
+
+def motors_of(model: Model, plane: Plane) -> Array | None:
+    """Return where the motors are, (N, 2): across and along in the drawn units; None if an axis is not a length."""
+    valid = points_of(model, plane)[plane.dataset["valid"].values]
+    names = ["x", "y", "z"]
+    if not len(valid) or not {plane.across, plane.along} <= set(names):
+        return None
+    motors = RobotDrawing(model.robot).motors(valid[:1])[0]
+    factors = [plane.unit(name)[1] for name in (plane.across, plane.along)]
+    return np.asarray(motors[:, [names.index(plane.across), names.index(plane.along)]] * factors)
+
+
+def smallest_mac(model: Model, plane: Plane) -> Array:
+    """Return the smallest mass-weighted MAC of each mode with the mode of the same number at the four neighbours.
+
+    - plane: with mode shapes
+
+    Returns (along, across, modes); NaN where a pose or all of its neighbours cannot be evaluated.
+    """
+    shapes = plane.dataset["shape"].values
+    masses, _ = model.matrices(points_of(model, plane), "nan")
+    smallest = np.full(shapes.shape[:3], np.inf)
+    for axis in (0, 1):
+        ahead = tuple(slice(1, None) if i == axis else slice(None) for i in (0, 1))
+        behind = tuple(slice(None, -1) if i == axis else slice(None) for i in (0, 1))
+        phi, psi, M = shapes[behind], shapes[ahead], masses[behind]
+        product = ((phi @ M) * psi).sum(axis=-1)
+        mac = mass_weighted_mac(product[..., None, :], psi, M)[..., 0, :]
+        mac = np.nan_to_num(mac, nan=np.inf)
+        smallest[behind] = np.minimum(smallest[behind], mac)
+        smallest[ahead] = np.minimum(smallest[ahead], mac)
+    smallest[~np.isfinite(smallest) | ~np.isfinite(shapes[..., 0])] = np.nan
+    return smallest

@@ -1,0 +1,146 @@
+"""A mode as a moving picture: a GIF for pages and slides that cannot hold the interactive view."""
+
+from __future__ import annotations
+
+from io import BytesIO
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.support.extras import require
+from pkmodes.pages.plots.style import INK, VERMILLION, figure, styled
+from pkmodes.pages.view.projection import camera, outline
+from pkmodes.pages.view.scene import AMPLITUDE, Scene
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from pkmodes_description import Element
+
+Array = NDArray[np.float64]
+FRAMES, MILLISECONDS = 24, 50
+#: Width, smallest and largest height of the machine, and height of the title [inch]; then dots per inch and colours
+#: of the palette.
+ACROSS, LOWEST, HIGHEST, HEAD = 7.2, 2.0, 5.2, 0.62
+DOTS, COLOURS = 110, 64
+#: Line widths by kind of element; then the colours of those that are not springs.
+WIDTHS = {"rail": 2.5, "belt": 3.2, "link": 3.0, "arm": 6.0, "gantry": 6.0}
+STEEL, PALE, DARK = "#6b7683", "#b9c0c8", "#2f3944"
+#: Colour of the machine at rest, behind the moving one.
+GHOST = "#e3e6ea"
+
+
+def animation(scene: Scene, mode: int | None = None, amplitude: float = AMPLITUDE) -> bytes:
+    """Return an animated GIF of a mode at the pose of a scene that is shown first.
+
+    - mode: index among all modes, by default the first vibration mode
+    - amplitude: largest displacement as a share of the robot's size
+
+    The bytes are the same at every run.
+    Raises MissingExtraError if matplotlib is not installed.
+    """
+    require("moving pictures", "plot", "matplotlib")
+    from PIL import Image
+
+    mode = scene.rigid_modes if mode is None else mode
+    frames = scene.frames(mode=mode, count=FRAMES, amplitude=amplitude)
+    view = camera(scene)
+    flat = frames @ view.T
+    low, high = flat[..., :2].reshape(-1, 2).min(axis=0), flat[..., :2].reshape(-1, 2).max(axis=0)
+    turned = _turned(scene, mode, amplitude)
+    hertz = scene.frequencies[scene.chosen, mode]
+    title = f"{scene.robot}, mode {mode - scene.rigid_modes + 1}: {hertz:.1f} Hz"
+    rest = scene.points[scene.chosen] @ view.T
+    room = 0.04 * float(np.max(high - low))
+    low, high = low - room, high + room
+    tall = float(np.clip(ACROSS * (high[1] - low[1]) / (high[0] - low[0]), LOWEST, HIGHEST))
+    images = []
+    with styled():
+        for k, points in enumerate(flat):
+            drawn = figure(tall + HEAD, ACROSS)
+            drawn.set_layout_engine("none")
+            axes = drawn.add_axes((0.0, 0.0, 1.0, tall / (tall + HEAD)))
+            axes.set_axis_off()
+            axes.set_aspect("equal")
+            axes.set_xlim(low[0], high[0])
+            axes.set_ylim(low[1], high[1])
+            phase = np.sin(2.0 * np.pi * k / FRAMES)
+            _ghost(axes, scene, rest)
+            _draw(axes, scene, points, mode, phase * turned)
+            drawn.text(0.02, 1.0 - 0.28 / (tall + HEAD), title, fontsize=14, fontweight="bold")
+            legend = "orange: the belts and other springs with most of the strain energy; pale: at rest"
+            drawn.text(0.02, 1.0 - 0.52 / (tall + HEAD), legend, fontsize=10.5)
+            target = BytesIO()
+            drawn.savefig(target, format="png", dpi=DOTS, facecolor="white")
+            images.append(Image.open(target).convert("RGB"))
+    palette = images[0].quantize(COLOURS, dither=Image.Dither.NONE)
+    indexed = [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
+    target = BytesIO()
+    indexed[0].save(
+        target,
+        format="GIF",
+        save_all=True,
+        append_images=indexed[1:],
+        duration=MILLISECONDS,
+        loop=0,
+        optimize=True,
+    )
+    return target.getvalue()
+
+
+def _turned(scene: Scene, mode: int, amplitude: float) -> Array:
+    """Return the rotation of each element about its axis at the largest displacement [rad]."""
+    scale = scene.scale(scene.chosen, mode) * amplitude * scene.size
+    shape = scene.shapes[scene.chosen, mode]
+    return np.array(
+        [scale * shape[scene.coordinates.index(e.turns)] if e.turns else 0.0 for e in scene.elements]
+    )
+
+
+def _ghost(axes: Axes, scene: Scene, points: Array) -> None:
+    """Draw the lines of the machine at rest."""
+    for element in scene.elements:
+        line = outline(element, points).T
+        if element.shape == "plate":
+            axes.fill(*line, facecolor=GHOST, edgecolor=PALE, linewidth=0.8)
+        elif element.shape not in ("wheel", "ball", "block"):
+            axes.plot(*line, color=GHOST, linewidth=WIDTHS.get(element.kind, 2.5), solid_capstyle="round")
+
+
+def _draw(axes: Axes, scene: Scene, points: Array, mode: int, turned: Array) -> None:
+    """Draw the elements from back to front."""
+    shares = scene.shares[scene.chosen, mode]
+    largest = float(np.nanmax(shares)) if np.isfinite(shares).any() else 1.0
+    depths = [points[list(element.points), 2].mean() for element in scene.elements]
+    for i in np.argsort(depths):
+        element = scene.elements[int(i)]
+        line = outline(element, points, turned[i]).T
+        if element.shape == "wheel":
+            _wheel(axes, line, _colour(element, shares, largest) if element.spring >= 0 else PALE)
+        elif element.shape == "plate":
+            axes.fill(*line, facecolor=DARK, edgecolor=INK, linewidth=0.8, alpha=0.9)
+        elif element.shape == "ball":
+            axes.plot(*line, "o", color=DARK, markersize=7)
+        elif element.shape == "block":
+            axes.plot(*line, color=DARK, linewidth=9, solid_capstyle="butt")
+        else:
+            colour = _colour(element, shares, largest)
+            axes.plot(*line, color=colour, linewidth=WIDTHS.get(element.kind, 2.5), solid_capstyle="round")
+
+
+def _wheel(axes: Axes, edge: Array, colour: Any) -> None:
+    """Draw a wheel as an ellipse with two spokes."""
+    axes.fill(*edge, facecolor=colour, edgecolor=STEEL, linewidth=1.0)
+    if edge.shape[1] > 1:
+        for place in (0, 12):
+            axes.plot(*edge[:, [place, place + 24]], color=STEEL, linewidth=0.8)
+
+
+def _colour(element: Element, shares: Array, largest: float) -> Any:
+    if element.spring < 0:
+        return STEEL
+    from matplotlib.colors import LinearSegmentedColormap
+
+    share = float(np.nan_to_num(shares[element.spring])) / largest if largest > 0.0 else 0.0
+    return LinearSegmentedColormap.from_list("strain", [PALE, VERMILLION])(share)

@@ -1,0 +1,52 @@
+"""Maps of the difference between the frequencies of two robots."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.pages.plots.drawing import Drawing
+from pkmodes.pages.plots.panels import mode_panels
+from pkmodes.pages.plots.plane import Plane
+from pkmodes.pages.plots.sheet import Sheet
+from pkmodes.pages.plots.style import BLACK
+
+Array = NDArray[Any]
+#: Fraction of the values, the largest ones, that the colour scale ignores: those next to singularities.
+OUTLIERS = 0.02
+#: Blue for lower, red for higher frequencies, white for no change; safe for colour-blind readers.
+COLOURS = "RdBu_r"
+
+
+def relative_changes(plane: Plane, relative: Array) -> Drawing:
+    """Draw the relative difference of each mode's frequency in a plane, all on one scale that is symmetric about 0.
+
+    A line marks where nothing changes.
+
+    - plane: of the first robot
+    - relative: frequency of the second robot over that of the first, minus 1, (along, across, modes); NaN where one
+      of them has none
+    """
+    high = scale_of(relative)
+
+    def draw(sheet: Sheet) -> None:
+        mesh: Any = None
+        for mode, panel in mode_panels(sheet, plane, relative.shape[-1], scales="common"):
+            values = 100.0 * relative[..., mode]
+            mesh = plane.draw(panel, values, vmin=-high, vmax=high, cmap=COLOURS)
+            finite = values[np.isfinite(values)]
+            if len(finite) and finite.min() < 0.0 < finite.max():
+                x, y = plane.drawn(plane.across), plane.drawn(plane.along)
+                panel.axes.contour(x, y, np.ma.masked_invalid(values), [0.0], colors=BLACK, linewidths=0.6)
+        label = "difference of the frequency [%]"
+        sheet.scale(mesh, label, location="right", shrink=0.9, aspect=35, extend="both")
+
+    return Drawing(draw)
+
+
+def scale_of(relative: Array) -> float:
+    """Return the end of the colour scale [%]: beyond it lie 2 % of the values."""
+    finite = np.abs(relative[np.isfinite(relative)])
+    return max(100.0 * float(np.quantile(finite, 1.0 - OUTLIERS)), 1e-3) if len(finite) else 1.0

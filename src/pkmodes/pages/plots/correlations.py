@@ -1,0 +1,114 @@
+"""Correlations of the fitted values, and error ellipses of the strongly correlated pairs."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.loop.diagnosis.verdict.findings import Corrected
+from pkmodes.pages.plots.drawing import Drawing
+from pkmodes.pages.plots.labels import short, typeset
+from pkmodes.pages.plots.sheet import Sheet
+from pkmodes.pages.plots.style import BLUE, VERMILLION, ink_on
+
+Array = NDArray[np.float64]
+#: Most values in the matrix, and the length of the longest name, on a wide and on a narrow sheet.
+MOST, LONGEST, NARROW = 16, 40, 16
+#: Correlation at which one value explains half of the variance of the other: its square is 0.5.
+NOTABLE = 0.5**0.5
+#: Most pairs with ellipses, and number of points of an ellipse.
+PAIRS, POINTS = 4, 121
+#: Probabilities that an ellipse contains the true pair of values, each with its line style.
+INSIDE = ((0.68, "-"), (0.95, "--"))
+#: Declared values are shown up to this many standard deviations of the fit away.
+NEAR = 6.0
+
+
+def matrix(values: Sequence[Corrected], correlation: Array) -> Drawing | None:
+    """Draw the correlation of each pair of values, in the order of the table; None for fewer than two.
+
+    - correlation: of the n values, (n, n)
+    """
+    count = min(len(values), MOST)
+    if count < 2:
+        return None
+    shown, places = correlation[:count, :count], np.arange(1.0, count + 1)
+
+    def draw(sheet: Sheet) -> None:
+        panel = sheet.panel(0.75 + 0.27 * count)
+        mesh = panel.cells(places, places, shown, cmap="PuOr", vmin=-1.0, vmax=1.0)
+        names = [value.name.removeprefix("effects.") for value in values[:count]]
+        longest = NARROW if sheet.narrow else LONGEST
+        labels = [f"{short(name, longest)}  {k}" for k, name in enumerate(names, start=1)]
+        panel.name_places("y", places.tolist(), labels, names)
+        panel.name_places("x", places.tolist(), [str(k) for k in range(1, count + 1)], names)
+        panel.axes.invert_yaxis()
+        panel.axes.grid(visible=False)
+        panel.axes.tick_params(length=0)
+        for (i, k), value in np.ndenumerate(shown):
+            ink, text = ink_on(mesh.to_rgba(np.asarray(value))), typeset(f"{value:+.2f}") if i != k else "1"
+            panel.axes.text(k + 1, i + 1, text, color=ink, ha="center", va="center", fontsize=7.5)
+        sheet.scale(mesh, "correlation [1]", aspect=25)
+
+    return Drawing(draw)
+
+
+def notable(values: Sequence[Corrected], correlation: Array) -> list[tuple[int, int]]:
+    """Return the pairs of values with a notable correlation, the largest first; values of 0 have no size."""
+    pairs = [
+        (i, k)
+        for i, k in combinations(range(len(values)), 2)
+        if abs(correlation[i, k]) >= NOTABLE and values[i].value and values[k].value
+    ]
+    return sorted(pairs, key=lambda pair: -abs(correlation[pair]))
+
+
+def ellipse(sigma: tuple[float, float], correlation: float, probability: float) -> Array:
+    """Return points (2, P) on the ellipse about 0 that contains a normal pair of values with a probability."""
+    from scipy.stats import chi2
+
+    angle = np.linspace(0.0, 2.0 * np.pi, POINTS)
+    rest = max(1.0 - correlation**2, 0.0) ** 0.5
+    circle = float(chi2.ppf(probability, 2)) ** 0.5 * np.stack([np.cos(angle), np.sin(angle)])
+    points: Array = np.diag(sigma) @ np.array([[1.0, 0.0], [correlation, rest]]) @ circle
+    return points
+
+
+def ellipses(values: Sequence[Corrected], correlation: Array) -> Drawing | None:
+    """Draw where each notable pair of values may lie, in per cent of the fitted values; None without such a pair."""
+    pairs = notable(values, correlation)[:PAIRS]
+    if not pairs:
+        return None
+
+    def draw(sheet: Sheet) -> None:
+        columns = min(2, len(pairs))
+        groups = sheet.groups(len(pairs), columns, 2.8 * -(-len(pairs) // columns) + 0.3)
+        for (i, k), (panel,) in zip(pairs, groups, strict=True):
+            two = values[i], values[k]
+            unit = [100.0 / abs(value.value) for value in two]
+            sigma = two[0].sigma * unit[0], two[1].sigma * unit[1]
+            for probability, form in INSIDE:
+                x, y = ellipse(sigma, float(correlation[i, k]), probability)
+                panel.plot(x, y, form, color=BLUE, linewidth=1.4, label=f"{100 * probability:.0f}\u00a0%")
+            panel.plot([0.0], [0.0], "o", color=BLUE, markersize=4.0, label="fitted")
+            away = [(value.declared - value.value) * factor for value, factor in zip(two, unit, strict=True)]
+            if all(abs(a) <= NEAR * s for a, s in zip(away, sigma, strict=True)):
+                panel.plot(away[:1], away[1:], "x", color=VERMILLION, markersize=6.0, label="declared")
+            names = [short(value.name.removeprefix("effects."), LONGEST) for value in two]
+            panel.inner = set()
+            panel.label(
+                f"correlation {typeset(f'{correlation[i, k]:+.2f}')}",
+                x=f"{names[0]} [%]",
+                y=f"{names[1]} [%]",
+            )
+        drawn = {
+            name: handle
+            for (panel,) in groups
+            for handle, name in zip(*panel.axes.get_legend_handles_labels(), strict=True)
+        }
+        sheet.legend_of([*drawn.values()], [*drawn], loc="outside upper right", ncols=len(drawn))
+
+    return Drawing(draw)

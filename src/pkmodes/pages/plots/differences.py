@@ -1,0 +1,115 @@
+"""Differences of the model from the measurements: by mode, by setup, and against the components of the pose."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pkmodes.pages.plots import marks
+from pkmodes.pages.plots.drawing import Drawing
+from pkmodes.pages.plots.evidence import PlottedEvidence
+from pkmodes.pages.plots.labels import short
+from pkmodes.pages.plots.sheet import Sheet
+from pkmodes.pages.plots.style import INK
+
+#: Width over which the setups of a mode are spread, and half the length of the median line, both in modes.
+SPREAD, HALF = 0.6, 0.34
+#: Margin beyond the largest differences, relative to their range.
+MARGIN = 0.07
+#: Most modes whose typical frequencies are written below their numbers.
+MOST_NAMED = 12
+SIGMAS = "difference [\u03c3]"
+
+
+def by_mode(evidence: PlottedEvidence) -> Drawing:
+    """Return the relative differences of each mode's setups, one panel for each stage, on one scale."""
+    mode, stages = evidence.mode(), evidence.stages
+    place = mode + SPREAD * ((evidence.setup + 0.5) / len(evidence.labels) - 0.5)
+
+    def draw(sheet: Sheet) -> None:
+        sheet.groups(len(stages), 1, 0.7 + 1.75 * len(stages), share_x=True, share_y=True)
+        for panel, stage in zip(sheet.panels, stages, strict=True):
+            percent = 100.0 * evidence.difference(stage)
+            marks.zero(panel)
+            marks.rows(panel, evidence, np.where(mode > 0, place, np.nan), percent)
+            for number in range(1, evidence.modes + 1):
+                of_mode = percent[(mode == number) & ~evidence.outlier & np.isfinite(percent)]
+                if len(of_mode):
+                    ends = np.array([[number - HALF, number + HALF]])
+                    panel.lines(ends, np.median(of_mode), color=INK, linewidth=1.2, zorder=2)
+            panel.label(
+                f"Model {stage.title}",
+                x="mode of the model, with the median of its measured frequencies",
+                y="difference [%]",
+            )
+            panel.name_places("x", range(1, evidence.modes + 1), _names(evidence))
+            panel.axes.grid(visible=False, axis="x")
+        shown = 100.0 * np.hstack([evidence.difference(stage)[stage.paired] for stage in stages])
+        low, high = float(shown.min(initial=0.0)), float(shown.max(initial=0.0))
+        panel.axes.set_ylim(low - MARGIN * (high - low), high + MARGIN * (high - low))
+        panel.axes.set_xlim(0.45, evidence.modes + 0.55)
+        marks.legend(sheet, sheet.panels[0])
+
+    return Drawing(draw)
+
+
+def _names(evidence: PlottedEvidence) -> list[str]:
+    """Return the numbers of the modes, with their typical frequency if there is room."""
+    mode, names = evidence.mode(), []
+    for number in range(1, evidence.modes + 1):
+        of_mode = evidence.measured[mode == number]
+        typical = f"\n{np.median(of_mode):.3g} Hz" if len(of_mode) and evidence.modes <= MOST_NAMED else ""
+        names.append(f"{number}{typical}")
+    return names
+
+
+def by_setup(evidence: PlottedEvidence) -> Drawing:
+    """Return the differences at each setup in standard deviations, one panel for each stage."""
+    stages = evidence.stages
+
+    def draw(sheet: Sheet) -> None:
+        sheet.groups(len(stages), 1, 0.8 + 1.75 * len(stages), share_x=True)
+        for panel, stage in zip(sheet.panels, stages, strict=True):
+            marks.noise(panel, stage.predicted.sigmas)
+            marks.zero(panel)
+            marks.rows(panel, evidence, evidence.setup.astype(float), stage.predicted.sigmas)
+            setups = marks.setups(panel, evidence, grid=panel is not sheet.panels[-1])
+            panel.label(f"Model {stage.title}", x=setups, y=SIGMAS)
+        panel.axes.set_xlim(-0.7, len(evidence.labels) - 0.3)
+        marks.legend(sheet, sheet.panels[0])
+
+    return Drawing(draw)
+
+
+def varying_components(evidence: PlottedEvidence) -> list[int]:
+    """Return the components of the pose that differ between setups."""
+    return [k for k in range(len(evidence.components)) if np.ptp(evidence.points[:, k]) > 0.0]
+
+
+def against_pose(evidence: PlottedEvidence) -> Drawing | None:
+    """Return the differences against each component of the pose that varies; None if none does."""
+    varying, stages = varying_components(evidence), evidence.stages
+    count = len(varying)
+    if not count:
+        return None
+
+    def draw(sheet: Sheet) -> None:
+        height = 0.7 + 1.75 * len(stages)
+        sheet.groups(count * len(stages), count, height, share_x="col", share_y="row")
+        for number, panel in enumerate(sheet.panels):
+            row, column = divmod(number, count)
+            stage, k = stages[row], varying[column]
+            marks.noise(panel, stage.predicted.sigmas)
+            marks.zero(panel)
+            place = evidence.points[evidence.setup, k]
+            marks.rows(panel, evidence, place, stage.predicted.sigmas, size=12.0)
+            panel.axes.locator_params(axis="x", nbins=3)
+            if column:  # the panels of a stage stand side by side
+                panel.inner.add("title")
+            panel.label(
+                f"Model {stage.title}",
+                x=short(f"{evidence.components[k]} [{evidence.units[k]}]"),
+                y=SIGMAS,
+            )
+        marks.legend(sheet, sheet.panels[count - 1], beside=count > 1)
+
+    return Drawing(draw)

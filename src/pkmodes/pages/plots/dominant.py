@@ -1,0 +1,137 @@
+"""Which parameter a frequency depends on most, at each pose of a plane."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.pages.plots.drawing import Drawing
+from pkmodes.pages.plots.labels import broken
+from pkmodes.pages.plots.panels import mode_panels
+from pkmodes.pages.plots.plane import Plane
+from pkmodes.pages.plots.sheet import Sheet
+from pkmodes.pages.plots.style import ink_on
+
+Array = NDArray[Any]
+#: Colours of the parameters, those with the largest areas first, and the colour of all others.  No two have the same
+#: grey, and a page redefines none of them: an image keeps its colours on a dark page.
+COLOURS = ("#0072b3", "#e69f01", "#00264d", "#bfe3f8", "#009e74", "#7a2f00", "#f2f2f2")
+FRAME = "#80868c"
+ANOTHER = "another"
+#: Poses that a number needs around it within its region; smaller regions have no number.
+ROOM = 2
+
+
+def dominant(plane: Plane, paths: Sequence[str], relative: Array) -> Drawing | str:
+    """Draw, for each mode, the parameter with the largest influence at each pose.
+
+    - paths: parameters
+    - relative: d ln f / d ln p, (along, across, parameters, modes)
+
+    Returns a sentence if each mode has one parameter.
+    """
+    from matplotlib.colors import ListedColormap, to_rgb
+    from matplotlib.patches import Patch
+
+    size = np.abs(relative)
+    reached = np.isfinite(size).all(axis=2)
+    first = np.where(reached, np.nan_to_num(size).argmax(axis=2), -1)
+    modes = relative.shape[-1]
+    if sentence := _one_each(paths, first):
+        return sentence
+    counts = np.bincount(first[first >= 0], minlength=len(paths))
+    shown = [int(i) for i in np.argsort(-counts, kind="stable")[: len(COLOURS) - 1] if counts[i]]
+    place = np.full(len(paths) + 1, float(len(shown)))
+    place[shown] = range(len(shown))
+    place[-1] = np.nan
+    *palette, rest_colour = COLOURS
+    used = [*palette[: len(shown)], rest_colour]
+    meanings = [f"{i + 1}  {paths[path]}" for i, path in enumerate(shown)]
+    names = [f"{i + 1}  {broken(paths[path])}" for i, path in enumerate(shown)]
+    several = counts.sum() > counts[shown].sum()
+    x, y = plane.drawn(plane.across), plane.drawn(plane.along)
+
+    def draw(sheet: Sheet) -> None:
+        colours = {"cmap": ListedColormap(used), "vmin": -0.5, "vmax": len(shown) + 0.5}
+        for mode, panel in mode_panels(sheet, plane, modes, below=0.9):
+            values = place[first[..., mode]]
+            plane.draw(panel, values, meanings=[*meanings, ANOTHER], **colours)
+            for i in range(len(shown)):
+                style: dict[str, Any] = {
+                    "color": ink_on(to_rgb(used[i])),
+                    "ha": "center",
+                    "va": "center",
+                    "weight": "bold",
+                }
+                for row, column in middles(values == i):
+                    panel.axes.text(x[column], y[row], str(i + 1), **style)
+        shades = [*used[: len(shown)], *([rest_colour] if several else [])]
+        sheet.legend_of(
+            [Patch(facecolor=colour, edgecolor=FRAME) for colour in shades],
+            [*names, *([ANOTHER] if several else [])],
+            below=True,
+            loc="outside lower center",
+            ncols=3,
+            # In parts of the figure, so that it stays where it is when margins are cut off or added.
+            bbox_to_anchor=(0.0, 0.0, 1.0, 1.0),
+            bbox_transform=sheet.figure.transFigure,
+            title=f"largest |d ln f / d ln p| of {len(paths)} parameters",
+        )
+
+    return Drawing(draw)
+
+
+def _one_each(paths: Sequence[str], first: Array) -> str:
+    """Return the parameter of each mode as a sentence; empty if a mode has several."""
+    strongest = [np.unique(indices[indices >= 0]) for indices in np.moveaxis(first, -1, 0)]
+    if any(len(indices) != 1 for indices in strongest):
+        return ""
+    names = [paths[int(indices[0])] for indices in strongest]
+    if len(set(names)) == 1:
+        return f"At every pose each frequency changes most with {names[0]}, of {len(paths)} parameters."
+    clauses = ", ".join(f"that of mode {mode} with {name}" for mode, name in enumerate(names, 1))
+    return (
+        f"At every pose the frequencies change most with the same one of {len(paths)} parameters: {clauses}."
+    )
+
+
+def middles(inside: Array) -> Iterator[tuple[int, int]]:
+    """Yield a pose in the middle of each connected region that has room for a number, the widest first.
+
+    - inside: (along, across)
+    """
+    remaining = np.array(inside, dtype=bool)
+    while True:
+        depth = _depth(remaining)
+        if depth.max(initial=0) <= ROOM:
+            return
+        deepest = np.argwhere(depth == depth.max())
+        place = deepest[int(np.argmin(np.abs(deepest - deepest.mean(axis=0)).sum(axis=1)))]
+        yield int(place[0]), int(place[1])
+        remaining &= ~_connected(remaining, place)
+
+
+def _depth(inside: Array) -> Array:
+    """Return how many steps each pose is away from the outside, 0 outside."""
+    depth, remaining = np.zeros(inside.shape, dtype=int), inside
+    while remaining.any():
+        depth += remaining
+        padded = np.pad(remaining, 1)
+        remaining = remaining & padded[2:, 1:-1] & padded[:-2, 1:-1] & padded[1:-1, 2:] & padded[1:-1, :-2]
+    return depth
+
+
+def _connected(inside: Array, place: Array) -> Array:
+    """Return the part of a region that is connected with a pose."""
+    part = np.zeros_like(inside)
+    part[tuple(place)] = True
+    while True:
+        padded = np.pad(part, 1)
+        grown = padded[2:, 1:-1] | padded[:-2, 1:-1] | padded[1:-1, 2:] | padded[1:-1, :-2]
+        larger = inside & (part | grown)
+        if (larger == part).all():
+            return part
+        part = larger

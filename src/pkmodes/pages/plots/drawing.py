@@ -1,0 +1,167 @@
+"""A figure as a function that draws it: what it shows on a wide and on a narrow sheet, and the numbers of both."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.pages.plots.labels import visible
+from pkmodes.pages.plots.panel import Panel, Series, Side
+from pkmodes.pages.plots.sheet import Sheet
+from pkmodes.pages.plots.style import styled
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Array = NDArray[Any]
+#: Columns that every table begins with; a part is a piece of a broken curve.
+PANEL, SERIES, PART = "panel", "series", "part"
+#: Significant digits of the positions of cells and bars: free of the rounding errors of unit conversion.
+PLACES = 12
+#: Significant digits of values shown as colours, which resolve three; number of values above which fewer are written,
+#: and how many.
+DIGITS, MANY, FEWER = 7, 60_000, 5
+#: Significant digits of the points of curves and marks, by the number of points above which they apply; below, all
+#: digits.
+LONG = ((20_000, 6), (2_000, 9))
+#: First characters that make a spreadsheet read a text as a formula, including their East Asian full-width forms.
+FORMULA = tuple("=+-@\uff1d\uff0b\uff0d\uff20")
+#: Characters for which a text is quoted; whole numbers below the limit are written without a decimal point.
+QUOTED, LARGEST = ',;"', 1e15
+
+
+@dataclass(frozen=True, eq=False)
+class Drawing:
+    """A figure.
+
+    - draw: draws it on a `Sheet`
+    - narrow: whether it can be drawn on a narrow one
+    """
+
+    draw: Callable[[Sheet], None]
+    narrow: bool = True
+
+    @cached_property
+    def wide(self) -> Sheet:
+        """The figure as wide as a page's text."""
+        return self.sheet(narrow=False)
+
+    @property
+    def figure(self) -> Figure:
+        """The wide figure of matplotlib."""
+        return self.wide.figure
+
+    @property
+    def table(self) -> list[list[str]]:
+        """The numbers that it shows: columns, each with its title, as the cells of a CSV file."""
+        return _table_of(self.wide.panels)
+
+    def sheet(self, *, narrow: bool) -> Sheet:
+        """Draw it, in the style of all figures."""
+        with styled():
+            sheet = Sheet(narrow=narrow)
+            self.draw(sheet)
+        return sheet
+
+
+def _table_of(panels: Sequence[Panel]) -> list[list[str]]:
+    """Return what panels show as the columns of a table: a row for each point, a column for each labelled axis.
+
+    Returns each column with its title, as the cells of a CSV file: ``panel`` and ``series``, and those that the
+    labels of axes and colour scales name, with their units.  Where an axis has names instead of numbers, a further
+    column has them.  Coordinates of curves and marks have all digits, or nine where there are thousands, and values
+    shown as colours seven; where there are tens of thousands, six and five.  Text never begins as a formula of a
+    spreadsheet does.  Empty if nothing is drawn.
+    """
+    shown_series = [series for panel in panels for series in panel.series]
+    coloured = sum(len(series.x) for series in shown_series if series.values is not None)
+    free = sum(len(series.x) for series in shown_series) - coloured
+    places = next((digits for count, digits in LONG if free > count), None)
+    values = DIGITS if coloured <= MANY else FEWER
+    return _joined([_columns(panel, series, places, values) for panel in panels for series in panel.series])
+
+
+def _columns(
+    panel: Panel, series: Series, places: int | None, digits: int
+) -> tuple[int, dict[str, list[Any]]]:
+    """Return the number of points, and the columns by their titles.
+
+    - places, digits: significant digits of the coordinates of curves and marks, None for all, and of values shown as
+      colours
+    """
+    drawn = np.isfinite(series.x) & np.isfinite(series.y)
+    if not drawn.any():  # a line across the panel
+        drawn = np.isfinite(series.x) | np.isfinite(series.y)
+    if series.values is not None:
+        drawn &= np.isfinite(series.values)
+        places = PLACES
+    count = int(drawn.sum())
+    columns: dict[str, list[Any]] = {PANEL: [panel.title] * count, SERIES: [series.name] * count}
+    if series.part is not None:
+        columns[PART] = series.part[drawn].tolist()
+    sides: tuple[tuple[Side, Array], ...] = (("x", series.x), ("y", series.y))
+    for side, coordinates in sides:
+        title, chosen = _label(panel, side), coordinates[drawn]
+        columns[title] = chosen.tolist() if places is None else _rounded(chosen, places)
+        if _named(panel.names[side]):
+            columns[f"{title} (name)"] = [_nearest(panel.names[side], place) for place in chosen.tolist()]
+    if series.values is not None:
+        title, values = panel.labels["scale"] or "value", series.values[drawn]
+        columns[title] = _rounded(values, digits)
+        if series.meanings:
+            columns[f"{title} (name)"] = [series.meanings[int(value)] for value in values.tolist()]
+    return count, columns
+
+
+def _label(panel: Panel, side: Side) -> str:
+    """Return the title of the column of an axis; where both have one label, with the name of the axis."""
+    label = visible(panel.labels[side]) or side
+    return f"{side}: {label}" if panel.labels["x"] == panel.labels["y"] != "" else label
+
+
+def _named(names: Mapping[float, str]) -> bool:
+    """Return whether names say more than the numbers that they label."""
+    return any(name != f"{at:g}" for at, name in names.items())
+
+
+def _nearest(names: Mapping[float, str], place: float) -> str:
+    """Return the nearest name; names are at whole numbers, and marks may be beside each other there."""
+    nearest = min(names, key=lambda at: abs(at - place))
+    return names[nearest] if abs(nearest - place) <= 0.5 else ""
+
+
+def _rounded(values: Array, digits: int) -> list[float]:
+    return [float(f"{value:.{digits}g}") for value in values.tolist()]
+
+
+def _joined(tables: Sequence[tuple[int, Mapping[str, Sequence[Any]]]]) -> list[list[str]]:
+    """Return the columns of all series below each other."""
+    tables = [(count, columns) for count, columns in tables if count]
+    titles = dict.fromkeys(title for _, columns in tables for title in columns)
+    order = [title for title in (PANEL, SERIES, PART) if title in titles]
+    order += [title for title in titles if title not in order]
+    joined = []
+    for title in order:
+        cells = [_cell(title)]
+        for count, columns in tables:
+            cells += map(_cell, columns[title]) if title in columns else [""] * count
+        joined.append(cells)
+    return joined
+
+
+def _cell(value: Any) -> str:
+    """Return the text of a cell: numbers so that they read back the same, and text that is not a formula."""
+    if isinstance(value, float):
+        if not np.isfinite(value):
+            return ""
+        return str(int(value)) if value.is_integer() and abs(value) < LARGEST else repr(value)
+    if not isinstance(value, str):
+        return str(value)
+    text = visible(value).strip()
+    text = f"'{text}" if text.startswith(FORMULA) else text
+    return '"' + text.replace('"', '""') + '"' if any(mark in text for mark in QUOTED) else text

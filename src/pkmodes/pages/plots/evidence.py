@@ -1,0 +1,156 @@
+"""What the figures of measured modes show: measurements with the model at one or two stages beside them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.base.errors import PkmodesError, shown
+from pkmodes.core.support.ordering import in_order
+from pkmodes.loop.diagnosis.compare import Comparison
+from pkmodes.loop.diagnosis.match.predicted import Predicted
+from pkmodes.loop.diagnosis.states.result import Change
+from pkmodes.loop.diagnosis.verdict.result import Diagnosis
+from pkmodes.loop.measured.measurements import Measurements
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+#: Names of the stages of a model.
+DECLARED, REFITTED, CORRECTED = "as declared", "refitted", "with the cause"
+
+
+@dataclass(frozen=True)
+class ModelStage:
+    """A stage of the model: its name in the JSON, its name for a person, and its predictions."""
+
+    key: str
+    title: str
+    predicted: Predicted
+
+    @cached_property
+    def paired(self) -> Mask:
+        """Rows that have a partner, (R,)."""
+        return self.predicted.mode > 0
+
+
+@dataclass(frozen=True)
+class PlottedEvidence:
+    """R measured modes at S setups, and the stages of the model.
+
+    - labels: labels of the setups in their natural order
+    - setup: setup of each row, (R,)
+    - measured, sigma: frequencies and their standard deviations, (R,) [Hz]
+    - held_out, outlier: (R,)
+    - stages: the declared model first; a comparison has no other
+    - points: poses in SI units, (S, d); d = 0 where they are unknown or have no position
+    - components, units: length d
+    - place: noun for a setup
+    - spread: standard deviations of the frequencies of the declared model, from those that the robot file states,
+      (S, m) [Hz]
+    """
+
+    labels: tuple[str, ...]
+    setup: NDArray[np.intp]
+    measured: Array
+    sigma: Array
+    held_out: Mask
+    outlier: Mask
+    stages: tuple[ModelStage, ...]
+    points: Array
+    components: tuple[str, ...]
+    units: tuple[str, ...]
+    place: str
+    spread: Array | None = None
+
+    @classmethod
+    def of(
+        cls,
+        result: Diagnosis | Comparison,
+        data: Measurements | None = None,
+        place: str = "pose",
+        spread: Array | None = None,
+    ) -> PlottedEvidence:
+        """Return what a result shows.
+
+        - data: the measurements that it is about: their poses are the axes of some figures
+        - place: noun for a place of measurement, such as pose, or setup for a structure without positions
+        - spread: standard deviations of the frequencies of the declared model, (S, m) [Hz]
+
+        Raises PkmodesError if the measurements are others than those of the result.
+        """
+        measured_labels = tuple(dict.fromkeys(row.pose for row in result.rows))
+        order = in_order(measured_labels)
+        labels = tuple(measured_labels[i] for i in order)
+        index = {label: i for i, label in enumerate(labels)}
+        if data is not None and (
+            data.labels != measured_labels or data.frequency.tolist() != [row.measured for row in result.rows]
+        ):
+            problem = f"expected the measurements of the result, found others ({shown(data.source)})"
+            raise PkmodesError(problem, "data", "give those that were passed to diagnose or compare")
+        # A structure without positions has all of them at 0.
+        placed = None if data is None or not data.points.any() else data
+        return cls(
+            labels=labels,
+            setup=np.array([index[row.pose] for row in result.rows], dtype=np.intp),
+            measured=np.array([row.measured for row in result.rows]),
+            sigma=np.array([row.sigma for row in result.rows]),
+            held_out=np.array([getattr(row, "held_out", False) for row in result.rows], dtype=bool),
+            outlier=np.array([getattr(row, "outlier", False) for row in result.rows], dtype=bool),
+            stages=tuple(_in_order(stage, order) for stage in _stages(result)),
+            points=np.empty((len(labels), 0)) if placed is None else placed.points[order],
+            components=() if placed is None else placed.components,
+            units=() if placed is None else placed.component_units,
+            place=place,
+            spread=spread,
+        )
+
+    @property
+    def last(self) -> ModelStage:
+        """The last stage, which has the verdict."""
+        return self.stages[-1]
+
+    @cached_property
+    def modes(self) -> int:
+        """Number of elastic modes up to the highest that was measured, at least 1."""
+        return max(int(stage.predicted.mode.max(initial=1)) for stage in self.stages)
+
+    def difference(self, stage: ModelStage) -> Array:
+        """Return f_model / f_measured - 1, (R,), NaN if unmatched."""
+        return stage.predicted.frequency / self.measured - 1.0
+
+    def mode(self) -> NDArray[np.intp]:
+        """Return the mode of each row, (R,): that of its partner at the last stage that has one, 0 if none has."""
+        modes = np.zeros(len(self.measured), dtype=np.intp)
+        for stage in self.stages:
+            modes = np.where(stage.paired, stage.predicted.mode, modes)
+        return modes
+
+
+def _in_order(stage: ModelStage, order: list[int]) -> ModelStage:
+    """Return a stage with its setups in another order."""
+    if order == list(range(len(order))):
+        return stage
+    return replace(stage, predicted=replace(stage.predicted, spectrum=stage.predicted.spectrum[order]))
+
+
+def _stages(result: Diagnosis | Comparison) -> tuple[ModelStage, ...]:
+    """Return the declared model, and the last stage of a diagnosis."""
+    if isinstance(result, Comparison):
+        return () if result.stage is None else (ModelStage("predicted", DECLARED, result.stage),)
+    predictions = result.stages
+    if predictions is None:
+        return ()
+    declared, refitted, corrected = (
+        (DECLARED, REFITTED, CORRECTED + ("s" if len(result.effects) > 1 else ""))
+        if not isinstance(result, Change)
+        else (f"as in {result.states[0]}", f"as in {result.states[0]}, on another day", "with what changed")
+    )
+    stages = [ModelStage("before", declared, predictions.before)]
+    if predictions.after is not None:
+        stages.append(ModelStage("after", corrected, predictions.after))
+    elif predictions.refit is not None:
+        stages.append(ModelStage("refit", refitted, predictions.refit))
+    return tuple(stages)

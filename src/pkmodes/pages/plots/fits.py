@@ -1,0 +1,186 @@
+"""The fit of a file: poles over model orders, and functions as measured and as synthesised from the modes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.modaltest.campaign.inspection import InspectedFunction, Inspection
+from pkmodes.modaltest.identification.estimates import Stabilisation
+from pkmodes.pages.plots.drawing import Drawing
+from pkmodes.pages.plots.labels import decades, short
+from pkmodes.pages.plots.panel import Panel
+from pkmodes.pages.plots.responses import draw_phases
+from pkmodes.pages.plots.sheet import Sheet
+from pkmodes.pages.plots.style import BLUE, GREY, INK, ORANGE, PURPLE, VERMILLION
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+#: A pole is stable if the previous order has one within these relative distances of its frequency and damping.
+SAME_FREQUENCY, SAME_DAMPING = 0.005, 0.1
+#: Half the height of a pole's mark, relative to the smallest distance between orders.
+HALF = 0.3
+#: Width of a digit relative to that of the axes on a narrow screen, and most rows of labels.
+DIGIT, ROWS = 0.032, 3
+#: Decades of a magnitude drawn below its maximum.
+DECADES = 5.0
+POLE: dict[str, Any] = {
+    "color": GREY,
+    "linewidth": 0.9,
+    "solid_capstyle": "butt",
+    "label": "pole",
+    "zorder": 3,
+}
+STABLE: dict[str, Any] = {**POLE, "color": BLUE, "linewidth": 1.5, "label": "stable pole"}
+MEASURED: dict[str, Any] = {"color": VERMILLION, "linewidth": 2.4, "alpha": 0.55, "label": "measured"}
+SYNTHESISED: dict[str, Any] = {"color": BLUE, "linewidth": 1.1, "label": "synthesised"}
+
+
+@dataclass(frozen=True)
+class MarkedFrequencies:
+    """Frequencies that are marked [Hz]: modes with their numbers, modes struck out, and tones."""
+
+    modes: Sequence[tuple[float, int, bool]]
+    struck: Sequence[float]
+    tones: Sequence[float]
+
+
+def stabilisation(inspection: Inspection, marked: MarkedFrequencies, band: tuple[float, float]) -> Drawing:
+    """Return the poles of all model orders over frequency, above the sum of the measured functions."""
+
+    def draw(sheet: Sheet) -> None:
+        panel = sheet.panel(3.7)
+        axes = panel.axes
+        behind = sheet.adopt(axes.twinx(), inner={"x"})
+        axes.set_zorder(behind.axes.get_zorder() + 1)
+        size = np.maximum(inspection.total, inspection.total.max() * 10.0**-DECADES)
+        behind.axes.set_yscale("log")
+        behind.plot(inspection.frequencies, size, color=GREY, linewidth=1.0, alpha=0.8, zorder=0)
+        behind.axes.grid(visible=False)
+        behind.axes.spines["right"].set_visible(True)
+        behind.label(x="frequency [Hz]", y="sum of the functions [1]")
+        decades(behind.axes.yaxis)
+        orders = inspection.stabilisation.orders
+        for stable, style in ((False, POLE), (True, STABLE)):
+            panel.plot(*_dashes(inspection.stabilisation, stable), **style)
+        half = _half(orders)
+        axes.set_ylim(orders[0] - 1.5 * half, orders[-1] + 1.5 * half)
+        axes.set_xlim(*band)
+        panel.label(x="frequency [Hz]", y="model order")
+        _mark(panel, marked, band)
+        axes.grid(visible=False, axis="x")
+        place: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.13)}
+        sheet.legend(panel, ncols=6, columnspacing=1.2, fontsize=7.5, **place)
+
+    return Drawing(draw)
+
+
+def _half(orders: NDArray[np.int64]) -> float:
+    """Return half the height of a pole's mark, in orders."""
+    return HALF * float(np.diff(orders).min()) if len(orders) > 1 else HALF
+
+
+def _dashes(of: Stabilisation, stable: bool) -> tuple[Array, Array]:
+    """Return a short vertical line for each pole of one kind, as one broken curve."""
+    x, y, half = [], [], _half(of.orders)
+    before: Complex = np.zeros(0, complex)
+    for order, poles in zip(of.orders, of.poles, strict=True):
+        chosen = np.abs(poles[_stable(poles, before) == stable]) / (2.0 * np.pi)
+        x.append(np.stack([chosen, chosen, np.full(len(chosen), np.nan)], axis=1).ravel())
+        y.append(np.tile([order - half, order + half, np.nan], len(chosen)))
+        before = poles
+    return np.concatenate(x), np.concatenate(y)
+
+
+def _stable(poles: Complex, before: Complex) -> NDArray[np.bool_]:
+    """Return which poles the previous order also has."""
+    if not len(before) or not len(poles):
+        return np.zeros(len(poles), bool)
+    f, f0 = np.abs(poles)[:, None], np.abs(before)
+    z, z0 = (-poles.real / np.abs(poles))[:, None], -before.real / np.abs(before)
+    near = (np.abs(f0 / f - 1.0) < SAME_FREQUENCY) & (np.abs(z0 - z) < SAME_DAMPING * np.abs(z))
+    return np.asarray(near.any(axis=1))
+
+
+def _mark(panel: Panel, marked: MarkedFrequencies, band: tuple[float, float]) -> None:
+    """Draw a line for each mode, with its number above, and for each mode struck out and each tone."""
+    kinds: list[tuple[str, list[float], dict[str, Any]]] = [
+        ("mode", [f for f, _, added in marked.modes if not added], {"color": INK, "alpha": 0.45}),
+        ("added", [f for f, _, added in marked.modes if added], {"color": PURPLE, "linestyle": "-."}),
+        ("struck out", list(marked.struck), {"color": VERMILLION, "linestyle": "--"}),
+        ("tone", list(marked.tones), {"color": ORANGE, "linestyle": ":", "linewidth": 1.2}),
+    ]
+    for name, frequencies, style in kinds:
+        label: str | None = name
+        for f in frequencies:
+            panel.line_at(f, name, label=label, zorder=2, **{"linewidth": 0.8, "alpha": 0.75, **style})
+            label = None
+    at = [(f - band[0]) / (band[1] - band[0]) for f, _, _ in marked.modes]
+    names = [str(number) for _, number, _ in marked.modes]
+    across = panel.axes.transAxes
+    for x, number, row in zip(at, names, rows_of(at, names), strict=True):
+        panel.axes.text(x, 1.01 + 0.035 * row, number, transform=across, ha="center", va="bottom", fontsize=7)
+
+
+def rows_of(at: Sequence[float], names: Sequence[str]) -> list[int]:
+    """Return the row of each label, ascending in place, so that labels in a row do not overlap."""
+    ends, rows = [-1.0] * ROWS, []
+    for x, name in zip(at, names, strict=True):
+        half = 0.5 * DIGIT * (len(name) + 0.5)
+        row = next((k for k in range(ROWS) if ends[k] <= x - half), int(np.argmin(ends)))
+        ends[row] = x + half
+        rows.append(row)
+    return rows
+
+
+def functions(
+    inspection: Inspection, marked: MarkedFrequencies, band: tuple[float, float], phase: bool
+) -> Drawing:
+    """Return functions as measured and as synthesised from the modes: magnitude, phase, and coherence if known.
+
+    - phase: whether the functions have one; power spectra have not
+    """
+    columns = min(2, len(inspection.curves))
+    rows = -(-len(inspection.curves) // columns)
+    coherence = any(curve.coherence is not None for curve in inspection.curves)
+    ratios = [2.2, *([1.1] if phase else []), *([1.1] if coherence else [])]
+
+    def draw(sheet: Sheet) -> None:
+        height = (0.62 * sum(ratios) + 0.55) * rows + 0.25
+        groups = sheet.groups(len(inspection.curves), columns, height, rows=ratios, share_x=True)
+        labels = ["magnitude" if phase else "power"]
+        labels += [*(["phase [\u00b0]"] if phase else []), *(["coherence"] if coherence else [])]
+        for panels, curve in zip(groups, inspection.curves, strict=True):
+            _curve(panels, curve, phase, coherence)
+            for panel, label in zip(panels, labels, strict=True):
+                for f, _, _ in marked.modes:
+                    panel.axes.axvline(f, color=INK, linewidth=0.5, alpha=0.35, zorder=1)
+                panel.label(short(curve.name, 40), x="frequency [Hz]", y=label)
+                if "x" not in panel.inner:
+                    panel.axes.tick_params(labelbottom=True)
+        groups[0][0].axes.set_xlim(*band)
+        sheet.legend(groups[0][0], above=False, loc="outside upper right", ncols=2)
+
+    return Drawing(draw)
+
+
+def _curve(panels: Sequence[Panel], curve: InspectedFunction, phase: bool, coherence: bool) -> None:
+    """Draw a function in its panels."""
+    f, above = curve.frequencies, panels[0]
+    above.axes.set_yscale("log")
+    top = float(np.abs(curve.measured).max())
+    curves = ((f, curve.measured, MEASURED), (f, curve.synthesised, SYNTHESISED))
+    for _, values, style in curves:
+        size = np.abs(values)
+        above.plot(f, np.where(size > top * 10.0**-DECADES, size, np.nan), **style)
+    decades(above.axes.yaxis)
+    if phase:
+        draw_phases(panels[1], curves)
+    if coherence:
+        if curve.coherence is not None:
+            panels[-1].plot(f, curve.coherence, color=VERMILLION, linewidth=0.9)
+        panels[-1].axes.set_ylim(0.0, 1.05)

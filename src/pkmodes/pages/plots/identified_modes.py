@@ -1,0 +1,137 @@
+"""The modes of a record: how alike their shapes are, how complex, and how their frequencies scatter."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.modaltest.campaign.inspection import Repeats
+from pkmodes.pages.plots import marks
+from pkmodes.pages.plots.drawing import Drawing
+from pkmodes.pages.plots.labels import short
+from pkmodes.pages.plots.mac_matrices import draw_matrix
+from pkmodes.pages.plots.sheet import Sheet
+from pkmodes.pages.plots.style import BLUE, GREY, PALETTE, PURPLE, VERMILLION
+
+Array = NDArray[np.float64]
+#: Panels of complex shapes side by side.
+ACROSS = 6
+#: Most poses named on an axis.
+NAMED = 30
+
+
+def auto_mac(macs: Array) -> Drawing:
+    """Return the matrix of the modal assurance criterion between the modes of a record, NaN where unknown."""
+
+    def draw(sheet: Sheet) -> None:
+        panel = sheet.panel(0.7 + min(2.7, 1.1 + 0.22 * len(macs)), shape=1.0, scales="common")
+        image = draw_matrix(panel, macs)
+        panel.label(x="mode", y="mode")
+        sheet.scale(image, "MAC [1]", shrink=0.8, aspect=20)
+
+    return Drawing(draw)
+
+
+def complex_shapes(shapes: Sequence[tuple[str, Mapping[str, complex]]]) -> Drawing:
+    """Return shapes in the complex plane, each component a line from the origin, by their titles."""
+    rows, columns = -(-len(shapes) // ACROSS), min(ACROSS, len(shapes))
+
+    def draw(sheet: Sheet) -> None:
+        width = max(1.02 * columns, 3.0)
+        sheet.groups(len(shapes), columns, 1.25 * rows + 0.15, width, shape=1.0, frames=False)
+        turn = np.exp(1j * np.linspace(0.0, 2.0 * np.pi, 73))
+        for panel, (title, shape) in zip(sheet.panels, shapes, strict=True):
+            axes = panel.axes
+            values = np.array(list(shape.values()))
+            values = values / np.abs(values).max()
+            axes.plot(turn.real, turn.imag, color=GREY, linewidth=0.6)
+            x = np.stack([0.0 * values.real, values.real, np.full(len(values), np.nan)], axis=1).ravel()
+            y = np.stack([0.0 * values.imag, values.imag, np.full(len(values), np.nan)], axis=1).ravel()
+            panel.plot(x, y, color=BLUE, linewidth=1.1)
+            panel.plot(values.real, values.imag, ".", color=BLUE, markersize=4.0)
+            panel.label(title, fontsize=7.5, pad=3)
+            axes.set_aspect("equal")
+            axes.set_xlim(-1.1, 1.1)
+            axes.set_ylim(-1.1, 1.1)
+            axes.set_axis_off()
+
+    return Drawing(draw)
+
+
+def scatter_of_repeats(setups: Sequence[Repeats]) -> Drawing:
+    """Return the frequencies in each file, relative to their mean over the repeats of the setup [%]."""
+    several = [repeats for repeats in setups if len(repeats.files) > 1]
+    means = sorted(float(np.mean(list(mode.values()))) for repeats in several for mode in repeats.modes)
+    distinct = [f for i, f in enumerate(means) if i == 0 or f / means[i - 1] > 1.0 + 1e-3]
+
+    def draw(sheet: Sheet) -> None:
+        panel = sheet.panel(2.3)
+        axes = panel.axes
+        marks.zero(panel)
+        for k, repeats in enumerate(several):
+            for file in range(len(repeats.files)):
+                pairs = [(mode[file], np.mean(list(mode.values()))) for mode in repeats.modes if file in mode]
+                x = [int(np.searchsorted(distinct, mean * (1.0 - 1e-9))) for _, mean in pairs]
+                x = [min(i, len(distinct) - 1) for i in x]
+                away = [100.0 * (f / mean - 1.0) for f, mean in pairs]
+                label = short(repeats.setup) if file == 0 and repeats.setup else None
+                shift = 0.16 * (k - 0.5 * (len(several) - 1))
+                panel.plot(
+                    np.array(x) + shift,
+                    away,
+                    "_" if len(repeats.files) > 8 else ".",
+                    name=short(repeats.setup) if repeats.setup else "",
+                    color=PALETTE[k % len(PALETTE)],
+                    label=label,
+                    zorder=3,
+                )
+        step = -(-len(distinct) // 12)
+        named = [f"{f:#.4g}".rstrip(".") for f in distinct[::step]]
+        panel.name_places("x", range(0, len(distinct), step), named)
+        axes.set_xlim(-0.6, len(distinct) - 0.4)
+        panel.label(x="mean frequency [Hz]", y="file, above the mean [%]")
+        axes.grid(visible=False, axis="x")
+        if any(repeats.setup for repeats in several):
+            sheet.legend(panel, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=4)
+
+    return Drawing(draw)
+
+
+def by_pose(
+    labels: Sequence[str], modes: Sequence[tuple[int, float, bool]], struck: Sequence[tuple[int, float]]
+) -> Drawing:
+    """Return the frequencies at all poses.
+
+    - labels: of the poses
+    - modes: the index of the pose, the frequency [Hz], and whether the user added the mode
+    - struck: likewise of modes struck out
+    """
+
+    def draw(sheet: Sheet) -> None:
+        panel = sheet.panel(3.4)
+        axes = panel.axes
+        kinds = (
+            ([(i, f) for i, f, added in modes if not added], "o", BLUE, "mode"),
+            ([(i, f) for i, f, added in modes if added], "D", PURPLE, "added"),
+            (list(struck), "x", VERMILLION, "struck out"),
+        )
+        for points, marker, colour, label in kinds:
+            if points:
+                x, y = zip(*points, strict=True)
+                panel.plot(x, y, marker, color=colour, label=label, markersize=4.0)
+        axes.set_ylim(0.0, None)
+        axes.set_xlim(-0.7, len(labels) - 0.3)
+        across = "pose, in the order of the campaign"
+        if len(labels) <= NAMED:
+            names = [short(label) for label in labels]
+            turned = len(names) * max(map(len, names)) > 80
+            panel.name_places("x", range(len(names)), names, rotation=90 if turned else 0)
+            axes.grid(visible=False, axis="x")
+            across = "pose"
+        panel.label(x=across, y="frequency [Hz]")
+        if sum(bool(points) for points, *_ in kinds) > 1:
+            sheet.legend(panel, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=3)
+
+    return Drawing(draw)

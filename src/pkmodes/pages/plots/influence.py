@@ -1,0 +1,46 @@
+"""Which parameter each frequency depends on: relative sensitivities in a plane."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.pages.plots.drawing import Drawing
+from pkmodes.pages.plots.labels import broken, typeset
+from pkmodes.pages.plots.sheet import Sheet
+from pkmodes.pages.plots.style import ink_on
+
+Array = NDArray[Any]
+#: Most parameters listed.
+ROWS = 14
+
+
+def table(paths: Sequence[str], relative: Array) -> Drawing:
+    """Draw the median influence of each parameter on each frequency: at the edge of a plane some grow without bound.
+
+    - paths: parameters; those that act as one have one name, separated by commas
+    - relative: d ln f / d ln p, (along, across, parameters, modes)
+    """
+    reached = relative[np.isfinite(relative).all(axis=(2, 3))]
+    middle = np.median(reached, axis=0) if len(reached) else np.zeros(relative.shape[2:])
+    order = np.argsort(-np.abs(middle).max(axis=1))[:ROWS]
+    high = max(float(np.abs(middle).max()), 1e-12)
+    modes, names = middle.shape[1], [paths[i] for i in order]
+
+    def draw(sheet: Sheet) -> None:
+        panel = sheet.panel(0.24 * len(order) + 0.9)
+        mesh = panel.image(middle[order], cmap="PuOr", vmin=-high, vmax=high, aspect="auto")
+        panel.name_places("x", range(modes), [f"mode {i + 1}" for i in range(modes)])
+        panel.name_places("y", range(len(order)), [broken(name) for name in names], names)
+        panel.axes.grid(visible=False)
+        panel.axes.tick_params(length=0)
+        style: dict[str, Any] = {"ha": "center", "va": "center", "fontsize": 7.5}
+        for (row, mode), value in np.ndenumerate(middle[order]):
+            ink = ink_on(mesh.to_rgba(value))
+            panel.axes.text(mode, row, typeset(f"{value:+.2f}"), color=ink, **style)
+        sheet.scale(mesh, "d ln f / d ln p, median over the plane [1]", aspect=25)
+
+    return Drawing(draw)

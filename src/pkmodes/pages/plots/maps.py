@@ -1,0 +1,296 @@
+"""Maps of a plane: frequencies, directions and components of the platform's motion (figures 8 to 20 of the paper)."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.machine.maps.left_out import shown, unstable
+from pkmodes.pages.plots.drawing import Drawing
+from pkmodes.pages.plots.labels import typeset
+from pkmodes.pages.plots.panel import Panel
+from pkmodes.pages.plots.panels import (
+    HIGHEST,
+    LEAST_SPAN,
+    TALL_ROW,
+    TALLEST,
+    mode_panels,
+    scale_beside,
+    shared_scale,
+    widened,
+    width_of,
+)
+from pkmodes.pages.plots.plane import SAME, Plane, limits_of, same_everywhere
+from pkmodes.pages.plots.sheet import Scales, Sheet
+from pkmodes.pages.plots.style import BLACK, WHITE, WIDTH, ink_on
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+Array = NDArray[Any]
+#: Number of lines along the shorter side of a map.
+STROKES = 9
+#: Relative difference below which the frequencies of two poses are equal, as for mirrored poses.
+ROUNDING = 1e-9
+#: Most poses that can share an extreme; where more do, its location is not marked.
+SHARED = 8
+#: Smallest distance of numbers on contours from one another and from the edges of a panel, and length of the shortest
+#: contour with a number [inch].
+APART, MARGIN, SHORTEST = 0.22, 0.12, 0.5
+#: Numbers on contours steeper than this are upright: turned, 60 reads as 09 [degree].
+STEEP = 60.0
+#: Shown in place of a figure for a plane in which the platform turns.
+NO_DIRECTIONS = "The axes of this plane are not two directions of the platform's motion."
+#: Blues up to this fraction of the scale are light enough for black lines, also in grey.
+LIGHT = 0.55
+
+
+def frequencies(plane: Plane, motors: Array | None = None) -> Drawing | str:
+    """Draw the frequency of each mode, with its extremes in the plane (figure 8).
+
+    - motors: positions of the motors (across, along) in the drawn units, (N, 2)
+
+    Returns a sentence if no frequency depends on the pose.
+    """
+    values = plane.dataset["frequency"].values
+    displayed = shown(plane.dataset)["frequency"].values
+    # A negative number is not a frequency: where the machine is unstable the panels are blank.
+    values = np.where(unstable(plane.dataset).values[..., None], np.nan, values)
+    modes = values.shape[-1]
+    if np.isfinite(values).any() and all(
+        same_everywhere(values[..., mode], scale=LEAST_SPAN * float(np.nanmax(np.abs(values[..., mode]))))
+        for mode in range(modes)
+    ):
+        medians = ", ".join(f"{value:.2f}" for value in np.nanmedian(values, axis=(0, 1)))
+        return (
+            f"Every frequency is the same within {100 * SAME * LEAST_SPAN:.2g} % at every pose: {medians} Hz."
+        )
+
+    def draw(sheet: Sheet) -> None:
+        for mode, panel in mode_panels(sheet, plane, modes, scales="own", line=True):
+            width = sheet.panel_width if sheet.narrow else width_of(plane, modes, colour_bars=True)
+            frequency, counted = values[..., mode], displayed[..., mode]
+            limits = limits_of(counted)
+            low, high = widened(*limits)
+            mesh = plane.draw(panel, frequency, vmin=low, vmax=high)
+            _contours(plane, panel.axes, mesh, frequency, float(np.ptp(plane.drawn(plane.across))) / width)
+            _extremes(plane, panel, counted)
+            _motors(panel, motors)
+            panel.axes.annotate(
+                _range(*limits), (0, 1), (0, 2), "axes fraction", "offset points", va="bottom", fontsize=7
+            )
+            scale_beside(plane, panel, mesh, "f [Hz]")
+
+    return Drawing(draw)
+
+
+def directions(plane: Plane, lengths: Array | None = None) -> Drawing | str:
+    """Draw the direction of the platform's motion in each mode (figures 9 to 14).
+
+    Lines show the part in the plane, as long as its share of the motion; colours the share perpendicular to it.  A
+    sentence if no direction depends on the pose, or the plane is not one of directions.
+
+    - lengths: what makes lengths of the components of the platform's motion, (components,), where it turns
+    """
+    names = plane.dataset["direction"].values.tolist()
+    if not plane.is_linear:
+        return NO_DIRECTIONS
+    motion = plane.dataset["platform_shape"].values * (1.0 if lengths is None else lengths)
+    across, along = names.index(plane.across), names.index(plane.along)
+    length = np.sqrt((motion**2).sum(axis=-1))
+    unit = motion / np.where(length > 0.0, length, np.nan)[..., None]
+    modes, turning = motion.shape[2], lengths is not None
+    # Directions have no sign: their squares and products tell them apart.
+    if same_everywhere(unit[..., :, None] * unit[..., None, :], axes=(0, 1), scale=1.0):
+        return "In each mode the platform moves in almost the same direction at every pose."
+    below = 0.0 if plane.is_tall or plane.normal is None else 0.5
+    x, y = plane.drawn(plane.across), plane.drawn(plane.along)
+    step = max(1, round(min(len(x), len(y)) / STROKES))
+    rows, columns = (slice(step // 2, None, step) for _ in range(2))
+    reach = step * (y[-1] - y[0]) / max(len(y) - 1, 1) * 0.45
+
+    def draw(sheet: Sheet) -> None:
+        mesh: Any = None
+        scales: Scales = "" if plane.normal is None else "common"
+        for mode, panel in mode_panels(sheet, plane, modes, scales=scales, below=below):
+            perpendicular = np.sqrt(
+                np.clip(1.0 - unit[:, :, mode, across] ** 2 - unit[:, :, mode, along] ** 2, 0.0, 1.0)
+            )
+            if turning and plane.normal is not None:
+                perpendicular = np.abs(unit[:, :, mode, names.index(plane.normal)])
+            if plane.normal is None:
+                perpendicular = np.where(np.isfinite(unit[:, :, mode, across]), 0.0, np.nan)
+            mesh = plane.draw(panel, perpendicular, vmin=0.0, vmax=1.0, cmap=_light_blues())
+            part = unit[rows, columns, mode]
+            _strokes(panel, x[columns], y[rows], reach * part[..., across], reach * part[..., along])
+        if plane.normal is not None:
+            shared_scale(sheet, plane, mesh, f"share of the motion along {plane.normal} [1]")
+
+    return Drawing(draw)
+
+
+def components(plane: Plane, lengths: Array | None = None) -> Drawing | str:
+    """Draw the in-plane and out-of-plane motion of the platform in each mode, all on one scale (figures 15 to 20).
+
+    Where it turns, a third row is its rotation, times the characteristic length.
+
+    Mass-normalised shapes are compared: the platform's motion for the same kinetic energy of the whole robot.  A
+    sentence if none depends on the pose, or the plane is not one of directions.
+
+    - lengths: as for `directions`, (components,)
+    """
+    if not plane.is_linear:
+        return NO_DIRECTIONS
+    kinds = [("in plane", plane.dataset["in_plane"].values)]
+    if plane.normal is not None:
+        kinds.append((f"along {plane.normal}", plane.dataset["out_of_plane"].values))
+    if lengths is not None:
+        units = [
+            plane.dataset.coords[name].attrs["units"] if name in plane.dataset.coords else ""
+            for name in plane.dataset["direction"].values.tolist()
+        ]
+        turned = [i for i, unit in enumerate(units) if unit == "rad"]
+        motion = plane.dataset["platform_shape"].values[..., turned] * lengths[turned]
+        kinds.append(("rotation", np.sqrt((motion**2).sum(axis=-1))))
+    modes = plane.dataset.sizes["mode"]
+    motions = np.stack([values for _, values in kinds])
+    high = limits_of(motions)[1]
+    if same_everywhere(motions, axes=(1, 2), scale=high):
+        return "In each mode the platform moves by almost the same amount at every pose."
+    lines = -(-modes // TALL_ROW)
+    columns = -(-modes // lines)
+    width = (WIDTH - 1.3) / columns
+    height = lines * len(kinds) * (min(plane.height * width, TALLEST * width, HIGHEST) + 0.25) + 1.0
+
+    def draw(sheet: Sheet) -> None:
+        sheet.figure.set_layout_engine("compressed")
+        rows = (1.0,) * len(kinds)
+        groups = sheet.groups(modes, columns, height, rows=rows, shape=plane.proportions, scales="common")
+        mesh: Any = None
+        for mode, panels in enumerate(groups):
+            for panel, (title, values) in zip(panels, kinds, strict=True):
+                mesh = plane.draw(panel, values[..., mode], vmin=0.0, vmax=high)
+                if panel is panels[-1]:
+                    panel.inner.discard("x")
+                plane.label_panel(panel, f"mode {mode + 1}", row=title)
+        shared_scale(sheet, plane, mesh, "mass-normalised motion [1/\N{SQUARE ROOT}kg]", extend="max")
+
+    return Drawing(draw)
+
+
+def extremes(values: Array) -> dict[str, list[tuple[int, int]]]:
+    """Return where values are lowest and highest: the same definition as in the table of a map.
+
+    - values: (along, across)
+
+    Returns for ``minimum`` and ``maximum`` the indices of the poses, of several where they share the value, as
+    mirrored poses do; none if no pose can be evaluated, or if it is shared by so many that it has no place.
+    """
+    extreme_poses: dict[str, list[tuple[int, int]]] = {"minimum": [], "maximum": []}
+    if not np.isfinite(values).any():
+        return extreme_poses
+    for name, value in (("minimum", np.nanmin(values)), ("maximum", np.nanmax(values))):
+        places = [(int(i), int(j)) for i, j in np.argwhere(np.abs(values - value) <= ROUNDING * abs(value))]
+        extreme_poses[name] = places if len(places) <= SHARED else []
+    return extreme_poses
+
+
+def _range(low: float, high: float) -> str:
+    """Write a range of frequencies with as many decimals as tell its ends apart."""
+    decimals = 1 if high <= low else max(0, min(4, 1 - math.floor(math.log10(high - low))))
+    return f"{typeset(f'{low:.{decimals}f}')}\N{EN DASH}{typeset(f'{high:.{decimals}f}')} Hz"
+
+
+def _light_blues() -> Any:
+    """Return a scale from white to a blue on which black can be seen."""
+    from matplotlib import colormaps
+    from matplotlib.colors import ListedColormap
+
+    return ListedColormap(colormaps["Blues"](np.linspace(0.0, LIGHT, 256)))
+
+
+def _strokes(panel: Panel, x: Array, y: Array, across: Array, along: Array) -> None:
+    """Draw a line through each pose in the direction of a vibration, which has no sign."""
+    finite = np.isfinite(across) & np.isfinite(along)
+    ends = [
+        np.stack([place - half, place + half], axis=-1)[finite]
+        for place, half in zip(np.meshgrid(x, y), (across, along), strict=True)
+    ]
+    panel.lines(*ends, colors=BLACK, linewidths=0.9)
+
+
+def _contours(plane: Plane, axes: Axes, mesh: Any, values: Array, inch: float) -> None:
+    """Draw contours at round frequencies, with their numbers, in black or white, whichever can be seen.
+
+    - inch: approximate size of an inch of the panel in the units of its axes: numbers that would overlap are left out
+    """
+    from matplotlib.ticker import MaxNLocator
+
+    low, high = mesh.get_clim()
+    finite = values[np.isfinite(values)]
+    if not len(finite):
+        return
+    levels = MaxNLocator(6, steps=[1, 2, 5, 10]).tick_values(low, high)
+    levels = [level for level in levels if low < level < high and finite.min() < level < finite.max()]
+    if not levels:
+        return
+    inks = [ink_on(mesh.to_rgba(level)) for level in levels]
+    x, y = plane.drawn(plane.across), plane.drawn(plane.along)
+    lines = axes.contour(x, y, np.ma.masked_invalid(values), levels, colors=inks, linewidths=0.5)
+    marks = [(x[j], y[i]) for places in extremes(values).values() for i, j in places]
+    places = _number_places([line for segments in lines.allsegs for line in segments], marks, axes, inch)
+    if places:
+        settings: dict[str, Any] = {
+            "colors": inks,
+            "fontsize": 6.5,
+            "fmt": lambda level: typeset(f"{level:g}"),
+        }
+        for text in axes.clabel(lines, inline_spacing=1.5, manual=places, **settings):
+            if abs((text.get_rotation() + 90.0) % 180.0 - 90.0) > STEEP:
+                text.set_rotation(0.0)
+
+
+def _number_places(
+    lines: list[Array], marks: list[Any], axes: Axes, inch: float
+) -> list[tuple[float, float]]:
+    """Return a place for a number on each line that is long enough, away from other numbers, marks and edges."""
+    kept: list[tuple[float, float]] = []
+    (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
+    for line in lines:
+        if np.hypot(*np.diff(line, axis=0).T).sum() < SHORTEST * inch:
+            continue
+        for share in (0.5, 0.35, 0.65, 0.2, 0.8):
+            x, y = map(float, line[int(share * (len(line) - 1))])
+            near = min(x - left, right - x, y - bottom, top - y) < MARGIN * inch
+            if not near and all(math.hypot(x - a, y - b) >= APART * inch for a, b in [*kept, *marks]):
+                kept.append((x, y))
+                break
+    return kept
+
+
+def _extremes(plane: Plane, panel: Panel, values: Array) -> None:
+    """Mark the extremes in the plane: a triangle down for the lowest, up for the highest frequency."""
+    x, y = plane.drawn(plane.across), plane.drawn(plane.along)
+    for name, places in extremes(values).items():
+        for i, j in places:
+            _mark(panel, x[j], y[i], "v" if name == "minimum" else "^", filled=False, size=5.5)
+
+
+def _motors(panel: Panel, motors: Array | None) -> None:
+    """Mark motors as squares; those beyond the map at its edge, hollow."""
+    if motors is None:
+        return
+    (left, right), (bottom, top) = panel.axes.get_xlim(), panel.axes.get_ylim()
+    for x, y in motors:
+        at = float(np.clip(x, left, right)), float(np.clip(y, bottom, top))
+        _mark(panel, *at, "s", filled=at == (x, y), size=4.0)
+
+
+def _mark(panel: Panel, x: float, y: float, marker: str, *, filled: bool, size: float) -> None:
+    """Draw a mark that can be seen on any colour, black with a white edge or the other way round."""
+    face, edge = (BLACK, WHITE) if filled else (WHITE, BLACK)
+    style: dict[str, Any] = {"markeredgewidth": 0.7, "markersize": size, "clip_on": False}
+    panel.plot([x], [y], marker, color=face, markeredgecolor=edge, **style)

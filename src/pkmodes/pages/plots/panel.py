@@ -1,0 +1,233 @@
+"""A panel of a figure: what is drawn in it is kept as series of numbers, under the names that the reader sees."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from textwrap import fill
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pkmodes.pages.plots.labels import visible
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.collections import PathCollection, QuadMesh
+    from matplotlib.image import AxesImage
+
+Array = NDArray[Any]
+Side = Literal["x", "y"]
+Part = Literal["title", "x", "y"]
+#: Characters per line of a title or label on a narrow sheet.
+LINE = 44
+#: Extra characters allowed per line, since lines break between words.
+WORD = 5
+
+
+@dataclass(frozen=True)
+class Series:
+    """N points in a panel.
+
+    - name: as in the legend; for one without a name what it is, with its number
+    - x, y: in the units of the axes, (N,); NaN where a line across the panel has no such place
+    - part: the piece of a broken curve, from 1, (N,)
+    - values: values shown by colour, (N,)
+    - meanings: names of the values 0, 1, 2... if they are kinds
+    """
+
+    name: str
+    x: Array
+    y: Array
+    part: Array | None = None
+    values: Array | None = None
+    meanings: tuple[str, ...] = ()
+
+
+class Panel:
+    """Axes that keep what is drawn in them; frames, grids, shades and text are drawn on `axes` and not kept.
+
+    Keywords beside those below are for matplotlib; a ``label`` for the legend is the name of the series as well.
+
+    - narrow: whether the figure is for a narrow screen
+    - before: beside it on a narrow sheet, at the left
+    - inner: what a wide figure leaves to the panels above, beside and below: ``title``, ``x`` and ``y``
+    - title: in one line, with the name of a row of panels
+    - labels: of the axes ``x`` and ``y``, of the ``row`` of panels, and of the colour ``scale``
+    - names: names of places on the axes ``x`` and ``y``, where these are no numbers
+    """
+
+    def __init__(
+        self, axes: Axes, *, narrow: bool = False, before: Panel | None = None, inner: Iterable[Part] = ()
+    ) -> None:
+        self.axes, self.narrow, self.before = axes, narrow, before
+        self.inner: set[Part] = set(inner)
+        self.title = ""
+        self.labels = {"x": "", "y": "", "row": "", "scale": ""}
+        self.names: dict[str, Mapping[float, str]] = {"x": {}, "y": {}}
+        self.series: list[Series] = []
+        self._counts: Counter[str] = Counter()
+
+    def label(
+        self,
+        title: str = "",
+        *,
+        x: str = "",
+        y: str = "",
+        row: str = "",
+        **settings: Any,
+    ) -> None:
+        """Name the panel and its axes, except for what it leaves to other panels: see `inner`.
+
+        - row: name of a row of panels, above the label of their vertical axes
+        - settings: for the title
+        """
+        self.title = ", ".join(" ".join(part.split("\n")) for part in (title, row) if part)
+        self.labels |= {"x": x, "y": y, "row": row}
+        inner = self.inner
+        if self.narrow:
+            title, x, inner = _filled(title), _filled(x), set()
+            if self.before is not None and (self.before.labels["y"], self.before.labels["row"]) == (y, row):
+                inner = {"y"}
+                self.axes.tick_params(labelleft=False)
+        if "title" not in inner:
+            self.axes.set_title(title, **settings)
+        if "x" not in inner:
+            self.axes.set_xlabel(x)
+        if "y" not in inner:
+            self.axes.set_ylabel(f"{row}\n{y}" if row else y)
+
+    def name_places(
+        self,
+        side: Side,
+        at: Sequence[float],
+        shown: Sequence[str],
+        names: Sequence[str] = (),
+        **settings: Any,
+    ) -> None:
+        """Write names instead of numbers on an axis.
+
+        - shown, names: as on the axis, maybe in several lines, and in a table; by default the same in one line
+        - settings: for the text on the axis
+        """
+        set_ticks = self.axes.set_xticks if side == "x" else self.axes.set_yticks
+        set_ticks(at, shown, **settings)
+        named = names or [", ".join(name.split("\n")) for name in shown]
+        self.names[side] = {float(place): name for place, name in zip(at, named, strict=True)}
+
+    def plot(self, x: ArrayLike, y: ArrayLike, form: str = "-", *, name: str = "", **style: Any) -> None:
+        """Draw a curve, or marks that all look the same, in a form of `matplotlib.axes.Axes.plot`."""
+        self.axes.plot(np.asarray(x), np.asarray(y), form, **style)
+        self._keep("curve" if set(form) & set("-:") else "marks", name or style.get("label"), x, y)
+
+    def scatter(
+        self, x: ArrayLike, y: ArrayLike, *, values: ArrayLike | None = None, name: str = "", **style: Any
+    ) -> PathCollection:
+        """Draw marks of some size, in the colours of their values if there are any."""
+        colours: dict[str, Any] = {} if values is None else {"c": values}
+        drawn = self.axes.scatter(x, y, **colours, **style)
+        self._keep("marks", name or style.get("label"), x, y, values=values)
+        return drawn
+
+    def error_bars(self, x: ArrayLike, y: ArrayLike, width: ArrayLike, **style: Any) -> None:
+        """Draw marks with horizontal bars of some width on either side."""
+        self.axes.errorbar(x, y, xerr=width, **style)
+        name, middle, reach = style["label"], np.asarray(x, float), np.asarray(width, float)
+        self._keep("marks", name, x, y)
+        self._keep("lower end", f"{name}, lower end", middle - reach, y)
+        self._keep("upper end", f"{name}, upper end", middle + reach, y)
+
+    def band(self, x: ArrayLike, low: ArrayLike, high: ArrayLike, *, name: str = "", **style: Any) -> None:
+        """Shade what is between two curves."""
+        self.axes.fill_between(x, low, high, **style)
+        self.limits(x, low, high, name)
+
+    def limits(self, x: ArrayLike, low: ArrayLike, high: ArrayLike, name: str = "") -> None:
+        """Keep the limits of a band that is drawn already."""
+        lower, upper = np.asarray(low, float), np.asarray(high, float)
+        finite = np.isfinite(lower) & np.isfinite(upper)
+        for end, limit in (("lower", lower), ("upper", upper)):
+            kind = f"band, {end} limit"
+            self._keep(kind, f"{name}, {end} limit" if name else "", x, np.where(finite, limit, np.nan))
+
+    def bar(self, y: float, left: float, right: float, **style: Any) -> None:
+        """Draw a horizontal bar; one that does not begin at 0 has two ends."""
+        self.axes.barh(y, right - left, left=left, **style)
+        name = style["label"]
+        if left == 0.0:
+            self._keep("bars", name, right, y)
+            return
+        self._keep("bars, lower end", f"{name}, lower end", left, y)
+        self._keep("bars, upper end", f"{name}, upper end", right, y)
+
+    def lines(self, x: Array, y: Array, **style: Any) -> None:
+        """Draw N straight lines from the places x (N, 2) and y (N, 2)."""
+        from matplotlib.collections import LineCollection
+
+        ends = np.stack(np.broadcast_arrays(x, y), axis=-1)
+        self.axes.add_collection(LineCollection(list(ends), **style))
+        self.axes.autoscale_view()
+        part = np.repeat(np.arange(1, len(ends) + 1), 2)
+        self._keep("lines", style.get("label"), ends[..., 0].ravel(), ends[..., 1].ravel(), part=part)
+
+    def line_at(self, x: float, name: str, **style: Any) -> None:
+        """Draw a vertical line across the panel."""
+        self.axes.axvline(x, **style)
+        self._keep("line", name, x, np.nan)
+
+    def cells(
+        self, x: Array, y: Array, values: Array, meanings: Sequence[str] = (), **style: Any
+    ) -> QuadMesh:
+        """Draw values (rows, columns) as colours around the places x (columns,) and y (rows,); NaN stays blank.
+
+        - meanings: of the values 0, 1, 2... if they are kinds
+        """
+        mesh = self.axes.pcolormesh(_edges(x), _edges(y), np.ma.masked_invalid(values), **style)
+        self._keep_cells(x, y, values, tuple(meanings))
+        return mesh
+
+    def image(self, values: Array, **style: Any) -> AxesImage:
+        """Draw values (rows, columns) as an image, its rows and columns counted from 0."""
+        drawn = self.axes.imshow(values, **style)
+        rows, columns = values.shape
+        self._keep_cells(np.arange(columns), np.arange(rows), values)
+        return drawn
+
+    def _keep_cells(self, x: Array, y: Array, values: Array, meanings: tuple[str, ...] = ()) -> None:
+        across, along = np.meshgrid(x, y)
+        self._keep("cells", "", across.ravel(), along.ravel(), values=values.ravel(), meanings=meanings)
+
+    def _keep(
+        self,
+        kind: str,
+        name: str | None,
+        x: ArrayLike,
+        y: ArrayLike,
+        *,
+        part: Array | None = None,
+        values: ArrayLike | None = None,
+        meanings: tuple[str, ...] = (),
+    ) -> None:
+        self._counts[kind] += 1
+        title = visible(name) if name else f"{kind} {self._counts[kind]}"
+        across, along = np.broadcast_arrays(np.atleast_1d(x).astype(float), np.atleast_1d(y).astype(float))
+        numbers = None if values is None else np.asarray(values, dtype=float)
+        self.series.append(Series(title, across, along, part, numbers, meanings))
+
+
+def _edges(places: Array) -> Array:
+    """Return the edges of cells, halfway between their places; of one cell 1 apart."""
+    half = 0.5 * np.diff(places) if len(places) > 1 else np.array([0.5])
+    return np.concatenate(
+        [places[:1] - half[:1], places[:-1] + half[: len(places) - 1], places[-1:] + half[-1:]]
+    )
+
+
+def _filled(text: str) -> str:
+    """Return text in lines that are short enough for a narrow sheet, about equally long."""
+    return "\n".join(
+        line if len(line) <= LINE else fill(line, len(line) // (len(line) // LINE + 1) + WORD)
+        for line in text.split("\n")
+    )

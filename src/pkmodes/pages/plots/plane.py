@@ -1,0 +1,214 @@
+"""A map in a plane, and axes on which it is drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.robot.units import SHOWN
+from pkmodes.pages.plots.labels import typeset
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.collections import QuadMesh
+
+    from pkmodes.pages.plots.panel import Panel
+
+Array = NDArray[Any]
+#: Fraction of the values at each end that the colour scale ignores: belts that become very short at the edge of the
+#: workspace would hide everything else.
+OUTLIERS = 0.02
+#: Ratio of the extents above which the longer one is vertical.
+LONGER = 1.1
+#: A quantity counts as the same everywhere if its range is below this fraction of its colour scale or size: the eye
+#: cannot distinguish two such colours.
+SAME = 0.005
+#: Ratio of height to width above which maps stand side by side in one row.
+TALL = 1.6
+
+
+@dataclass(frozen=True, eq=False)
+class Plane:
+    """A map in a plane.
+
+    - dataset: with two axes of poses, (along, across)
+    - across, along: components of the pose on the horizontal and the vertical axis, the longer one vertical
+    - normal: the direction of the platform's motion that is perpendicular to the plane, if any
+    - at: its value [SI]
+    - rest: the other components of the pose, which are constant [SI]: rotations of the platform, or the rest of a
+      plane in which these vary
+    """
+
+    dataset: xarray.Dataset
+    across: str
+    along: str
+    normal: str | None
+    at: float
+    rest: Mapping[str, float] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, dataset: xarray.Dataset, components: Sequence[str]) -> Plane:
+        """Return the plane of a map whose other axes have one value each.
+
+        - dataset: a map
+        - components: components of a pose; other axes are parameters
+
+        Raises PkmodesError if it has not exactly two axes of poses with several values.
+        """
+        leading = [str(dim) for dim in dataset["frequency"].dims[:-1]]
+        several = plane_axes({dim: dataset.sizes[dim] for dim in leading}, components, "map")
+        single = [dim for dim in leading if dim not in several]
+        constant = {dim: float(dataset[dim].values[0]) for dim in components if dim in single}
+        linear = all(dataset[dim].attrs["units"] == "m" for dim in several)
+        normal = next((dim for dim in constant if linear and dataset[dim].attrs["units"] == "m"), None)
+        extent = {dim: float(np.ptp(dataset[dim].values)) for dim in several}
+        same = len({dataset[dim].attrs["units"] for dim in several}) == 1
+        across, along = several[1], several[0]
+        if same and extent[across] > LONGER * extent[along]:
+            across, along = along, across
+        # Loaded first: text that is still in a file cannot be transposed.
+        flat = dataset.isel(dict.fromkeys(single, 0)).load().transpose(along, across, ...)
+        return cls(flat, across, along, normal, constant.pop(normal, 0.0) if normal else 0.0, constant)
+
+    @property
+    def is_tall(self) -> bool:
+        """Whether it is much higher than wide."""
+        return self.height > TALL
+
+    @property
+    def is_linear(self) -> bool:
+        """Whether both components are lengths, or neither is a rotation of the platform."""
+        names = self.dataset["direction"].values.tolist() if "direction" in self.dataset.coords else []
+        return all(
+            self.dataset[name].attrs["units"] == "m" or name not in names
+            for name in (self.along, self.across)
+        )
+
+    @property
+    def height(self) -> float:
+        """Height over width; 1 if the components have different units."""
+        size = [np.ptp(self.dataset[name].values) for name in (self.along, self.across)]
+        units = {self.dataset[name].attrs["units"] for name in (self.along, self.across)}
+        return float(size[0] / size[1]) if len(units) == 1 and size[1] > 0 else 1.0
+
+    @property
+    def proportions(self) -> float:
+        """Height over width that a panel keeps; 0 if the components have different units."""
+        units = {self.dataset[name].attrs["units"] for name in (self.along, self.across)}
+        return self.height if len(units) == 1 else 0.0
+
+    @property
+    def area(self) -> float | None:
+        """Area that can be reached [m^2]; None unless both components are lengths."""
+        if any(self.dataset[name].attrs["units"] != "m" for name in (self.along, self.across)):
+            return None
+        steps = [np.ptp(values) / (len(values) - 1) for values in self._axes()]
+        return float(self.dataset["valid"].values.sum() * steps[0] * steps[1])
+
+    def _axes(self) -> list[Array]:
+        return [self.dataset[name].values for name in (self.along, self.across)]
+
+    def unit(self, name: str) -> tuple[str, float]:
+        """Return the unit in which a component is drawn, and the factor from SI units."""
+        return SHOWN[self.dataset[name].attrs["units"]]
+
+    def drawn(self, name: str) -> Array:
+        """Return the values of a component in the unit in which it is drawn."""
+        values: Array = self.dataset[name].values * self.unit(name)[1]
+        return values
+
+    def label(self, name: str) -> str:
+        """Return the label of an axis."""
+        return f"{name} [{self.unit(name)[0]}]"
+
+    def draw(self, panel: Panel, values: Array, **settings: Any) -> QuadMesh:
+        """Draw values as colours, with the poses that cannot be reached left blank.
+
+        - values: (along, across)
+        - settings: for `pkmodes.pages.plots.panel.Panel.cells`, such as the colour map
+        """
+        x, y, axes = self.drawn(self.across), self.drawn(self.along), panel.axes
+        mesh = panel.cells(x, y, values, rasterized=True, **settings)
+        if self.proportions:
+            axes.set_aspect("equal")
+        axes.set_xlim(*_ends(x))
+        axes.set_ylim(*_ends(y))
+        axes.grid(visible=False)
+        axes.tick_params(length=2)
+        axes.locator_params(axis="x", nbins=3)
+        axes.locator_params(axis="y", nbins=6)
+        return mesh
+
+    def label_panel(self, panel: Panel, title: str, *, row: str = "", **settings: Any) -> None:
+        """Name a panel as `Panel.label` does; an inner one of a wide figure has no numbers on its axes, either."""
+        across, along = self.label(self.across), self.label(self.along)
+        panel.label(title, x=across, y=along, row=row, **settings)
+        if not panel.narrow:
+            panel.axes.tick_params(labelleft="y" not in panel.inner, labelbottom="x" not in panel.inner)
+
+
+def plane_axes(sizes: Mapping[str, int], components: Sequence[str], place: str) -> list[str]:
+    """Return the two axes of a plane: they are components of the pose, and any other axis has one value.
+
+    - sizes: number of values along each axis of poses and parameters
+    - components: components of a pose
+    - place: what an error names as its place
+
+    Raises PkmodesError if the axes do not make a plane.
+    """
+    several = [name for name, size in sizes.items() if size > 1]
+    if len(several) != 2 or not set(several) <= set(components):
+        lengths = ", ".join(f"{name}: {size}" for name, size in sizes.items())
+        problem = f"expected a map over two components of the pose, found {lengths}"
+        remedy = f"give several values for two of {', '.join(components)}, and one for everything else"
+        raise PkmodesError(problem, place, remedy)
+    return several
+
+
+def where(plane: Plane) -> str:
+    """Return where a plane lies, such as ``z = -245 mm``; for a mechanism that moves in a plane its components.
+
+    Rotations that are 0 are left out.
+    """
+    constant = {} if plane.normal is None else {plane.normal: plane.at}
+    lengths = {name: value for name, value in plane.rest.items() if value or plane.unit(name)[0] != "deg"}
+    places = []
+    for name, value in (constant | lengths).items():
+        unit, factor = plane.unit(name)
+        places.append(f"{name} = {typeset(f'{value * factor:.6g}')} {unit}")
+    return ", ".join(places) or f"{plane.across} and {plane.along}"
+
+
+def limits_of(values: Array, outliers: float = OUTLIERS) -> tuple[float, float]:
+    """Return the ends of a colour scale that leaves out this share of the values at each end."""
+    finite = values[np.isfinite(values)]
+    if not len(finite):
+        return 0.0, 1.0
+    low, high = np.quantile(finite, [outliers, 1.0 - outliers])
+    return (float(low), float(high)) if high > low else (float(low) - 0.5, float(high) + 0.5)
+
+
+def same_everywhere(values: Array, axes: tuple[int, int] = (0, 1), scale: float | None = None) -> bool:
+    """Whether a picture of values would have one colour: they differ by less than `SAME` of a scale.
+
+    - values: NaN where there is none
+    - axes: those of the plane
+    - scale: by default the largest size of the values
+    """
+    flat = np.moveaxis(values, axes, (0, 1)).reshape(values.shape[axes[0]] * values.shape[axes[1]], -1)
+    flat = flat[np.isfinite(flat).all(axis=1)]
+    if not len(flat):
+        return False
+    scale = float(np.abs(flat).max()) if scale is None else scale
+    return bool(np.ptp(flat, axis=0).max() <= SAME * scale)
+
+
+def _ends(values: Array) -> tuple[float, float]:
+    """Return the outer edges of the cells around values."""
+    half = (values[-1] - values[0]) / max(len(values) - 1, 1) / 2
+    return float(values[0] - half), float(values[-1] + half)

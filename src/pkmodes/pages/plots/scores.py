@@ -1,0 +1,123 @@
+"""Candidates with their scores, and uncertain values with how far the fit moved them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from pkmodes.loop.diagnosis.verdict.findings import Corrected
+from pkmodes.loop.diagnosis.verdict.result import Diagnosis
+from pkmodes.pages.plots import marks
+from pkmodes.pages.plots.drawing import Drawing
+from pkmodes.pages.plots.labels import short, visible
+from pkmodes.pages.plots.panel import Panel
+from pkmodes.pages.plots.sheet import Sheet
+from pkmodes.pages.plots.style import BLUE, GREEN, GREY, PAPER
+
+#: Most candidates or values in a figure, and length of the longest name.
+MOST, LONGEST = 16, 64
+#: Length of the longest row label: words and a name.
+WHOLE = 96
+#: Height of a row with its label [inch]; the label is this fraction of a row above the line.
+ROW, ABOVE = 0.3, 0.12
+#: Fraction of the axis left of 0, so that a mark at 0 is not cut off.
+LEFT = 0.012
+#: Smaller p-values are drawn as this one.
+LEAST = 1e-300
+
+
+def candidate_scores(result: Diagnosis) -> Drawing | None:
+    """Return the scores of the candidates, the most significant first; None if none was tested."""
+    tested = sorted(result.candidates, key=lambda candidate: candidate.p_value)[:MOST]
+    if not tested:
+        return None
+    claimed = {name for effect in result.effects for name in effect.members}
+    remaining = {
+        name for group in result.survivors for explanation in group for name in explanation.split(" + ")
+    }
+    kinds = [
+        ("claimed, with its class", BLUE, [c for c in tested if c.name in claimed]),
+        ("remains", GREEN, [c for c in tested if c.name in remaining - claimed]),
+        ("not claimed", GREY, [c for c in tested if c.name not in claimed | remaining]),
+    ]
+
+    def draw(sheet: Sheet) -> None:
+        panel = sheet.panel(0.85 + ROW * len(tested))
+        for label, colour, group in kinds:
+            for detectable, face in ((True, colour), (False, PAPER)):
+                plotted = [c for c in group if c.detectable == detectable]
+                if plotted:
+                    y = np.array([tested.index(c) for c in plotted])
+                    x = -np.log10([max(c.p_value, LEAST) for c in plotted])
+                    ends = np.stack([0.0 * x, x], axis=1)[x > 0.0]
+                    panel.lines(ends, y[x > 0.0, None], color=colour, linewidth=1.6)
+                    name = label if detectable else f"{label}, not detectable"
+                    panel.scatter(
+                        x, y, s=22, facecolor=face, edgecolor=colour, linewidth=1.2, zorder=3, label=name
+                    )
+        _rows(panel, [_label(candidate.sentence, candidate.name) for candidate in tested])
+        end = panel.axes.get_xlim()[1]
+        panel.axes.set_xlim(-LEFT * end, end)
+        panel.label(x="score: \u2212log\u2081\u2080 of the p-value of this candidate alone [1]")
+        marks.legend(sheet, panel)
+
+    return Drawing(draw)
+
+
+def _label(words: str, name: str) -> str:
+    """Return the label of a row: in words, and the name after them; the name alone where the words do not fit.
+
+    Words are not cut; the table below the figure has them whole.
+    """
+    named = short(name.removeprefix("effects."), LONGEST)
+    text = visible(words)
+    return f"{text} ({named})" if text and len(text) <= max(WHOLE - len(named), LONGEST) else named
+
+
+def _rows(panel: Panel, labels: Sequence[str]) -> None:
+    """Name the rows, each above its line, so that the lines have the whole width, also on a small screen."""
+    axes = panel.axes
+    panel.name_places("y", [i - ABOVE for i in range(len(labels))], labels)
+    axes.set_ylim(len(labels) - 0.5, -0.9)
+    axes.tick_params(axis="y", length=0.0, pad=-3.0)
+    for text in axes.get_yticklabels():
+        text.set(horizontalalignment="left", verticalalignment="bottom")
+    axes.grid(visible=False, axis="y")
+
+
+def pulls(values: Sequence[Corrected], words: Callable[[str], str] | None = None) -> Drawing | None:
+    """Return how far the fit moved each value, in standard deviations of its prior; None if none has a prior.
+
+    - words: returns what the name of a value means, or nothing
+    """
+    with_prior = [(value, value.prior_sigma) for value in values if value.prior_sigma]
+    moved = [((v.value - v.declared) / prior, v.sigma / prior, v.name) for v, prior in with_prior]
+    shown = sorted(moved, key=lambda entry: -abs(entry[0]))[:MOST]
+    if not shown:
+        return None
+    labels = [_label(words(name) if words else "", name) for _, _, name in shown]
+    away, width, _ = zip(*shown, strict=True)
+
+    def draw(sheet: Sheet) -> None:
+        panel = sheet.panel(0.8 + ROW * len(labels))
+        axes = panel.axes
+        axes.axvspan(-1.0, 1.0, color=GREY, alpha=0.16, linewidth=0, label="prior, \u00b11 \u03c3")
+        marks.zero_across(panel)
+        panel.error_bars(
+            away,
+            range(len(shown)),
+            width,
+            fmt="o",
+            color=BLUE,
+            capsize=2.5,
+            label="after the fit, \u00b11 \u03c3",
+        )
+        _rows(panel, labels)
+        limit = max(3.0, *(abs(a) + w for a, w, _ in shown)) * 1.05
+        axes.set_xlim(-limit, limit)
+        axes.grid(visible=False, axis="y")
+        panel.label(x="value \u2212 declared value [\u03c3 of the prior]")
+        marks.legend(sheet, panel)
+
+    return Drawing(draw)

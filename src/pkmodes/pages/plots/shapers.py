@@ -1,0 +1,209 @@
+"""What shapers leave of the vibration: over the workspace, over frequency, and where the model errs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.pages.plots.drawing import Drawing
+from pkmodes.pages.plots.panel import Panel
+from pkmodes.pages.plots.sheet import Sheet
+from pkmodes.pages.plots.style import BLUE, GREEN, GREY, INK, ORANGE, PALETTE, PURPLE, SKY, VERMILLION, WIDTH
+
+Array = NDArray[Any]
+#: Colours of the shapers that are not recommended.
+OTHERS = (GREEN, ORANGE, PURPLE, SKY)
+#: Upper end of an axis that shows up to 100 %.
+TOP = 104.0
+#: Fraction of a grid's points above which poses are drawn as that grid.
+FILLED = 0.25
+#: Smallest and largest ratio of height to width of a map; space for titles and labels [inch].
+SHAPES, AROUND = (0.3, 1.3), 0.75
+#: A single map is as wide as if this many stood side by side.
+ALONE = 1.6
+
+
+def over_plane(
+    points: Array, names: Sequence[str], units: Sequence[tuple[str, float]], remaining: Mapping[str, Array]
+) -> Drawing:
+    """Draw what shapers leave at poses in a plane, one map for each, on a common scale.
+
+    - points: SI, (N, 2)
+    - names, units: of the two components, and the unit in which each is drawn with its factor
+    - remaining: by shaper, each (N,) [%]
+    """
+    x, y = (points[:, i] * units[i][1] for i in (0, 1))
+    alike = units[0][0] == units[1][0]
+    across, along = (f"{names[i]} [{units[i][0]}]" for i in (0, 1))
+    ratio = float(np.ptp(y) / np.ptp(x))
+    shape = float(np.clip(ratio, *SHAPES)) if alike else 0.8
+    equal = alike and SHAPES[0] <= ratio <= SHAPES[1]
+    highest = max(1e-9, *(float(values.max()) for values in remaining.values()))
+
+    def draw(sheet: Sheet) -> None:
+        count, kept = len(remaining), shape if equal else 0.0
+        height = shape * (WIDTH - 1.2) / max(count, ALONE) + AROUND
+        sheet.groups(count, count, height, share_y=True, shape=kept, scales="common")
+        mesh: Any = None
+        for panel, (title, values) in zip(sheet.panels, remaining.items(), strict=True):
+            mesh = _map(panel, x, y, values, highest, count)
+            panel.label(title, x=across, y=along)
+            panel.axes.grid(False)
+            if equal:
+                panel.axes.set_aspect("equal")
+        sheet.scale(mesh, "left [%]", aspect=15)
+
+    return Drawing(draw)
+
+
+def _map(panel: Panel, x: Array, y: Array, values: Array, highest: float, panels: int) -> Any:
+    """Draw values over a plane: as cells of a grid where the points form one, else as squares."""
+    columns, i = np.unique(x.round(9), return_inverse=True)
+    rows, k = np.unique(y.round(9), return_inverse=True)
+    if len(x) >= FILLED * len(rows) * len(columns):
+        cells = np.full((len(rows), len(columns)), np.nan)
+        cells[np.ravel(k), np.ravel(i)] = values
+        return panel.cells(columns, rows, cells, vmin=0, vmax=highest, rasterized=True)
+    size = max(2.0, min(60.0, 9000.0 / len(x) / panels))
+    style: dict[str, Any] = {"marker": "s", "linewidths": 0.0, "vmin": 0.0, "vmax": highest}
+    return panel.scatter(x, y, values=values, s=size, rasterized=True, **style)
+
+
+def along_line(at: Array, name: str, unit: tuple[str, float], remaining: Mapping[str, Array]) -> Drawing:
+    """Draw what shapers leave at poses along a line.
+
+    - at: the component of the pose that changes, (N,) [SI]
+    - remaining: by shaper, each (N,) [%]
+    """
+    order = np.argsort(at)
+
+    def draw(sheet: Sheet) -> None:
+        panel = sheet.panel(2.6)
+        panel.label(x=f"{name} [{unit[0]}]", y="left [%]")
+        _curves(
+            sheet, panel, at[order] * unit[1], {title: values[order] for title, values in remaining.items()}
+        )
+
+    return Drawing(draw)
+
+
+def against_error(errors: Array, remaining: Mapping[str, Array], spread: float | None) -> Drawing:
+    """Draw what shapers leave where all frequencies differ from those of the model.
+
+    - errors: relative errors of the frequencies, (E,)
+    - remaining: by shaper, each (E,) [%]: the root mean square over the poses, relative to none
+    - spread: mean standard deviation of the frequencies, as a band
+    """
+
+    def draw(sheet: Sheet) -> None:
+        panel = sheet.panel(2.9)
+        if spread is not None:
+            panel.axes.axvspan(-100.0 * spread, 100.0 * spread, color=GREY, alpha=0.2, linewidth=0.0)
+        panel.label(x="frequencies, above those of the model [%]", y="left, rms [%]")
+        _curves(sheet, panel, 100.0 * errors, remaining)
+
+    return Drawing(draw)
+
+
+def _curves(sheet: Sheet, panel: Panel, x: Array, remaining: Mapping[str, Array]) -> None:
+    styles = ("-", "--", ":", "-.")
+    for i, (name, values) in enumerate(remaining.items()):
+        panel.plot(x, values, styles[i % len(styles)], color=PALETTE[i % len(PALETTE)], label=name)
+    panel.axes.set_xlim(x[0], x[-1])
+    panel.axes.set_ylim(0.0, None)
+    sheet.legend(panel, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2, fontsize=7.5)
+
+
+@dataclass(frozen=True)
+class ShaperCurve:
+    """What a shaper leaves of a mode at each frequency [%], by its name; `marked` for the recommended one."""
+
+    name: str
+    remaining: Array
+    marked: bool
+
+
+@dataclass(frozen=True)
+class Spectrum:
+    """Amplitudes of a measured spectrum, before and after the recommended shaper [% of the highest before]."""
+
+    frequencies: Array
+    before: Array
+    after: Array
+
+
+@dataclass(frozen=True)
+class MarkedModes:
+    """Measured modes [Hz], and what the recommended shaper leaves of them: as measured, and at most [%]."""
+
+    frequencies: Array
+    remaining: Array
+    largest: Array
+    within: str
+
+
+def over_frequency(
+    frequencies: Array, curves: Sequence[ShaperCurve], spectrum: Spectrum | None, modes: MarkedModes | None
+) -> Drawing:
+    """Draw what shapers leave of a mode at each frequency, over a measured spectrum where there is one.
+
+    - frequencies: of the curves, (F,) [Hz]
+    - curves: the recommended one among them
+    """
+    across = "frequency [Hz]"
+
+    def draw(sheet: Sheet) -> None:
+        panel = sheet.panel(3.6)
+        beside = panel
+        if spectrum is not None:
+            beside = sheet.adopt(panel.axes.twinx(), inner={"x"})
+            beside.axes.grid(visible=False)
+            beside.axes.spines["right"].set_visible(True)
+            _spectrum(panel, spectrum)
+            panel.label(x=across, y="amplitude of the spectrum [% of the highest]")
+        beside.label(x=across, y="left of a mode at this frequency [%]")
+        colours = iter(OTHERS)
+        for curve in sorted(curves, key=lambda candidate: not candidate.marked):
+            style: dict[str, Any] = {"color": VERMILLION, "linewidth": 2.0, "zorder": 3}
+            if not curve.marked:
+                style = {"color": next(colours), "linewidth": 1.1}
+            beside.plot(
+                frequencies, curve.remaining, "-" if curve.marked else "--", label=curve.name, **style
+            )
+        if modes is not None:
+            ends = np.stack([modes.remaining, modes.largest], axis=-1)
+            places = np.stack([modes.frequencies] * 2, axis=-1)
+            beside.lines(places, ends, color=INK, linewidth=1.0, label=modes.within, zorder=4)
+            dots: dict[str, Any] = {"marker": "o", "s": 14, "color": INK, "zorder": 5}
+            beside.scatter(modes.frequencies, modes.remaining, label="measured modes", **dots)
+        beside.axes.set_ylim(0.0, TOP)
+        panel.axes.set_xlim(0.0, frequencies[-1])
+        legends = [part.axes.get_legend_handles_labels() for part in dict.fromkeys([panel, beside])]
+        handles, names = (
+            [handle for legend in legends for handle in legend[0]],
+            [name for legend in legends for name in legend[1]],
+        )
+        place: dict[str, Any] = {
+            "loc": "lower center",
+            "bbox_to_anchor": (0.5, 1.0),
+            "ncols": 3,
+            "fontsize": 7.0,
+        }
+        sheet.legend_of(handles, names, above=panel, **place)
+
+    return Drawing(draw)
+
+
+def _spectrum(panel: Panel, spectrum: Spectrum) -> None:
+    """Draw the density, and what is left of it."""
+    panel.axes.fill_between(spectrum.frequencies, 0.0, spectrum.before, color=GREY, alpha=0.25, linewidth=0.0)
+    panel.plot(spectrum.frequencies, spectrum.before, color=GREY, linewidth=1.2, label="measured spectrum")
+    panel.axes.fill_between(spectrum.frequencies, 0.0, spectrum.after, color=BLUE, alpha=0.35, linewidth=0.0)
+    panel.plot(
+        spectrum.frequencies, spectrum.after, color=BLUE, linewidth=1.4, label="after the recommended shaper"
+    )
+    panel.axes.set_ylim(0.0, TOP)

@@ -1,0 +1,246 @@
+"""The sheet that a figure is drawn on: as wide as a page's text, or narrow, where its panels follow each other."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Container, Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING, Any, Literal
+
+from pkmodes.pages.plots.panel import Panel, Part
+from pkmodes.pages.plots.style import WIDTH, figure
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.transforms import Bbox
+
+Shared = bool | Literal["row", "col"]
+Scales = Literal["", "own", "common"]
+#: Width of a narrow figure, about 340 px of a page [inch].
+NARROW = 3.5
+#: Space for labels beside a panel, for a colour scale there, and for title and labels above and below a panel [inch].
+LABELS, SCALE, AROUND = 0.75, 0.65, 0.75
+#: Space around a panel without axes, and for a colour scale below a panel [inch].
+TITLE, BELOW = 0.25, 0.6
+#: Approximate height of titles and labels around a panel on a wide sheet [inch].
+LABELLED = 0.55
+#: Ratios of height to width above which two and three panels stand side by side.
+TALL = (1.3, 2.2)
+#: A drawn figure fits if its width is at most this multiple of the sheet's.
+SLACK = 1.03
+#: Smallest width of a panel [inch].
+LEAST = 0.5
+#: Smallest distance between tick labels that are not rotated [inch].
+APART = 0.04
+#: Margin around narrow figures [inch].
+MARGIN = 0.08
+
+
+class Sheet:
+    """A sheet with the panels that are drawn on it.
+
+    - panels: row by row as on a wide sheet
+    - panel_width: of a panel on a narrow sheet, about [inch]
+    """
+
+    def __init__(self, *, narrow: bool) -> None:
+        self.narrow = narrow
+        self.figure = figure(1.0)
+        self.panels: list[Panel] = []
+        self.panel_width = NARROW
+
+    def panel(self, height: float, width: float = WIDTH, **settings: Any) -> Panel:
+        """Return the only panel of a figure; parameters as those of `groups`."""
+        return self.groups(1, 1, height, width, **settings)[0][0]
+
+    def groups(
+        self,
+        count: int,
+        columns: int,
+        height: float,
+        width: float = WIDTH,
+        *,
+        rows: Sequence[float] = (1.0,),
+        share_x: Shared = False,
+        share_y: Shared = False,
+        shape: float = 0.0,
+        scales: Scales = "",
+        frames: bool = True,
+    ) -> list[list[Panel]]:
+        """Return groups of panels, in each of which the panels stand below one another and are read together.
+
+        On a wide sheet a panel leaves its title to the first of its group, and the labels of its axes to the panels
+        at the left and below.  On a narrow sheet the groups follow each other; panels that are slender enough stand
+        side by side there.
+
+        - count, columns: of the groups on a wide sheet
+        - height, width: of the wide figure [inch]
+        - rows: relative heights of the panels of a group
+        - share_x, share_y: as for `matplotlib.figure.Figure.subplots`
+        - shape: height over width of panels that keep their proportions; 0 for others
+        - scales: which colour scales are beside the panels: ``own`` ones, one in ``common``, or none
+        - frames: whether the panels have axes; without, more stand side by side
+        """
+        lines = -(-count // columns)
+        places = {
+            (group, row): (group // columns * len(rows) + row, group % columns)
+            for group in range(count)
+            for row in range(len(rows))
+        }
+        if self.narrow:
+            across = min(len(places), 1 + sum(shape >= ratio for ratio in TALL) if frames else 3)
+            beside = SCALE if scales == "common" or (scales == "own" and across == 1) else 0.0
+            self.panel_width = (NARROW - (LABELS if frames else 0.0) - beside) / across
+            heights = [(height / lines - LABELLED) * row / sum(rows) for row in rows]
+            if shape:
+                below = BELOW if scales == "own" and across > 1 else 0.0
+                heights = [shape * self.panel_width + below] * len(rows)
+            around = AROUND if frames else TITLE
+            panels = self._follow(places, across, heights, around, beside, share_x, share_y)
+        else:
+            self.figure.set_size_inches(width, height)
+            grid = {"height_ratios": list(rows) * lines} if len(rows) > 1 else {}
+            size = lines * len(rows), columns
+            grid_axes: Any = self.figure.subplots(
+                *size, squeeze=False, sharex=share_x, sharey=share_y, gridspec_kw=grid
+            )
+            for axes in grid_axes.flat:
+                axes.set_visible(False)
+            taken = set(places.values())
+            panels = {
+                key: Panel(grid_axes[place], inner=_inner(key[1], place, taken))
+                for key, place in places.items()
+            }
+            for panel in panels.values():
+                panel.axes.set_visible(True)
+        self.panels = [panels[key] for key in sorted(places, key=places.__getitem__)]
+        return [[panels[group, row] for row in range(len(rows))] for group in range(count)]
+
+    def _follow(
+        self,
+        places: dict[tuple[int, int], tuple[int, int]],
+        across: int,
+        heights: Sequence[float],
+        around: float,
+        beside: float,
+        share_x: Shared,
+        share_y: Shared,
+    ) -> dict[tuple[int, int], Panel]:
+        """Return the panels of a narrow sheet by group and row, each with its space around and beside it [inch].
+
+        - places: row and column of the panels on a wide sheet
+        - across: how many stand side by side: they follow each other group by group, or else row by row
+        """
+        order = list(places) if across == 1 else sorted(places, key=places.__getitem__)
+        lines = [max(heights[row] for _, row in order[k : k + across]) for k in range(0, len(order), across)]
+        self.figure.set_size_inches(NARROW, sum(lines) + len(lines) * around + 0.3)
+        # As wide as after the layout, about: it decides which numbers and names fit beside each other.
+        sides = {"left": 0.15, "right": 0.99 - beside / NARROW}
+        spec = self.figure.add_gridspec(len(lines), across, height_ratios=lines, **sides)
+        first: dict[tuple[str, int], Axes] = {}
+        panels: dict[tuple[int, int], Panel] = {}
+        for k, cell in enumerate(order):
+            row, column = places[cell]
+            keys = [("sharex", column if share_x == "col" else 0)] if share_x else []
+            keys += [("sharey", row if share_y == "row" else 0)] if share_y else []
+            shared: dict[str, Any] = {key[0]: first.get(key) for key in keys}
+            axes = self.figure.add_subplot(spec[k // across, k % across], **shared)
+            first = {**dict.fromkeys(keys, axes), **first}
+            panels[cell] = Panel(axes, narrow=True, before=panels[order[k - 1]] if k % across else None)
+        return panels
+
+    def adopt(self, axes: Axes, inner: Iterable[Part] = ()) -> Panel:
+        """Return axes that were drawn elsewhere on the figure as a panel."""
+        self.panels.append(Panel(axes, inner=inner))
+        return self.panels[-1]
+
+    def scale(self, mesh: Any, label: str, **settings: Any) -> None:
+        """Draw the colour scale of all panels, with settings for `matplotlib.figure.Figure.colorbar`."""
+        for panel in self.panels:
+            panel.labels["scale"] = label
+        self.figure.colorbar(mesh, ax=[panel.axes for panel in self.panels], **settings).set_label(label)
+
+    def legend(self, panel: Panel, *, above: bool = True, **wide: Any) -> None:
+        """Draw the legend of what is drawn in a panel.
+
+        - above: whether it stands above this panel on a wide sheet, or else outside all
+        - wide: for the legend on a wide sheet
+        """
+        self.legend_of(*panel.axes.get_legend_handles_labels(), above=panel if above else None, **wide)
+
+    def legend_of(
+        self,
+        handles: Sequence[Any],
+        names: Sequence[str],
+        *,
+        above: Panel | None = None,
+        below: bool = False,
+        title: str | None = None,
+        **wide: Any,
+    ) -> Any:
+        """Draw a legend outside the panels: on a narrow sheet above or below all of them, in as many columns as fit.
+
+        - above: above which it stands on a wide sheet
+        - wide: for the legend on a wide sheet
+        """
+        if not self.narrow:
+            owner = self.figure if above is None else above.axes
+            return owner.legend(handles, names, title=title, **wide)
+        place: dict[str, Any] = {"loc": "outside lower center" if below else "outside upper left"}
+        for columns in range(len(names), 0, -1):
+            made = self.figure.legend(
+                handles, names, title=title, ncols=columns, columnspacing=1.2, handletextpad=0.4, **place
+            )
+            box = made.get_window_extent()
+            if columns == 1 or box.width <= (NARROW - 2 * MARGIN) * self.figure.dpi:
+                break
+            made.remove()
+        self.figure.set_figheight(self.figure.get_figheight() + box.height / self.figure.dpi)
+        return made
+
+    def settle(self) -> Bbox | None:
+        """Lay a narrow figure out, to be saved once; return the part of it that is shown, None if it does not fit."""
+        from matplotlib import rc_context
+        from matplotlib.transforms import Bbox
+
+        drawn = self.figure
+        for panel in self.panels:
+            _turn(panel.axes, APART * drawn.dpi)
+        engine = drawn.get_layout_engine()
+        if not self.panels or engine is None:
+            return None
+        engine.execute(drawn)
+        with rc_context({"figure.constrained_layout.use": False}):
+            drawn.set_layout_engine(None)  # it stays as it is, and is saved without another draft
+        # Placed relative to the figure, a legend stays where it is when margins are cut off.
+        for legend in drawn.legends:
+            legend.set_bbox_to_anchor((0.0, 0.0, 1.0, 1.0), drawn.transFigure)
+        box = drawn.get_tightbbox()
+        thin = any(panel.axes.bbox.width < LEAST * drawn.dpi for panel in self.panels)
+        if box.width > SLACK * NARROW or thin or any(_crowded(panel.axes) for panel in self.panels):
+            return None
+        # Text is drawn by the reader's fonts, which may be somewhat wider.
+        return Bbox([[min(box.x0, 0.0), box.y0], [max(box.x1, NARROW), box.y1]]).padded(MARGIN)
+
+
+def _inner(row: int, place: tuple[int, int], taken: Container[tuple[int, int]]) -> Iterator[Part]:
+    """Yield what a panel leaves to others, from its row in its group and its place among those that are taken."""
+    if row:
+        yield "title"
+    if place[1]:
+        yield "y"
+    if (place[0] + 1, place[1]) in taken:
+        yield "x"
+
+
+def _turn(axes: Axes, gap: float) -> None:
+    """Rotate tick labels that would overlap; before the layout, when panels have about their final width."""
+    shown = [label for label in axes.get_xticklabels() if label.get_text() and label.get_visible()]
+    boxes = sorted((label.get_window_extent() for label in shown), key=lambda box: box.x0)
+    if any(a.x1 + gap > b.x0 for a, b in itertools.pairwise(boxes)) and shown[0].get_rotation() == 0:
+        axes.tick_params(axis="x", labelrotation=90)
+
+
+def _crowded(axes: Axes) -> bool:
+    """Return whether texts in a panel overlap."""
+    boxes = [text.get_window_extent() for text in axes.texts if text.get_text() and text.get_visible()]
+    return any(a.overlaps(b) for a, b in itertools.pairwise(boxes))

@@ -1,0 +1,141 @@
+"""Frequencies against a swept parameter or along a list of poses, and their scatter over sampled robots."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.robot.units import SHOWN
+from pkmodes.pages.plots.drawing import Drawing
+from pkmodes.pages.plots.labels import short
+from pkmodes.pages.plots.sheet import Sheet
+from pkmodes.pages.plots.style import BLUE, GREY, PALETTE, VERMILLION
+
+if TYPE_CHECKING:
+    import xarray
+
+Array = NDArray[Any]
+#: Most pose names written under an axis.
+LABELS = 24
+#: Below this number of values, 2 % of them are less than one: the band then covers all of them.
+FEW = 50
+#: Quantiles at the edges of a band for many values, and for few.
+INNER, ALL = (0.02, 0.5, 0.98), (0.0, 0.5, 1.0)
+
+
+def against(dataset: xarray.Dataset, path: str, spread: Array | None = None) -> Drawing:
+    """Draw the frequency of each mode against one axis of a map: median and range over everything else.
+
+    The band leaves out the lowest and the highest 2 % of many values, as the table of a map does: a few poses at the
+    edge of the workspace would hide everything else.
+
+    - dataset: a map
+    - path: the axis: a swept parameter, in SI units, or a component of the pose, in the units of figures
+    - spread: standard deviations of the frequencies along the axis, (values, modes) [Hz], as a band; for a map
+      without other axes
+    """
+    order = np.argsort(dataset[path].values, kind="stable")
+    dataset = dataset.isel({path: order})
+    unit, factor = dataset[path].attrs["units"], 1.0
+    if "." not in path:  # a component of the pose
+        unit, factor = SHOWN[unit]
+    values = dataset[path].values * factor
+    frequency = _flat(dataset, path)
+    shares = ALL if frequency.shape[1] < FEW else INNER
+    modes = frequency.shape[-1]
+    columns = min(modes, 3)
+    height = 1.75 * -(-modes // columns) + 0.2
+
+    def draw(sheet: Sheet) -> None:
+        sheet.groups(modes, columns, height, share_x=True)
+        for mode, panel in enumerate(sheet.panels):
+            low, middle, high = _quantiles(frequency[..., mode], shares)
+            if spread is not None:
+                low, high = middle - spread[order, mode], middle + spread[order, mode]
+            panel.band(values, low, high, color=BLUE, alpha=0.18, linewidth=0)
+            panel.plot(values, middle, color=BLUE, marker="o" if len(values) <= 15 else None)
+            panel.label(f"mode {mode + 1}", x=f"{path} [{unit}]", y="f [Hz]")
+            if "x" not in panel.inner:
+                panel.axes.tick_params(labelbottom=True)
+
+    return Drawing(draw)
+
+
+def along(dataset: xarray.Dataset, spread: Array | None = None) -> Drawing:
+    """Draw the frequencies along a list of poses.
+
+    - dataset: a map with the dimension ``pose``
+    - spread: standard deviations of the frequencies, (poses, modes) [Hz], as bands
+    """
+    frequencies = _flat(dataset, "pose")
+    frequency = np.stack(
+        [_quantiles(frequencies[..., mode], (0.5,))[0] for mode in range(frequencies.shape[-1])], axis=-1
+    )
+    labels = [short(label) for label in dataset["pose"].values]
+    step = max(1, -(-len(labels) // LABELS))
+    place = np.arange(len(labels))
+
+    def draw(sheet: Sheet) -> None:
+        panel = sheet.panel(3.0)
+        for mode in range(frequency.shape[-1]):
+            colour = PALETTE[mode % len(PALETTE)]
+            style = "-" if mode < len(PALETTE) else "--"
+            marker = "o" if len(labels) <= 60 else None
+            if spread is not None:
+                low, high = (frequency[:, mode] + side * spread[:, mode] for side in (-1.0, 1.0))
+                panel.band(place, low, high, color=colour, alpha=0.18, linewidth=0)
+            panel.plot(
+                place, frequency[:, mode], style, color=colour, marker=marker, label=f"mode {mode + 1}"
+            )
+        turned = 90 if len(labels) > 10 else 0
+        panel.name_places("x", range(0, len(labels), step), labels[::step], rotation=turned)
+        panel.label(x="pose", y="f [Hz]")
+        sheet.legend(panel, above=False, loc="outside right upper")
+
+    return Drawing(draw)
+
+
+def scatter(dataset: xarray.Dataset) -> Drawing:
+    """Draw by how much the frequencies of sampled robots differ from the median robot at the same pose.
+
+    - dataset: a map with the dimension ``sample``
+    """
+    frequency = _flat(dataset, "sample")
+    modes = frequency.shape[-1]
+    middle = [_quantiles(frequency[..., mode].T, (0.5,))[0] for mode in range(modes)]
+    relative = 100.0 * (frequency / np.stack(middle, axis=-1) - 1.0)
+
+    def draw(sheet: Sheet) -> None:
+        panel = sheet.panel(2.6)
+        panel.axes.axhline(0.0, color=GREY, linewidth=0.8)
+        for mode in range(modes):
+            values = relative[..., mode][np.isfinite(relative[..., mode])]
+            if not len(values):
+                continue
+            place = [mode + 1] * 2
+            low, quarter, middle, three, top = np.quantile(values, [0.025, 0.25, 0.5, 0.75, 0.975])
+            panel.plot(place, [low, top], color=BLUE, linewidth=1.2)
+            panel.plot(place, [quarter, three], color=BLUE, linewidth=7, solid_capstyle="butt")
+            panel.plot([mode + 1], [middle], "o", color=VERMILLION)
+        panel.axes.set_xticks(range(1, modes + 1))
+        panel.axes.set_xlim(0.5, modes + 0.5)
+        panel.label(x="mode", y="f / median at the pose \u2212 1 [%]")
+
+    return Drawing(draw)
+
+
+def _flat(dataset: xarray.Dataset, dim: str) -> Array:
+    """Return the frequencies as (values of a dimension, everything else, modes)."""
+    frequencies = dataset["frequency"].transpose(dim, ..., "mode").values
+    return frequencies.reshape(frequencies.shape[0], -1, frequencies.shape[-1])
+
+
+def _quantiles(values: Array, shares: tuple[float, ...]) -> Array:
+    """Return quantiles along the second axis, NaN where no pose can be evaluated."""
+    quantiles = np.full((len(shares), len(values)), np.nan)
+    evaluated = np.isfinite(values).any(axis=1)
+    if evaluated.any():
+        quantiles[:, evaluated] = np.nanquantile(values[evaluated], shares, axis=1)
+    return quantiles

@@ -1,0 +1,148 @@
+"""The working plane inside the reachable volume, with the condition number (figure 7 of the paper)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.pages.plots.drawing import Drawing
+from pkmodes.pages.plots.labels import typeset
+from pkmodes.pages.plots.panels import scale_beside
+from pkmodes.pages.plots.plane import Plane, limits_of, same_everywhere, where
+from pkmodes.pages.plots.sheet import Sheet
+from pkmodes.pages.plots.style import GREEN, INK, WIDTH
+
+Array = NDArray[Any]
+#: Viewing direction of the volume [deg].
+ELEVATION, AZIMUTH = 20.0, -60.0
+#: Fraction of the poses at each end that the colour scale ignores: condition numbers grow without bound towards a
+#: singularity.
+NEAR_SINGULAR = 0.1
+#: Outlines that enclose less than this fraction of the largest are left out: at the rim of a workspace, a step
+#: between two heights leaves fragments.
+SHARD = 0.03
+
+
+@dataclass(frozen=True, eq=False)
+class Volume:
+    """Which poses around a plane can be evaluated.
+
+    - heights, along, across: values of the components of the pose, perpendicular to the plane and in it [SI]
+    - valid: (heights, along, across)
+    """
+
+    heights: Array
+    along: Array
+    across: Array
+    valid: Array
+
+
+def workspace(plane: Plane, volume: Volume | None) -> Drawing | str:
+    """Draw the condition number of the platform Jacobian in a plane, and where the plane lies in the workspace.
+
+    - volume: None for a mechanism that moves in a plane
+
+    Returns a sentence for a mechanism that moves in a plane with the same condition number everywhere.
+    """
+    condition = plane.dataset["condition"].values
+    low, high = limits_of(condition, NEAR_SINGULAR)
+    if volume is None and same_everywhere(condition):
+        return (
+            f"The condition number of the platform Jacobian is {np.nanmedian(condition):.3g} at every pose."
+        )
+
+    def draw(sheet: Sheet) -> None:
+        if volume is None:
+            flat = sheet.panel(WIDTH * 0.55, WIDTH * 0.7, shape=plane.proportions, scales="own")
+        else:
+            sheet.figure.set_size_inches(WIDTH, WIDTH * 0.5)
+            parts: Any = sheet.figure.subfigures(1, 2, width_ratios=(1.5, 1.0))
+            left, right = parts
+            solid = left.add_axes((0.02, 0.02, 0.86, 0.96), projection="3d", computed_zorder=False)
+            _volume(solid, plane, volume, low, high)
+            flat = sheet.adopt(right.add_subplot())
+        mesh = plane.draw(flat, condition, vmin=low, vmax=high)
+        plane.label_panel(flat, _median(plane, condition))
+        label = "condition number [1]"
+        if plane.is_tall:
+            flat.axes.set_anchor("E")  # next to its scale
+            sheet.scale(mesh, label, aspect=30, shrink=0.7, extend="both")
+        else:
+            scale_beside(plane, flat, mesh, label)
+
+    return Drawing(draw, narrow=volume is None)
+
+
+def _median(plane: Plane, condition: Array) -> str:
+    """Return the median and its area: poses next to a singular edge would decide a mean."""
+    finite = condition[np.isfinite(condition)]
+    if not len(finite):
+        return ""
+    over = "" if plane.area is None else f"\nover {typeset(f'{plane.area:.2g}')} m\N{SUPERSCRIPT TWO}"
+    return f"median {np.median(finite):.2f}{over}"
+
+
+def _outlines(x: Array, y: Array, valid: Array) -> list[list[Array]]:
+    """Return the outlines at each height, closed lines of (x, y), without those that enclose next to nothing."""
+    from matplotlib.figure import Figure
+
+    flat = Figure().add_subplot()  # only to find them
+    outlines = [
+        flat.contour(x, y, inside.astype(float), [0.5]).allsegs[0] if inside.any() else [] for inside in valid
+    ]
+    least = SHARD * max((_enclosed(line) for closed in outlines for line in closed), default=0.0)
+    return [[line for line in closed if _enclosed(line) >= least] for closed in outlines]
+
+
+def _enclosed(line: Any) -> float:
+    """Return the area that a closed line encloses."""
+    x, y = line[:-1].T
+    following = line[1:].T
+    return float(abs(np.sum(x * following[1] - y * following[0])) / 2.0)
+
+
+def _volume(axes: Any, plane: Plane, volume: Volume, low: float, high: float) -> None:
+    """Draw the outlines of the volume at several heights, and the plane between them."""
+    from matplotlib import colormaps
+    from matplotlib.colors import Normalize
+
+    names = (plane.across, plane.along, str(plane.normal))
+    factors = [plane.unit(name)[1] for name in names]
+    x, y, heights = (
+        v * f for v, f in zip((volume.across, volume.along, volume.heights), factors, strict=True)
+    )
+    at = plane.at * factors[2]
+    outlines = _outlines(x, y, volume.valid)
+    for above in (False, True):
+        for height, closed in zip(heights, outlines, strict=True):
+            for line in closed if (height > at) == above else []:
+                axes.plot(line[:, 0], line[:, 1], height, color=GREEN, linewidth=0.7, alpha=0.8)
+        if not above:
+            condition = plane.dataset["condition"].values
+            colours = colormaps["cividis"](Normalize(low, high)(condition))
+            surface = np.where(np.isfinite(condition), at, np.nan)
+            settings = {"shade": False, "linewidth": 0, "antialiased": False, "rasterized": True}
+            X, Y = np.meshgrid(plane.drawn(plane.across), plane.drawn(plane.along))
+            axes.plot_surface(X, Y, surface, facecolors=colours, rcount=80, ccount=80, **settings)
+    axes.set_title(where(plane), y=0.9)
+    axes.view_init(ELEVATION, AZIMUTH)
+    axes.set(xlim=(x[0], x[-1]), ylim=(y[0], y[-1]), zlim=(heights[0], heights[-1]))
+    for letter, name in zip("xyz", names, strict=True):
+        getattr(axes, f"set_{letter}label")(plane.label(name), labelpad={"x": -4, "y": 1, "z": 2}[letter])
+    axes.set_box_aspect([np.ptp(values) for values in (x, y, heights)], zoom=0.9)
+    bare(axes)
+
+
+def bare(axes: Any) -> None:
+    """Strip axes in three dimensions down to thin lines and a few numbers."""
+    axes.grid(visible=False)
+    axes.tick_params(pad=-3, labelsize=7)
+    axes.tick_params(axis="z", pad=0)
+    for axis in (axes.xaxis, axes.yaxis, axes.zaxis):
+        axis.set_pane_color((0, 0, 0, 0))
+        axis.line.set_color(INK)
+        axis.line.set_linewidth(0.5)
+    axes.locator_params(nbins=4)

@@ -1,0 +1,262 @@
+"""The report of a diagnosis, with the correction of the robot as a difference of its file."""
+
+from __future__ import annotations
+
+import difflib
+from dataclasses import replace
+from pathlib import Path
+
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.robot.robot import Robot
+from pkmodes.loop.diagnosis.verdict import naming
+from pkmodes.loop.diagnosis.verdict.findings import Finding, believed, why_larger
+from pkmodes.loop.diagnosis.verdict.result import Diagnosis, key
+from pkmodes.loop.diagnosis.verdict.verdicts import VERDICTS
+from pkmodes.loop.updating.corrected_robot import corrected_robot
+from pkmodes.pages.plots.evidence import PlottedEvidence
+from pkmodes.pages.report import explanations, figures, numbers
+from pkmodes.pages.report.action import action
+from pkmodes.pages.report.beyond import beyond
+from pkmodes.pages.report.blocks import Block, Cell, Difference, Paragraph, Section, Summary
+from pkmodes.pages.report.damping import damping
+from pkmodes.pages.report.formatting import (
+    clean,
+    number,
+    pointer,
+    prose,
+    sentence,
+    shortened,
+    three_digits,
+    uncertain_cell,
+    unit,
+)
+from pkmodes.pages.report.mode_table import mode_table
+from pkmodes.pages.report.page import page
+from pkmodes.pages.report.places import picture
+from pkmodes.pages.report.sections import glossary, view_section
+from pkmodes.pages.report.setting import ReportSetting
+from pkmodes.pages.report.stability import stability_sentence
+
+#: Sections that are unfolded when the page opens.
+OPEN = ("errors", "causes", "beyond", "place", "modes")
+#: Most values listed in the header for the members of a class; those of a single cause are all listed.
+MOST = 5
+#: Written as `diff` writes it.
+NO_END = "\\ No newline at end of file"
+
+
+def diagnosis_page(result: Diagnosis, evidence: PlottedEvidence, setting: ReportSetting) -> str:
+    """Return the report of a diagnosis as HTML."""
+    causes = explanations.causes(result, setting)
+    title = (
+        "Remaining explanations" if result.survivors else "Cause" + ("s" if len(result.effects) > 1 else "")
+    )
+    fitted = [
+        *numbers.fitted_value_tables(result, setting),
+        *numbers.pulls(result, setting),
+        *numbers.correlations(result),
+    ]
+    sections = [
+        Section("errors", "Error before and after", numbers.errors(result)),
+        *([Section("causes", title, causes)] if causes else []),
+        *([Section("beyond", "Beyond the catalogue", terms)] if (terms := beyond(result, setting)) else []),
+        *([Section("place", "Where it is", where)] if (where := picture(result, evidence, setting)) else []),
+        *figures.sections(evidence),
+        *([Section("damping", "Damping", ratios)] if (ratios := damping(result, setting)) else []),
+        Section("candidates", "Candidates", explanations.candidate_blocks(result)),
+        Section("values", "Values before and after", fitted),
+        *_stability(result),
+        Section("correction", "Correction", _correction(result, setting.robot)),
+        *view_section(setting.view),
+        Section("rows", "All measured modes", [mode_table(result, evidence, setting)]),
+        glossary(diagnosed=True),
+        _origin(result, evidence, setting),
+    ]
+    return page(
+        _summary(result, setting), [replace(section, folded=section.name not in OPEN) for section in sections]
+    )
+
+
+def _stability(result: Diagnosis) -> list[Section]:
+    """Return how other errors and priors affect the verdict."""
+    tried = stability_sentence(result)
+    return [Section("stability", "Stability", [Paragraph(sentence(clean(tried)))])] if tried else []
+
+
+def _summary(result: Diagnosis, setting: ReportSetting) -> Summary:
+    facts = [(name, cell) for name, cell in _facts(result, setting) if cell.value is not None]
+    return Summary(
+        subject=setting.title(row.drives for row in result.rows),
+        kind="Diagnosis",
+        verdict=result.verdict,
+        headline=verdict_headline(result),
+        reason=prose(sentence(result.reason) + _larger(result)),
+        tone=VERDICTS[result.verdict].colour,
+        notes=[prose(sentence(note)) for note in (*result.notes, *_of_damping(result))],
+        action=action(result, setting),
+        facts=facts,
+        head=setting.head,
+    )
+
+
+def _larger(result: Diagnosis) -> str:
+    """Return why the standard deviations of the causes are larger than those of the fit."""
+    return "".join(
+        f" {key(value)}: {why}."
+        for effect in result.effects
+        if len(effect.members) == 1 and not effect.relative()
+        for value in effect.parameters
+        if (why := why_larger(value, result.corrected))
+    )
+
+
+def _of_damping(result: Diagnosis) -> list[str]:
+    """Return what the damping says, which changes neither the verdict nor the headline."""
+    damping_result = result.damping
+    return (
+        [f"the verdict is that of frequencies and shapes; {damping_result.reason}"]
+        if damping_result.measured
+        else []
+    )
+
+
+def verdict_headline(result: Diagnosis) -> str:
+    """Return the verdict as a sentence, with the causes and what matters of the refitted values."""
+    if result.beyond is not None and not result.effects and (words := result.beyond.words(naming.LONGEST)):
+        return clean(words)
+    causes = clean(naming.found_in_words(result.effects, naming.LONGEST)) if result.effects else ""
+    verdict = VERDICTS[result.verdict].sentence.format(
+        causes=causes, s="s" if len(result.effects) > 1 else ""
+    )
+    return f"{verdict}; {clean(result.headline)}" if result.headline else verdict
+
+
+def _facts(result: Diagnosis, setting: ReportSetting) -> list[tuple[str, Cell]]:
+    """Return the sizes of the causes, and the errors of the first and the last stage."""
+    facts: list[tuple[str, Cell]] = []
+    for i, effect in enumerate(result.effects):
+        sizes = _class_sizes(effect, i, setting) if len(effect.members) > 1 else _sizes(result, i, setting)
+        facts += sizes
+    last = "after" if result.after is not None else "refit"
+    stages = {"before": (result.before, "as declared")}
+    stages[last] = (
+        (result.after, f"with the cause{'s' if len(result.effects) > 1 else ''}")
+        if result.after is not None
+        else (result.refit, "refitted")
+    )
+    for name, (error, title) in stages.items():
+        if error is not None:
+            at = pointer("error", name, "rms_relative")
+            cell = numbers.percent(error.rms_relative, at)
+            facts.append((f"rms difference {title} [%]", cell))
+    error = stages[last][0]
+    if error is not None:
+        held = error.held_out_rms_relative
+        at = pointer("error", last, "held_out_rms_relative")
+        facts.append((f"rms of held-out poses {stages[last][1]} [%]", numbers.percent(held, at)))
+        chi2 = three_digits(error.chi2_per_dof, pointer("error", last, "chi2_per_dof"))
+        facts.append((f"chi\u00b2 per degree of freedom {stages[last][1]}", chi2))
+    return facts
+
+
+def _sizes(result: Diagnosis, i: int, setting: ReportSetting) -> list[tuple[str, Cell]]:
+    """Return the values of a cause, with reliable standard deviations."""
+    effect = result.effects[i]
+    facts, relative = list[tuple[str, Cell]](), effect.relative()
+    if effect.alone is not None:
+        joint_change, at = effect.alone, pointer("effects", i, "term_change")
+        cell = uncertain_cell(
+            joint_change.change, joint_change.sigma, f"{at}/value", f"{at}/sigma", scale=100.0
+        )
+        facts.append(
+            (
+                f"{clean(joint_change.joint.words)} alone: change of its {clean(joint_change.joint.quantity)} [%]",
+                cell,
+            )
+        )
+    for value in relative or effect.parameters:
+        keys = ("effects", i, "relative" if relative else "parameters", key(value))
+        sigma = pointer(*keys, "sigma" if relative else "saved_sigma")
+        saved = believed(value, result.corrected)
+        cell = uncertain_cell(value.value, saved.sigma, pointer(*keys, "value"), sigma, fit=saved.fit_sigma)
+        name = clean(key(value))
+        title = f"{name} relative to the mean" if relative else setting.words(value.name) or name
+        facts.append((f"{title} [{unit(value.unit)}]" if unit(value.unit) else title, cell))
+    return facts
+
+
+def _class_sizes(effect: Finding, i: int, setting: ReportSetting) -> list[tuple[str, Cell]]:
+    """Return the value of each member of a class; only the number of members if there are too many."""
+    facts: list[tuple[str, Cell]] = []
+    for name in effect.members:
+        start = "either" if not facts else "or"
+        also = ", implausible" if effect.member(name).implausible else ""
+        for value in effect.alternatives[name]:
+            keys = ("effects", i, "alternatives", name, key(value))
+            cell = uncertain_cell(value.value, value.sigma, pointer(*keys, "value"), pointer(*keys, "sigma"))
+            title = setting.words(value.name) or clean(effect.member(name).words)
+            of = f" [{unit(value.unit)}]" if unit(value.unit) else ""
+            facts.append((f"{start}{also}: {title}{of}", cell))
+    if len(facts) > MOST:
+        return [
+            ("possible causes, with their values below", Cell(str(len(effect.members)), len(effect.members)))
+        ]
+    return facts
+
+
+def _correction(result: Diagnosis, robot: Robot | None) -> list[Block]:
+    """Return the difference that ``--save-robot`` makes, or why there is none."""
+    if robot is None:
+        return [Paragraph("The model is not a robot file, so there is no file to correct.")]
+    if not result.settled:
+        return [Paragraph(f"No correction: the verdict is {result.verdict}.")]
+    try:
+        after = corrected_robot(robot, result)
+    except PkmodesError as error:
+        return [Paragraph(f"There is no corrected robot file: {clean(error.what)}.")]
+    source = Path(robot.source)
+    lines = _difference(source.read_bytes().decode("utf-8"), after, source.name)
+    if not lines:
+        return [Paragraph("The robot file needs no correction.")]
+    losses = "the losses that the damping shows, " if result.damping.effects else ""
+    several = [effect for effect in result.every_cause if len(effect.members) > 1]
+    chosen = "".join(f" {sentence(clean(naming.chosen(effect)))}" for effect in several)
+    return [
+        Paragraph(
+            "What the corrected robot file has instead of the given one, as written by --save-robot: the cause where "
+            f"one was found, {losses}and the refitted values with their new standard deviations. "
+            f"Comments and order are kept.{chosen}"
+        ),
+        Difference("Difference of the robot file", lines),
+    ]
+
+
+def _difference(before: str, after: str, name: str) -> list[str]:
+    """Return a unified difference, without line ends; `patch` applies it to the file.
+
+    - before, after: two texts
+    - name: name of the file
+    """
+    lines = difflib.unified_diff(_lines(before), _lines(after), shortened(name), shortened(name), lineterm="")
+    return [part for line in lines for part in line.split("\n")]
+
+
+def _lines(text: str) -> list[str]:
+    """Return the lines of a text without line ends; as in `diff`, the last one states if it had none."""
+    *lines, rest = text.replace("\r\n", "\n").split("\n")
+    visible = [
+        "\t".join(clean(part) for part in line.split("\t")) for line in [*lines, *([rest] if rest else [])]
+    ]
+    return [*visible[:-1], f"{visible[-1]}\n{NO_END}"] if rest else visible
+
+
+def _origin(result: Diagnosis, evidence: PlottedEvidence, setting: ReportSetting) -> Section:
+    facts: list[tuple[str, list[Cell]]] = []
+    if result.scatter:
+        at = pointer("pose_scatter")
+        common = number(result.scatter, ".2g", at, scale=100.0)
+        facts.append(("error common to the modes of a pose [%]", [common]))
+    if result.shape_scatter is not None:
+        scatter = number(result.shape_scatter, ".2g", pointer("shape_scatter"), scale=100.0)
+        facts.append(("estimated scatter of the shapes [%]", [scatter]))
+    return setting.origin(evidence, facts)

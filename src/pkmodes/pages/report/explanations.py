@@ -1,0 +1,333 @@
+"""The candidates of a diagnosis: the causes found, what remains, all scores, and what the data would not show."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from pkmodes.core.support.ordering import listed
+from pkmodes.loop.diagnosis.verdict import naming
+from pkmodes.loop.diagnosis.verdict.findings import Corrected, Examined, Finding, Value, believed
+from pkmodes.loop.diagnosis.verdict.result import Damping, Diagnosis, key
+from pkmodes.pages.plots import scores
+from pkmodes.pages.report.blocks import Block, Cell, Column, Facts, Listing, Paragraph, Picture, Table
+from pkmodes.pages.report.formatting import (
+    NOTHING,
+    clean,
+    figures,
+    named,
+    p_value,
+    plural,
+    pointer,
+    prose,
+    three_digits,
+    uncertain_cell,
+    unit,
+)
+from pkmodes.pages.report.setting import ReportSetting
+from pkmodes.pages.report.tables import table
+
+#: Most candidates in the table: more than any robot has.
+MOST = 200
+#: Members of a class named in the table of probabilities.
+SHOWN = 3
+
+
+def causes(result: Diagnosis | Damping, setting: ReportSetting, *top: str) -> list[Block]:
+    """Return the causes found with their classes, or the explanations that remain.
+
+    - *top: keys that lead to the result in the JSON: none, or that of the damping
+    """
+    sentences = result.sentences
+    blocks: list[Block] = []
+    for i, effect in enumerate(result.effects):
+        several = len(effect.members) > 1
+        class_name = clean(naming.of_class(effect))
+        entries: list[tuple[str, list[Cell]]] = [
+            (
+                f"One of {naming.count(len(effect.members))}" if several else "Cause",
+                [Cell(class_name, strong=True)],
+            )
+        ]
+        if effect.sentence or several:
+            names = ", ".join(map(clean, effect.members))
+            entries.append(("Names" if several else "Name", [Cell(names)]))
+        at = pointer(*top, "effects", i)
+        entries.append(("p-value", [p_value(effect.p_value, at + pointer("p_value"))]))
+        if effect.alone is not None:
+            joint_change = effect.alone
+            of, place = at + pointer("term_change", "value"), at + pointer("term_change", "sigma")
+            term = f"({clean(joint_change.joint.term)})" if joint_change.joint.term else ""
+            value = uncertain_cell(joint_change.change, joint_change.sigma, of, place, scale=100.0)
+            entries.append((f"{clean(joint_change.joint.words)} alone", [value, Cell(f"% {term}".rstrip())]))
+        blocks += [Facts(entries), *_relative(effect, at, setting)]
+        blocks.append(_members(effect, result.corrected, at, setting, sentences))
+        if several:
+            blocks.append(
+                Paragraph(
+                    "These data cannot tell the members of this class from one another: each explains the "
+                    "measurements as well, with the value in its row. The corrected robot file has the first."
+                )
+            )
+    if result.survivors:
+        blocks.append(Paragraph("These explanations remain; the data do not decide between them:"))
+        blocks.append(
+            Listing([" or ".join(named(name, sentences) for name in group) for group in result.survivors])
+        )
+    return blocks
+
+
+def _members(
+    effect: Finding,
+    corrected: Sequence[Corrected],
+    place: str,
+    setting: ReportSetting,
+    sentences: Mapping[str, str],
+) -> Table:
+    """Return the values of the cause, and those of each other member of its class, as if it were the cause.
+
+    For a single cause, the reliable standard deviation is shown beside that of the fit.
+    """
+    single = len(effect.members) == 1
+    rows = []
+    for member in effect.members:
+        why = effect.member(member).implausible
+        for value in effect.alternatives[member]:
+            at = place + pointer("alternatives", member, key(value))
+            fit, saved = at + pointer("sigma"), place + pointer("parameters", key(value), "saved_sigma")
+            shown = believed(value, corrected) if single else value
+            rows.append(
+                [
+                    Cell.named(clean(sentences.get(member, "")), clean(member)),
+                    Cell.named(setting.words(value.name), clean(value.name)),
+                    uncertain_cell(
+                        value.value,
+                        shown.sigma,
+                        at + pointer("value"),
+                        saved if single else fit,
+                        fit=shown.fit_sigma,
+                    ),
+                    *((figures(value.sigma, 2, fit),) if single else ()),
+                    Cell(unit(value.unit)),
+                    Cell(prose(f"no: {why}") if why else "yes"),
+                ]
+            )
+    columns = [Column("cause", False), Column("parameter", False)]
+    columns += (
+        [Column("value"), Column("\u03c3 of the fit")] if single else [Column("value, \u03c3 of the fit")]
+    )
+    columns += [Column("unit", False), Column("plausible", False)]
+    if single:  # the cause stands above
+        rows, columns = [row[1:] for row in rows], columns[1:]
+    if single and all(effect.plausible.values()):
+        rows, columns = [row[:-1] for row in rows], columns[:-1]
+    caption = (
+        f"Size of the cause{', with that mean' if effect.relative() else ''}; its standard deviation includes what "
+        "a candidate that these data do not show could have done to it."
+        if single
+        else "The class: each member as if it were the cause."
+    )
+    return table(caption, columns, rows)
+
+
+def _relative(effect: Finding, place: str, setting: ReportSetting) -> list[Block]:
+    """Return the values relative to their mean, where the mean is far less certain."""
+    rows = []
+    for value in effect.relative():
+        at = place + pointer("relative", key(value))
+        rows.append(
+            [
+                Cell.named(setting.words(value.name), clean(value.name)),
+                uncertain_cell(value.value, value.sigma, at + pointer("value"), at + pointer("sigma")),
+                Cell(unit(value.unit)),
+            ]
+        )
+    if not rows:
+        return []
+    columns = [Column("parameter", False), Column("value"), Column("unit", False)]
+    caption = "Size of the cause, relative to the mean of its values. That mean is less certain."
+    return [table(caption, columns, rows)]
+
+
+def candidate_blocks(result: Diagnosis) -> list[Block]:
+    """Return all candidates with their scores, classes and smallest visible sizes."""
+    if not result.candidates:
+        names = [clean(name) for name in result.undetectable]
+        about: list[Block] = [Paragraph("Nothing is said about"), Listing(names, names=True)] if names else []
+        return [Paragraph("No candidate was tested."), *_limits(result), *about]
+    figure = scores.candidate_scores(result)
+    best = min(result.candidates, key=lambda candidate: candidate.p_value)
+    blocks: list[Block] = []
+    if figure is not None:
+        name = clean(best.name)
+        blocks.append(
+            Picture.of(
+                figure,
+                "Scores of the candidates",
+                f"{plural(len(result.candidates), 'candidate')} by the p-value of their score; the most "
+                f"significant is {name}.",
+                f"Scores of the candidates{_which(result)}: how clearly the residual of the refitted model points at "
+                "each. The score only shortlists: the choice is made by refitting, so the longest line need not be "
+                f"the cause.{_open(result)}",
+            )
+        )
+    return [*blocks, _table(result), *_probabilities(result), *_undetectable(result)]
+
+
+def _probabilities(result: Diagnosis) -> list[Block]:
+    """Return how probable each explanation is, a second opinion."""
+    probabilities = result.probabilities
+    if probabilities is None:
+        return []
+
+    def row(explanation: str, value: float, *at: str | int) -> list[Cell]:
+        return [Cell(explanation), three_digits(value, pointer("probabilities", *at))]
+
+    rows = [row("nothing is missing", probabilities.nothing_missing, "nothing_missing")]
+    for i, group in enumerate(probabilities.classes):
+        rows.append(row(_first_names(group.members), group.probability, "classes", i, "probability"))
+    for i, pair in enumerate(probabilities.pairs):
+        names = [" + ".join(both) for both in pair.members]
+        rows.append(row(_first_names(names), pair.probability, "pairs", i, "probability"))
+    rows.append(row("something that is not among the candidates", probabilities.outside, "outside"))
+    rows.sort(key=lambda cells: -(cells[1].value or 0.0))
+    caption = (
+        "A second opinion: how probable each explanation is, from the same fits. The verdict does not depend on it. "
+        "Members of a class, which these data cannot tell apart, have one probability."
+    )
+    return [table(caption, [Column("explanation", False), Column("probability")], rows)]
+
+
+def _first_names(names: Sequence[str]) -> str:
+    """Return the first names of a class, and how many more it has."""
+    return listed([clean(name) for name in names], SHOWN, " or ", " or ")
+
+
+def _open(result: Diagnosis) -> str:
+    """Return what open marks are, if the figure has any."""
+    shown = sorted(result.candidates, key=lambda candidate: candidate.p_value)[: scores.MOST]
+    note = " Open marks are candidates that these data cannot detect, listed below the table."
+    return "" if all(candidate.detectable for candidate in shown) else note
+
+
+def _which(result: Diagnosis) -> str:
+    """Return which candidates the figure shows, if not all."""
+    count = len(result.candidates)
+    return f" (the {scores.MOST} most significant of {count})" if count > scores.MOST else ""
+
+
+def _table(result: Diagnosis) -> Table:
+    order = sorted(range(len(result.candidates)), key=lambda k: result.candidates[k].p_value)
+    rows = []
+    for k in order[:MOST]:
+        candidate = result.candidates[k]
+        at = ("candidates", k)
+        sizes = _sizes(result, candidate)
+        for value, name in sizes:
+            visible_size = value if candidate.detectable else None
+            rows.append(
+                [
+                    Cell.named(
+                        clean(candidate.sentence), clean(_identifier(candidate.name, name, len(sizes)))
+                    ),
+                    Cell(standing(result, candidate.name)),
+                    p_value(candidate.p_value, pointer(*at, "p_value")),
+                    _visible(visible_size, pointer(*at, "visible_from")),
+                    _limit(result, name),
+                    Cell(_unit(result, visible_size, name)),
+                    Cell("yes" if candidate.detectable else "no"),
+                ]
+            )
+    columns = [Column("candidate", False), Column("standing", False)]
+    columns += [
+        Column("p of its score"),
+        Column("visible from"),
+        Column("limit (95\u00a0%)"),
+        Column("unit", False),
+        Column("detectable", False),
+    ]
+    omitted = len(result.candidates) - MOST
+    note = (
+        f"{plural(omitted, 'more candidate')} with larger p-values: see --json, under candidates."
+        if omitted > 0
+        else ""
+    )
+    caption = (
+        "Candidates, the most significant score first. Visible from: the smallest change that these data would "
+        "probably show (5 \u03c3), of a candidate that they can detect. Limit: how far the value may still be from "
+        f"the declared one at 95 %, beside what the diagnosis says; {NOTHING} where nothing bounds it within its "
+        "plausible range. That nothing was found is no proof that an effect is absent."
+    )
+    return table(caption, columns, rows, note=note)
+
+
+def _identifier(name: str, parameter: str, count: int) -> str:
+    """Return the name of a candidate, with that of its parameter if it has several."""
+    return name if count == 1 else f"{name}.{parameter.removeprefix(f'{name}.')}"
+
+
+def _limits(result: Diagnosis) -> list[Block]:
+    """Return the limits alone, where no candidate was tested."""
+    entries = [
+        (clean(name), [_limit(result, name), Cell(unit(limit.unit))])
+        for name, limit in result.limits.items()
+        if limit.value is not None
+    ]
+    about = (
+        "How far a value of a candidate may be from the declared one at 95 %, if everything else is as declared "
+        "within its \u03c3; nothing bounds the others within their plausible range:"
+    )
+    return [Paragraph(about), Facts(entries)] if entries else []
+
+
+def _sizes(result: Diagnosis, candidate: Examined) -> list[tuple[Value | None, str]]:
+    """Return the parameters of a candidate: the smallest visible size, and the name among the limits."""
+    visible = {value.name.removeprefix("effects."): value for value in candidate.visible_from}
+    names = [name for name, limit in result.limits.items() if limit.candidate == candidate.name]
+    return [(visible.get(name), name) for name in dict.fromkeys([*names, *visible])] or [(None, "")]
+
+
+def _visible(value: Value | None, at: str) -> Cell:
+    if value is None:
+        return Cell(NOTHING)
+    return figures(value.value, 2, at + pointer(key(value), "value"))
+
+
+def _limit(result: Diagnosis, name: str) -> Cell:
+    limit = result.limits.get(name)
+    if limit is None:
+        return Cell("")
+    at = pointer("limits", name) if limit.value is None else pointer("limits", name, "value")
+    return figures(limit.value, 2, at)
+
+
+def _unit(result: Diagnosis, value: Value | None, name: str) -> str:
+    limit = result.limits.get(name)
+    if value is not None:
+        return unit(value.unit)
+    return "" if limit is None or limit.value is None else unit(limit.unit)
+
+
+def standing(result: Diagnosis | Damping, name: str) -> str:
+    """Return the outcome for a candidate."""
+    for effect in result.effects:
+        if name in effect.members:
+            several = len(effect.members) > 1
+            return f"one of {naming.count(len(effect.members))}" if several else "found"
+    for i, group in enumerate(result.survivors, start=1):
+        if any(name in explanation.split(" + ") for explanation in group):
+            return f"remains ({i})"
+    return "not claimed"
+
+
+def _undetectable(result: Diagnosis) -> list[Block]:
+    """Return what these data neither show nor bound."""
+    if not result.undetectable:
+        return []
+    sentences = result.sentences
+    return [
+        Paragraph(
+            "Not detectable with these data: nothing bounds them within their plausible range, and no explanation "
+            "contains them. That they were not found says nothing about them:"
+        ),
+        Listing([named(name, sentences) for name in result.undetectable]),
+    ]

@@ -1,0 +1,158 @@
+"""Text and numbers as a report shows them."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Mapping
+
+from pkmodes.core.support import numbers
+from pkmodes.core.support.numbers import p_text, plain, rounded, unsigned
+from pkmodes.pages.plots.labels import MINUS, RAISED, TIMES, typeset, visible
+from pkmodes.pages.report.blocks import Cell, Spread
+
+#: Longer labels and file names are shortened; the JSON has them in full.
+LONGEST = 100
+#: Shown in place of a missing number.
+NOTHING = "\u2013"
+#: A number with a power of ten within a sentence.
+POWER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?e[+-]?\d+(?!\w|\.\d)")
+
+
+def clean(text: object) -> str:
+    """Return text on one line, without invisible characters, such as those that reverse the direction.
+
+    However long, it is never shortened: users read it as a sentence, or may type it.
+    """
+    return visible(text)
+
+
+def shortened(label: object, longest: int = LONGEST) -> str:
+    """Return a label or name from a file on one line, as `clean` does, shortened to at most `longest` characters."""
+    return visible(label, longest)
+
+
+def prose(text: object) -> str:
+    """Return sentences on one line, with their powers of ten set as in print."""
+    return POWER.sub(lambda match: typeset(match[0]), clean(text))
+
+
+def sentence(text: str) -> str:
+    """Capitalise the first letter, unless of a name with dots or underscores, and end with a full stop."""
+    first = text.partition(" ")[0].rstrip(".,;:")
+    begun = text if "." in first or "_" in first else f"{text[:1].upper()}{text[1:]}"
+    return begun + ("" if text.endswith((".", "?", "!")) else ".")
+
+
+def figures(value: float | None, digits: int = 6, at: str = "") -> Cell:
+    """Return a number as a cell with at most `digits` significant digits; `NOTHING` if there is none."""
+    return _cell(value, lambda finite: plain(finite, digits), at)
+
+
+def number(
+    value: float | None, form: str = ".6g", at: str = "", *, scale: float = 1.0, strong: bool = False
+) -> Cell:
+    """Return a number as a cell.
+
+    - value: None or NaN: there is none
+    - form: format of the text
+    - at: its place in the JSON
+    - scale: the text shows this multiple of it, such as per cent
+    - strong: whether it is emphasised
+    """
+    return _cell(value, lambda finite: format(scale * finite, form), at, strong)
+
+
+def three_digits(value: float | None, at: str = "", *, scale: float = 1.0, strong: bool = False) -> Cell:
+    """Return a number with three significant digits, zeros among them: 5.30 beside 12.7."""
+    shown = 0.0 if value is None or math.isnan(value) else abs(scale * value)
+    return number(value, "#.3g" if 0.0 < shown < 99.95 else ".0f", at, scale=scale, strong=strong)
+
+
+def hertz(value: float | None, at: str = "") -> Cell:
+    """Return a frequency as a cell."""
+    return _cell(value, numbers.hertz, at)
+
+
+def p_value(value: float | None, at: str = "") -> Cell:
+    """Return a p-value, which is never zero."""
+    return _cell(value, p_text, at)
+
+
+def _cell(value: float | None, write: Callable[[float], str], at: str, strong: bool = False) -> Cell:
+    if value is None or math.isnan(value):
+        return Cell(NOTHING, None, at, plain="-")
+    text = write(value)
+    return Cell(typeset(text), float(value), at, strong, plain=unsigned(text))
+
+
+def uncertain_cell(
+    value: float,
+    sigma: float,
+    at: str = "",
+    at_sigma: str = "",
+    *,
+    scale: float = 1.0,
+    fit: float | None = None,
+) -> Cell:
+    """Return a value with its standard deviation, both rounded according to the latter.
+
+    - at, at_sigma: their places in the JSON
+    - scale: the text shows this multiple of both
+    - fit: a smaller standard deviation by the fit alone: the value keeps its digits
+    """
+    rounding = rounded(scale * value, scale * sigma, None if fit is None else scale * fit)
+    power = f"{TIMES}10{str(rounding.exponent).translate(RAISED)}" if rounding.exponent else ""
+    digits, of_sigma = typeset(rounding.value), typeset(rounding.sigma)
+    spread = Spread(float(sigma), at_sigma, digits, of_sigma, power)
+    return Cell(typeset(str(rounding)), float(value), at, spread=spread, plain=str(rounding))
+
+
+def label(text: str) -> Cell:
+    """Return a label of a file as a cell; a page shortens it."""
+    return Cell(shortened(text), plain=text)
+
+
+def minus(text: str) -> Cell:
+    """Return text of numbers and units as a cell, with minus signs as in print on a page."""
+    return Cell(text.replace("-", MINUS), plain=text)
+
+
+def named(explanation: str, sentences: Mapping[str, str]) -> str:
+    """Return an explanation of one or two causes in words, with their names."""
+    names = explanation.split(" + ")
+    return " + ".join(
+        f"{clean(sentences[name])} ({clean(name)})" if sentences.get(name) else clean(name) for name in names
+    )
+
+
+def unit(name: str) -> str:
+    """Return a unit as it is shown after a number; nothing for a number without one."""
+    product = re.sub(r"[* ]+", "\u00b7", clean(name))
+    return "" if name == "1" else product.replace("^2", "\u00b2").replace("^3", "\u00b3")
+
+
+def quantity_cell(value: float, name: str, digits: int = 6) -> Cell:
+    """Return a number with its unit as a cell."""
+    text, symbol = plain(value, digits), "" if name == "1" else f" {clean(name)}"
+    return Cell(f"{typeset(text)} {unit(name)}".rstrip(), value, plain=text + symbol)
+
+
+def unit_cell(name: str) -> Cell:
+    """Return a unit as a cell."""
+    return Cell(unit(name), plain="" if name == "1" else clean(name))
+
+
+def thousands(count: int) -> str:
+    """Return a count with thin spaces between its thousands."""
+    return f"{count:,}".replace(",", "\u2009")
+
+
+def pointer(*parts: object) -> str:
+    """Return a JSON pointer (RFC 6901); characters that are not visible are escaped."""
+    return "".join("/" + visible(part).replace("~", "~0").replace("/", "~1") for part in parts)
+
+
+def plural(count: int, noun: str) -> str:
+    """Return a number with its noun."""
+    return f"{thousands(count)} {noun}{'' if count == 1 else 's'}"

@@ -1,0 +1,320 @@
+"""The section of a record in the report of an identification: its modes, and the fits that they come from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from pkmodes.core.support.motors import motors_in_words
+from pkmodes.core.support.numbers import plain
+from pkmodes.core.support.ordering import listed
+from pkmodes.modaltest.campaign.campaign import Campaign
+from pkmodes.modaltest.campaign.found import mac
+from pkmodes.modaltest.campaign.inspection import Inspection
+from pkmodes.modaltest.campaign.results import IdentifiedMode, RecordResult
+from pkmodes.pages.plots import fits, identified_modes
+from pkmodes.pages.report.blocks import (
+    Block,
+    Cell,
+    Column,
+    Facts,
+    Listing,
+    Paragraph,
+    Picture,
+    Section,
+    Table,
+)
+from pkmodes.pages.report.formatting import (
+    clean,
+    hertz,
+    number,
+    plural,
+    pointer,
+    sentence,
+    shortened,
+    uncertain_cell,
+)
+from pkmodes.pages.report.tables import table
+
+#: Most complex shapes drawn for one record: the least collinear ones.
+MOST_SHAPES = 18
+#: Most modes of a record for a matrix with legible cells.
+MOST_MAC = 60
+#: Most messages listed for one record.
+MOST_MESSAGES = 40
+#: Kinds of record whose names are abbreviations.
+SHOWN = {"frf": "FRF"}
+#: The functions measured in each kind of record.
+FUNCTIONS = {
+    "frf": "frequency response function, as acceleration per force in SI units",
+    "impact": "frequency response function of the blows, as acceleration per force in SI units",
+    "ambient": "power spectral density of the responses, in SI units",
+    "spectrum": "power spectrum, relative to its sum over the band",
+}
+
+
+def record_section(
+    index: int, result: RecordResult, campaign: Campaign, content: Mapping[str, Any]
+) -> Section:
+    """Return the section of a record.
+
+    - index: among the records of the JSON, from 0
+    - content: the record in the JSON
+    """
+    record = result.record
+    blocks: list[Block] = [Facts(_facts(index, result, campaign))]
+    nothing = Paragraph("No file of it could be used." if result.is_left_out else "No mode was found.")
+    blocks.append(modes_table(index, content["modes"]) if result.modes else nothing)
+    if result.messages:
+        messages = [clean(message) for message in result.messages[:MOST_MESSAGES]]
+        omitted = len(result.messages) - len(messages)
+        blocks += [Paragraph("What was noticed:"), Listing(messages)]
+        blocks += (
+            [Paragraph(f"{plural(omitted, 'further message')} in the output of --json.")] if omitted else []
+        )
+    if result.left_out:
+        faulty = [clean(f"{_name(omission.file)}: {omission.reason}") for omission in result.left_out]
+        blocks += [Paragraph("Files that were left out:"), Listing(faulty)]
+    for inspection in result.inspections:
+        blocks += _fit(inspection, result, campaign)
+    blocks += _shapes(result)
+    blocks += _repeats(result)
+    return Section(
+        f"record-{index + 1}", shortened(f"{record.pose}: {SHOWN.get(record.kind, record.kind)}", 60), blocks
+    )
+
+
+def _name(path: str) -> str:
+    return path.replace("\\", "/").rpartition("/")[2]
+
+
+def _facts(index: int, result: RecordResult, campaign: Campaign) -> list[tuple[str, Sequence[Cell]]]:
+    record, at = result.record, ("records", index)
+    facts = list[tuple[str, Sequence[Cell]]]()
+    if campaign.model is not None:
+        doing = motors_in_words(campaign.model.robot, record.drives)
+        facts.append(("motors", [Cell(doing.removeprefix("motors "))]))
+    low, high = record.band
+    facts.append(("band", [Cell(f"{low:g} Hz to {high:g} Hz")]))
+    for name, paths in record.setups.items():
+        files = listed([shortened(path.name) for path in paths], 12)
+        facts.append((f"files of setup {shortened(name)}" if name else "files", [Cell(files)]))
+    if result.struck:
+        cells = [hertz(f, pointer(*at, "struck", k)) for k, f in enumerate(result.struck)]
+        facts.append(("struck out by the campaign [Hz]", cells))
+    return facts
+
+
+def modes_table(index: int, modes: Sequence[Mapping[str, Any]]) -> Table:
+    """Return the modes of a record with their standard deviations."""
+    damped = any(mode["damping"] is not None for mode in modes)
+    shaped = any(mode["complexity"] is not None for mode in modes)
+    ordered = any(mode["found_in"] is not None for mode in modes)
+    edited = any(mode["edited"] for mode in modes)
+    columns = [Column("mode"), Column("f [Hz]")]
+    columns += [Column(title, page_only=True) for title in ("scatter", "fit", "repeatability")]
+    groups = [("", 2), ("parts of \u03c3 [Hz]", 3)]
+    if damped:
+        columns.append(Column("damping ratio [%]"))
+        groups.append(("", 1))
+    rest = [Column("MPC")] * shaped + [Column("orders", False)] * ordered + [Column("files")]
+    rest += [Column("edited", False)] * edited
+    columns, groups = [*columns, *rest], [*groups, ("", len(rest))]
+    rows = []
+    for k, mode in enumerate(modes):
+        at = ("records", index, "modes", k)
+        parts = mode["sigma_parts"]
+        cells = [
+            Cell(str(k + 1)),
+            uncertain_cell(
+                mode["frequency"], mode["sigma"], pointer(*at, "frequency"), pointer(*at, "sigma")
+            ),
+        ]
+        cells += [_two_digits(parts[key], pointer(*at, "sigma_parts", key)) for key in parts]
+        if damped:
+            cells.append(_damping(mode, at))
+        cells += [number(mode["complexity"], ".3f", pointer(*at, "complexity"))] if shaped else []
+        if ordered:
+            orders = mode["found_in"]
+            cells.append(number(None) if orders is None else Cell(f"{orders[0]} of {orders[1]}"))
+        cells.append(number(mode["files"], ".0f", pointer(*at, "files")))
+        cells += [Cell(mode["edited"] or "")] if edited else []
+        rows.append(cells)
+    parts = "A standard deviation \u03c3 is the root of the sum of the squares of its parts"
+    return table(f"Modes. {'; '.join((parts, *meanings(modes)))}.", columns, rows, groups)
+
+
+def meanings(modes: Sequence[Mapping[str, Any]]) -> list[str]:
+    """Return what columns of the table mean."""
+    texts = {
+        "complexity": "MPC is the modal phase collinearity, 1 for a real shape",
+        "found_in": "orders: in how many model orders the pole was found",
+    }
+    return [text for key, text in texts.items() if any(mode[key] is not None for mode in modes)]
+
+
+def _two_digits(sigma: float | None, at: str) -> Cell:
+    """Return a part of a standard deviation with two significant digits, zeros among them."""
+    return number(sigma, "#.2g" if sigma is None or 0.0 < sigma < 9.95 else ".0f", at)
+
+
+def _damping(mode: Mapping[str, Any], at: Sequence[object]) -> Cell:
+    """Return a damping ratio in per cent, with its standard deviation where that is known."""
+    ratio, sigma, place = mode["damping"], mode["sigma_damping"], pointer(*at, "damping")
+    if ratio is None or sigma is None:
+        return number(ratio, ".3g", place, scale=100.0)
+    return uncertain_cell(ratio, sigma, place, pointer(*at, "sigma_damping"), scale=100.0)
+
+
+def _fit(inspection: Inspection, result: RecordResult, campaign: Campaign) -> list[Block]:
+    """Return the figures of the fit of a file."""
+    record = result.record
+    which, whole = f"file {shortened(inspection.file)}", "the record"
+    if inspection.setup:
+        which, whole = f"setup {shortened(inspection.setup)}, {which}", "the setup"
+    elif "" not in record.setups:  # of all setups together
+        which, whole = shortened(inspection.file), "each setup"
+    begin = which[:1].upper() + which[1:]
+    low, high = record.band
+    multiples = [
+        tone * k for tone in campaign.tones for k in range(1, int(high / tone) + 1) if tone * k >= low
+    ]
+    marked = fits.MarkedFrequencies(
+        [(mode.frequency, k, bool(mode.edited)) for k, mode in enumerate(result.modes, start=1)],
+        result.struck,
+        sorted({*inspection.tones, *multiples}),
+    )
+    blocks: list[Block] = []
+    rest = ""
+    if inspection.others:
+        files, are = (
+            ("other file", "is")
+            if inspection.others == 1
+            else (plural(inspection.others, "other file"), "are")
+        )
+        rest = f" The {files} of {whole} {are} not drawn."
+    if len(inspection.stabilisation.orders):
+        count = sum(map(len, inspection.stabilisation.poles))
+        lines = ["lines with a number are the modes of the record, as in the table"]
+        lines += ["dash-dotted ones those added"] if any(mode.edited for mode in result.modes) else []
+        lines += ["dashed ones those struck out"] if result.struck else []
+        lines += ["dotted ones tones"] if marked.tones else []
+        caption = (
+            f"{begin}: stabilisation diagram. Each short line is a pole at a model order; a stable one has nearly "
+            "the same frequency and damping as a pole of the order before. Behind them is the sum of the magnitudes "
+            f"of all measured functions, each relative to its rms. {sentence('; '.join(lines))}{rest}"
+        )
+        blocks.append(
+            Picture.of(
+                fits.stabilisation(inspection, marked, record.band),
+                f"Stabilisation diagram of {which}",
+                f"{plural(count, 'pole')} over {plural(len(inspection.stabilisation.orders), 'model order')}, and "
+                f"{plural(len(result.modes), 'mode')}.",
+                caption,
+            )
+        )
+    if inspection.curves:
+        phase = record.kind in ("frf", "impact")
+        blocks.append(
+            Picture.of(
+                fits.functions(inspection, marked, record.band, phase),
+                f"Measured and synthesised functions of {which}",
+                f"{', '.join(shortened(curve.name, 40) for curve in inspection.curves)}: measured, and synthesised "
+                "from the modes.",
+                f"{begin}: {_which(inspection)}, measured and synthesised from the modes of this file. Each is a "
+                f"{FUNCTIONS[record.kind]}{_panels(phase, inspection)}. Faint lines are the modes of the record.",
+            )
+        )
+    return blocks
+
+
+def _which(inspection: Inspection) -> str:
+    if len(inspection.curves) == inspection.functions:
+        return (
+            f"its {plural(inspection.functions, 'function')}" if inspection.functions > 1 else "its function"
+        )
+    return (
+        f"{len(inspection.curves)} of {inspection.functions} functions, chosen so that each mode stands out in one "
+        "of them"
+    )
+
+
+def _panels(phase: bool, inspection: Inspection) -> str:
+    parts = ["magnitude", *(["phase"] if phase else [])]
+    parts += ["coherence"] if any(curve.coherence is not None for curve in inspection.curves) else []
+    return f": {', '.join(parts)}" if len(parts) > 1 else ""
+
+
+def _shapes(result: RecordResult) -> list[Block]:
+    """Return the figures of how similar and how complex the shapes are."""
+    shaped = [(k, mode) for k, mode in enumerate(result.modes, start=1) if len(mode.complex_shape) > 1]
+    if not shaped:
+        return []
+    blocks: list[Block] = []
+    if 1 < len(result.modes) <= MOST_MAC:
+        macs = auto_macs(result.modes)
+        alike = int(((macs > 0.5) & ~np.eye(len(macs), dtype=bool)).sum()) // 2
+        blocks.append(
+            Picture.of(
+                identified_modes.auto_mac(macs),
+                "autoMAC",
+                f"Modal assurance criterion between {plural(len(macs), 'mode')}; {plural(alike, 'pair')} above 0.5.",
+                "autoMAC: how alike the shapes of the record's modes are, 1 for the same shape. A light cell beside "
+                "the diagonal means that the sensors hardly tell two modes apart.",
+            )
+        )
+    drawn = sorted(
+        sorted(shaped, key=lambda entry: entry[1].complexity)[:MOST_SHAPES], key=lambda entry: entry[0]
+    )
+    titles = [(f"{k}: {mode.complexity:.2f}", mode.complex_shape) for k, mode in drawn]
+    which = (
+        "" if len(drawn) == len(shaped) else f" The {len(drawn)} least collinear of {len(shaped)} are drawn."
+    )
+    lowest = min(shaped, key=lambda entry: entry[1].complexity)
+    blocks.append(
+        Picture.of(
+            identified_modes.complex_shapes(titles),
+            "Shapes in the complex plane",
+            f"{plural(len(drawn), 'shape')}. The most complex one is that of mode {lowest[0]}, with a modal phase "
+            f"collinearity of {lowest[1].complexity:.2f}.",
+            "Shapes in the complex plane: a line for each component, relative to the largest, in a circle of radius "
+            "1; above it the number of the mode and its modal phase collinearity. A real shape is a horizontal line; "
+            f"only the real part is used.{which}",
+        )
+    )
+    return blocks
+
+
+def auto_macs(modes: Sequence[IdentifiedMode]) -> np.ndarray[Any, np.dtype[np.float64]]:
+    """Return the MAC between all modes, (M, M), NaN where two have fewer than two components in common."""
+    macs = np.full((len(modes), len(modes)), np.nan)
+    for i, first in enumerate(modes):
+        for k, second in enumerate(modes):
+            if len(first.complex_shape.keys() & second.complex_shape.keys()) > 1:
+                macs[i, k] = mac(first.complex_shape, second.complex_shape)
+    return macs
+
+
+def _repeats(result: RecordResult) -> list[Block]:
+    several = [repeat for repeat in result.repeats if len(repeat.files) > 1 and repeat.modes]
+    if not several:
+        return []
+    files = sum(len(repeat.files) for repeat in several)
+    widest = max(
+        abs(f / np.mean(list(mode.values())) - 1.0)
+        for repeat in several
+        for mode in repeat.modes
+        for f in mode.values()
+    )
+    colours = " Each setup has a colour, and its own means." if len(several) > 1 else ""
+    return [
+        Picture.of(
+            identified_modes.scatter_of_repeats(several),
+            "Frequencies in each file",
+            f"{plural(files, 'file')}; the largest difference from a mean is {plain(100.0 * float(widest), 2)} %.",
+            "Frequencies in each file, relative to their mean over the repeats. A file that is off in all modes was "
+            f"measured elsewhere, or at another temperature.{colours}",
+        )
+    ]

@@ -1,0 +1,215 @@
+"""The report of a map: where the machine rings, and what it depends on."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any
+
+from pkmodes.core.robot.declaration import changeable
+from pkmodes.core.support.motors import motors_in_words
+from pkmodes.machine.maps.left_out import shown
+from pkmodes.machine.maps.spread import spread_along
+from pkmodes.machine.maps.summary import summary_of
+from pkmodes.pages.figures.pictures import pictures
+from pkmodes.pages.plots import sweeps
+from pkmodes.pages.plots.volume import volume
+from pkmodes.pages.report.blocks import (
+    Block,
+    Cell,
+    Listing,
+    Paragraph,
+    Picture,
+    Section,
+)
+from pkmodes.pages.report.explorer import explorer_of
+from pkmodes.pages.report.formatting import clean, shortened
+from pkmodes.pages.report.map_planes import declared_values, plane_of, swept_paths, swept_pictures
+from pkmodes.pages.report.map_summary import axis_units, ranges, summary_of_map
+from pkmodes.pages.report.page import need_report, page
+from pkmodes.pages.report.sections import origin, view_section
+from pkmodes.pages.report.sources import Source, known_sources
+
+if TYPE_CHECKING:
+    import xarray
+
+    from pkmodes.core.model import Model
+
+#: Explanation of the bands where the robot file states standard deviations.
+BAND = (
+    "the band is one standard deviation on either side, to first order from those that the robot file states"
+)
+
+
+def map_report(
+    model: Model,
+    dataset: xarray.Dataset,
+    content: dict[str, Any] | None = None,
+    sources: Sequence[Source] | None = None,
+    view: str | None = None,
+) -> str:
+    """Return the report of a map.
+
+    Parameters
+    ----------
+    model : Model
+        The robot as declared.
+    dataset : xarray.Dataset
+        From `pkmodes.Model.map` of this model.
+    content : dict, optional
+        The summary of the map as JSON has it, from ``pkmodes.machine.maps.summary.summary_of``.
+    sources : sequence of Source, optional
+        The input files as they were read; by default the robot file as it is now.
+    view : str, optional
+        HTML of a view in three dimensions, from `view_of`; by default there is none.
+
+    Returns
+    -------
+    str
+        HTML that needs no other file and no network.
+
+    Raises
+    ------
+    MissingExtraError
+        If the libraries of the extra ``report`` are not installed.
+    """
+    need_report()
+    content = summary_of(dataset, None).as_json() if content is None else content
+    sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources
+    sections = [
+        Section("modes", "Range of each frequency", [ranges(model, content)]),
+        *_explored(model, dataset, view),
+        *view_section(view),
+        *_volume(model, dataset),
+        *_changes(model, dataset, shown(dataset)),
+        *_figures(model, dataset),
+        origin(sources, model.mechanism, _about(content), str(dataset.attrs["version"])),
+    ]
+    return page(summary_of_map(model, content), sections)
+
+
+def middle_of(model: Model, dataset: xarray.Dataset) -> list[float] | None:
+    """Return the pose in the middle of a map; None for a list of poses, or if it cannot be evaluated."""
+    names = [component.name for component in model.mechanism.pose]
+    if not set(names) <= set(dataset.dims):
+        return None
+    pose = [float(dataset[name].values[dataset.sizes[name] // 2]) for name in names]
+    return pose if model.check(pose).valid else None
+
+
+def _explored(model: Model, dataset: xarray.Dataset, view: str | None) -> list[Section]:
+    """Return the section of the interactive map, where there are poses to choose from."""
+    explorer = explorer_of(model, dataset, axis_units(model), machine=view is not None)
+    return [] if explorer is None else [Section("explore", "Pose by pose", [explorer])]
+
+
+def _volume(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
+    """Yield the picture of a map over a volume, if it has no other axes."""
+    components = list(model.mechanism.directions)
+    dims = dataset["frequency"].dims[:-1]
+    if len(components) != 3 or {dim for dim in dims if dataset.sizes[dim] > 1} != {*components}:
+        return
+    if not dataset["valid"].any():
+        return
+    title = "The reachable volume"
+    text = "The poses that can be reached, coloured by the frequency of mode 1: from outside, and cut open."
+    drawing = volume(dataset.squeeze([dim for dim in dims if dim not in components]), components)
+    yield Section("volume", title, [Picture.of(drawing, title, text, text)])
+
+
+def _changes(model: Model, dataset: xarray.Dataset, drawn_of: xarray.Dataset) -> Iterator[Section]:
+    """Yield the sections of swept parameters, samples, and poses on a line or in a list.
+
+    - drawn_of: the same without the poses that are not representative
+    """
+    components = [component.name for component in model.mechanism.pose]
+    dims = [str(dim) for dim in dataset["frequency"].dims if dataset.sizes[dim] > 1]
+    swept = [dim for dim in dims if "." in dim]
+    if swept:
+        blocks: list[Block] = []
+        for path in swept:
+            spread = spread_along(model.robot, dataset, path, model.max_condition)
+            caption = f"Frequencies against {clean(path)}{_banded(dataset, path, spread)}."
+            drawing = sweeps.against(drawn_of, path, spread)
+            blocks.append(Picture.of(drawing, clean(path), caption, caption))
+        yield Section("sweeps", "Swept parameters", blocks)
+    if "sample" in dims:
+        drawn = [
+            str(name) for name, c in dataset.coords.items() if c.dims == ("sample",) and name != "sample"
+        ]
+        caption = (
+            "Scatter of the frequencies over the sampled robots at each pose, relative to their median: half of the "
+            "values are within the bar, 95 % within the line."
+        )
+        picture = Picture.of(sweeps.scatter(drawn_of), "Scatter over sampled robots", caption, caption)
+        listing = Listing([clean(path) for path in drawn], names=True)
+        yield Section(
+            "samples",
+            "Sampled robots",
+            [picture, Paragraph("Drawn from their standard deviations:"), listing],
+        )
+    if "pose" in dims:
+        spread = spread_along(model.robot, dataset, "pose", model.max_condition)
+        caption = "Frequencies along the poses, medians over everything else."
+        if spread is not None:
+            caption = f"Frequencies along the poses: {BAND}."
+        drawing = sweeps.along(drawn_of, spread)
+        picture = Picture.of(drawing, "Frequencies along the poses", caption, caption)
+        yield Section("poses", "Along the poses", [picture])
+    line = [dim for dim in dims if dim in components]
+    if len(line) == 1:
+        spread = spread_along(model.robot, dataset, line[0], model.max_condition)
+        caption = f"Frequencies along {line[0]}{_banded(dataset, line[0], spread)}."
+        drawing = sweeps.against(drawn_of, line[0], spread)
+        picture = Picture.of(drawing, f"Along {line[0]}", caption, caption)
+        yield Section("line", f"Along {line[0]}", [picture])
+
+
+def _banded(dataset: xarray.Dataset, dim: str, spread: Any) -> str:
+    """Return what line and band of `plots.sweeps.against` are, to end a caption; empty without a band."""
+    if spread is not None:
+        return f": {BAND}"
+    pooled = [str(axis) for axis in dataset["frequency"].dims if axis not in (dim, "mode")]
+    count = math.prod(dataset.sizes[axis] for axis in pooled)
+    if count == 1:
+        return ""
+    several = [axis for axis in pooled if dataset.sizes[axis] > 1]
+    robots = any("." in axis or axis == "sample" for axis in several)
+    over = "everything else" if robots else "all poses"
+    if count < sweeps.FEW:
+        return f": the line is the median, the band the range over {over}"
+    left_out = "the lowest and the highest 2\N{NO-BREAK SPACE}%"
+    return f": the line is the median over {over}, the band leaves out {left_out}"
+
+
+def _figures(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
+    """Yield the figures of the robot: in the plane of the map if it has one, otherwise in its working plane."""
+    if len(model.mechanism.pose) < 2:
+        return
+    places, where, title = plane_of(model, dataset)
+    if places is None:
+        yield Section("figures", title, [Paragraph(where)])
+        return
+    units, swept, drives = changeable(model.robot), swept_paths(dataset), str(dataset.attrs["drives"])
+    blocks: list[Block] = []
+    if swept and set(places.axes) <= set(dataset.dims):
+        blocks += swept_pictures(model, dataset, places, units)
+    declared = declared_values(model, swept, units)
+    declared = f" with {declared}" if declared else ""
+    doing = motors_in_words(model.robot, drives)
+    text = f"The robot as declared{declared}, its {doing}, in {where}; modes are numbered by frequency."
+    blocks.append(Paragraph(text))
+    for picture in pictures(model, places, drives=drives):
+        text = f"{picture.title}. {picture.description}"
+        if picture.drawing is None:
+            blocks.append(Paragraph(f"{picture.title}: {picture.instead}"))
+            continue
+        blocks.append(Picture.of(picture.drawing, picture.title, picture.description, text, cropped=True))
+    yield Section("figures", title, blocks)
+
+
+def _about(content: dict[str, Any]) -> list[tuple[str, list[Cell]]]:
+    facts = [("rigid-body modes", [Cell(str(content["rigid_modes"]))])]
+    if content["file"]:
+        facts.append(("map", [Cell(shortened(content["file"].replace("\\", "/").rpartition("/")[2]))]))
+    return facts

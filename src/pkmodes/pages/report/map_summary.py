@@ -1,0 +1,134 @@
+"""What a map found, in numbers: the range of each frequency, and where its extremes are."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from pkmodes.core.robot.declaration import changeable
+from pkmodes.core.robot.report_fields import head_of
+from pkmodes.core.robot.units import SHOWN
+from pkmodes.core.solve.fields import FIELDS
+from pkmodes.core.support import numbers
+from pkmodes.core.support.motors import motors_in_words
+from pkmodes.core.support.numbers import plain
+from pkmodes.machine.maps.left_out import sentences
+from pkmodes.machine.maps.summary import FEW, SHARES, quantiles_in_words
+from pkmodes.pages.plots.labels import MINUS, typeset
+from pkmodes.pages.report.blocks import Cell, Column, Summary, Table
+from pkmodes.pages.report.formatting import hertz, label, number, plural, pointer, shortened, thousands, unit
+
+if TYPE_CHECKING:
+    from pkmodes.core.model import Model
+
+NO_BREAK_PER_CENT = "\N{NO-BREAK SPACE}%"
+
+
+def summary_of_map(model: Model, content: dict[str, Any]) -> Summary:
+    """Return where the lowest frequency lies, and what was mapped."""
+    headline = _headline(content)
+    share = content["valid"] / content["poses"]
+    notes = [
+        f"{plural(count, 'pose')} cannot be evaluated: {model.reasons[code]}."
+        for code, count in content["reasons"].items()
+    ]
+    notes += [sentence.replace("= -", f"= {MINUS}") for sentence in sentences(content, axis_units(model))]
+    facts = [
+        ("poses", Cell(thousands(content["poses"]), content["poses"], pointer("poses"))),
+        (
+            "can be evaluated",
+            Cell(
+                f"{thousands(content['valid'])} ({plain(100 * share, 3)} %)",
+                content["valid"],
+                pointer("valid"),
+            ),
+        ),
+        ("vibration modes", Cell(str(len(content["modes"])), len(content["modes"]))),
+    ]
+    return Summary(
+        subject=shortened(content["robot"]),
+        kind="Map",
+        headline=headline,
+        reason=_extent(model, content),
+        notes=notes,
+        facts=facts,
+        head=head_of(model.robot.report),
+    )
+
+
+def _headline(content: dict[str, Any]) -> str:
+    """Return where the lowest frequency lies, ignoring a few poses at the edge of the workspace."""
+    first, count = content["modes"][0], content["counted"]
+    if first["minimum_hz"] is None:
+        return "The machine is stable at no pose" if content["valid"] else "No pose could be evaluated"
+    lowest = "Mode 1" if content["tracked"] else "The lowest frequency of vibration"
+    if count < FEW:
+        low, high, where = first["minimum_hz"], first["maximum_hz"], ""
+    else:
+        low, high, where = first["quantile_2_hz"], first["quantile_98_hz"], " at 96 % of the poses"
+    if count == 1:
+        return f"{lowest} is {numbers.hertz(low)} Hz"
+    return f"{lowest} lies between {numbers.hertz(low)} and {numbers.hertz(high)} Hz{where}"
+
+
+def _extent(model: Model, content: dict[str, Any]) -> str:
+    """Return what was mapped, as a sentence."""
+    units, parts = axis_units(model), []
+    for dim, (low, high) in content["ranges"].items():
+        count = content["dimensions"][dim]
+        if isinstance(low, str) or dim in ("pose", "sample"):
+            parts.append(plural(count, "pose" if dim == "pose" else "sampled robot"))
+            continue
+        name, factor = units.get(dim, ("", 1.0))
+        ends = _value(low * factor) if count == 1 else f"{_value(low * factor)} to {_value(high * factor)}"
+        values = f" ({count} values)" if count > 1 else ""
+        parts.append(f"{dim} {ends} {name}".rstrip() + values)
+    return f"Mapped with {motors_in_words(model.robot, content['drives'])}: {', '.join(parts)}."
+
+
+def axis_units(model: Model) -> dict[str, tuple[str, float]]:
+    """Return the unit of each axis as shown, with the factor from SI."""
+    units = {path: (unit(name), 1.0) for path, name in changeable(model.robot).items()}
+    return units | {component.name: SHOWN[component.unit] for component in model.mechanism.pose}
+
+
+def _value(value: float) -> str:
+    return typeset(f"{value:.5g}")
+
+
+def ranges(model: Model, content: dict[str, Any]) -> Table:
+    """Return the quantiles of each frequency, and its extremes with their poses."""
+    units = axis_units(model)
+    dims = [dim for dim in content["ranges"] if content["dimensions"][dim] > 1]
+    axes = [f"{dim} [{units[dim][0]}]" if units.get(dim, ("",))[0] else dim for dim in dims]
+    places = [Column(axis, numbers=dim != "pose") for dim, axis in zip(dims, axes, strict=True)]
+    rows = []
+    for i, mode in enumerate(content["modes"]):
+        cells = [Cell(str(mode["mode"])), *(_frequency(mode, i, key) for key in SHARES)]
+        for end in ("minimum", "maximum"):
+            at = mode[f"{end}_at"] or {}
+            cells.append(_frequency(mode, i, f"{end}_hz"))
+            cells += [_place(at.get(dim), units.get(dim, ("", 1.0))[1]) for dim in dims]
+        rows.append(cells)
+    frequency = Column(FIELDS["frequencies"].heading)
+    shares = [Column(title) for title in ("2 %", "median", "98 %")]
+    columns = [Column("mode"), *shares, frequency, *places, frequency, *places]
+    ends = [("lowest", 1 + len(dims)), ("highest", 1 + len(dims))]
+    groups = [("", 1), ("quantiles [Hz]", 3), *ends]
+    if content["poses"] == 1:  # all of these are one value
+        return Table("Frequencies at the pose.", [columns[0], columns[4]], [[row[0], row[4]] for row in rows])
+    caption = (
+        f"{quantiles_in_words(content).replace(' %', NO_BREAK_PER_CENT)}. Its lowest and its highest value stand "
+        "beside them, with their places."
+    )
+    return Table(caption, columns, rows, groups)
+
+
+def _frequency(mode: dict[str, Any], index: int, key: str) -> Cell:
+    value = mode[key]
+    return hertz(value, pointer("modes", index, key))
+
+
+def _place(value: Any, factor: float) -> Cell:
+    if value is None or isinstance(value, str):
+        return label(value) if value else number(None)
+    return number(float(value), ".5g", scale=factor)

@@ -1,0 +1,72 @@
+"""One self-contained HTML page from its sections, by Jinja2 templates that hold no mathematics."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cache
+from importlib.resources import files
+from typing import TYPE_CHECKING
+
+from pkmodes.core.base.version import VERSION
+from pkmodes.core.support.extras import require
+from pkmodes.core.support.page_policy import with_policy
+from pkmodes.pages.report.blocks import Section, Summary
+
+if TYPE_CHECKING:
+    from jinja2 import Environment
+
+TEMPLATES, PAGE, STYLE, BROWSER = "templates", "page.html.j2", "style.css", "browser"
+#: Program that pages with folded sections need.
+FOLDING = "fold"
+
+
+def need_report() -> None:
+    """Refuse to make a report without the libraries for it."""
+    require("reports", "report", "jinja2", "matplotlib")
+
+
+def page(summary: Summary, sections: Sequence[Section]) -> str:
+    """Return a page as HTML that needs no other file and no network.
+
+    - summary: its head
+    - sections: in the order of the page
+
+    Raises MissingExtraError if Jinja2 or matplotlib is not installed.
+    """
+    need_report()
+    template = _environment().get_template(PAGE)
+    style = (files(__package__) / TEMPLATES / STYLE).read_text(encoding="utf-8")
+    html = template.render(
+        summary=summary,
+        sections=list(sections),
+        style=style,
+        programs=_programs(sections),
+        version=VERSION,
+    )
+    return with_policy(html)
+
+
+def _programs(sections: Sequence[Section]) -> list[str]:
+    """Return the programs that the blocks of a page need in the browser, each once."""
+    names = dict.fromkeys(name for section in sections for block in section.blocks for name in block.programs)
+    if any(section.folded for section in sections):
+        names[FOLDING] = None
+    folder = files(__package__) / BROWSER
+    return [
+        "".join((folder / f"{part}.js").read_text(encoding="utf-8") for part in name.split("+"))
+        for name in names
+    ]
+
+
+@cache
+def _environment() -> Environment:
+    from jinja2 import Environment, PackageLoader, StrictUndefined
+
+    return Environment(
+        loader=PackageLoader(__package__, TEMPLATES),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )

@@ -1,0 +1,115 @@
+"""Where it is: a picture of the machine in which the bodies of terms are marked."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+import numpy as np
+
+from pkmodes.core.model import Model
+from pkmodes.core.robot.robot import Robot
+from pkmodes.loop.diagnosis.states.result import Change
+from pkmodes.loop.diagnosis.verdict.result import Diagnosis
+from pkmodes.pages.plots.evidence import PlottedEvidence
+from pkmodes.pages.plots.places import Marked, places
+from pkmodes.pages.report.blocks import Block, Picture
+from pkmodes.pages.report.formatting import clean
+from pkmodes.pages.report.setting import ReportSetting
+from pkmodes.pages.view import scene
+from pkmodes_description import Element
+
+#: Most terms that are marked.
+MOST = 5
+#: Prefix of a declared value as a candidate.
+VALUE = "parameter:"
+#: Directions that an arrow can show.
+AXES = ("x", "y", "z")
+
+
+def named_terms(result: Diagnosis) -> list[tuple[str, str]]:
+    """Return the terms that remain, and the joint that a claimed cause singles out, with their words."""
+    joints = [effect.alone.joint for effect in result.effects if effect.alone is not None]
+    values = [
+        (name, effect.member(name).words)
+        for effect in result.effects
+        for name in effect.members
+        if isinstance(result, Change) and name.startswith(VALUE)
+    ]
+    groups = () if result.beyond is None else result.beyond.classes
+    members = [(name, group.finding.member(name).words) for group in groups for name in group.forms]
+    return [*((joint.term, joint.words) for joint in joints), *values, *members]
+
+
+def marked_elements(result: Diagnosis, robot: Robot) -> frozenset[int]:
+    """Return the elements of a machine's drawing that show these places."""
+    elements = robot.mechanism.drawing.elements
+    marks = [marked(name, words, elements) for name, words in named_terms(result)[:MOST]]
+    return frozenset(i for mark in marks if mark is not None for i in mark.elements)
+
+
+def picture(result: Diagnosis, evidence: PlottedEvidence, setting: ReportSetting) -> list[Block]:
+    """Return a picture of the machine with these places in colour; empty if it shows none of them."""
+    if setting.robot is None:
+        return []
+    elements, model = setting.robot.mechanism.drawing.elements, Model(setting.robot)
+    possible = [marked(name, words, elements) for name, words in named_terms(result)[:MOST]]
+    marks = [mark for mark in possible if mark is not None]
+    if not marks:
+        return []
+    valid = np.flatnonzero(model.check(evidence.points).valid)
+    if not len(valid):
+        return []
+    middle = evidence.points[valid].mean(axis=0)
+    chosen = valid[np.linalg.norm(evidence.points[valid] - middle, axis=1).argmin()]
+    words = "; ".join(mark.name for mark in marks)
+    title, at = "Where it is", f"the machine at {evidence.place} {clean(evidence.labels[chosen])}"
+    return [
+        Picture.of(
+            places(scene(model, evidence.points[chosen]), marks),
+            title,
+            f"{at}, with these bodies in colour: {words}.",
+            f"{title}: {at}. An arrow shows the direction in which something acts.",
+        )
+    ]
+
+
+def marked(term: str, words: str, elements: Sequence[Element]) -> Marked | None:
+    """Return the marked elements that show a term.
+
+    - term: as in results: "spring:pulley_2_1/pulley_2_2", "parameter:axis.3.leg.stiffness", "compliance:eps_2"
+    - words: its noun phrase
+    - elements: of the mechanism's drawing
+
+    Returns None where no element shows a body of it.
+    """
+    form, _, place = term.partition(":")
+    if not place:  # a cause of the catalogue
+        return None
+    if form in ("parameter", "compliance"):
+        indices = _of_one_axis(place, words, elements)
+        return Marked(words, indices) if indices else None
+    ends, _, along = place.partition(".")
+    names = ends.split("/")
+    indices = tuple(i for i, element in enumerate(elements) if element.place in names)
+    if {elements[i].place for i in indices} != {*names}:
+        return None
+    return Marked(words, indices, along if along in AXES else "")
+
+
+def _of_one_axis(place: str, words: str, elements: Sequence[Element]) -> tuple[int, ...]:
+    """Return the elements of the table or joint of one axis, or else all of that axis."""
+    numbers = re.findall(r"(?<![a-z])\d+", place)
+    if not numbers:
+        return ()
+    number, tables = numbers[0], re.findall(r"[a-z]+", place)
+    tried = (
+        lambda e: e.place and e.place.startswith(tuple(f"{table}_{number}" for table in tables)),
+        lambda e: e.kind in tables and e.name.endswith(f" {number}"),
+        lambda e: " ".join(e.name.split()[-2:]) in words,
+        lambda e: number in re.findall(r"\d+", e.place)[:1],
+    )
+    for shows in tried:
+        if indices := tuple(i for i, element in enumerate(elements) if shows(element)):
+            return indices
+    return ()

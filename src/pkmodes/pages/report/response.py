@@ -1,0 +1,262 @@
+"""The report of ``pkmodes response``: frequency responses at a pose, measured ones over those of the model."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.mechanism.length import headings, lengths_of, unit_vectors
+from pkmodes.core.mechanism.poses import placed
+from pkmodes.core.mechanism.registry import Mechanism
+from pkmodes.core.robot.report_fields import head_of
+from pkmodes.core.support import numbers
+from pkmodes.core.support.motors import motors_in_words
+from pkmodes.loop.sensitivity.spread import spread_of
+from pkmodes.machine.response.drawn_channels import DrawnChannels, most_responsive
+from pkmodes.machine.response.measured import MeasuredResponse
+from pkmodes.pages.plots.labels import MINUS
+from pkmodes.pages.plots.responses import responses
+from pkmodes.pages.report.blocks import Block, Cell, Column, Picture, Section, Summary, Table
+from pkmodes.pages.report.formatting import (
+    clean,
+    hertz,
+    number,
+    plural,
+    pointer,
+    shortened,
+    three_digits,
+    uncertain_cell,
+    unit,
+    unit_cell,
+)
+from pkmodes.pages.report.page import need_report, page
+from pkmodes.pages.report.sections import origin
+from pkmodes.pages.report.sources import Source, known_sources
+from pkmodes.pages.report.tables import table
+
+if TYPE_CHECKING:
+    from pkmodes.core.model import Model
+    from pkmodes.core.robot.robot import Robot
+    from pkmodes.machine.response.frequency_response import FrequencyResponse
+
+#: Channels in one figure, two by two.
+TOGETHER = 4
+UNDAMPED = (
+    "The robot file has no damping: a resonance has no height of its own, and its peak is as high as the nearest "
+    "frequency lets it be. Add [damping] ratio."
+)
+
+
+def response_report(
+    model: Model,
+    response: FrequencyResponse,
+    measured: MeasuredResponse | None = None,
+    sources: Sequence[Source] | None = None,
+    before: FrequencyResponse | None = None,
+) -> str:
+    """Return the report of frequency responses at one pose.
+
+    - model: the robot
+    - response: from `pkmodes.Model.frf`
+    - measured: from `pkmodes.pages.figures.read_response`
+    - sources: the input files as they were read; by default the robot file as it is now
+    - before: of the robot before a correction: the same channels at the same pose and frequencies
+
+    Returns HTML that needs no other file and no network.
+    Raises PkmodesError as `pkmodes.pages.figures.response_picture` does.
+    Raises MissingExtraError if the libraries of the extra ``report`` are not installed.
+    """
+    need_report()
+    sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources
+    drawn = DrawnChannels.of(response, measured, before=before)
+    sections = [
+        Section("responses", "Frequency responses", [*_pictures(drawn), largest(drawn)]),
+        Section("modes", "Modes of the model", [_modes(model, response)]),
+        origin(sources, model.mechanism),
+    ]
+    return page(response_summary(model, response, drawn), sections)
+
+
+def response_summary(model: Model, response: FrequencyResponse, drawn: DrawnChannels) -> Summary:
+    """Return which channel responds most, and where."""
+    at = placed(model.mechanism, response.poses[response.one(())], "g").replace("-", MINUS)
+    measured = {} if drawn.measured is None else drawn.measured[1]
+    compared = {name: values for name, values in drawn.model.items() if name in measured} or drawn.model
+    name = most_responsive(compared, drawn.units)
+    output, _, into = name.partition("/")
+    peak = int(np.abs(drawn.model[name]).argmax())
+    several = len(drawn.frequencies) > 1
+    # Of one frequency, the channel is what is largest; of several, the frequency too.
+    if several:
+        headline = (
+            f"{clean(output)} responds most to {clean(into)} at {numbers.hertz(drawn.frequencies[peak])} Hz"
+        )
+    else:
+        headline = f"At {drawn.frequencies[0]:g} Hz {clean(output)} responds most to {clean(into)}"
+    if drawn.measured is not None and name in measured:
+        place = _within(drawn, measured[name])
+        if place is not None:
+            headline += f", measured at {numbers.hertz(drawn.measured[0][place])} Hz"
+    first, last = (float(drawn.frequencies[i]) for i in (0, -1))
+    facts = [
+        ("channels", Cell(str(len(drawn.model)), len(drawn.model))),
+        ("frequencies", Cell(f"{first:g} to {last:g} Hz"))
+        if several
+        else ("frequency", Cell(f"{first:g} Hz")),
+    ]
+    if drawn.measured is not None:
+        count = len(drawn.measured[1])
+        facts.append(("of the channels measured", Cell(str(count), count)))
+    reason = f"{response.quantity.capitalize()} at {at}, {motors_in_words(model.robot, response.drives)}."
+    if len(drawn.model) > 1:
+        which = "measured channels" if measured else "channels"
+        named = unit(drawn.units[name])
+        alike = f"{which} in {named}" if named else f"dimensionless {which}"
+        reason += f" Of the {alike} this one has the largest response."
+    if meanings := [
+        f"{clean(port)} is {words}" for port in (output, into) if (words := _meaning(port, model.mechanism))
+    ]:
+        reason += f" Here {', '.join(meanings)}."
+    return Summary(
+        subject=shortened(model.robot.name),
+        kind="Frequency responses",
+        headline=headline,
+        reason=reason,
+        notes=[*_notes(model.robot, drawn)],
+        facts=facts,
+        head=head_of(model.robot.report),
+    )
+
+
+def _notes(robot: Robot, drawn: DrawnChannels) -> Iterator[str]:
+    """Yield what to know of the responses."""
+    if not robot.dissipates:
+        yield UNDAMPED
+    if drawn.prescribed:
+        be = "is" if len(drawn.prescribed) == 1 else "are"
+        yield f"{clean(', '.join(drawn.prescribed))} {be} left out: the motion is prescribed."
+    if drawn.silent:
+        yield f"No response in {clean(', '.join(drawn.silent))}."
+
+
+def _meaning(port: str, mechanism: Mechanism) -> str:
+    """Return what an input or output is; empty if its name says so, or it has no description."""
+    kind, _, which = port.partition("_")
+    if kind in ("p", "r", "force", "moment") and which not in ("x", "y", "z"):
+        return ""  # a direction that the user named
+    moved, exerted = ("length", "force") if mechanism.drives[0].unit == "N" else ("angle", "torque")
+    return {
+        "p": f"the motion of the platform along {which}",
+        "r": f"the rotation of the platform about {which}",
+        "force": f"a force on the platform along {which}",
+        "moment": f"a moment on the platform about {which}",
+        "motor": f"the {moved} of motor {which}",
+        "torque": f"the {exerted} of motor {which}",
+    }.get(kind, "")
+
+
+def _within(drawn: DrawnChannels, values: NDArray[Any]) -> int | None:
+    """Return the place of the largest measured response among the frequencies of the model; None if none is there."""
+    assert drawn.measured is not None
+    f = drawn.measured[0]
+    inside = (f >= drawn.frequencies[0]) & (f <= drawn.frequencies[-1])
+    return int(np.where(inside, np.abs(values), -1.0).argmax()) if inside.any() else None
+
+
+def _pictures(drawn: DrawnChannels) -> list[Block]:
+    """Return magnitude and phase of every channel, divided into figures that fit on pages."""
+    names, blocks = list(drawn.model), list[Block]()
+    for start in range(0, len(names), TOGETHER):
+        chosen = names[start : start + TOGETHER]
+        drawing = responses(
+            drawn.frequencies,
+            {name: drawn.model[name] for name in chosen},
+            drawn.units,
+            drawn.measured,
+            before=drawn.before,
+        )
+        shown = ", ".join(clean(name) for name in chosen)
+        title = "Responses" if len(names) <= TOGETHER else f"Responses, {start + 1} to {start + len(chosen)}"
+        caption = f"Magnitude and phase of {shown}; a phase of \u221290\u00b0 lags behind."
+        if drawn.measured is not None and not drawn.measured[1].keys().isdisjoint(chosen):
+            caption += " Broad lines are measured, thin ones the model."
+        if drawn.before is not None:
+            caption += " Dashed lines are the machine as it was described before."
+        blocks.append(Picture.of(drawing, title, f"Magnitude and phase of {shown}.", caption))
+    return blocks
+
+
+def largest(drawn: DrawnChannels) -> Table:
+    """Return the table of the first and the largest response in each channel."""
+    over, f = drawn.measured, drawn.frequencies
+    several = len(f) > 1
+    peaks = [Column(title) for title in ("largest", "at [Hz]", "phase [\u00b0]")]
+    of_model = [Column("first"), *peaks] if several else [Column("magnitude"), peaks[-1]]
+    titles = [Column("channel", False), Column("unit", False), *of_model]
+    groups: list[tuple[str, int]] = []
+    if over is not None:
+        titles += peaks
+        groups = [("", 2), ("model", len(of_model)), ("measured", 3)]
+    rows = []
+    for name, values in drawn.model.items():
+        peak = int(np.abs(values).argmax())
+        row = [Cell(clean(name)), unit_cell(drawn.units[name])]
+        cells = _cells(f, values, peak, pointer("frequencies_hz", peak))
+        row += [_four_digits(abs(values[0])), *cells] if several else [cells[0], cells[-1]]
+        if over is not None:
+            place = _within(drawn, over[1][name]) if name in over[1] else None
+            row += [number(None)] * 3 if place is None else _cells(over[0], over[1][name], place)
+        rows.append(row)
+    caption = (
+        f"Magnitudes at the first of {len(f)} frequencies from {f[0]:g} to {f[-1]:g} Hz, and the largest of each "
+        "channel with its phase"
+        if several
+        else f"Magnitude and phase at {f[0]:g} Hz"
+    )
+    return table(f"{caption}, for exp(+i\u03c9t).", titles, rows, groups)
+
+
+def _cells(f: NDArray[Any], values: NDArray[Any], peak: int, at: str = "") -> list[Cell]:
+    value = complex(values[peak])
+    return [
+        _four_digits(abs(value)),
+        hertz(float(f[peak]), at),
+        number(float(np.degrees(np.angle(value))), ".0f"),
+    ]
+
+
+def _four_digits(value: float) -> Cell:
+    """Return a magnitude with four significant digits, zeros among them, so that columns align."""
+    return number(value, "#.4g" if 1e-3 <= value < 999.9 else ".3e")
+
+
+def _modes(model: Model, response: FrequencyResponse) -> Block:
+    """Return the vibration modes at the pose: frequency, damping, and the direction of the platform."""
+    pose = response.poses[response.one(())]
+    modes = model.modes(pose, drives=response.drives)
+    sigmas, rigid = spread_of(model, pose, response.drives), modes.rigid_modes
+    columns = [Column("mode"), Column("f [Hz]"), Column("damping [%]")]
+    columns += map(Column, headings(model.mechanism))
+    moved = unit_vectors(modes.platform_shapes, lengths_of(model.mechanism, model.robot.parameters))
+    rows = []
+    for i in range(rigid, len(modes.frequencies)):
+        f = float(modes.frequencies[i])
+        sigma = 0.0 if sigmas is None else float(sigmas[i])
+        rows.append(
+            [
+                Cell(str(i + 1 - rigid)),
+                uncertain_cell(f, sigma) if sigma > 0.0 else hertz(f),
+                three_digits(float(modes.damping_ratios[i]), scale=100.0),
+                *(number(float(part) + 0.0, ".3f") for part in moved[i]),
+            ]
+        )
+    caption = (
+        f"{plural(len(rows), 'vibration mode')} at this pose: undamped natural frequency, damping ratio, and the "
+        "direction in which the platform moves."
+    )
+    if model.mechanism.rotations:
+        caption += f" Rotations are times L = {model.characteristic_length:.4g} m."
+    return table(caption, columns, rows)

@@ -1,0 +1,96 @@
+"""The report of ``pkmodes sensitivities``: what frequencies at a pose depend on, and how uncertain they are."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from pkmodes.loop.sensitivity.changes import PERCENT, SIGMA, Changes, changes_at
+from pkmodes.loop.sensitivity.spread import stated_sigmas
+from pkmodes.pages.figures.tornado_picture import describe
+from pkmodes.pages.plots.tornado import PANELS, tornado
+from pkmodes.pages.report.blocks import Block, Cell, Paragraph, Picture, Section, Table
+from pkmodes.pages.report.page import need_report, page
+from pkmodes.pages.report.sections import origin
+from pkmodes.pages.report.sensitivity_tables import NAMED, per_cent, per_sigma, sensitivities_summary
+from pkmodes.pages.report.sources import Source, known_sources
+
+if TYPE_CHECKING:
+    from pkmodes.core.model import Model
+
+#: Modes side by side in one table.
+MODES = 6
+
+
+def sensitivities_report(
+    model: Model, content: dict[str, Any], sources: Sequence[Source] | None = None
+) -> str:
+    """Return the report of sensitivities at a pose.
+
+    - model: the robot
+    - content: the JSON of the command, with at least the quantities for which a change in per cent is meaningful
+    - sources: the input files as they were read; by default the robot file as it is now
+
+    Returns HTML that needs no other file and no network.
+    Raises MissingExtraError if the libraries of the extra ``report`` are not installed.
+    """
+    need_report()
+    sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources
+    pose, drives = content["pose"], content["drives"]
+    percent = changes_at(model, pose, drives, PERCENT)
+    sigma = changes_at(model, pose, drives, SIGMA) if stated_sigmas(model.robot) else None
+    sections = [
+        Section("percent", "One per cent of each quantity", _per_cent(model, percent, content)),
+        Section("sigma", "Standard deviations of the robot file", _per_sigma(model, sigma)),
+        origin(sources, model.mechanism, [("rigid-body modes", [Cell(str(content["rigid_modes"]))])]),
+    ]
+    return page(sensitivities_summary(model, percent, sigma, content), sections)
+
+
+def _per_cent(model: Model, changes: Changes, content: dict[str, Any]) -> list[Block]:
+    if not changes.largest_of_all():
+        return [Paragraph("No frequency depends on any quantity of the robot file.")]
+    note = (
+        " Coordinates are left out, since a per cent of a coordinate depends on where the origin lies; --all and the "
+        "JSON have everything."
+    )
+    percent_table = per_cent(model, changes, content)
+    return [*_pictures(changes), *_parts(replace(percent_table, note=(percent_table.note + note).strip()))]
+
+
+def _per_sigma(model: Model, changes: Changes | None) -> list[Block]:
+    if changes is None:
+        return [
+            Paragraph(
+                'The robot file states no standard deviations. Where it does, as in mass = { value = "1.5 kg", '
+                'sigma = "1 %" }, this section says how surely each frequency is known.'
+            )
+        ]
+    return [*_pictures(changes), *_parts(per_sigma(model, changes))]
+
+
+def _pictures(changes: Changes) -> list[Block]:
+    """Return the tornado charts, divided into figures that fit on pages."""
+    blocks: list[Block] = []
+    count, text = len(changes.frequencies), describe(changes)
+    for start in range(0, count, PANELS):
+        modes = range(start, min(start + PANELS, count))
+        drawn = tornado(changes, modes)
+        title = "Largest changes" if changes.by == PERCENT else "Largest changes by standard deviations"
+        if count > PANELS:
+            title += f", modes {modes[0] + 1} to {modes[-1] + 1}"
+        blocks.append(Picture.of(drawn, title, text, text if not start else f"{title}."))
+    return blocks
+
+
+def _parts(whole: Table) -> list[Block]:
+    """Return a table in parts of several modes each where there are many."""
+    parts: list[Block] = []
+    count = len(whole.columns) - NAMED
+    for start in range(0, count, MODES):
+        kept = [*range(NAMED), *range(NAMED + start, NAMED + min(start + MODES, count))]
+        columns = [whole.columns[k] for k in kept]
+        rows = [[row[k] for k in kept] for row in whole.rows]
+        parts.append(Table(whole.caption, columns, rows, note=whole.note if start + MODES >= count else ""))
+    return parts

@@ -1,0 +1,149 @@
+"""The report of ``pkmodes shaper --measured``: what shapers leave of measured modes, within their errors."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from pkmodes.core.support.numbers import plain
+from pkmodes.machine.shaping.measured_modes import WITHIN, of_measured
+from pkmodes.machine.shaping.measured_spectrum import MeasuredSpectrum
+from pkmodes.machine.shaping.results import Choice
+from pkmodes.pages.report.blocks import Cell, Column, Section, Summary, Table
+from pkmodes.pages.report.firmware_lines import firmware_lines
+from pkmodes.pages.report.formatting import clean, label, number, plural, pointer, shortened, uncertain_cell
+from pkmodes.pages.report.page import need_report, page
+from pkmodes.pages.report.sections import origin
+from pkmodes.pages.report.shaper import as_sentence, why_recommended
+from pkmodes.pages.report.shaper_curves import design_of, over_frequency_section, spectrum_facts
+from pkmodes.pages.report.sources import Source
+from pkmodes.pages.report.tables import table
+
+#: The range of errors for which everything is stated.
+ERRORS = f"within {WITHIN:g} standard deviations of its frequency and damping ratio"
+
+
+def measured_shaper_report(
+    choice: Choice, content: dict[str, Any], sources: Sequence[Source], spectrum: MeasuredSpectrum | None
+) -> str:
+    """Return the report of a choice for measured modes.
+
+    - content: the JSON of the command
+    - sources: the input files as they were read
+    - spectrum: over which shapers are drawn
+
+    Returns HTML that needs no other file and no network.
+    Raises MissingExtraError if the libraries of the extra ``report`` are not installed.
+    """
+    need_report()
+    sections = [
+        Section("shapers", "Shapers", [shapers_table(choice)]),
+        over_frequency_section(choice, spectrum),
+        Section("modes", "The measured modes", [modes_table(content)]),
+        Section("firmware", "Lines for firmware", firmware_lines(content)),
+        origin(sources, None),
+    ]
+    return page(measured_shaper_summary(choice, content), sections)
+
+
+def measured_shaper_summary(choice: Choice, content: dict[str, Any]) -> Summary:
+    """Return the recommended shaper, and what it leaves."""
+    best = choice.candidates[choice.recommended]
+    remaining = of_measured(choice).shares(best)
+    at = ("shapers", choice.recommended, "left")
+    modes, poses = plural(content["modes"], "measured mode"), plural(content["poses"], "pose")
+    worst = f"{plain(100.0 * remaining.worst_uncertain, 2)} %"
+    reason = (
+        f"The recommended shaper, for {design_of(best)}, leaves at most {worst} of the vibration in each of the "
+        f"{modes} at {poses}, {ERRORS}. {why_recommended(choice)} How much each mode takes part in a movement is not "
+        "in the table, so each counts in full: of all of them together no larger share is left."
+    )
+    facts = [
+        ("lasts", Cell(f"{1e3 * best.duration:.3g} ms", best.duration)),
+        (
+            "most left of a mode as measured [%]",
+            number(remaining.worst, ".2g", pointer(*at, "worst"), scale=100.0),
+        ),
+        (
+            f"most left of a mode within {WITHIN:g} \u03c3 [%]",
+            number(remaining.worst_uncertain, ".2g", pointer(*at, "worst_uncertain"), scale=100.0),
+        ),
+    ]
+    return Summary(
+        subject=shortened(Path(content["measured"]).name),
+        kind="Shaper",
+        headline=f"{best.kind} leaves at most {worst} of each measured mode",
+        reason=reason,
+        notes=[as_sentence(clean(note)) for note in content["notes"]],
+        facts=[*facts, *spectrum_facts(content)],
+    )
+
+
+def shapers_table(choice: Choice) -> Table:
+    """Return all shapers, and what each leaves."""
+    keys = {"rms": "rms [%]", "worst": "worst [%]", "worst_uncertain": f"worst, {WITHIN:g} \u03c3 [%]"}
+    columns = [
+        Column("shaper", numbers=False),
+        Column("design [Hz]", numbers=False),
+        Column("lasts [ms]"),
+        *(Column(title, page_only=key == "rms") for key, title in keys.items()),
+        Column("rounds [\u00b5m]"),
+    ]
+    rows = []
+    ringing = of_measured(choice)
+    for i, candidate in enumerate(choice.candidates):
+        strong, at, remaining = i == choice.recommended, ("shapers", i), ringing.shares(candidate)
+        cells = [
+            Cell(clean(candidate.kind) + (" *" if strong else ""), strong=strong),
+            Cell(", ".join(f"{f:.2f}" for f in candidate.frequencies)),
+            number(candidate.duration, ".1f", pointer(*at, "duration_s"), scale=1e3),
+        ]
+        cells += [
+            number(getattr(remaining, key), ".2f", pointer(*at, "left", key), scale=100.0) for key in keys
+        ]
+        cells.append(number(candidate.rounding, ".1f", pointer(*at, "rounding_s2"), scale=1e6))
+        rows.append(cells)
+    caption = (
+        "What shapers leave of the measured modes: the root mean square and the largest of all as measured, and the "
+        f"largest with each mode {ERRORS}. Where it turns back, a shaped path is rounded by so much for each "
+        "m/s\u00b2 of acceleration."
+    )
+    return Table(caption, columns, rows, note="* The recommended one.", heads=2)
+
+
+def modes_table(content: dict[str, Any], max_modes: int | None = None) -> Table:
+    """Return the measured modes with what the recommended shaper leaves of each, the largest remainders first.
+
+    - max_modes: most modes; all by default
+    """
+    modes = content["measured_modes"]
+    order = sorted(range(len(modes)), key=lambda i: -modes[i]["left_uncertain"])
+    rows = []
+    for i in order[:max_modes]:
+        mode, at = modes[i], ("measured_modes", i)
+        rows.append(
+            [
+                label(mode["pose"]),
+                number(mode["line"], ".0f", pointer(*at, "line")),
+                uncertain_cell(
+                    mode["frequency_hz"],
+                    mode["sigma_hz"],
+                    pointer(*at, "frequency_hz"),
+                    pointer(*at, "sigma_hz"),
+                ),
+                number(mode["damping_ratio"], ".2f", pointer(*at, "damping_ratio"), scale=100.0),
+                number(mode["left"], ".2f", pointer(*at, "left"), scale=100.0),
+                number(mode["left_uncertain"], ".2f", pointer(*at, "left_uncertain"), scale=100.0),
+            ]
+        )
+    columns = [Column("pose", numbers=False), Column("line"), Column("f [Hz]"), Column("damping ratio [%]")]
+    columns += [Column("left [%]"), Column(f"left, {WITHIN:g} \u03c3 [%]")]
+    caption = f"What the recommended shaper leaves of each measured mode: as measured, and at most {ERRORS}."
+    omitted = len(order) - len(rows)
+    note = (
+        f"{plural(omitted, 'mode')} of which less is left: the JSON and the report have them."
+        if omitted
+        else ""
+    )
+    return table(caption, columns, rows, note=note)

@@ -1,0 +1,66 @@
+"""What other stated errors and priors make of a diagnosis, and why, in one sentence."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from pkmodes.core.support.ordering import joined
+from pkmodes.loop.diagnosis.verdict.findings import Stability
+from pkmodes.loop.diagnosis.verdict.result import Diagnosis
+from pkmodes.loop.diagnosis.verdict.stability_words import DOUBLED, HALVED, WIDENED, meaning, stable
+from pkmodes.loop.diagnosis.verdict.verdicts import ADEQUATE, EFFECT_FOUND, INSUFFICIENT_DATA, UNEXPLAINED
+
+#: The changes of the stability test, in words.
+CHANGES = {HALVED: "sigma halved", DOUBLED: "sigma doubled", WIDENED: "priors twice as wide"}
+NOTHING = "nothing explains the residual"
+
+
+def stability_sentence(result: Diagnosis) -> str:
+    """Return what the changes of the stability test find; empty where nothing was tested.
+
+    It begins with "stable" where `stability_words.stable` allows it, and where a term was found, with what it is
+    about.
+    """
+    if not result.stability or result.verdict == INSUFFICIENT_DATA.word:
+        return ""
+    claimed = {member for effect in result.effects for member in effect.members}
+    outcomes: dict[tuple[str, str], list[str]] = {}
+    for entry in result.stability:
+        outcome = _outcome(result, entry, claimed), meaning(result, entry)
+        outcomes.setdefault(outcome, []).append(entry.change)
+    same = _same(result)
+    order = sorted(outcomes, key=lambda outcome: outcome[0] != same)  # what stays comes first
+    parts = [_part(*outcome, outcomes[outcome], len(outcomes) == 1) for outcome in order]
+    of = "the catalogue alone, " if result.beyond is not None and result.beyond.found is not None else ""
+    return f"{of}{'stable' if stable(result) else 'stability'}: {'; '.join(parts)}"
+
+
+def _outcome(result: Diagnosis, entry: Stability, claimed: set[str]) -> str:
+    """Return what one change finds."""
+    names = " and ".join(entry.effects)
+    if entry.verdict == ADEQUATE.word:
+        return "no cause is needed" if claimed else ADEQUATE.word
+    if entry.verdict == UNEXPLAINED.word:
+        return NOTHING if claimed else UNEXPLAINED.word
+    if not names or (not claimed and entry.verdict == result.verdict):
+        return entry.verdict
+    if claimed and set(entry.effects) <= claimed:
+        return _same(result) if entry.verdict == result.verdict else f"{_same(result)}, but not alone,"
+    explanation = names if entry.verdict == EFFECT_FOUND.word else f"{names}, but not alone,"
+    return (
+        f"{explanation} instead"
+        if claimed
+        else f"the best explanation, which is not claimed, is {explanation}"
+    )
+
+
+def _same(result: Diagnosis) -> str:
+    if result.effects:
+        return "the same cause" + ("s" if len(result.effects) > 1 else "")
+    return result.verdict
+
+
+def _part(outcome: str, why: str, changes: Sequence[str], single: bool) -> str:
+    words = joined([CHANGES.get(change, change) for change in changes])
+    because = f" ({why})" if why else ""
+    return f"{outcome} {'also ' if single and ' ' not in outcome else ''}with {words}{because}"

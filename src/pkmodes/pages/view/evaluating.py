@@ -1,0 +1,189 @@
+"""Evaluate a scene: what a picture of a robot shows at some poses."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Sequence
+from dataclasses import dataclass
+from html import escape
+from typing import ClassVar
+
+import numpy as np
+from msgspec.structs import replace
+from numpy.typing import ArrayLike, NDArray
+
+from pkmodes.core.base.drives import FREE
+from pkmodes.core.mechanism.length import lengths_of
+from pkmodes.core.model import Model
+from pkmodes.core.robot.pose_table import poses_by_name
+from pkmodes.core.robot.report_fields import head_of
+from pkmodes.core.support.motors import motors_in_words
+from pkmodes.pages.view.page import page
+from pkmodes.pages.view.robot_drawing import RobotDrawing, Springs, present
+from pkmodes.pages.view.scene import Scene
+from pkmodes_description import Named
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class NotebookScene(Scene):
+    """A scene that a notebook shows as its page."""
+
+    def _repr_html_(self) -> str:
+        """Return the page in a frame, for notebooks."""
+        source = escape(page(self), quote=True)
+        title = escape(f"{self.robot} in three dimensions", quote=True)
+        return f'<iframe title="{title}" srcdoc="{source}" style="width:100%;height:760px;border:0"></iframe>'
+
+
+def scene(model: Model, poses: ArrayLike, chosen: int = 0, *, drives: str = FREE) -> Scene:
+    """Evaluate what a picture of a robot shows at some poses.
+
+    Parameters
+    ----------
+    model : Model
+        The robot.
+    poses : array_like, shape (d,) or (N, d)
+        In SI units.
+    chosen : int
+        Index of the pose to show first.
+    drives : {"free", "held"}
+        As for `pkmodes.Model.modes`.
+
+    Returns
+    -------
+    Scene
+        At these poses.
+
+    Raises
+    ------
+    PoseError
+        If a pose cannot be evaluated.
+    """
+    points = poses_by_name(poses, model.mechanism)
+    at = np.atleast_2d(np.asarray(points, dtype=float))
+    return scene_of([model] * len(at), at, chosen, drives=drives)
+
+
+def scene_of(models: Sequence[Model], poses: Array, chosen: int = 0, *, drives: str = FREE) -> Scene:
+    """Evaluate what a picture shows of machines that differ in values, each at a pose.
+
+    Where some of them have joints that others lock, only as many modes are kept as all of them have.
+
+    - models: of one mechanism, length N; the first, or the one shown first, gives its name
+    - poses: in SI units, (N, d)
+    - chosen: index of the state to show first
+    - drives: as for `pkmodes.Model.modes`
+
+    Raises PoseError if a pose cannot be evaluated.
+    """
+    starts = [i for i, model in enumerate(models) if i == 0 or model is not models[i - 1]]
+    ends = [*starts[1:], len(models)]
+    parts = [_evaluated(models[i], poses[i:k], drives) for i, k in zip(starts, ends, strict=True)]
+    model = models[chosen]
+    drawing, mechanism = RobotDrawing(model.robot), model.mechanism
+    coordinates = tuple(
+        name for name in mechanism.extended.COORDINATES if any(name in part.coordinates for part in parts)
+    )
+    named = tuple(dict.fromkeys(spring for part in parts for spring in part.springs.named))
+    count, rigid = min(part.frequencies.shape[1] for part in parts), min(part.rigid for part in parts)
+    widened = [_widened(part, coordinates, named) for part in parts]
+    springs, index = present(
+        Springs(named, *(np.concatenate([part.springs[k] for part in widened]) for k in (1, 2)))
+    )
+    joined = {key: np.concatenate([getattr(part, key) for part in widened]) for key in _MachineMotion.PLACES}
+    modal = {
+        key: np.concatenate([getattr(part, key)[:, :count] for part in widened])
+        for key in _MachineMotion.MODES
+    }
+    strains = np.einsum("psn,pmn->pms", springs.strain, modal["shapes"])
+    energies = 0.5 * springs.stiffness[:, None] * strains**2
+    for i, k, part in zip(starts, ends, parts, strict=True):
+        energies[i:k, rigid : part.rigid] = 0.0  # what is rigid in one machine need not be in another
+    return NotebookScene(
+        robot=model.robot.name,
+        title=mechanism.title,
+        pose=mechanism.pose,
+        directions=mechanism.directions,
+        platform=mechanism.platform,
+        lengths=lengths_of(mechanism, model.robot.parameters),
+        coordinates=coordinates,
+        independent=mechanism.independent,
+        elements=tuple(
+            replace(element, spring=index[element.spring] if element.spring >= 0 else -1)
+            for element in drawing.drawing.elements
+        ),
+        springs=springs.named,
+        motions_of=np.array(drawing.drawing.motions, dtype=np.intp),
+        poses=joined["poses"],
+        points=joined["points"],
+        motions=joined["motions"],
+        frequencies=modal["frequencies"],
+        shapes=modal["shapes"],
+        platform_shapes=modal["platform_shapes"],
+        energies=energies,
+        rigid_modes=rigid,
+        vertical=drawing.vertical,
+        drives=drives,
+        chosen=chosen,
+        head=tuple(head_of(model.robot.report)),
+        doing=motors_in_words(model.robot, drives),
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class _MachineMotion:
+    """What one machine gives at some poses; arrays as in `Scene`."""
+
+    PLACES: ClassVar = ("poses", "points", "motions")
+    MODES: ClassVar = ("frequencies", "shapes", "platform_shapes")
+
+    coordinates: tuple[str, ...]
+    springs: Springs
+    rigid: int
+    poses: Array
+    points: Array
+    motions: Array
+    frequencies: Array
+    shapes: Array
+    platform_shapes: Array
+
+
+def _evaluated(model: Model, poses: Array, drives: str) -> _MachineMotion:
+    drawing, modes = RobotDrawing(model.robot), model.modes(poses, drives=drives)
+    return _MachineMotion(
+        coordinates=modes.coordinates,
+        springs=drawing.springs(modes.poses),
+        rigid=modes.rigid_modes,
+        poses=modes.poses,
+        points=drawing.points(modes.poses),
+        motions=drawing.motions(modes.poses),
+        frequencies=modes.frequencies,
+        shapes=modes.shapes,
+        platform_shapes=modes.platform_shapes,
+    )
+
+
+def _widened(part: _MachineMotion, coordinates: tuple[str, ...], named: tuple[Named, ...]) -> _MachineMotion:
+    """Return a part with zeros for the coordinates and springs that only others have."""
+    if part.coordinates == coordinates and part.springs.named == named:
+        return part
+    columns = [coordinates.index(name) for name in part.coordinates]
+    rows = [named.index(spring) for spring in part.springs.named]
+
+    def wide(values: Array) -> Array:
+        zeros = np.zeros((*values.shape[:-1], len(coordinates)))
+        zeros[..., columns] = values
+        return zeros
+
+    count = len(part.poses)
+    stiffness, strain = np.zeros((count, len(named))), np.zeros((count, len(named), len(coordinates)))
+    stiffness[:, rows], strain[:, rows] = part.springs.stiffness, wide(part.springs.strain)
+    return dataclasses.replace(
+        part,
+        coordinates=coordinates,
+        springs=Springs(named, stiffness, strain),
+        motions=wide(part.motions),
+        shapes=wide(part.shapes),
+    )

@@ -1,0 +1,179 @@
+"""Measured modes as data of a page: components in the scale of the picture, and what of them can be drawn where.
+
+The platform, parts that one coordinate moves alone, and wheels that one coordinate turns are drawn; other components
+stand in the table only, which has all measured components of a mode beside those of the model.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from html import escape
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.pages.view.measured_modes import MeasuredMode, scale_factor, weights_of
+from pkmodes.pages.view.scene import Scene
+
+Array = NDArray[np.float64]
+#: Kinds of elements on which a coordinate is shown as a displacement.
+MOVING = ("carriage", "arm", "gantry", "toolhead", "platform", "body")
+DIGITS = 4
+#: Units of components for a largest displacement of 1 mm.
+SMALL = {"m": "mm", "rad": "mrad"}
+
+
+def measured_data(scene: Scene) -> dict[str, Any] | None:
+    """Return the measured modes of a scene; components are for a largest displacement of the model of 1 m."""
+    if scene.measured is None:
+        return None
+    return {
+        "channels": [{"name": channel.name, "unit": channel.unit} for channel in scene.channels],
+        "modes": [_mode(scene, mode) for mode in scene.measured],
+    }
+
+
+def components(scene: Scene, pose: int) -> Array:
+    """Return the shapes of all modes at the channels, (m, C); 0 for a coordinate that the model locks."""
+    shapes = np.zeros((scene.frequencies.shape[1], len(scene.channels)))
+    platform = [component.name for component in scene.platform]
+    for k, channel in enumerate(scene.channels):
+        if channel.name in scene.coordinates:
+            shapes[:, k] = scene.shapes[pose, :, scene.coordinates.index(channel.name)]
+        elif channel.name in platform:
+            shapes[:, k] = scene.platform_shapes[pose, :, platform.index(channel.name)]
+    return shapes
+
+
+def _mode(scene: Scene, measured_mode: MeasuredMode) -> dict[str, Any]:
+    told = {
+        "pose": measured_mode.pose,
+        "mode": measured_mode.mode,
+        "name": measured_mode.name,
+        "frequency": round(measured_mode.frequency, 4),
+        "sigma": float(f"{measured_mode.sigma:.3g}"),
+        "mac": None
+        if measured_mode.mac is None or np.isnan(measured_mode.mac)
+        else round(measured_mode.mac, 4),
+        "shape": measured_mode.has_shape,
+    }
+    if measured_mode.mode is None or not measured_mode.has_shape:
+        return told
+    shapes = components(scene, measured_mode.pose)
+    measured, model = np.array(measured_mode.shape), shapes[measured_mode.mode]
+    scale = scene.scale(measured_mode.pose, measured_mode.mode)
+    scaled = scale * scale_factor(measured, model, weights_of(shapes)) * measured
+    arrows, turns = _drawn(scene, measured_mode.pose, scaled)
+    return told | {
+        "measured": [None if np.isnan(value) else round(value, DIGITS) + 0.0 for value in scaled.tolist()],
+        "model": [round(value, DIGITS) + 0.0 for value in (scale * model).tolist()],
+        "arrows": arrows,
+        "turns": turns,
+    }
+
+
+def _drawn(scene: Scene, pose: int, scaled: Array) -> tuple[list[Any], list[Any]]:
+    """Return displacements as [point, x, y, z], and rotations as [element, angle], of the measured components."""
+    platform, arrows, turns = np.zeros(3), [], []
+    linear = [component.name for component in scene.platform if component.unit == "m"]
+    for channel, value in zip(scene.channels, scaled.tolist(), strict=True):
+        if np.isnan(value):
+            continue
+        if channel.name in linear:
+            platform["xyz".index(channel.name[-1])] = value
+        elif wheels := [i for i, e in enumerate(scene.elements) if e.turns and e.turns == channel.name]:
+            turns += [[i, round(value, DIGITS)] for i in wheels]
+        elif (place := _place(scene, pose, channel.name)) is not None:
+            point, along = place
+            arrows.append([point, *(round(v, DIGITS) + 0.0 for v in (along * value).tolist())])
+    if platform.any():
+        arrows.insert(0, [0, *(round(v, DIGITS) + 0.0 for v in platform.tolist())])
+    return arrows, turns
+
+
+def _place(scene: Scene, pose: int, name: str) -> tuple[int, Array] | None:
+    """Return a point of a part that a coordinate moves alone, and its displacement per unit; None without one."""
+    if name not in scene.coordinates:
+        return None
+    column = scene.coordinates.index(name)
+    base = [
+        k for k, coordinate in enumerate(scene.coordinates) if coordinate in scene.independent and k != column
+    ]
+    best = None
+    for element in scene.elements:
+        for point in element.points if element.kind in MOVING else ():
+            motion = scene.motions[pose, scene.motions_of[point]]
+            size = float(np.linalg.norm(motion[:, column]))
+            moves_alone = size > 1e-9 and np.abs(motion[:, base]).max(initial=0.0) < 1e-9 * size
+            if moves_alone and (best is None or size > np.linalg.norm(best[1]) * (1 + 1e-9)):
+                best = int(point), motion[:, column]
+    return best
+
+
+def measured_table(scene: Scene, key: str) -> str:
+    """Return the table of the first mode at the pose that is shown first; empty without measured components.
+
+    - key: prefix of identifiers, escaped
+    """
+    data = measured_data(scene)
+    if data is None or not scene.channels:
+        return '<p hidden data-part="compared"></p>' if data is not None else ""
+    mode = min(scene.rigid_modes, scene.frequencies.shape[1] - 1)
+    here = [entry for entry in data["modes"] if entry["pose"] == scene.chosen and entry["mode"] == mode]
+    rows = []
+    for k, channel in enumerate(scene.channels):
+        cells = "".join(
+            f'<td data-part="of-{name}">{_cell(here[0][name][k] if here and "measured" in here[0] else None)}</td>'
+            for name in ("measured", "model")
+        )
+        unit = escape(SMALL.get(channel.unit, channel.unit))
+        rows.append(
+            f'<tr data-part="component"><th scope="row">{escape(channel.name)} [{unit}]</th>{cells}</tr>'
+        )
+    number = mode - scene.rigid_modes + 1
+    caption = (
+        f'<b>Measured against model:</b> components of <span data-part="compared">mode {number}</span>, for a largest'
+        " displacement of the model of 1 mm.  The measured shape is scaled to the model&#8217;s by least squares, and"
+        " drawn where its sensors are; nothing else was measured: all other motion in the picture is the"
+        " model&#8217;s."
+    )
+    heads = '<th scope="col">measured</th><th scope="col">model</th>'
+    return numbers_table(f"{key}-measured", caption, heads, rows)
+
+
+def numbers_table(name: str, caption: str, heads: str, rows: Sequence[str]) -> str:
+    """Return a table of the viewer from its parts in HTML, with its caption under an identifier."""
+    return (
+        f'<div class="pkview-numbers"><p id="{name}">{caption}</p>'
+        f'<div class="pkview-table" role="region" aria-labelledby="{name}" tabindex="0">'
+        f'<table aria-labelledby="{name}"><thead><tr><td></td>{heads}</tr></thead>'
+        f"<tbody>{''.join(rows)}</tbody></table></div></div>"
+    )
+
+
+def observed(scene: Scene) -> str:
+    """Return what was measured of the mode that is shown first, in words."""
+    mode = min(scene.rigid_modes, scene.frequencies.shape[1] - 1)
+    here = [
+        measured
+        for measured in scene.measured or ()
+        if (measured.pose, measured.mode) == (scene.chosen, mode)
+    ]
+    if not here:
+        return "Not measured at this pose."
+    (measured_mode, *_) = here
+    digits = min(max(0, 1 - math.floor(math.log10(measured_mode.sigma))), 4)
+    text = f"Measured: {measured_mode.frequency:.{digits}f} \u00b1 {measured_mode.sigma:.{digits}f} Hz"
+    if not measured_mode.has_shape:
+        return f"{text}, without a shape."
+    return text + (
+        "."
+        if measured_mode.mac is None or math.isnan(measured_mode.mac)
+        else f", MAC {measured_mode.mac:.3f}."
+    )
+
+
+def _cell(value: float | None) -> str:
+    return "\u2013" if value is None else f"{value + 0.0:.3f}".replace("-", "\u2212")

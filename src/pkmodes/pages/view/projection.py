@@ -1,0 +1,73 @@
+"""A still camera: the direction from which pictures without a viewer show a robot."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.pages.view.scene import Scene
+from pkmodes_description import Element
+
+Array = NDArray[np.float64]
+#: Shapes of elements whose outlines enclose an area.
+AREAS = ("wheel", "plate")
+#: Viewing directions of a spatial and of a planar robot [deg].
+AZIMUTH, ELEVATION, ABOVE = -60.0, 18.0, 50.0
+
+
+def camera(scene: Scene) -> Array:
+    """Return the rotation to (right, up, towards the viewer), (3, 3)."""
+    planar = len(scene.directions) < 3
+    up = np.array([0.0, 0.0, 1.0]) if planar else scene.vertical
+    side = np.cross(up, [1.0, 0.0, 0.0] if abs(up[0]) < 0.9 else [0.0, 1.0, 0.0])
+    east = np.cross(side, up)
+    east, side = east / np.linalg.norm(east), side / np.linalg.norm(side)
+    turn, rise = np.radians(-90.0 if planar else AZIMUTH), np.radians(ABOVE if planar else ELEVATION)
+    towards = np.cos(rise) * (np.cos(turn) * east + np.sin(turn) * side) + np.sin(rise) * up
+    right = np.cross(up, towards)
+    right /= np.linalg.norm(right)
+    return np.stack([right, np.cross(towards, right), towards])
+
+
+def outline(element: Element, points: Array, angle: float = 0.0) -> Array:
+    """Return what the camera sees of an element, (n, 2): a line, the edge of one of `AREAS`, or the point of a ball.
+
+    - points: of the whole machine, (p, 3): to the right, up, and towards the viewer
+    - angle: by which a wheel is turned [rad]
+    """
+    at = points[list(element.points)]
+    if element.shape == "wheel":
+        axis = at[1] - at[0]
+        at = rim(at[0], axis, angle) if axis.any() else at[:1]
+    elif element.shape == "ball":
+        at = at[:1]
+    elif element.shape == "block":
+        at = np.stack([2.0 * at[0] - at[1], at[1]])
+    flat = at[:, :2]
+    return hull(flat) if element.shape == "plate" else flat
+
+
+def hull(points: Array) -> Array:
+    """Return the corners of the convex hull of points in a plane, (n, 2), in order."""
+    from scipy.spatial import ConvexHull, QhullError
+
+    try:
+        return np.asarray(points[ConvexHull(points).vertices])
+    except QhullError:  # seen from the side
+        return points
+
+
+def rim(centre: Array, axis: Array, angle: float, corners: int = 48) -> Array:
+    """Return points around the rim of a wheel, (corners + 1, 3); the first is turned by an angle about the axis.
+
+    - centre, axis: the length of the axis is the radius, (3,)
+    - angle: rad
+    """
+    radius = float(np.linalg.norm(axis))
+    unit = axis / radius
+    helper = np.array([0.0, 0.0, 1.0]) if abs(unit[2]) < 0.9 else np.array([1.0, 0.0, 0.0])
+    first = np.cross(unit, helper)
+    first /= np.linalg.norm(first)
+    turns = np.linspace(0.0, 2.0 * np.pi, corners + 1)[:, None] + angle
+    around: Array = centre + radius * (np.cos(turns) * first + np.sin(turns) * np.cross(unit, first))
+    return around

@@ -1,0 +1,150 @@
+"""The reachable workspace as a surface, or as an outline in a plane, found from the robot's own conditions on a pose.
+
+Poses of a grid are checked, and the boundary is refined by bisection on every edge of the grid that crosses it.  A
+cell's vertex is the mean of its crossings, and every crossed edge joins the cells around it (a dual contour).  It is
+a picture: smoothing moves it by a fraction of a cell.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.model import Model
+from pkmodes.machine.maps.workspace import Inside, on_branch, resting
+
+Array = NDArray[np.float64]
+#: Grid cells along each component, and fraction by which the grid extends beyond the box on each side.
+CELLS, AROUND = {2: 48, 3: 30}, 0.05
+BISECTIONS = 7
+#: Smoothing steps, each half-way to the mean of the neighbours: creases would be ragged otherwise.
+SMOOTHING = 5
+
+
+@dataclass(frozen=True, eq=False)
+class Surface:
+    """The boundary of a workspace.
+
+    - vertices: poses on the boundary, without rotations of the platform, (V, d)
+    - faces: quadrilaterals in space, segments in a plane, (F, 4) or (F, 2)
+    """
+
+    vertices: Array
+    faces: NDArray[np.intp]
+
+
+def workspace(
+    model: Model, pose: Array, box: tuple[Array, Array], inside: Inside | None = None
+) -> Surface | None:
+    """Find the boundary of the part of the workspace that contains a pose; the platform stays turned as it is.
+
+    - pose: a valid pose, (d,)
+    - box: from `pkmodes.machine.maps.workspace.box_of`, each (d,)
+    - inside: the test whether poses belong to it; by default whether they can be evaluated, on the branch of the pose
+
+    Returns None if the pose has other angles, or other than two or three components besides rotations.
+    """
+    moving = [i for i in range(len(pose)) if i not in resting(model, pose)]
+    if len(moving) not in CELLS or any(model.mechanism.pose[i].unit != "m" for i in moving):
+        return None
+    belongs = on_branch(model, pose) if inside is None else inside
+
+    def within(points: Array) -> NDArray[np.bool_]:
+        poses = np.tile(pose, (len(points), 1))
+        poses[:, moving] = points
+        return belongs(poses)
+
+    low, high = (end[moving] for end in box)
+    room = AROUND * (high - low)
+    steps = [np.linspace(*ends, CELLS[len(moving)] + 1) for ends in zip(low - room, high + room, strict=True)]
+    mask = _component(within, steps, pose[moving])
+    return _contour(within, steps, mask) if mask.any() else None
+
+
+def _component(inside: Inside, steps: list[Array], pose: Array) -> NDArray[np.bool_]:
+    """Return which nodes of a grid belong to the connected part of the workspace nearest to a pose."""
+    from scipy.ndimage import label
+
+    nodes = np.stack(np.meshgrid(*steps, indexing="ij"), axis=-1)
+    mask = inside(nodes.reshape(-1, len(steps))).reshape(nodes.shape[:-1])
+    for axis in range(mask.ndim):  # the boundary closes at the edge of the grid
+        edge = np.moveaxis(mask, axis, 0)
+        edge[[0, -1]] = False
+    labels, count = label(mask)
+    if not count:
+        return mask
+    distance = np.where(mask, np.linalg.norm(nodes - pose, axis=-1), np.inf)
+    return np.asarray(labels == labels[np.unravel_index(int(np.argmin(distance)), mask.shape)])
+
+
+def _contour(inside: Inside, steps: list[Array], mask: NDArray[np.bool_]) -> Surface:
+    """Return the dual contour of a mask, with crossings found by bisection."""
+    d = mask.ndim
+    sums, counts = np.zeros((*(n - 1 for n in mask.shape), d)), np.zeros([n - 1 for n in mask.shape])
+    joined: list[Array] = []
+    for axis in range(d):
+        near = np.moveaxis(np.moveaxis(mask, axis, 0)[:-1], 0, axis)
+        far = np.moveaxis(np.moveaxis(mask, axis, 0)[1:], 0, axis)
+        edges = np.argwhere(near != far)
+        ends = edges + np.eye(d, dtype=int)[axis]
+        first, second = (
+            np.stack([s[i] for s, i in zip(steps, e.T, strict=True)], axis=-1) for e in (edges, ends)
+        )
+        out = near[tuple(edges.T)]
+        crossing = _bisected(
+            inside, np.where(out[:, None], first, second), np.where(out[:, None], second, first)
+        )
+        cells = []
+        for offset in _around(d, axis):
+            cell = edges + offset
+            cells.append(cell)
+            np.add.at(sums, tuple(cell.T), crossing)
+            np.add.at(counts, tuple(cell.T), 1.0)
+        ring = np.stack(cells, axis=1)
+        ring[~out] = ring[~out, ::-1]  # seen from outside, every face turns the same way
+        joined.append(ring)
+    used = counts > 0
+    number = np.full(counts.shape, -1, dtype=np.intp)
+    number[used] = np.arange(np.count_nonzero(used))
+    faces = np.concatenate([number[tuple(np.moveaxis(ring, -1, 0))] for ring in joined])
+    return Surface(_smoothed(sums[used] / counts[used][:, None], faces), faces)
+
+
+def _smoothed(vertices: Array, faces: NDArray[np.intp]) -> Array:
+    """Return vertices moved towards the mean of those that share an edge of a face with them."""
+    pairs = np.concatenate([np.stack([faces[:, i - 1], faces[:, i]], axis=1) for i in range(faces.shape[1])])
+    pairs = np.unique(np.sort(pairs, axis=1), axis=0)
+    smoothed = vertices
+    for _ in range(SMOOTHING if len(pairs) else 0):
+        sums, counts = np.zeros_like(smoothed), np.zeros(len(smoothed))
+        for a, b in (pairs.T, pairs.T[::-1]):
+            np.add.at(sums, a, smoothed[b])
+            np.add.at(counts, a, 1.0)
+        smoothed = 0.5 * (smoothed + sums / counts[:, None])
+    return smoothed
+
+
+def _around(d: int, axis: int) -> list[NDArray[np.intp]]:
+    """Return the offsets of the cells around an edge along an axis, in order around it."""
+    across_axes = [(axis + k) % d for k in range(1, d)]
+    turns = list(product((-1, 0), repeat=d - 1))
+    if d == 3:
+        turns = [(-1, -1), (0, -1), (0, 0), (-1, 0)]
+    offsets = []
+    for turn in turns:
+        offset = np.zeros(d, dtype=np.intp)
+        offset[across_axes] = turn
+        offsets.append(offset)
+    return offsets
+
+
+def _bisected(inside: Inside, good: Array, bad: Array) -> Array:
+    """Return the points between good and bad ones at which the workspace ends."""
+    for _ in range(BISECTIONS if len(good) else 0):
+        middle = 0.5 * (good + bad)
+        there = inside(middle)[:, None]
+        good, bad = np.where(there, middle, good), np.where(there, bad, middle)
+    return 0.5 * (good + bad)
