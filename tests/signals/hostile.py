@@ -32,7 +32,7 @@ except ImportError:
     pass
 from pkmodes.modaltest.campaign.description import read_description
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.modaltest.signals.functions import Asked
+from pkmodes.modaltest.signals.functions import SignalRequest
 from pkmodes.modaltest.signals.reading import read_signals
 
 def memory(name):
@@ -46,7 +46,7 @@ def read(path, rate, sensors, band):
         if path.endswith(".toml"):
             read_description(Path(path))
         else:
-            read_signals(path, Asked(rate, sensors and frozenset(sensors), (), band and tuple(band)))
+            read_signals(path, SignalRequest(rate, sensors and frozenset(sensors), (), band and tuple(band)))
     except PkmodesError as error:
         outcome = str(error)
     print(json.dumps([outcome, memory("VmHWM") - before]), flush=True)

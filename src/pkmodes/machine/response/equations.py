@@ -212,7 +212,7 @@ def _summed(denominators: Array, l: Any, b: Any) -> Complex:  # noqa: E741
     H = np.empty((count, outputs * inputs), dtype=complex)
     # The imaginary part of a reciprocal is minus that of the denominator over the square.
     parts = (residues.real @ reciprocals.reshape(m, -1)).reshape(-1, 2, count)
-    H.real, H.imag = parts[:, 0].T, -parts[:, 1].T
+    H.real, H.imag = parts[:, 0].T, 0.0 - parts[:, 1].T  # no negative zero: its phase would be -180 degrees
     if residues.imag.any():
         parts = (residues.imag @ reciprocals.reshape(m, -1)).reshape(-1, 2, count)
         H.real += parts[:, 1].T
