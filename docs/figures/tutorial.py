@@ -15,13 +15,13 @@ import matplotlib as mpl
 import matplotlib.lines
 import numpy as np
 from matplotlib.figure import Figure
-from pkmodes.figures import pictures
-from pkmodes.figures.files import rendered
-from pkmodes.view import scene
 
 import pkmodes
 from pkmodes import updating
+from pkmodes.figures import pictures
+from pkmodes.figures.files import rendered
 from pkmodes.pages.plots.animation import animation
+from pkmodes.view import scene
 
 HERE = Path(__file__).parent
 LOOP = HERE.parents[1] / "examples" / "closed_loop"

@@ -21,8 +21,8 @@ from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
 import pkmodes
-from pkmodes.diagnosis import Diagnosis, Measurements
 from pkmodes.core.support.numbers import rounded
+from pkmodes.diagnosis import Diagnosis, Measurements
 from pkmodes.updating import compare, diagnose, read
 
 Array = NDArray[np.float64]

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 
 import numpy as np
 import pytest
+
 from pkmodes.campaign.campaign import Record
 from pkmodes.campaign.results import IdentifiedMode, Parts, RecordResult
-
 from pkmodes_rig.engine import TrueModes
 from pkmodes_rig.signals.campaigns import Made
 from pkmodes_rig.signals.modal_tests import Flaws, ModalTest, Recorded

@@ -8,13 +8,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from pkmodes.campaign.campaign import read_campaign
-from pkmodes.campaign.identify import identify
-from pkmodes.measured.measurements import Measurements
 
 import pkmodes
 from pkmodes import updating
+from pkmodes.campaign.campaign import read_campaign
+from pkmodes.campaign.identify import identify
 from pkmodes.core.robot.reading import robot_from_document
+from pkmodes.measured.measurements import Measurements
 from pkmodes_rig.signals.adxl345 import Chip, write_raw
 from pkmodes_rig.signals.printer import POSES, SERVO, Machine, ResonanceTest, printer, swept, write
 from pkmodes_rig.signals.small_motion import Truth

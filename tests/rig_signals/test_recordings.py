@@ -6,9 +6,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+
 from pkmodes.signals.functions import FunctionKind, SignalRequest
 from pkmodes.signals.reading import read_signals
-
 from pkmodes_rig.engine import TrueModes
 from pkmodes_rig.signals import adxl345, excitation
 from pkmodes_rig.signals.analyser import averaged

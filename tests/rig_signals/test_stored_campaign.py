@@ -6,10 +6,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from pkmodes.signals.functions import SignalRequest
-from pkmodes.signals.reading import read_signals
 
 from pkmodes.cli import run
+from pkmodes.signals.functions import SignalRequest
+from pkmodes.signals.reading import read_signals
 from pkmodes_rig.signals import example
 
 FOLDER = Path(__file__).resolve().parents[2] / "examples" / "campaign"

@@ -6,9 +6,9 @@ import shutil
 from pathlib import Path
 
 import numpy as np
+
 from pkmodes.signals.functions import SignalRequest
 from pkmodes.signals.reading import read_signals
-
 from pkmodes_rig.signals import roving_hammer, tapped_hexapod, tapped_printer
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
