@@ -8,6 +8,7 @@ import re
 import subprocess
 import sys
 import tomllib
+from importlib import import_module
 from pathlib import Path
 
 import pytest
@@ -296,6 +297,34 @@ def test_type_checkers_see_the_functions_that_are_attached() -> None:
         and isinstance(node.value, ast.Name)
     }
     assert seen == APPLICATIONS
+
+
+def test_packages_are_imported_without_their_rooms_and_type_checkers_know() -> None:
+    stubs = {stub.stem: stub for stub in (ROOT / "src/pkmodes").glob("*.pyi") if stub.stem != "__init__"}
+    room_of = {package: room for room, packages in names.ROOMS.items() for package in packages}
+    pages = {page.stem for page in (ROOT / "docs/api").glob("*.md")} - {"pkmodes", "mechanism"}
+    assert {*stubs} == pages
+    for name, stub in stubs.items():
+        assert stub.read_text(encoding="utf-8") == f"from pkmodes.{room_of[name]}.{name} import *\n"
+    for name, room in room_of.items():
+        public, inside = (import_module(f"pkmodes.{place}") for place in (name, f"{room}.{name}"))
+        assert public is inside
+        assert inside.__spec__ is not None
+        assert inside.__spec__.name == f"pkmodes.{room}.{name}"
+
+
+def test_a_module_of_a_package_is_loaded_once_under_both_names() -> None:
+    code = "import sys, pkmodes.machine.maps.workspace as inside, pkmodes.maps.workspace as public"
+    code += "; print(public is inside, sys.modules['pkmodes.maps'].__spec__.name)"
+    path = os.pathsep.join(str(ROOT / part) for part in ("src", "generated"))
+    run = subprocess.run(
+        [sys.executable, "-c", code],
+        env={**os.environ, "PYTHONPATH": path},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert run.stdout == "True pkmodes.machine.maps\n"
 
 
 def test_no_module_imports_itself_through_others() -> None:

@@ -1,0 +1,1 @@
+from pkmodes.loop.diagnosis import *

@@ -1,0 +1,1 @@
+from pkmodes.pages.report import *

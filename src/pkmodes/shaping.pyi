@@ -1,0 +1,1 @@
+from pkmodes.machine.shaping import *

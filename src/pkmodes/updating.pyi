@@ -1,0 +1,1 @@
+from pkmodes.loop.updating import *
