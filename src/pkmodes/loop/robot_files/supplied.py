@@ -10,7 +10,7 @@ from pkmodes.core.base.errors import PkmodesError
 
 ROBOTS, EXAMPLES = "robots", "examples"
 #: Where the build of a wheel (``hatch_build.py``) puts the two folders, and where they lie in a checkout.
-PLACES = (Path(__file__).parents[1] / "supplied", Path(__file__).parents[3])
+PLACES = (Path(__file__).parents[2] / "supplied", Path(__file__).parents[4])
 
 
 def supplied(*places: str) -> dict[str, bytes]:
