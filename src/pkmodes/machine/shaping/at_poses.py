@@ -38,7 +38,7 @@ def shaper_at(
     model : Model
         The evaluator of the robot.
     kind : str
-        One of `pkmodes.machine.shaping.KINDS`, or a product such as "zv*zv*zv", factor k of which is for mode k.
+        One of `pkmodes.shaping.KINDS`, or a product such as "zv*zv*zv", factor k of which is for mode k.
     poses : array_like, shape (d,) or (..., d)
         In SI units.
     modes : int, optional

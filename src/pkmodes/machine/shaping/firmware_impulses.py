@@ -1,12 +1,12 @@
 """Impulses that firmware makes of a kind, a frequency and a damping ratio, by formulas of its own where it has any.
 
-Klipper until 22 September 2025 makes those of `pkmodes.machine.shaping.shaper`.  Since then ei, 2hump_ei and 3hump_ei
+Klipper until 22 September 2025 makes those of `pkmodes.shaping.shaper`.  Since then ei, 2hump_ei and 3hump_ei
 satisfy their conditions (pkmodes_description.shapers) for the damped mode as well: their impulses are polynomials of
 the damping ratio, fitted to numerical solutions for a tolerance of 5 % (klippy/extras/shaper_defs.py, commit
 5da026a33). RepRapFirmware has the same for the humps, with times in periods of the damped mode
 (src/Movement/AxisShaper.cpp, tag 3.6.0-beta.1).
 
-Marlin's fixed-time motion (Marlin/src/module/ft_motion/shaping.cpp) makes those of `pkmodes.machine.shaping.shaper`,
+Marlin's fixed-time motion (Marlin/src/module/ft_motion/shaping.cpp) makes those of `pkmodes.shaping.shaper`,
 but a whole number of its samples apart, and lets the amplitudes of mzv decay as if its impulses were half a period
 apart.
 """

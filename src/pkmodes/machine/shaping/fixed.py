@@ -39,7 +39,7 @@ def best_fixed(kind: str, at: Ringing, version: str | None = None) -> tuple[tupl
     - at: of the machine
     - version: of the firmware whose impulses count, a key of `pkmodes.machine.shaping.firmware.VERSIONS`; by default
     those of
-      `pkmodes.machine.shaping.shaper`, as for products
+      `pkmodes.shaping.shaper`, as for products
     """
     names, zeta = factor_names(kind), at.mean_ratio
     version = None if len(names) > 1 else version

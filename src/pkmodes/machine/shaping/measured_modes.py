@@ -196,7 +196,7 @@ def measured_shapers(
 ) -> Choice:
     """Compare fixed shapers for the modes in a table.
 
-    - data: such as `pkmodes.loop.updating.read` reads
+    - data: such as `pkmodes.updating.read` reads
     - kinds: by default all for one mode, and products of zv for up to three modes
     - modes: how many modes count at each pose, the lowest; by default all
     - damping: damping ratio of the modes without one; by default anything from 0 to 10 %

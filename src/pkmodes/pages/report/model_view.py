@@ -38,7 +38,7 @@ def view_of(
     poses : array_like, shape (N, d), optional
         By default a grid over the workspace.
     start : array_like, shape (d,), optional
-        The pose of the grid to show first, by default from `pkmodes.pages.view.typical_pose`.
+        The pose of the grid to show first, by default from `pkmodes.view.typical_pose`.
     drives : {"free", "held"}
         As for `pkmodes.Model.modes`.
 

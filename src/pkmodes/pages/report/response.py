@@ -61,12 +61,12 @@ def response_report(
 
     - model: the robot
     - response: from `pkmodes.Model.frf`
-    - measured: from `pkmodes.pages.figures.read_response`
+    - measured: from `pkmodes.figures.read_response`
     - sources: the input files as they were read; by default the robot file as it is now
     - before: of the robot before a correction: the same channels at the same pose and frequencies
 
     Returns HTML that needs no other file and no network.
-    Raises PkmodesError as `pkmodes.pages.figures.response_picture` does.
+    Raises PkmodesError as `pkmodes.figures.response_picture` does.
     Raises MissingExtraError if the libraries of the extra ``report`` are not installed.
     """
     need_report()

@@ -191,7 +191,7 @@ def changed_between(
     criteria: Criteria | None = None,
     terms: bool = False,
 ) -> Change:
-    """Return what changed between states of any structure, as `pkmodes.loop.diagnosis.diagnose` does.
+    """Return what changed between states of any structure, as `pkmodes.diagnosis.diagnose` does.
 
     Raises PkmodesError also if a setup has no state, or there is one state only.
     """

@@ -63,7 +63,7 @@ def _errors_of(matrices: str, where: str, remedy: str) -> Iterator[None]:
 class Supplied:
     """The matrices from the callables, checked to be symmetric float64; errors name setup and values.
 
-    - matrices, derivatives: see `pkmodes.loop.diagnosis.MatrixStructure`
+    - matrices, derivatives: see `pkmodes.diagnosis.MatrixStructure`
     - expected: number of coordinates
     - reason: reason for this number, for messages
 
