@@ -295,7 +295,10 @@ def test_what_reads_robot_files_names_nothing_of_a_mechanism() -> None:
     every = [item.key for item in items(kind)]
     named |= {key.field for key in every} - {"gravity", ""} - {key.kind for key in every}
     source = Path(__file__).parents[2] / "src/pkmodes"
-    files = [*sorted((source / "core" / "robot").glob("*.py")), source / "loop" / "updating" / "candidates.py"]
+    files = [
+        *sorted((source / "core" / "robot").glob("*.py")),
+        source / "loop" / "updating" / "candidates.py",
+    ]
     assert len(files) > 10
     for file in files:
         tree = ast.parse(file.read_text(encoding="utf-8"))
