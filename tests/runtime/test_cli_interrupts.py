@@ -91,7 +91,7 @@ import sys
 
 class Finder:
     def find_spec(self, name, path=None, target=None):
-        if name == "pkmodes.core.compiled.loader":
+        if name == "pkmodes.core.compiled.evaluator":
             import logging, warnings
             warnings.warn("invalid value encountered in divide", RuntimeWarning)
             warnings.warn("this font has no such glyph", UserWarning)
