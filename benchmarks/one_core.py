@@ -201,6 +201,7 @@ def costs(run: Callable[[int], None], most: int, patience: float) -> Iterator[tu
 
 def print_ratios(arguments: list[str]) -> None:
     repetitions = 3 if "--quick" in arguments else ratios.REPETITIONS
+    ratios.commit()  # before the first table changes the document
     of_peers = ratios.peer_times(published(), valid_poses(ratios.BATCH), repetitions)
     print(ratios.peer_table(of_peers), "", sep="\n")
     if "--keep" in arguments:
