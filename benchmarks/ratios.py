@@ -144,38 +144,38 @@ def peer_times(
         By way, the times of the rows of `OF_PEERS`; those of a batch are for all its poses.  Ways whose packages are
         missing are left out, and so is MuJoCo, whose pose takes milliseconds.
     """
-    n, some = len(model.coordinates), poses[:BLOCK]
-    few = [way for way in ways() if isinstance(way, Way) and way.label != "MuJoCo"]
-    room = {count: (np.zeros((count, n)), np.zeros((count, n, n))) for count in (1, len(some))}
-    calls: dict[str, dict[str, Callable[[], object]]] = {}
-    for way in few:
-        (f, shapes), (fs, all_shapes) = room.values()
-        calls[way.label] = {
-            "frequencies of a pose": partial(_repeated, partial(way.run, poses[:1], f, None)),
-            "modes of a pose": partial(_repeated, partial(way.run, poses[:1], f, shapes)),
-            "frequencies of a batch": partial(way.run, some, fs, None),
-            "modes of a batch": partial(way.run, some, fs, all_shapes),
-        }
-    calls[OURS] = {
-        "frequencies of a pose": partial(_repeated, partial(model.frequencies, poses[0])),
-        "modes of a pose": partial(_repeated, partial(model.modes, poses[0])),
-        "frequencies of a batch": partial(model.frequencies, some, threads=1),
-        "modes of a batch": partial(model.modes, some, threads=1),
-    }
-    for of_way in calls.values():
-        for call in of_way.values():
-            call()
-    flat = {(label, row): call for label, of_way in calls.items() for row, call in of_way.items()}
-    taken = interleaved(flat, repetitions)
+    n, batch = len(model.coordinates), poses[:BLOCK]
+    frequencies, shapes = np.zeros((len(batch), n)), np.zeros((len(batch), n, n))
+    frequencies_of = {OURS: partial(model.frequencies, threads=1)}
+    modes_of = {OURS: partial(model.modes, threads=1)}
+    for way in ways():
+        if isinstance(way, Way) and way.label != "MuJoCo":
+            frequencies_of[way.label] = partial(_into, way, frequencies, None)
+            modes_of[way.label] = partial(_into, way, frequencies, shapes)
+    calls: dict[tuple[str, str], Callable[[], object]] = {}
+    for name, of_ways in (("frequencies", frequencies_of), ("modes", modes_of)):
+        for label, call in of_ways.items():
+            pose = poses[0] if label == OURS else poses[:1]
+            calls[label, f"{name} of a pose"] = partial(_repeated, partial(call, pose))
+            calls[label, f"{name} of a batch"] = partial(call, batch)
+    for call in calls.values():
+        call()
+    taken = interleaved(calls, repetitions)
     return {
         label: {row: taken[label, row] / (CALLS if row.endswith("pose") else 1) for row in OF_PEERS}
-        for label in calls
+        for label in frequencies_of
     }
+
+
+def _into(way: Way, frequencies: np.ndarray, shapes: np.ndarray | None, poses: np.ndarray) -> None:
+    """Run a way of others into arrays that were used before."""
+    count = len(poses)
+    way.run(poses, frequencies[:count], None if shapes is None else shapes[:count])
 
 
 def peer_table(found: dict[str, dict[str, float]]) -> str:
     """Return the table of the ways of others: multiples of what the library takes."""
-    heads = [OURS, *(label for label in found if label != OURS)]
+    heads = [*found]  # ours first
     rows = [
         [row, *(backends_report.digits(found[label][row] / found[OURS][row]) for label in heads)]
         for row in OF_PEERS

@@ -244,7 +244,7 @@ def test_a_room_imports_only_those_that_it_knows(room: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("room", "folder"), [(room, one) for room, folders in ROOMS.items() for one in folders]
+    ("room", "folder"), [(room, folder) for room, folders in ROOMS.items() for folder in folders]
 )
 def test_a_folder_of_a_room_imports_only_those_before_it(room: str, folder: str) -> None:
     before = set(ROOMS[room][: ROOMS[room].index(folder) + 1])

@@ -53,5 +53,4 @@ class _Names(MetaPathFinder, Loader):
 
 def install() -> None:
     """Let packages be imported by their names without the room."""
-    if not any(type(finder).__name__ == _Names.__name__ for finder in sys.meta_path):
-        sys.meta_path.insert(0, _Names())  # before the finder of files, which would load a module twice
+    sys.meta_path.insert(0, _Names())  # before the finder of files, which would load a module twice

@@ -121,18 +121,20 @@ class Evaluator:
         return Room(self._library, self._request, size, tails)
 
     def along(
-        self, points: Array, modes: tuple[Array, Array], terms: Terms, fields: Sequence[str]
+        self, points: Array, modes: tuple[Array, Array] | None, terms: Terms, fields: Sequence[str]
     ) -> dict[str, Array] | None:
         """Evaluate what the derivatives of given modes along paths need.
 
         - points: as for `run`, (N, d)
-        - modes: eigenvalues and shapes, with n coordinates that are not locked, (N, m) and (N, m, n); m may be 0
+        - modes: eigenvalues and shapes, with n coordinates that are not locked, (N, m) and (N, m, n); None for
+          no mode
         - terms: of T paths; for several robots those of each
-        - fields: of `ALONG_OF_MODES`, `RATES_OF_MATRICES` and `ALL_COORDINATES` in `pkmodes.core.compiled.lanes`; of
-          the last only with others
+        - fields: of `ALONG_OF_MODES`, `RATES_OF_MATRICES` and `ALL_COORDINATES` in `pkmodes.core.compiled.lanes`
 
         Returns arrays by field; None if a pose cannot be evaluated.
         """
+        if modes is None:
+            modes = np.empty((len(points), 0)), np.empty((len(points), 0, self.coordinates))
         count, m, n = modes[1].shape
         request = Request.from_buffer_copy(self._with(terms))
         contiguous = [np.ascontiguousarray(array) for array in modes]

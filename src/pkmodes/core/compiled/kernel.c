@@ -309,7 +309,7 @@ INLINE void lanes_evaluate(const struct pkmodes_request *request, long long star
         if (request->platform_jacobian || request->static_torque || request->static_rotation
             || request->elastic_stiffness)
             lanes_put_statics(&system[u].block, system[u].pose);
-        if (request->changes || request->mass_rates || request->stiffness_rates)
+        if (request->changes || request->mass_rates || request->stiffness_rates || request->mass_of_all)
             lanes_along_paths(&system[u].block, system[u].pose);
     }
     if (modes || matrices) {

@@ -194,8 +194,9 @@ static __attribute__((noinline)) void lanes_along_paths(const struct lanes_block
         lanes_put(block, request->mass_of_all, M, LANES_ALL * LANES_ALL);
         lanes_put(block, request->stiffness_of_all, K, LANES_ALL * LANES_ALL);
     }
-    lanes_extended_tangent(pose, request->parameters, request->effects,
-        ((int)request->path_count + paths.at_once - 1) / paths.at_once, &paths);
+    if (request->path_count)
+        lanes_extended_tangent(pose, request->parameters, request->effects,
+            ((int)request->path_count + paths.at_once - 1) / paths.at_once, &paths);
 }
 
 #endif

@@ -115,7 +115,7 @@ class CompiledSolver(Solver):
         return self._marked(self.evaluator.run(at.points, arrays, threads, terms=terms), arrays)
 
     def along(
-        self, at: RobotAtPoses, modes: tuple[Array, Array], terms: Terms, fields: Sequence[str]
+        self, at: RobotAtPoses, modes: tuple[Array, Array] | None, terms: Terms, fields: Sequence[str]
     ) -> dict[str, Array] | None:
         """Return what the derivatives of given modes along paths need; None if a pose cannot be evaluated."""
         return self.evaluator.along(at.points, modes, terms, fields)

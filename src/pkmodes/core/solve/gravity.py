@@ -30,9 +30,8 @@ def gravitational_stiffness(solver: Solver, system: ExtendedSystem, p: Array) ->
         all_coordinates=False,
         locked_joints=False,
     )
-    of_no_mode = np.empty((len(p), 0)), np.empty((len(p), 0, len(system.coordinates)))
     at = RobotAtPoses(system, np.ascontiguousarray(p), "", {})
-    rates = solver.along(at, of_no_mode, along_gravity, ["stiffness_rates"])
+    rates = solver.along(at, None, along_gravity, ["stiffness_rates"])
     if rates is not None:
         return rates["stiffness_rates"][:, 0]
     _, _, K_g = system.single("extended_matrices", p)

@@ -92,11 +92,11 @@ class Solver(ABC):
         raise NotImplementedError
 
     def along(
-        self, at: RobotAtPoses, modes: tuple[Array, Array], terms: Terms, fields: Sequence[str]
+        self, at: RobotAtPoses, modes: tuple[Array, Array] | None, terms: Terms, fields: Sequence[str]
     ) -> dict[str, Array] | None:
         """Return what the derivatives of given modes along paths need; None if NumPy has to evaluate it.
 
-        - modes: eigenvalues and shapes, (N, m) and (N, m, n)
+        - modes: eigenvalues and shapes, (N, m) and (N, m, n); None for no mode
         - terms: of each robot
         - fields: as of `pkmodes.core.compiled.evaluator.Evaluator.along`
         """

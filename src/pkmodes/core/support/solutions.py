@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.compiled.lanes import ALL_COORDINATES, RATES_OF_MATRICES, flat, no_paths
+from pkmodes.core.compiled.lanes import ALL_COORDINATES, flat, no_paths
 from pkmodes.core.mechanism.poses import MAX_CONDITION
 from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.solve.fields import FIELDS, sizes_of, tail
@@ -38,12 +38,7 @@ def with_all_coordinates(solver: Solver, at: RobotAtPoses) -> RobotAtPoses:
     """
     system = at.system
     if isinstance(system, ExtendedSystem) and len(at.points):
-        of_no_mode = np.empty((len(at.points), 0)), np.empty((len(at.points), 0, len(system.coordinates)))
-        fields = (
-            *RATES_OF_MATRICES,
-            *ALL_COORDINATES,
-        )  # the kernel writes the latter along with rates: of no path
-        along = solver.along(at, of_no_mode, no_paths(flat(system.effects)), fields)
+        along = solver.along(at, None, no_paths(flat(system.effects)), ALL_COORDINATES)
         if along is not None:
             M, K = (along[name] for name in ALL_COORDINATES)
             at.quantities["all_coordinates"] = system.of_generated(M, K)

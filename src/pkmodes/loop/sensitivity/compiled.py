@@ -210,7 +210,7 @@ def derivatives_of(
     system: ExtendedSystem,
     p: Array,
     paths: Sequence[Sequence[ParameterPath]],
-    modes: tuple[Array, Array],
+    modes: tuple[Array, Array] | None,
     terms: Terms | None,
     fields: Sequence[str],
     *,

@@ -306,9 +306,8 @@ def _at(
 def _of_matrices(resolved: ResolvedPaths, p: Array, solver: Solver) -> MatrixDerivatives:
     """Return the derivatives of M and K with free motors."""
     system = resolved.listed
-    modes = np.empty((len(p), 0)), np.empty((len(p), 0, len(system.coordinates)))
     return derivatives_of(
-        solver, system, p, [resolved.paths], modes, resolved.terms_of_listed, RATES_OF_MATRICES
+        solver, system, p, [resolved.paths], None, resolved.terms_of_listed, RATES_OF_MATRICES
     )
 
 
