@@ -82,10 +82,10 @@ RATIOS = (
 #: What is evaluated at one pose, and at a batch, with free motors.
 OF_POSE = ("matrices", "statics", "platform_jacobian", "inverse_kinematics", "condition", "check")
 OF_BATCH = ("matrices", "statics", "condition")
-#: What other ways do, too.
+#: Rows that other implementations have, too.
 OF_PEERS = ("frequencies of a pose", "modes of a pose", "frequencies of a batch", "modes of a batch")
 OURS = "pkmodes"
-#: Suffix of the writer in the mark of the table of other ways.
+#: Suffix of the writer in the mark of the table of other implementations.
 PEERS = " peers"
 
 
@@ -136,13 +136,13 @@ def times(model: pkmodes.Model, poses: np.ndarray, repetitions: int = REPETITION
 def peer_times(
     model: pkmodes.Model, poses: np.ndarray, repetitions: int = REPETITIONS
 ) -> dict[str, dict[str, float]]:
-    """Measure what the ways of others take for a pose and for a batch, in the same run as the library [s].
+    """Measure the times of other implementations for one pose and for a batch, in the same run as the library [s].
 
     Returns
     -------
     dict
-        By way, the times of the rows of `OF_PEERS`; those of a batch are for all its poses.  Ways whose packages are
-        missing are left out, and so is MuJoCo, whose pose takes milliseconds.
+        By implementation, the times of the rows of `OF_PEERS`; those of a batch are for all its poses.
+        Implementations whose packages are missing are left out, and so is MuJoCo, whose pose takes milliseconds.
     """
     n, batch = len(model.coordinates), poses[:BLOCK]
     frequencies, shapes = np.zeros((len(batch), n)), np.zeros((len(batch), n, n))
@@ -168,13 +168,13 @@ def peer_times(
 
 
 def _into(way: Way, frequencies: np.ndarray, shapes: np.ndarray | None, poses: np.ndarray) -> None:
-    """Run a way of others into arrays that were used before."""
+    """Run another implementation, into arrays that were used before."""
     count = len(poses)
     way.run(poses, frequencies[:count], None if shapes is None else shapes[:count])
 
 
 def peer_table(found: dict[str, dict[str, float]]) -> str:
-    """Return the table of the ways of others: multiples of what the library takes."""
+    """Return the table of other implementations: multiples of the time of the library."""
     heads = [*found]  # ours first
     rows = [
         [row, *(backends_report.digits(found[label][row] / found[OURS][row]) for label in heads)]
@@ -234,7 +234,7 @@ def keep(found: dict[str, float], document: Path, suffix: str) -> None:
 
 
 def keep_peers(found: dict[str, dict[str, float]], document: Path) -> None:
-    """Replace the table of the ways of others in a document."""
+    """Replace the table of other implementations in a document."""
     backends_report.put(document, peer_table(found) + "\n", WRITER + PEERS)
 
 
