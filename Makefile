@@ -93,17 +93,17 @@ docs: $(VENV)/.docs  ## the documentation as a site, in build/site
 	$(BIN)/python -m sphinx --fail-on-warning --keep-going --quiet -c docs/site docs build/site
 	@echo "open build/site/index.html"
 
-benchmark: $(VENV)/.benchmark  ## tables of docs/compiled.md, docs/maps.md and docs/identification-compared.md, and other times
+benchmark: $(VENV)/.benchmark  ## the tables of times in the documentation, and other times
 	$(BIN)/python benchmarks/backends.py
 	$(BIN)/python benchmarks/one_core.py --keep
 	$(BIN)/python benchmarks/evaluation.py
 	$(BIN)/python benchmarks/many_rows.py
 	$(BIN)/python benchmarks/diagnosis.py
 	$(BIN)/python benchmarks/map.py
-	$(BIN)/python benchmarks/identification.py --out docs/identification-compared.md
+	$(BIN)/python benchmarks/identification.py --out docs/explanation/identification-compared.md
 	$(BIN)/python benchmarks/campaign.py
 
-figures: $(VENV)/.dev  ## the pictures of the README and docs/figures.md, and the tables of docs/figures.md and docs/shapers.md
+figures: $(VENV)/.dev  ## the pictures of the README and docs/how-to/figures.md, and the tables of that page and docs/how-to/shapers.md
 	$(BIN)/python -m pkmodes figures $(IDENTIFIED) --out docs/figures/identified --format png --grid $(PLANE)
 	$(BIN)/python -m pkmodes figures $(ROBOT) --out docs/figures/declared \
 	    --format png --grid x=0.24:0.92:103,y=-0.12:0.12:37,z=-0.245

@@ -1,4 +1,4 @@
-"""Every way to the modes of the published robot, in one run: table and plot in docs/compiled.md.
+"""Every way to the modes of the published robot, in one run: table and plot in docs/explanation/compiled.md.
 
     python benchmarks/backends.py [--quick] [--out docs] [--machine "one core of ..."] [--report-only]
 
@@ -39,7 +39,7 @@ MEMORY_AT = (10**4, 10**5, 10**6, 10**7)
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--quick", action="store_true", help="fewer poses and repetitions, for a first look")
-    parser.add_argument("--out", type=Path, default=HERE.parent / "docs", help="folder of compiled.md")
+    parser.add_argument("--out", type=Path, default=HERE.parent / "docs", help="the documentation")
     parser.add_argument("--machine", help="what measured, for the text")
     parser.add_argument("--results", type=Path, default=HERE.parent / "build" / "backends.json")
     parser.add_argument(
@@ -55,7 +55,7 @@ def main() -> None:
     print(text)
     for line in sorted({*found["one"]["missing"], *found["all"]["missing"]}):
         print(f"note: {line}")
-    backends_report.put(given.out / "compiled.md", text)
+    backends_report.put(given.out / "explanation/compiled.md", text)
     try:
         import figure
     except ModuleNotFoundError as error:

@@ -47,14 +47,14 @@ def check_way(way: peers.Way) -> None:
 
 
 def check_report() -> None:
-    """A report is put between the marks of a document, and docs/compiled.md has them."""
+    """A report is put between the marks of a document, and docs/explanation/compiled.md has them."""
     begin, end = backends_report.BEGIN, backends_report.END
     with tempfile.TemporaryDirectory() as folder:
         document = Path(folder) / "compiled.md"
         document.write_text(f"before\n{begin}\nold\n{end}\nafter\n", encoding="utf-8")
         backends_report.put(document, "new\n")
         assert document.read_text(encoding="utf-8") == f"before\n{begin}\nnew\n{end}\nafter\n"
-    text = (ROOT / "docs" / "compiled.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs" / "explanation/compiled.md").read_text(encoding="utf-8")
     assert text.index(begin) < text.index(end)
 
 

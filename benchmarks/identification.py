@@ -1,6 +1,6 @@
 """Identified modes beside those of other programs, on simulated structures whose modes are known.
 
-    PYTHONPATH=tests python benchmarks/identification.py [--out docs/identification-compared.md]
+    PYTHONPATH=tests python benchmarks/identification.py [--out docs/explanation/identification-compared.md]
 
 sdYPY-EMA and pyOMA-2, where they are installed, are told the true frequencies and choose the nearest poles, as
 their user reads them from a stabilisation diagram; pkmodes gets the band only.  Times are those of one core in one

@@ -1,7 +1,7 @@
 """Times of maps of the published robot, in one run: ``python benchmarks/map.py``.
 
-The table is that of docs/maps.md.  Calls alternate, and each time is the best of three; the ratios compare with the
-modes alone at the same poses (frequencies, motions of the platform and joint positions, all cores).
+The table is that of docs/how-to/maps.md.  Calls alternate, and each time is the best of three; the ratios compare
+with the modes alone at the same poses (frequencies, motions of the platform and joint positions, all cores).
 """
 
 from __future__ import annotations

@@ -2,8 +2,9 @@
 
     python benchmarks/one_core.py [--keep]
 
-Without a file it prints what calls take as ratios (`ratios.py`), and with ``--keep`` adds them to docs/compiled.md.
-`backends.py` has limited the process to one core and one thread before NumPy and the others are loaded.
+Without a file it prints what calls take as ratios (`ratios.py`), and with ``--keep`` adds them to
+docs/explanation/compiled.md. `backends.py` has limited the process to one core and one thread before NumPy and the
+others are loaded.
 """
 
 from __future__ import annotations
@@ -205,12 +206,12 @@ def print_ratios(arguments: list[str]) -> None:
     of_peers = ratios.peer_times(published(), valid_poses(ratios.BATCH), repetitions)
     print(ratios.peer_table(of_peers), "", sep="\n")
     if "--keep" in arguments:
-        ratios.keep_peers(of_peers, ratios.ROOT / "docs" / "compiled.md")
+        ratios.keep_peers(of_peers, ratios.ROOT / "docs" / "explanation/compiled.md")
     for name, (model, poses) in ratios.machines().items():
         found = ratios.times(model, poses, repetitions)
         print(f"{model.robot.name}:", *ratios.lines(found), "", sep="\n")
         if "--keep" in arguments:
-            ratios.keep(found, ratios.ROOT / "docs" / "compiled.md", name)
+            ratios.keep(found, ratios.ROOT / "docs" / "explanation/compiled.md", name)
 
 
 if __name__ == "__main__":

@@ -210,7 +210,7 @@ def test_every_folder_of_the_runtime_has_its_place() -> None:
 
 
 def test_the_page_on_the_architecture_lists_the_folders_and_names_files_that_exist() -> None:
-    page = (ROOT / "docs/architecture.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs/explanation/architecture.md").read_text(encoding="utf-8")
     expected = [
         name for room, folders in ROOMS.items() for name in (room, *(f"{room}/{one}" for one in folders))
     ]
@@ -302,7 +302,7 @@ def test_type_checkers_see_the_functions_that_are_attached() -> None:
 def test_packages_are_imported_without_their_rooms_and_type_checkers_know() -> None:
     stubs = {stub.stem: stub for stub in (ROOT / "src/pkmodes").glob("*.pyi") if stub.stem != "__init__"}
     room_of = {package: room for room, packages in names.ROOMS.items() for package in packages}
-    pages = {page.stem for page in (ROOT / "docs/api").glob("*.md")} - {"pkmodes", "mechanism"}
+    pages = {page.stem for page in (ROOT / "docs/reference/api").glob("*.md")} - {"pkmodes", "mechanism"}
     assert {*stubs} == pages
     for name, stub in stubs.items():
         assert stub.read_text(encoding="utf-8") == f"from pkmodes.{room_of[name]}.{name} import *\n"

@@ -31,7 +31,12 @@ NEEDS_A_SHELL = re.compile(r"[|&;<>$`*?~!(){}\[\]\\]")
 LANGUAGES = {"python", "sh", "text", "toml", "csv", "c", "yaml", "dockerfile"}
 RUN = [page for page in PAGES if any(block.elsewhere is None for block in blocks(page))]
 #: Pages with a diagnosis or several compilations; the others take a few seconds at most.
-LONG = {"docs/command-line.md", "docs/tutorial.md", "docs/diagnosis.md", "docs/hexapod-campaign.md"}
+LONG = {
+    "docs/reference/command-line.md",
+    "docs/tutorial/tutorial.md",
+    "docs/explanation/diagnosis.md",
+    "docs/tutorial/hexapod-campaign.md",
+}
 
 
 def commands_of(text: str) -> list[list[str]] | None:
@@ -57,7 +62,7 @@ class Reader:
             script.parent.mkdir(exist_ok=True)
             script.write_text(f'#!/bin/sh\nexec {command} "$@"\n')
             script.chmod(0o755)
-        if page != "docs/command-line.md":  # whose commands create the folders that they need
+        if page != "docs/reference/command-line.md":  # whose commands create the folders that they need
             (folder / "build").mkdir()
         self.environment = {
             **os.environ,

@@ -92,7 +92,7 @@ def test_the_examples_print_what_they_say(monkeypatch: pytest.MonkeyPatch) -> No
 
 def test_the_pages_list_every_public_name_once() -> None:
     named: list[str] = []
-    for page in (ROOT / "docs/api").glob("*.md"):
+    for page in (ROOT / "docs/reference/api").glob("*.md"):
         module = ""
         for kind, argument in re.findall(
             r"^\.\. (\w+):: ([\w.]+)$", page.read_text(encoding="utf-8"), re.MULTILINE

@@ -59,7 +59,7 @@ def test_the_rates_of_the_readme_are_those_measured_of_each_mechanism() -> None:
 
 
 def test_two_effects_move_the_first_mode_as_it_says() -> None:
-    text = block("docs/robot-file.md", "[effects.payload]")
+    text = block("docs/reference/robot-file.md", "[effects.payload]")
     effects = {
         f"effects.{name}.{key}": value
         for name, table in tomllib.loads(text)["effects"].items()
@@ -80,7 +80,7 @@ def test_two_effects_move_the_first_mode_as_it_says() -> None:
 
 def test_a_page_shows_a_measurement_file_that_can_be_read(tmp_path: Path) -> None:
     path = tmp_path / "modes.csv"
-    path.write_text(block("docs/diagnosis.md", "pose,x,y,z,"))
+    path.write_text(block("docs/explanation/diagnosis.md", "pose,x,y,z,"))
     found, whole = updating.read(path), updating.read(ROOT / "examples/closed_loop/measured.csv")
     assert found.channels == whole.channels
     row = whole.pose[0]
@@ -90,5 +90,7 @@ def test_a_page_shows_a_measurement_file_that_can_be_read(tmp_path: Path) -> Non
 
 
 def test_a_page_shows_every_command() -> None:
-    shown = [line.split()[1] for line in block("docs/command-line.md", "pkmodes examples").splitlines()]
+    shown = [
+        line.split()[1] for line in block("docs/reference/command-line.md", "pkmodes examples").splitlines()
+    ]
     assert sorted(shown) == sorted(cli.commands)

@@ -61,7 +61,7 @@ def test_from_a_robot_file_to_modes_and_maps(tmp_path: Path, monkeypatch: pytest
     assert "Natural frequencies." in picture
     assert re.fullmatch(
         r"The first frequency rises by (\S+ Hz), 8\.6 Hz, (\S+ Hz)\n", changed
-    )  # docs/python.md
+    )  # docs/how-to/python.md
 
 
 @pytest.mark.slow

@@ -1,4 +1,4 @@
-"""The output of ``--json`` agrees with docs/json.md and docs/schemas for every command."""
+"""The output of ``--json`` agrees with docs/reference/json.md and docs/schemas for every command."""
 
 from __future__ import annotations
 
@@ -101,7 +101,7 @@ def test_a_document_is_plain_json() -> None:
 
 def test_every_command_has_a_schema_that_is_one_and_a_section_with_its_keys() -> None:
     assert SCHEMAS.keys() == {*cli.commands, *OTHER} - NONE
-    text = (ROOT / "docs" / "json.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs" / "reference/json.md").read_text(encoding="utf-8")
     sections = dict(re.findall(r"^### ([\w-]+)\n(.*?)(?=^### |\Z)", text, flags=re.DOTALL | re.MULTILINE))
     assert sections.keys() == SCHEMAS.keys()
     for command in SCHEMAS:

@@ -71,4 +71,4 @@ def test_the_first_mention_of_the_paper_leads_to_its_reference(subtests: pytest.
             found = linked.search(prose)
             assert found is not None
             assert found.start() <= first.start() < found.end()
-            assert DOI in (ROOT / "docs/paper.md").read_text(encoding="utf-8")
+            assert DOI in (ROOT / "docs/explanation/paper.md").read_text(encoding="utf-8")

@@ -25,7 +25,7 @@ ROOT = Path(__file__).parents[1]
 EXAMPLE = ROOT / "docs/studies/published_tables"
 IDENTIFIED = PUBLISHED.with_name("linear-delta-2022-identified.toml")
 MODES = EXAMPLE / "published-modes.csv"
-PAGE = ROOT / "docs/published-tables.md"
+PAGE = ROOT / "docs/explanation/published-tables.md"
 #: The two rows whose x is divided by R_p, and the two whose shape is of the grid point next to their pose.
 DIVIDED = {("minimum", 1), ("maximum", 1)}
 STRAY = {("maximum", 2): 0.3875, ("maximum", 3): 0.3875}
@@ -262,7 +262,7 @@ def test_the_first_residual_is_the_documented_one(printed_by_the_demo: str) -> N
 
 def test_before_and_after_are_the_documented_ones(printed_by_the_demo: str) -> None:
     """Every row of the demo's last table is in the page that quotes it."""
-    text = (ROOT / "docs/published-tables.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs/explanation/published-tables.md").read_text(encoding="utf-8")
     rows = [
         line.split() for line in printed_by_the_demo.splitlines() if re.match(r"(minimum|maximum) ", line)
     ]

@@ -22,16 +22,21 @@ pytestmark = pytest.mark.slow
 #: The landing page, prose with pictures, an API page, one with formulas, tables, and generated ones.
 SHOWN = [
     "index",
-    "gallery",
-    "tutorial",
-    "api/pkmodes",
+    "tutorial/gallery",
+    "tutorial/tutorial",
+    "reference/api/pkmodes",
     "derivation/corexy",
-    "robot-file",
-    "command-line",
-    "json-schemas",
+    "reference/robot-file",
+    "reference/command-line",
+    "reference/json-schemas",
 ]
 #: Pages with long formulas, tables and code, which also fit a phone.
-WIDE = ["derivation/rotary_delta", "diagnosis", "published-tables", "compiled"]
+WIDE = [
+    "derivation/rotary_delta",
+    "explanation/diagnosis",
+    "explanation/published-tables",
+    "explanation/compiled",
+]
 #: Builds as ``make docs`` does, but for the figures in the samples of the gallery, which their own tests draw.
 BUILD = """
 import sys
@@ -184,9 +189,10 @@ def test_what_the_robot_file_defines_is_found_there_first(address: str) -> None:
 
 
 def test_every_sample_of_the_gallery_is_live(address: str, site: Path, parsed: dict[Path, Parsed]) -> None:
-    samples = [link for link in parsed[site / "gallery.html"].links if link.startswith("samples/")]
+    gallery = parsed[site / "tutorial/gallery.html"]
+    samples = [link.removeprefix("../") for link in gallery.links if link.startswith("../samples/")]
     commands = re.findall(
-        r"^```\{sample\} (\S+)$", (ROOT / "docs/gallery.md").read_text("utf-8"), re.MULTILINE
+        r"^```\{sample\} (\S+)$", (ROOT / "docs/tutorial/gallery.md").read_text("utf-8"), re.MULTILINE
     )
     assert samples == [f"samples/{name}" for name in commands]
     for sample in samples:
@@ -199,7 +205,7 @@ def test_every_sample_of_the_gallery_is_live(address: str, site: Path, parsed: d
 
 
 def test_pictures_are_drawn(address: str) -> None:
-    with opened(f"{address}/tutorial.html") as found:
+    with opened(f"{address}/tutorial/tutorial.html") as found:
         widths = found.page.evaluate("[...document.querySelectorAll('article img')].map(i => i.naturalWidth)")
     assert len(widths) >= 3
     assert all(width > 100 for width in widths)

@@ -1,4 +1,4 @@
-"""The example of a real printer runs, and docs/voron.md quotes its output."""
+"""The example of a real printer runs, and docs/explanation/voron.md quotes its output."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from types import ModuleType
 import pytest
 
 ROOT = Path(__file__).parents[1]
-PAGE = (ROOT / "docs/voron.md").read_text(encoding="utf-8")
+PAGE = (ROOT / "docs/explanation/voron.md").read_text(encoding="utf-8")
 
 
 @pytest.fixture(scope="module")

@@ -42,7 +42,7 @@ def read(text: str, place: str) -> Effect:
     effect = getattr(run("effect", text, place), "EFFECT", None)
     if not isinstance(effect, Effect):
         what = "EFFECT is missing" if effect is None else "EFFECT is not an Effect"
-        remedy = "write EFFECT = Effect(...), as in docs/adding-an-effect.md, or give a file of --save-effect"
+        remedy = "write EFFECT = Effect(...), as in docs/how-to/adding-an-effect.md, or give a file of --save-effect"
         raise DefinitionError(what, place, remedy)
     if not isinstance(effect.name, str) or not re.fullmatch(r"[a-z][a-z0-9_]*", effect.name):
         what = f"{effect.name!r} is not a valid name for an effect"

@@ -1,4 +1,4 @@
-"""Photograph the live samples of docs/gallery.md, in headless Chromium.
+"""Photograph the live samples of docs/tutorial/gallery.md, in headless Chromium.
 
     make docs && python docs/figures/gallery.py build/site
 

@@ -1,4 +1,4 @@
-"""Draw the picture of docs/shapers.md: shapers over a measured spectrum, by the commands of the page.
+"""Draw the picture of docs/how-to/shapers.md: shapers over a measured spectrum, by the commands of the page.
 
     python docs/figures/shapers.py [FOLDER]
 

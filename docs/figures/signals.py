@@ -1,4 +1,4 @@
-"""Draw the pictures of docs/signals.md: the fit of the first file of the page's own campaign.
+"""Draw the pictures of docs/how-to/signals.md: the fit of the first file of the page's own campaign.
 
     python docs/figures/signals.py [FOLDER]
 

@@ -1,4 +1,4 @@
-"""Draw the maps of docs/gallery.md of the two machines with six legs: the first frequency over position and tilt.
+"""Draw the maps of six-legged machines in docs/tutorial/gallery.md: the first frequency over position and tilt.
 
     python docs/figures/six_legs.py [FOLDER]
 

@@ -1,4 +1,4 @@
-"""Draw the pictures of docs/tutorial.md, all of its machine: at a pose, frequencies, a mode, and the residual.
+"""Draw the pictures of docs/tutorial/tutorial.md: its machine at a pose, frequencies, a mode, and the residual.
 
     python docs/figures/tutorial.py [FOLDER]
 

@@ -10,7 +10,7 @@ from sphinx.application import Sphinx
 from sphinx.transforms import SphinxTransform
 
 #: Pages whose tables define names, in their first column.
-PAGES = ("robot-file",)
+PAGES = ("reference/robot-file",)
 
 
 class IndexTables(SphinxTransform):

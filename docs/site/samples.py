@@ -21,7 +21,7 @@ from sphinx.util.docutils import SphinxDirective
 from pkmodes.cli import run
 
 ROOT = Path(__file__).parents[2]
-#: Folder of the site for what the commands write; pages with samples are beside it.
+#: Folder of the site for what the commands write.
 FOLDER = "samples"
 LINKED = ("robots", "examples")
 WORDS = {".html": "Open the live page", ".png": "Open the picture", ".gif": "Open the moving picture"}
@@ -39,7 +39,8 @@ class Sample(SphinxDirective):
         samples = self.env.metadata[self.env.docname].setdefault("samples", {})
         samples[name] = commands
         code = nodes.literal_block(commands, commands, language="sh")
-        link = nodes.reference("", WORDS[Path(name).suffix], refuri=f"{FOLDER}/{name}", internal=False)
+        up = "../" * self.env.docname.count("/")
+        link = nodes.reference("", WORDS[Path(name).suffix], refuri=f"{up}{FOLDER}/{name}", internal=False)
         link["classes"].append("sample")
         return [code, nodes.paragraph("", "", link)]
 

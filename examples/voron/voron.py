@@ -192,7 +192,7 @@ def table(loop: Loop) -> list[dict[str, object]]:
 
 
 def report(loop: Loop) -> str:
-    """Return the text with all results stated in docs/voron.md."""
+    """Return the text with all results stated in docs/explanation/voron.md."""
     scatter = np.sqrt(np.mean([(a - b) ** 2 / 2.0 for a, b in REPEATED]))
     lines = [f"repeated readings: standard deviation {scatter:.1f} Hz", "", "diagnosis"]
     for (series, robot, sigma), found in loop.found.items():

@@ -68,7 +68,7 @@ def load(path: str | PathLike[str]) -> Model:
     Parameters
     ----------
     path : path-like
-        A robot file (docs/robot-file.md).
+        A robot file (docs/reference/robot-file.md).
 
     Returns
     -------

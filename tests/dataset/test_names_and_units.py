@@ -80,7 +80,7 @@ def test_text_in_a_table_is_quoted_where_it_has_to_be(tmp_path: Path) -> None:
 
 
 def test_marks_of_tracked_modes_are_the_bits_of_the_documentation() -> None:
-    page = (ROBOTS.parent / "docs/maps.md").read_text(encoding="utf-8")
+    page = (ROBOTS.parent / "docs/how-to/maps.md").read_text(encoding="utf-8")
     table = dict(re.findall(r"^\| `(\w+)` \| (\d) \|", page, re.MULTILINE))
     assert {name: str(bit) for name, bit in EVENTS.items()} == table
     assert list(table) == ["crossing", "veering", "uncertain"]

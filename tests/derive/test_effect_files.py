@@ -25,7 +25,7 @@ def applied(energy):
 """
 #: Text of the file's last line, and parts of the message.
 WRONG = {
-    "nothing": ("", ("EFFECT is missing", "own.py", "docs/adding-an-effect.md")),
+    "nothing": ("", ("EFFECT is missing", "own.py", "docs/how-to/adding-an-effect.md")),
     "something else": ("EFFECT = 3", ("EFFECT is not an Effect",)),
     "not Python": ("EFFECT = (", ("not valid Python", "own.py:14")),
     "an exception": ("EFFECT = 1 / 0", ("ZeroDivisionError", "own.py:14")),

@@ -42,7 +42,7 @@ def test_the_page_leads_to_a_machine_that_lacks_nothing(
 def follow(capsys: pytest.CaptureFixture[str]) -> None:
     """Run the page, and change the effect afterwards."""
     printed = []
-    for block in blocks("docs/an-effect-of-your-own.md"):
+    for block in blocks("docs/how-to/an-effect-of-your-own.md"):
         if block.language == "sh":
             (words,) = (shlex.split(line) for line in block.text.replace("\\\n", " ").splitlines())
             assert run(words[1:]) == 0, capsys.readouterr().err

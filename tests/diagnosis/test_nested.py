@@ -142,7 +142,7 @@ def test_a_general_form_is_never_claimed(remote: bool) -> None:
 
 
 def test_every_compliance_that_joints_share_has_a_form_with_one_value_for_each() -> None:
-    """Three gearboxes, linkages and clamps, and three directions of the frame (docs/robot-file.md)."""
+    """Three gearboxes, linkages and clamps, and three directions of the frame (docs/reference/robot-file.md)."""
     _, candidates, moves = suspects(read("published"))
     general = {c.general_of: c.parameters for c in candidates if c.general_of}
     expected = {"gearbox_compliance", "link_compliance", "clamp_compliance", "frame_compliance"}

@@ -19,7 +19,7 @@ from pkmodes.loop.diagnosis.verdict.verdicts import AMBIGUOUS
 from pkmodes_rig.suites.deciding import SUITES, counts, name_of, read
 
 ROOT = Path(__file__).parents[2]
-PAGE = ROOT / "docs/diagnosis.md"
+PAGE = ROOT / "docs/explanation/diagnosis.md"
 #: What the page calls the tables, in its order.
 TABLES = {
     "Before a search": rules.before(),
@@ -29,7 +29,7 @@ TABLES = {
     "Nothing leaves noise": unexplained.OPEN,
 }
 #: The rules beyond the catalogue, on a page of their own.
-TERMS_PAGE = ROOT / "docs/beyond.md"
+TERMS_PAGE = ROOT / "docs/explanation/beyond.md"
 #: Tests in which they decide; the others are those of the catalogue, asked of terms.
 TERMS_SHOWN_BY = dict.fromkeys(
     (

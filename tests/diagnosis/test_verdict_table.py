@@ -120,6 +120,10 @@ def test_the_texts_name_the_verdicts_in_their_order() -> None:
     listed = ", ".join([*VERDICTS][:-1]) + f" or {[*VERDICTS][-1]}"
     assert f"The verdict is {listed}, " in " ".join((cli.commands["diagnose"].help or "").split())
     quoted = ", ".join(f"`{word}`" for word in [*VERDICTS][:-1]) + f" or `{[*VERDICTS][-1]}`"
-    assert f"| `verdict` | text | {quoted} |" in (ROOT / "docs/json.md").read_text(encoding="utf-8")
-    table = (ROOT / "docs/diagnosis.md").read_text(encoding="utf-8").partition("| verdict | when |")[2]
+    assert f"| `verdict` | text | {quoted} |" in (ROOT / "docs/reference/json.md").read_text(encoding="utf-8")
+    table = (
+        (ROOT / "docs/explanation/diagnosis.md")
+        .read_text(encoding="utf-8")
+        .partition("| verdict | when |")[2]
+    )
     assert re.findall(r"^\| `(\w+)` \|", table.partition("\n\n")[0], flags=re.MULTILINE) == [*VERDICTS]

@@ -1,4 +1,4 @@
-"""Follow docs/adding-an-effect.md: one new file adds an effect, which is derived, emitted and evaluated."""
+"""Follow docs/how-to/adding-an-effect.md: one new file adds an effect, which is derived, emitted and evaluated."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ import pytest
 from helpers.robots.robot_text import published
 
 ROOT = Path(__file__).parents[2]
-PAGE = (ROOT / "docs" / "adding-an-effect.md").read_text(encoding="utf-8")
+PAGE = (ROOT / "docs" / "how-to/adding-an-effect.md").read_text(encoding="utf-8")
 SOURCE = PAGE.split("```python\n")[1].split("```")[0]
 EVALUATE = """
 import json, pkmodes

@@ -21,7 +21,7 @@ SVG = {"svg": "http://www.w3.org/2000/svg", "dc": "http://purl.org/dc/elements/1
 
 
 def test_every_figure_is_in_the_documentation() -> None:
-    text = (ROOT / "docs" / "figures.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs" / "how-to/figures.md").read_text(encoding="utf-8")
     table = text.partition("| file | shows |")[2].partition("\n\n")[0]
     assert re.findall(r"^\| `(\w+)` \|", table, re.M) == [kind.name for kind in PICTURES]
 

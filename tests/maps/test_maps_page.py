@@ -1,4 +1,4 @@
-"""What docs/maps.md says about marks, and docs/cluster.md about commands and settings."""
+"""What docs/how-to/maps.md says about marks, and docs/how-to/cluster.md about commands and settings."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ from pkmodes.machine.dataset.variables import EVENTS
 from pkmodes.machine.maps.tracking import CLEAR, SAME
 
 ROOT = Path(__file__).parents[2]
-PAGE = (ROOT / "docs" / "maps.md").read_text(encoding="utf-8")
+PAGE = (ROOT / "docs" / "how-to/maps.md").read_text(encoding="utf-8")
 BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 
 
 def test_the_page_on_clusters_has_programs_options_and_settings_that_exist() -> None:
-    page = (ROOT / "docs" / "cluster.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "how-to/cluster.md").read_text(encoding="utf-8")
     found = BLOCK.findall(page)
     for language, text in found:
         if language == "python":
-            compile(text, "docs/cluster.md", "exec")
+            compile(text, "docs/how-to/cluster.md", "exec")
     (mapped,) = re.findall(r"^pkmodes map (.*)$", page, re.MULTILINE)
     with map_.make_context("map", shlex.split(mapped), resilient_parsing=True) as context:
         assert context.params["scheduler"] == "tcp://192.168.0.10:8786"

@@ -161,7 +161,7 @@ def test_a_mechanism_in_a_plane_moves_in_the_plane_only() -> None:
 
 
 def test_a_mechanism_of_ones_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The five-bar of docs/adding-a-mechanism.md, against its equations by hand."""
+    """The five-bar of docs/how-to/adding-a-mechanism.md, against its equations by hand."""
     (tmp_path / "five_bar.py").write_text(DEFINITION, encoding="utf-8")
     (tmp_path / "robot.toml").write_text(FIVE_BAR, encoding="utf-8")
     monkeypatch.chdir(tmp_path)

@@ -149,5 +149,7 @@ def test_the_documentation_says_how_often_each_word_is_right() -> None:
         some = [(int(count), int(right)) for low, count, right in rows if least <= float(low) < above]
         rates.append(round(100 * sum(right for _, right in some) / sum(count for count, _ in some)))
         above = least
-    said = f"{rates[0]}, {rates[1]} and {rates[2]} % [were right](probabilities-measured.md)"
-    assert said in (ROOT / "docs" / "diagnosis.md").read_text(encoding="utf-8").replace("\n  ", " ")
+    said = f"{rates[0]}, {rates[1]} and {rates[2]} % [were right](../probabilities-measured.md)"
+    assert said in (ROOT / "docs" / "explanation/diagnosis.md").read_text(encoding="utf-8").replace(
+        "\n  ", " "
+    )

@@ -130,7 +130,7 @@ def test_the_headline_leaves_out_the_edge_where_there_are_enough_poses(
 def test_a_frequency_beyond_all_others_is_said_to_be_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("pkmodes.pages.report.map._figures", lambda *_: [])
     model = pkmodes.load("robots/linear-delta-2022-identified.toml")
-    # At this x a belt span vanishes but for rounding (docs/maps.md).
+    # At this x a belt span vanishes but for rounding (docs/how-to/maps.md).
     found = model.map({"x": [0.28, 0.6, 0.7, 0.8], "y": 0.0, "z": -0.32})
     page = read(map_report(model, found))
     assert float(found["frequency"].max()) > 1e7

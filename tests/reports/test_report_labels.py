@@ -189,7 +189,7 @@ def test_the_next_measurement_has_its_pose_and_load(undecided: Element) -> None:
 
 
 def test_the_documentation_lists_the_sections() -> None:
-    text = (ROOT / "docs" / "report.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs" / "how-to/report.md").read_text(encoding="utf-8")
     result, data = made_up(4, 3)
     titles = [title.text for title in read(report(result, data=data)).all("h2")][1:]
     table = re.findall(r"^\| ([^|]+?) \|", text, re.M)[1:]

@@ -293,7 +293,7 @@ def study() -> ModuleType:
 def test_a_hundred_moves_leave_what_the_page_says(study: ModuleType) -> None:
     """Requirements: predictions within a factor of 1.5, and a quarter of the best fixed shaper of equal length."""
     found = study.study()
-    page = (ROOT / "docs/shapers.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs/how-to/shapers.md").read_text(encoding="utf-8")
     assert page.split(study.BEGIN)[1].split(study.END)[0].strip() == study.table(found)
     for (_, follows), left in found.items():
         assert follows or left.predicted / 1.5 < left.worst < left.predicted * 1.5

@@ -80,7 +80,7 @@ def test_refitted_motors_absorb_the_clamps() -> None:
 def test_what_tells_the_clamps_from_the_motors(
     modes: int, places: int, servo: str, verdict: str, tmp_path: Path
 ) -> None:
-    """The table of docs/printer-signals.md."""
+    """The table of docs/how-to/printer-signals.md."""
     text = (
         (EXAMPLE / "robot.toml").read_text(encoding="utf-8").replace('sigma = "50 %"', f'sigma = "{servo}"')
     )

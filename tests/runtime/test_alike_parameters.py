@@ -17,7 +17,8 @@ POSES = {
     "corexy-printer": [0.15, 0.15],
 }
 BELT = "belt.specific_stiffness, belt.width"
-#: From docs/robot-file.md: a belt's stiffness is the product of both; an arm's weight acts at its centre of mass.
+#: From docs/reference/robot-file.md: a belt's stiffness is the product of both; an arm's weight acts at its centre of
+#: mass.
 TOGETHER = {
     "linear-delta-2022": [BELT],
     "linear-delta-2022-identified": [BELT],

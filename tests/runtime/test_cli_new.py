@@ -28,7 +28,7 @@ SUPPLIED = EVERY
 OWN = "planar_pair"
 #: Estimated, and used by an effect only.
 FRAME = "frame.mass"
-#: What every robot file may have besides the tables of its mechanism: docs/robot-file.md.
+#: What every robot file may have besides the tables of its mechanism: docs/reference/robot-file.md.
 COMMON = {
     *("format", "name", "mechanism", "gravity", "damping.ratio"),
     *(f"report.{key}" for key in ("customer", "machine", "serial", "operator")),

@@ -7,7 +7,7 @@ from pathlib import Path
 import pkmodes
 
 ROOT = Path(__file__).parents[2]
-PAGE = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
+PAGE = (ROOT / "docs" / "how-to/python.md").read_text(encoding="utf-8")
 
 
 def test_the_page_lists_fields_and_codes() -> None:

@@ -1,4 +1,4 @@
-"""One rule for what exists where a command writes, as docs/command-line.md has it."""
+"""One rule for what exists where a command writes, as docs/reference/command-line.md has it."""
 
 from __future__ import annotations
 

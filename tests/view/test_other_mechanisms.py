@@ -21,7 +21,7 @@ from pkmodes.pages.view import page, poses_around, scene, typical_pose
 
 PAIR = known._read("planar_pair")
 POSE = [0.03, -0.42]
-#: What docs/adding-a-mechanism.md adds to draw the five-bar.
+#: What docs/how-to/adding-a-mechanism.md adds to draw the five-bar.
 DECLARED = textwrap.indent(next(text for _, text in BLOCKS if "m.draw.wheel" in text), "    ")
 
 

@@ -1,7 +1,7 @@
 """Build what a controller calls for other processors, and run it under emulation.
 
-``python docs/studies/microcontroller/targets.py`` writes the table of docs/using-the-c-code.md.  It needs the Debian
-packages gcc-arm-none-eabi, libnewlib-arm-none-eabi and qemu-system-arm.
+``python docs/studies/microcontroller/targets.py`` writes the table of docs/how-to/using-the-c-code.md.  It needs the
+Debian packages gcc-arm-none-eabi, libnewlib-arm-none-eabi and qemu-system-arm.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from pkmodes.codegen.generation import generate
 
 ROOT = Path(__file__).parents[3]
 HERE = Path(__file__).parent
-PAGE = ROOT / "docs/using-the-c-code.md"
+PAGE = ROOT / "docs/how-to/using-the-c-code.md"
 BEGIN, END = "<!-- begin: written by docs/studies/microcontroller/targets.py -->", "<!-- end -->"
 #: Each robot with a box of poses.
 ROBOTS = {

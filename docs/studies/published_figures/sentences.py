@@ -1,4 +1,4 @@
-"""The sentences with numbers of docs/figures.md: what does not agree with the paper, and what depends on what."""
+"""The sentences with numbers of docs/how-to/figures.md: disagreements with the paper, and dependences."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def differences() -> str:
         (
             "Figure 8, mode 4",
             "Maximum and minimum are exchanged in the sentence: the paper's own tables have the minimum at the upper "
-            "end and the maximum in the middle ([published tables](published-tables.md)).",
+            "end and the maximum in the middle ([published tables](../explanation/published-tables.md)).",
         ),
         (
             "Figure 8, mode 5",

@@ -26,7 +26,7 @@ class Case:
     ----------
     name : str
     ends : tuple of float
-        Range of x [m]: docs/published-tables.md.
+        Range of x [m]: docs/explanation/published-tables.md.
     side : float
         Largest distance from the central axis [m].
     z : float

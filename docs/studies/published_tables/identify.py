@@ -4,7 +4,7 @@
 
 It starts from robots/linear-delta-2022.toml and tables.csv (`identification`), and finally compares its result with
 robots/linear-delta-2022-identified.toml and published-modes.csv, which were made from it: exit code 1 if they
-differ.  docs/published-tables.md documents the results.
+differ.  docs/explanation/published-tables.md documents the results.
 """
 
 from __future__ import annotations

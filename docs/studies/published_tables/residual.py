@@ -47,7 +47,7 @@ def main() -> None:
         "The declared values, with the assumptions of the robot file, do not reproduce the paper's frequencies."
     )
     print_before_after(printed, found.frequency, frequencies(pkmodes.read_robot(IDENTIFIED)))
-    print("For what changed and how it was found, see docs/published-tables.md.")
+    print("For what changed and how it was found, see docs/explanation/published-tables.md.")
     if arguments.generated is not None:
         cross_check(arguments.generated, found.poses, found.modes.mass_matrix, found.modes.stiffness_matrix)
 

@@ -1,6 +1,7 @@
 """What input shapers leave of the vibration after moves: simulated, for belts as declared and 6 % softer.
 
-``python docs/studies/shaped_moves/table.py`` writes the table of docs/shapers.md; ``--moves N`` prints it for fewer.
+``python docs/studies/shaped_moves/table.py`` writes the table of docs/how-to/shapers.md; ``--moves N`` prints it for
+fewer.
 
 A hundred straight moves between random poses of a box, as fast as 1 m/s and 15 m/s^2 allow, of the identified linear
 delta with a damping ratio of 1 %.  Fixed shapers are the best ones over a grid in the box; the others are designed
@@ -21,7 +22,7 @@ from pkmodes.machine.shaping import Shaper
 from pkmodes_rig.moves import StraightMove
 
 ROOT = Path(__file__).parents[3]
-PAGE = ROOT / "docs/shapers.md"
+PAGE = ROOT / "docs/how-to/shapers.md"
 BEGIN, END = "<!-- begin: written by docs/studies/shaped_moves/table.py -->", "<!-- end -->"
 ROBOT = ROOT / "robots/linear-delta-2022-identified.toml"
 BOX = {"x": (0.32, 0.82), "y": (-0.1, 0.1), "z": (-0.24, -0.16)}

@@ -53,7 +53,7 @@ class GenerateDocument(Document, frozen=True):
     type=FILE,
     multiple=True,
     help="An effect of your own beside the catalogue's: a file of diagnose --save-effect, or as in "
-    "docs/adding-an-effect.md.  May be given several times.",
+    "docs/how-to/adding-an-effect.md.  May be given several times.",
 )
 @json_option
 def generate(
@@ -65,9 +65,9 @@ def generate(
     C source only a compiler, so both can be vendored.  For a robot with effects there is a second set of them,
     without the effects.  Other files in the folder are not touched.
 
-    A mechanism of your own is defined by a Python file (docs/adding-a-mechanism.md).  Its code is written to the
-    folder DIR/<name>, which the other commands accept as --mechanism DIR/<name>.  So is the code of a mechanism of
-    pkmodes with an effect of your own.
+    A mechanism of your own is defined by a Python file (docs/how-to/adding-a-mechanism.md).  Its code is written to
+    the folder DIR/<name>, which the other commands accept as --mechanism DIR/<name>.  So is the code of a mechanism
+    of pkmodes with an effect of your own.
     """
     from pkmodes.codegen.generation import generate as generate_model
 

@@ -1,4 +1,4 @@
-"""What docs/adding-a-mechanism.md shows: its files, and measured modes of the machine that it tells of."""
+"""What docs/how-to/adding-a-mechanism.md shows: its files, and measured modes of the machine that it tells of."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from helpers.references.five_bar_by_hand import FiveBar
 
-PAGE = (Path(__file__).parents[3] / "docs" / "adding-a-mechanism.md").read_text(encoding="utf-8")
+PAGE = (Path(__file__).parents[3] / "docs" / "how-to/adding-a-mechanism.md").read_text(encoding="utf-8")
 BLOCKS = re.findall(r"```(\w*)\n(.*?)```", PAGE, re.S)
 DEFINITION, MEASURING, IN_PYTHON = (
     text for language, text in BLOCKS if language == "python" and "import" in text

@@ -30,7 +30,7 @@ def robot_text() -> str:
     text = closed_loop_example.robot_text().split("format = 1", 1)[1]
     return (
         "# The published linear delta in its second year: the file declares it as it was built.\n"
-        "# One thing at one place has changed since: docs/an-effect-of-your-own.md finds it.\n\nformat = 1"
+        "# One thing at one place has changed since: docs/how-to/an-effect-of-your-own.md finds it.\n\nformat = 1"
         + text.replace('name = "workshop-delta"', 'name = "worn-delta"')
     )
 

@@ -1,4 +1,4 @@
-"""The five-bar of docs/adding-a-mechanism.md by hand: positions and energies, derivatives by differences.
+"""The five-bar of docs/how-to/adding-a-mechanism.md by hand: positions and energies, derivatives by differences.
 
 Nothing here is shared with the derivation: two circles meet where the tool is, the rods are cut into points, and what
 is differentiated is differentiated numerically.

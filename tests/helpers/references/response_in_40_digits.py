@@ -17,7 +17,7 @@ mp.dps = 40
 
 
 class Oracle:
-    """The equations of docs/response.md at one pose, in 40 digits: modes, damping of a ratio, and responses."""
+    """The equations of docs/how-to/response.md at one pose, in 40 digits: modes, damping ratios and responses."""
 
     def __init__(self, model: pkmodes.Model, p: np.ndarray, drives: str) -> None:
         self.model = model

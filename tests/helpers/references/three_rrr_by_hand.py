@@ -1,4 +1,5 @@
-"""The 3-RRR of docs/adding-a-mechanism-that-turns.md by hand: positions at a pose, everything else by differences.
+"""The 3-RRR of docs/how-to/adding-a-mechanism-that-turns.md by hand: positions at a pose, everything else by
+differences.
 
 Nothing here is shared with the derivation.  What moves is a function of the pose, the elongations of the links and
 the displacement of the frame; all that the coordinates need is how the arms' angles depend on these.  Nothing is

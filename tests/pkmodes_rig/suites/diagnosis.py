@@ -138,7 +138,7 @@ def _page(outcomes: list[CaseOutcome], seconds: float, pool: Pool) -> list[str]:
         " (`SAME` in `judging.py`).",
         "",
         "Of the causes outside the catalogue, `one_gearbox` is one of the single-joint compliances that a diagnosis",
-        "examines but never claims (docs/diagnosis.md, remote candidates); the other kinds are not.",
+        "examines but never claims (docs/explanation/diagnosis.md, remote candidates); the other kinds are not.",
         "",
         "## Outcomes by suite",
         "",

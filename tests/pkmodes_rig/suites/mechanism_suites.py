@@ -271,7 +271,7 @@ def _page(outcomes: list[MechanismOutcome], seconds: float, pool: Pool) -> list[
         "adds three: confident and wrong. `link.length` is wrong here by so much that arms exceed their limits at",
         "some poses: the diagnosis says that it cannot follow the value there. Values of a single axis or belt",
         "(`axis.2.*`, `belt_path.2.*`), where the file gives one for all, are often pointed at in the reason and",
-        "not claimed (docs/diagnosis.md).",
+        "not claimed (docs/explanation/diagnosis.md).",
         "",
         "## Nothing missing, but not adequate",
         "",

@@ -121,7 +121,8 @@ def page(outcomes: Sequence[PlaceOutcome], seconds: float, pool: Pool) -> list[s
         "",
         "## What decided",
         "",
-        "The rule that decided: one of docs/beyond.md, or of docs/diagnosis.md where no terms were tried.",
+        "The rule that decided: one of docs/explanation/beyond.md, or of docs/explanation/diagnosis.md where no "
+        "terms were tried.",
         "",
         *confusion(_by_rule(outcomes), "rule"),
         "",

@@ -64,7 +64,7 @@ BEGINNING = """\
 Written by `make suites`; do not edit. `tests/pkmodes_rig/suites/refused.py` draws as many cases from each suite of
 the diagnosis, those with mistaken files too, but none of hexaglides, which take a minute each, or of one fault at one
 place, which other rules decide. The most probable class or pair of each case, a
-[second opinion](diagnosis.md#a-second-opinion), is held against its verdict and the truth.
+[second opinion](explanation/diagnosis.md#a-second-opinion), is held against its verdict and the truth.
 *Claimed*: `effect_found`, with this class or pair and nothing else; *refused*: any other verdict or claim. *Right*:
 it contains the cause, or both causes; *one of two*: a class that contains one of two causes; *wrong* otherwise, also
 where nothing is missing or the cause is outside the catalogue. Terms are not tried.

@@ -1,4 +1,4 @@
-"""The folder that a reader of docs/adding-a-mechanism.md has, and copies of it that may be changed."""
+"""The folder that a reader of docs/how-to/adding-a-mechanism.md has, and copies of it that may be changed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The steps of docs/adding-a-mechanism.md: a mechanism outside the repository works with every command."""
+"""The steps of docs/how-to/adding-a-mechanism.md: a mechanism outside the repository works with every command."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The steps of docs/adding-a-mechanism-that-turns.md, and the planar machine that it builds, by hand."""
+"""The steps of docs/how-to/adding-a-mechanism-that-turns.md, and the planar machine that it builds, by hand."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from helpers.pages.documentation import blocks, same
 from helpers.references.three_rrr_by_hand import ThreeRRR
 from pkmodes.core.mechanism import registry as known
 
-PAGE = "docs/adding-a-mechanism-that-turns.md"
+PAGE = "docs/how-to/adding-a-mechanism-that-turns.md"
 DEFINITION, ROBOT, COMMANDS, SHOWN = (block.text for block in blocks(PAGE))
 GENERATE, CHECK, MODES = (line.split()[1:] for line in COMMANDS.splitlines())
 DECLARED = ThreeRRR(

@@ -1,6 +1,6 @@
 """Mechanisms: their registry, descriptions, generated functions and poses.
 
-`add_folder` registers a mechanism of your own (docs/adding-a-mechanism.md).
+`add_folder` registers a mechanism of your own (docs/how-to/adding-a-mechanism.md).
 """
 
 from pkmodes.core.mechanism.registry import Mechanism, add, add_folder, mechanism, names

@@ -17,7 +17,7 @@ from pkmodes.core.robot.units import DIMENSIONS, Quantity, article, with_unit
 from pkmodes.core.robot.usable import USABLE, Bound, read_usable
 from pkmodes_description import Effect, EffectParameter, Key, Table
 
-FORMAT_HELP = "see docs/robot-file.md for the format"
+FORMAT_HELP = "see docs/reference/robot-file.md for the format"
 FORMAT = 1
 #: Keys that every robot file has before its tables.
 HEAD = ("format", "name", "mechanism", GRAVITY.name)

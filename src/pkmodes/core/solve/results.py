@@ -154,7 +154,7 @@ class Modes(ChosenFields):
     frequencies : ndarray, shape (..., m)
         sqrt(abs(lambda)) / (2 pi) with the sign of lambda [Hz].
     damping_ratios : ndarray, shape (..., m)
-        As for light damping (docs/response.md); NaN for rigid-body modes, 0 where nothing dissipates.
+        As for light damping (docs/how-to/response.md); NaN for rigid-body modes, 0 where nothing dissipates.
     shapes : ndarray, shape (..., m, n)
         ``shapes[..., i, :]`` is mode i, mass-normalised (phi^T M phi = 1) with a deterministic sign.  A held motor
         has no motion in it.

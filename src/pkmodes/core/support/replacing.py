@@ -1,4 +1,4 @@
-"""The one rule for what exists where a result is written (docs/command-line.md, "What is replaced").
+"""The one rule for what exists where a result is written (docs/reference/command-line.md, "What is replaced").
 
 A file that the caller names is replaced.  Where the program chooses the name, or what is there may have taken hours
 or an editor, only what is known to be replaceable is; the rest is refused, unless the caller says to overwrite it.

@@ -2,7 +2,7 @@
 
 `diagnose` takes a structure, for example a `MatrixStructure` made from callables for M and K, and measured modes.
 It reports whether the model is adequate, which cause explains the residual, or that the data do not decide.
-`compare` only pairs predictions with measurements.  docs/diagnosis.md describes the method and its limits.
+`compare` only pairs predictions with measurements.  docs/explanation/diagnosis.md has the method and its limits.
 """
 
 from pkmodes.loop.diagnosis.compare import Comparison, compare

@@ -127,7 +127,7 @@ class Comparison:
         return tuple(row for row in self.rows if row.predicted is None)
 
     def as_json(self, robot: str) -> dict[str, object]:
-        """Return the result in the form described in docs/json.md, without NaN.
+        """Return the result in the form described in docs/reference/json.md, without NaN.
 
         Parameters
         ----------

@@ -96,7 +96,7 @@ def _elements(path: str, correction: Correction, robot: Declaration) -> dict[str
     if path in (groups := groups_by_path(robot.mechanism)):
         return _of_group(groups[path], correction, robot)
     if path not in changeable(robot):
-        remedy = nearest_name(path, changeable(robot), "see docs/robot-file.md for the values")
+        remedy = nearest_name(path, changeable(robot), "see docs/reference/robot-file.md for the values")
         _refuse(f"there is no value {shown(path)} to change", robot.source, remedy)
     return {path: replace(correction, value=float(correction.value))}
 

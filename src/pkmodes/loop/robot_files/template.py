@@ -39,7 +39,8 @@ NOTATION = (
     'A quantity is text with any unit of its kind, such as "400 mm", or a number in the SI unit that its comment has '
     "in brackets.  With its standard deviation it is { value = ..., sigma = ... }; sigma is absolute, in per cent, "
     "or 0 for what is exact.  Each sigma below is a usual one: state your own.",
-    "docs/writing-a-robot-file.md says in which order to proceed, docs/robot-file.md defines every key.",
+    "docs/how-to/writing-a-robot-file.md says in which order to proceed, docs/reference/robot-file.md defines every "
+    "key.",
 )
 #: Texts of sections that no table of a mechanism describes.
 OVERRIDES = "Where this {} differs from the tables that all share:"

@@ -184,7 +184,8 @@ def sensitivities_at(
     poses : array_like, shape (d,) or (..., d)
         In SI units.
     parameters : sequence of str, optional
-        Parameter paths (docs/sensitivities.md); by default all quantities of the robot and all effect parameters.
+        Parameter paths (docs/how-to/sensitivities.md); by default all quantities of the robot and all effect
+        parameters.
     close : float
         Modes whose eigenvalues differ by less than this fraction form one group.
     on_error : {"raise", "nan"}

@@ -183,7 +183,7 @@ def _asked_for(robot: Robot, name: str, available: list[str]) -> Candidate:
     if name == path or path not in paths(robot):
         losses = [effect.name for effect in effects.values() if effect.dissipates]
         suggestions = [*available, *losses, *(f"{PREFIX}{p}" for p in paths(robot))]
-        remedy = nearest_name(name, suggestions, "use the names in docs/diagnosis.md")
+        remedy = nearest_name(name, suggestions, "use the names in docs/explanation/diagnosis.md")
         raise PkmodesError(f"unknown candidate {shown(name)}", "candidates", remedy)
     whole, item = groups_by_path(robot.mechanism).get(path), by_path(robot.mechanism).get(path)
     refuse_declared(path, _sigmas(robot, [path, *(_elements(robot, whole) if whole is not None else ())]))

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 def to_dataset(modes: Modes) -> xarray.Dataset:
-    """Return the vibration modes as a dataset, with the variables and attributes of a map (docs/maps.md).
+    """Return the vibration modes as a dataset, with the variables and attributes of a map (docs/how-to/maps.md).
 
     - modes: of a robot at poses
 
@@ -74,7 +74,7 @@ def to_table(modes: Modes) -> pandas.DataFrame:
 
     - modes: of a robot at poses
 
-    Returns one row for each mode at each pose, with the columns of a map in a table (docs/maps.md).
+    Returns one row for each mode at each pose, with the columns of a map in a table (docs/how-to/maps.md).
     Raises MissingExtraError if the libraries of the extra ``map`` are not installed.
 
     Examples

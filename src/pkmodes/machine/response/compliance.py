@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 
 
 def compliance(model: Model, poses: ArrayLike, on_error: OnError = "raise") -> Array:
-    """Compute how far the platform gives way to a force while the motors are held (docs/response.md).
+    """Compute how far the platform gives way to a force while the motors are held (docs/how-to/response.md).
 
     Parameters
     ----------

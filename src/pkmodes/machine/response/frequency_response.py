@@ -187,7 +187,7 @@ def frequency_response(
     on_error: OnError = "raise",
     backend: str = AUTO,
 ) -> FrequencyResponse:
-    """Compute frequency response functions, for exp(+i omega t) (docs/response.md).
+    """Compute frequency response functions, for exp(+i omega t) (docs/how-to/response.md).
 
     Parameters
     ----------

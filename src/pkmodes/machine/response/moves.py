@@ -73,7 +73,7 @@ def simulate(
     damping: float | None = None,
     drives: str | None = None,
 ) -> Move:
-    """Simulate how the platform rings while the motors follow a command (docs/shapers.md).
+    """Simulate how the platform rings while the motors follow a command (docs/how-to/shapers.md).
 
     Modes, inertia and motion are those of the commanded pose of each moment; vibrations are small, and forces
     that grow with the square of the speed are left out.

@@ -37,7 +37,7 @@ def poles_at(
     drives: str = FREE,
     backend: str = AUTO,
 ) -> Complex:
-    """Compute the poles of small vibrations, whatever the damping (docs/response.md).
+    """Compute the poles of small vibrations, whatever the damping (docs/how-to/response.md).
 
     Parameters
     ----------

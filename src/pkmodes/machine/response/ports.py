@@ -1,6 +1,6 @@
 """Inputs and outputs of a machine by name: torques, prescribed motor angles, forces, motions.
 
-Another kind of port is an entry of `INPUTS` or `OUTPUTS` (docs/response.md).
+Another kind of port is an entry of `INPUTS` or `OUTPUTS` (docs/how-to/response.md).
 """
 
 from __future__ import annotations

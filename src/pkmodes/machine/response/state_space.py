@@ -227,7 +227,7 @@ def state_space(
     on_error: OnError = "raise",
     backend: str = AUTO,
 ) -> StateSpace:
-    """Build state space models in modal coordinates (docs/response.md).
+    """Build state space models in modal coordinates (docs/how-to/response.md).
 
     Parameters
     ----------

@@ -31,7 +31,7 @@ def shaper_at(
     continuous: bool = True,
     drives: str | None = None,
 ) -> Shaper:
-    """Design shapers for the modes of the machine in use at poses (docs/shapers.md).
+    """Design shapers for the modes of the machine in use at poses (docs/how-to/shapers.md).
 
     Parameters
     ----------

@@ -337,7 +337,9 @@ def _settings(record_table: RecordTable, model: Model | None, where: str) -> dic
         if path not in settable_units:
             problem = f"unknown parameter path {shown(path)}"
             raise MeasurementError(
-                problem, f"{where}.set", nearest_name(path, settable_units, "see docs/sensitivities.md")
+                problem,
+                f"{where}.set",
+                nearest_name(path, settable_units, "see docs/how-to/sensitivities.md"),
             )
         values[path] = si_value(value, settable_units[path], f"{where}.set.{path}")
     try:

@@ -84,7 +84,7 @@ class IdentifiedMode:
         return self.parts.total
 
     def document(self) -> ModeDocument:
-        """Return it in the form described in docs/json.md."""
+        """Return it in the form described in docs/reference/json.md."""
         return ModeDocument.of(self, sigma_parts=self.parts)
 
 
@@ -134,7 +134,7 @@ class RecordResult:
         return not self.repeats
 
     def document(self) -> RecordDocument:
-        """Return them in the form described in docs/json.md."""
+        """Return them in the form described in docs/reference/json.md."""
         modes = tuple(mode.document() for mode in self.modes)
         return RecordDocument.of(self, pose=self.record.pose, kind=self.record.kind, modes=modes)
 
@@ -162,7 +162,7 @@ class Identification:
     messages: tuple[str, ...]
 
     def as_json(self) -> dict[str, Any]:
-        """Return them in the form described in docs/json.md, without NaN."""
+        """Return them in the form described in docs/reference/json.md, without NaN."""
         return IdentifyDocument.of(
             self, records=tuple(record.document() for record in self.records)
         ).as_json()

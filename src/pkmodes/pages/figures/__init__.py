@@ -1,7 +1,8 @@
-"""The figures of a robot: `pictures` draws them, `write_pictures` writes them (docs/figures.md).
+"""The figures of a robot: `pictures` draws them, `write_pictures` writes them (docs/how-to/figures.md).
 
-`response_picture` draws frequency responses, and measured ones from `read_response` over them (docs/response.md).
-`tornado_picture` draws which quantities the frequencies depend on most (docs/sensitivities.md).
+`response_picture` draws frequency responses, and measured ones from `read_response` over them
+(docs/how-to/response.md). `tornado_picture` draws which quantities the frequencies depend on most
+(docs/how-to/sensitivities.md).
 """
 
 from pkmodes.machine.response.measured import read_response

@@ -150,7 +150,8 @@ def with_rotations(lengths: NDArray[Any] | None) -> str:
     return "" if lengths is None else f" Rotations count times {typeset(f'{1e3 * lengths[-1]:.4g}')} mm."
 
 
-#: The figures in order.  A new one needs an entry here, the function that draws it, and a row in docs/figures.md.
+#: The figures in order.  A new one needs an entry here, the function that draws it, and a row in
+#: docs/how-to/figures.md.
 PICTURES = (
     PictureKind(
         "workspace",

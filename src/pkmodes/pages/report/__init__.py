@@ -1,7 +1,7 @@
 """Reports: one self-contained HTML page for a diagnosis, a comparison or a map.
 
 `report` and `map_report` make the page; `view_of_result` and `view_of` the view in three dimensions inside it;
-`Source` names an input file by its content.  docs/report.md says what a page contains.
+`Source` names an input file by its content.  docs/how-to/report.md says what a page contains.
 `pkmodes.pages.report.page.page` makes other pages from `pkmodes.pages.report.blocks`.
 """
 

@@ -10,7 +10,7 @@ from pkmodes.pages.report.blocks import Block, Cell, Facts, Foreign, Paragraph, 
 from pkmodes.pages.report.formatting import clean, shortened
 from pkmodes.pages.report.sources import Source
 
-#: Terms that the reader of a comparison or a diagnosis needs, as in docs/diagnosis.md.
+#: Terms that the reader of a comparison or a diagnosis needs, as in docs/explanation/diagnosis.md.
 COMPARED = {
     "difference": "Model minus measurement: in per cent of the measured frequency, or in \u03c3.",
     "\u03c3": "Standard deviation of the measured frequency, with the uncertainty of the pose where one is stated. "

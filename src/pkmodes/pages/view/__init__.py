@@ -1,4 +1,4 @@
-"""The robot in three dimensions: a scene of its moving points, and a page that shows it (docs/view.md)."""
+"""The robot in three dimensions: a scene of its moving points, and a page that shows it (docs/how-to/view.md)."""
 
 from pkmodes.pages.view.evaluating import scene
 from pkmodes.pages.view.page import assets, fragment, page

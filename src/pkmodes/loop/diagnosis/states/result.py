@@ -109,7 +109,7 @@ class Change(Diagnosis):
         return {key: (titles[key], error) for key, (_, error) in super().errors.items()}
 
     def as_json(self) -> dict[str, object]:
-        """Return the result in the form described in docs/json.md, without NaN.
+        """Return the result in the form described in docs/reference/json.md, without NaN.
 
         Returns what ``pkmodes changed --json`` writes.
         """

@@ -100,7 +100,7 @@ class Damping:
         return {candidate.name: candidate.sentence for candidate in self.candidates}
 
     def document(self) -> DampingDocument:
-        """Return it in the form described in docs/json.md."""
+        """Return it in the form described in docs/reference/json.md."""
         return DampingDocument.of(
             self,
             effects=[_cause(cause, self.corrected) for cause in self.effects],
@@ -120,7 +120,7 @@ class Diagnosis:
     Attributes
     ----------
     verdict : str
-        See docs/diagnosis.md.
+        See docs/explanation/diagnosis.md.
     reason : str
         One sentence.
     effects : tuple of Finding
@@ -271,7 +271,7 @@ class Diagnosis:
         return tuple(row for row in self.rows if last(row) is None and not row.outlier)
 
     def as_json(self) -> dict[str, object]:
-        """Return the result in the form described in docs/json.md, without NaN.
+        """Return the result in the form described in docs/reference/json.md, without NaN.
 
         Returns
         -------

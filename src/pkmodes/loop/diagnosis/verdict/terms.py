@@ -48,7 +48,7 @@ class TermClass:
 
     @property
     def document(self) -> TermClassDocument:
-        """The class in the form described in docs/json.md."""
+        """The class in the form described in docs/reference/json.md."""
         members = [
             TermDocument(
                 term=name,
@@ -107,7 +107,7 @@ class Beyond:
         return f"Not in the catalogue: {', '.join([finding.member(finding.name).words, *sizes])}"
 
     def document(self) -> BeyondDocument:
-        """Return it in the form described in docs/json.md."""
+        """Return it in the form described in docs/reference/json.md."""
         return BeyondDocument(
             self.status, self.reason, self.tried, [term_class.document for term_class in self.classes]
         )
