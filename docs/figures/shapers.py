@@ -19,7 +19,7 @@ from pathlib import Path
 from pkmodes.cli import run
 
 HERE = Path(__file__).parent
-PAGE = HERE.parent / "shapers.md"
+PAGE = HERE.parent / "how-to/shapers.md"
 PICTURES = ("shapers",)
 
 

@@ -21,7 +21,7 @@ from pkmodes.pages.plots import fits
 from pkmodes.pages.plots.style import styled
 
 HERE = Path(__file__).parent
-PAGE = HERE.parent / "signals.md"
+PAGE = HERE.parent / "how-to/signals.md"
 PICTURES = ("signals-stabilisation", "signals-functions")
 
 
