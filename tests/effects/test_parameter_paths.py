@@ -207,7 +207,7 @@ def test_results_name_their_parameters_values_and_units() -> None:
         ("axis.4.belt.width", "unknown parameter path", r'did you mean "axis.\d.belt.width"\?'),
         ("axis.1.direction.x", "unknown parameter path", "did you mean"),
         ("effects.paylod.mass", "unknown parameter path", 'did you mean "effects.payload.mass"?'),
-        ("xyzzy", "unknown parameter path", "docs/how-to/sensitivities.md"),
+        ("xyzzy", "unknown parameter path", "docs/reference/parameter-paths.md"),
         (3, "expected a parameter path, found 3", "give strings"),
         (None, "expected a parameter path", "give strings"),
     ],
@@ -257,7 +257,7 @@ def test_frequencies_do_not_depend_on_what_only_dissipates() -> None:
 
 
 ROOT = Path(__file__).parents[2]
-PAGE = (ROOT / "docs" / "how-to/sensitivities.md").read_text(encoding="utf-8")
+PAGE = (ROOT / "docs" / "reference/parameter-paths.md").read_text(encoding="utf-8")
 
 
 def test_the_page_lists_every_path() -> None:

@@ -62,7 +62,7 @@ def test_values_are_read_in_their_units_and_by_pose(tmp_path: Path, robot: Robot
     ("column", "expected", "remedy"),
     [
         ("set:effects.payload.mas", "is not a value that can be set", 'mean "set:effects.payload.mass"'),
-        ("set:", "is not a value that can be set", "docs/how-to/sensitivities.md"),
+        ("set:", "is not a value that can be set", "docs/reference/parameter-paths.md"),
         ("set:platform.mass", "is not a value that can be set", "correct the name"),
         ("set:belt_path.1.direction", "is not a value that can be set", "correct the name"),
         (

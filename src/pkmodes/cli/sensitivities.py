@@ -70,7 +70,9 @@ class SensitivitiesDocument(Document, frozen=True):
     ]
     parameters: Annotated[
         list[str],
-        Meta(description="Paths of the T quantities (docs/how-to/sensitivities.md), in the order asked for."),
+        Meta(
+            description="Paths of the T quantities (docs/reference/parameter-paths.md), in the order asked for."
+        ),
     ]
     units: Annotated[list[str], Meta(description="SI unit of each quantity; 1 if dimensionless.")]
     values: Annotated[
@@ -130,7 +132,7 @@ def sensitivities(
     """Compute exact derivatives of the frequencies at a pose with respect to the robot's quantities and to effects.
 
     Prints the ten largest, by what one per cent of the value does to any frequency; the JSON always has all.  The
-    platform pose and all other quantities are held constant; docs/how-to/sensitivities.md lists the paths.
+    platform pose and all other quantities are held constant; docs/reference/parameter-paths.md lists the paths.
     """
     if everything and parameters is not None:
         raise click.UsageError("--all and --parameters exclude each other", click.get_current_context())

@@ -161,7 +161,7 @@ def parse_vary(text: str, robot: Robot) -> dict[str, NDArray[np.float64]]:
         if not equals or not path or not span:
             raise PkmodesError(f"expected PATH=START:STOP, found {shown(part)}", VARY, EXAMPLE)
         if path not in units:
-            remedy = nearest_name(path, units, "see docs/how-to/sensitivities.md for the paths")
+            remedy = nearest_name(path, units, "see docs/reference/parameter-paths.md for the paths")
             raise PkmodesError(f"unknown parameter path {shown(path)}", VARY, remedy)
         if path in ranges:
             raise PkmodesError(f"{path} is given twice", VARY, "give its range once")

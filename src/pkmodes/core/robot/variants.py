@@ -253,7 +253,7 @@ def _elements(robot: Declaration, path: str, raw: Any, source: str) -> dict[str,
             for candidate in by_path(robot.mechanism).values()
             if candidate.path not in units and candidate.numbers
         ]
-        remedy = nearest_name(path, [*units, *vectors], "see docs/how-to/sensitivities.md for the paths")
+        remedy = nearest_name(path, [*units, *vectors], "see docs/reference/parameter-paths.md for the paths")
         raise PkmodesError(f"unknown parameter path {shown(path)}", robot.source, remedy)
     if not item.numbers:
         problem = f"{path} is not a quantity: it cannot be changed here"

@@ -181,7 +181,7 @@ def _refuse_unknown(name: str, place: str, known_columns: Sequence[str], taken: 
     otherwise = f"known: {', '.join(fixed_columns)}"
     if name.startswith(SET) and len(fixed_columns) < len(known_columns):
         problem = f"{shown(name)} is not a value that can be set"
-        otherwise = "see docs/how-to/sensitivities.md for the paths"
+        otherwise = "see docs/reference/parameter-paths.md for the paths"
     meaning = likely_meaning(name, known_columns, taken)
     meant, unit = worded(meaning)
     in_unit = f' With its unit: "{meaning}"' if unit else ""

@@ -47,7 +47,7 @@ def resolve(robot: Robot, path: str) -> ParameterPath:
     """Resolve a path.
 
     - robot: its declared values are the starting point of the path's line
-    - path: dotted path, see docs/how-to/sensitivities.md
+    - path: dotted path, see docs/reference/parameter-paths.md
 
     Raises PkmodesError if there is no such quantity, it cannot vary, or no mode depends on it.
     """
@@ -73,7 +73,7 @@ def _resolved(robot: Robot, path: str, available: Mapping[str, Moves]) -> Parame
         remedy = nearest_name(path, alternatives, "choose a quantity that changes masses or stiffnesses")
         raise PkmodesError(problem, robot.source, remedy)
     if path not in available:
-        remedy = nearest_name(path, available, "see docs/how-to/sensitivities.md for the paths")
+        remedy = nearest_name(path, available, "see docs/reference/parameter-paths.md for the paths")
         raise PkmodesError(f"unknown parameter path {shown(path)}", robot.source, remedy)
     unit, weights = available[path]
     group = groups_by_path(robot.mechanism).get(path)

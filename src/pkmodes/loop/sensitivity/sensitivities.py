@@ -184,7 +184,7 @@ def sensitivities_at(
     poses : array_like, shape (d,) or (..., d)
         In SI units.
     parameters : sequence of str, optional
-        Parameter paths (docs/how-to/sensitivities.md); by default all quantities of the robot and all effect
+        Parameter paths (docs/reference/parameter-paths.md); by default all quantities of the robot and all effect
         parameters.
     close : float
         Modes whose eigenvalues differ by less than this fraction form one group.

@@ -153,7 +153,7 @@ def load_cases(robot: Robot, data: Measurements) -> LoadCases:
     for path in data.settings:
         if path not in allowed:
             problem = f"{shown(f'{SET}{path}')} is not a value that can be set in {robot.source}"
-            remedy = nearest_name(path, allowed, "see docs/how-to/sensitivities.md for the paths")
+            remedy = nearest_name(path, allowed, "see docs/reference/parameter-paths.md for the paths")
             raise MeasurementError(problem, data.source, remedy)
     cases: dict[tuple[object, ...], LoadCase] = {}
     of = []

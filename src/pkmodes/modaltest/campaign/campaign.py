@@ -339,7 +339,7 @@ def _settings(record_table: RecordTable, model: Model | None, where: str) -> dic
             raise MeasurementError(
                 problem,
                 f"{where}.set",
-                nearest_name(path, settable_units, "see docs/how-to/sensitivities.md"),
+                nearest_name(path, settable_units, "see docs/reference/parameter-paths.md"),
             )
         values[path] = si_value(value, settable_units[path], f"{where}.set.{path}")
     try:
