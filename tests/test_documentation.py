@@ -80,7 +80,7 @@ def test_two_effects_move_the_first_mode_as_it_says() -> None:
 
 def test_a_page_shows_a_measurement_file_that_can_be_read(tmp_path: Path) -> None:
     path = tmp_path / "modes.csv"
-    path.write_text(block("docs/explanation/diagnosis.md", "pose,x,y,z,"))
+    path.write_text(block("docs/reference/measurement-file.md", "pose,x,y,z,"))
     found, whole = updating.read(path), updating.read(ROOT / "examples/closed_loop/measured.csv")
     assert found.channels == whole.channels
     row = whole.pose[0]

@@ -33,7 +33,7 @@ SHOWN = [
 #: Pages with long formulas, tables and code, which also fit a phone.
 WIDE = [
     "derivation/rotary_delta",
-    "explanation/diagnosis",
+    "reference/verdicts",
     "explanation/published-tables",
     "explanation/compiled",
 ]

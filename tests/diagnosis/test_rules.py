@@ -19,7 +19,7 @@ from pkmodes.loop.diagnosis.verdict.verdicts import AMBIGUOUS
 from pkmodes_rig.suites.deciding import SUITES, counts, name_of, read
 
 ROOT = Path(__file__).parents[2]
-PAGE = ROOT / "docs/explanation/diagnosis.md"
+PAGE = ROOT / "docs/reference/verdicts.md"
 #: What the page calls the tables, in its order.
 TABLES = {
     "Before a search": rules.before(),

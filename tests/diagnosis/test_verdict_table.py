@@ -122,8 +122,6 @@ def test_the_texts_name_the_verdicts_in_their_order() -> None:
     quoted = ", ".join(f"`{word}`" for word in [*VERDICTS][:-1]) + f" or `{[*VERDICTS][-1]}`"
     assert f"| `verdict` | text | {quoted} |" in (ROOT / "docs/reference/json.md").read_text(encoding="utf-8")
     table = (
-        (ROOT / "docs/explanation/diagnosis.md")
-        .read_text(encoding="utf-8")
-        .partition("| verdict | when |")[2]
+        (ROOT / "docs/reference/verdicts.md").read_text(encoding="utf-8").partition("| verdict | when |")[2]
     )
     assert re.findall(r"^\| `(\w+)` \|", table.partition("\n\n")[0], flags=re.MULTILINE) == [*VERDICTS]

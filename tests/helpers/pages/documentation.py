@@ -43,10 +43,6 @@ ELSEWHERE = {
     ("docs/how-to/an-effect-of-your-own.md", ""): "tests/diagnosis/test_an_effect_of_your_own.py",
     ("docs/how-to/cluster.md", ""): "tests/maps/test_workers.py without Slurm and Kubernetes",
     (
-        "docs/explanation/diagnosis.md",
-        "PYTHONPATH=tests python -m pkmodes_rig",
-    ): "tests/diagnosis/test_calibration_of_probabilities.py",
-    (
         "docs/reference/generated-code.md",
         "import linear_delta",
     ): "for a folder on Python's path; tests/runtime/test_generate.py",

@@ -3,7 +3,7 @@
     python -m pkmodes_rig.suites.deciding --out tests/golden/rules.jsonl                            # `make suites`
 
 Every case of the four suites is diagnosed once, with the seeds of tests/golden; a line for each is appended to
-``--lines``, and a run that was interrupted goes on there.  docs/explanation/diagnosis.md prints the counts beside the
+``--lines``, and a run that was interrupted goes on there.  docs/reference/verdicts.md prints the counts beside the
 rules.
 """
 

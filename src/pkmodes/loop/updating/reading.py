@@ -42,7 +42,7 @@ def read(
     Parameters
     ----------
     path : path-like
-        A CSV file with one row for each identified mode (docs/explanation/diagnosis.md, "What goes in").
+        A CSV file with one row for each identified mode (docs/reference/measurement-file.md).
     band : tuple of two floats, optional
         Lowest and highest frequency of the test [Hz], if the file does not state it.
     robot : Robot or Model, optional

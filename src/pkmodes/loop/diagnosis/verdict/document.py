@@ -272,7 +272,7 @@ class BeyondDocument(Document, frozen=True):
 class DiagnoseDocument(Document, frozen=True):
     """The result of a diagnosis."""
 
-    verdict: Annotated[Word, Meta(description="The verdict, as defined in docs/explanation/diagnosis.md.")]
+    verdict: Annotated[Word, Meta(description="The verdict, as defined in docs/reference/verdicts.md.")]
     reason: Annotated[str, Meta(description="One sentence for a person.")]
     effects: Annotated[
         list[CauseDocument], Meta(description="The causes; empty unless the verdict is effect_found.")

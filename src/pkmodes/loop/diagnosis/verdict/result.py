@@ -120,7 +120,7 @@ class Diagnosis:
     Attributes
     ----------
     verdict : str
-        See docs/explanation/diagnosis.md.
+        See docs/reference/verdicts.md.
     reason : str
         One sentence.
     effects : tuple of Finding

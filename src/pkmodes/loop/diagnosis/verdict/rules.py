@@ -3,7 +3,7 @@
 A rule has a name, which begins with that of its table, the verdict that it gives, and a function of the evidence,
 whose docstring says when the rule applies, and which returns the reason of the verdict.  Those of `before` are tried
 first; if one applies, there is no search.  After a search come `after`, then `ADEQUACY` where the declared model
-leaves noise, `CLAIMS` where causes do, and `OPEN` (`unexplained`) where nothing does.  docs/explanation/diagnosis.md
+leaves noise, `CLAIMS` where causes do, and `OPEN` (`unexplained`) where nothing does.  docs/reference/verdicts.md
 has the tables.
 """
 
