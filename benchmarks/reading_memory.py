@@ -1,4 +1,4 @@
-"""Memory that reading a file of measured signals takes, in sizes of the file: the table of docs/how-to/signals.md.
+"""Memory that reading a file of measured signals takes, in sizes of the file (docs/reference/campaign-file.md).
 
     PYTHONPATH=tests python benchmarks/reading_memory.py
 

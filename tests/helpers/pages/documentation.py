@@ -61,7 +61,6 @@ ELSEWHERE = {
     ("docs/explanation/published-tables.md", "python docs/studies"): "tests/test_published_tables.py",
     ("docs/reference/robot-file.md", "M, K = robot.modal_matrices"): "tests/effects/test_extended_model.py",
     ("docs/reference/robot-file.md", "error: expected a length"): "tests/runtime/test_units.py",
-    ("docs/how-to/signals.md", "one blow, ambient"): "the recording is not part of the project",
     ("docs/explanation/voron.md", "python examples/voron"): "tests/test_voron.py",
     ("examples/controller_1khz/README.md", ""): "tests/test_controller_example.py",
 }

@@ -176,7 +176,7 @@ def _translate(text: str, source: str) -> NoReturn:
         problem = f"expected {CHOICES[key]}, found {problem.removeprefix('Invalid enum value ')}"
     problem = KINDS_OF_VALUES.sub(lambda kinds: " or ".join(_plain(kinds[1])), problem)
     problem = problem.replace(", got ", ", found ").replace("`", '"').replace(" | ", " or ")
-    _refuse(f"{problem[0].lower()}{problem[1:]}", where, "see the campaign file in docs/how-to/signals.md")
+    _refuse(f"{problem[0].lower()}{problem[1:]}", where, "see docs/reference/campaign-file.md")
 
 
 def _plain(kinds: str) -> list[str]:
