@@ -29,7 +29,7 @@ TABLES = {
     "Nothing leaves noise": unexplained.OPEN,
 }
 #: The rules beyond the catalogue, on a page of their own.
-TERMS_PAGE = ROOT / "docs/explanation/beyond.md"
+TERMS_PAGE = ROOT / "docs/reference/terms.md"
 #: Tests in which they decide; the others are those of the catalogue, asked of terms.
 TERMS_SHOWN_BY = dict.fromkeys(
     (
