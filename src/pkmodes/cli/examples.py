@@ -111,7 +111,7 @@ CATALOGUE = (
         "python examples/three_storeys/three_storeys.py",
     ),
     _example(
-        "explanation/voron",
+        "voron",
         "Published resonances of a real printer at several belt tensions.",
         "explanation/voron",
         "python examples/voron/voron.py",
