@@ -107,14 +107,14 @@ def comma_list(text: str, option: str, example: str, noun: str = "names") -> lis
     return list(dict.fromkeys(names))
 
 
-def quantity_option(name: str, unit: str, example: str, **settings: Any) -> Callable[[Any], Any]:
-    """Return an option that is a number in SI units, or a number with its unit.
+def quantity(unit: str, example: str) -> Callable[[click.Context, click.Parameter, str | None], float | None]:
+    """Return what reads an option as a number in SI units, or a number with its unit.
 
     - unit: the SI unit
     - example: a value with its unit, for messages
     """
 
-    def read(_: click.Context, __: click.Parameter, text: str | None) -> float | None:
+    def read(_: click.Context, option: click.Parameter, text: str | None) -> float | None:
         from pkmodes.core.robot.units import QuantityError, parse_number_or_quantity
 
         if text is None:
@@ -122,10 +122,10 @@ def quantity_option(name: str, unit: str, example: str, **settings: Any) -> Call
         try:
             return parse_number_or_quantity(text, unit)
         except QuantityError as error:
-            remedy = error.remedy or f'for example: {name} "{example}"'
-            raise PkmodesError(str(error), name, remedy) from None
+            name = option.opts[0]
+            raise PkmodesError(str(error), name, error.remedy or f'for example: {name} "{example}"') from None
 
-    return click.option(name, callback=read, **settings)
+    return read
 
 
 def check_order(robot: Path, modes: Path, command: str) -> None:
