@@ -27,7 +27,7 @@ ENTRY = "entry"
 
 
 @dataclass(frozen=True)
-class Entry:
+class OptionEntry:
     """An option of a command.
 
     - option: what adds it to the command, such as ``click.option(...)``; its name is that of the field
@@ -50,13 +50,13 @@ class Entry:
 
 
 def entry(option: Callable[[Any], Any], **uses: Any) -> Any:
-    """Return a field of an `OptionTable`; the uses of its value are those of `Entry`."""
-    return field(metadata={ENTRY: Entry(option, **uses)})
+    """Return a field of an `OptionTable`; the uses of its value are those of `OptionEntry`."""
+    return field(metadata={ENTRY: OptionEntry(option, **uses)})
 
 
 def option(*names: str, **settings: Any) -> Any:
     """Return a field of an `OptionTable`; settings are the uses of its value, and those of ``click.option``."""
-    uses = {part.name: settings.pop(part.name) for part in fields(Entry) if part.name in settings}
+    uses = {part.name: settings.pop(part.name) for part in fields(OptionEntry) if part.name in settings}
     return entry(click.option(*names, **settings), **uses)
 
 
@@ -68,7 +68,7 @@ class OptionTable:
     json_file: str | None = entry(json_option)
 
     @classmethod
-    def entries(cls) -> dict[str, Entry]:
+    def entries(cls) -> dict[str, OptionEntry]:
         """Return the entries by name."""
         entries = {part.name: part.metadata[ENTRY] for part in fields(cls)}
         last = {name: entries.pop(name) for name in OptionTable.__annotations__}
