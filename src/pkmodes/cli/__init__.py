@@ -79,7 +79,16 @@ class Commands(click.Group):
         """Find the command and check its options."""
         name, command, rest = super().resolve_command(ctx, args)
         if command is not None:
-            _refuse_repetitions(click.Context(command, info_name=name, parent=ctx), rest)
+            context = click.Context(command, info_name=name, parent=ctx)
+            order: list[click.Parameter] = []
+            with suppress(click.UsageError):  # which the command itself reports
+                _, _, order = command.make_parser(context).parse_args(list(rest))
+            for option in dict.fromkeys(order):
+                once = isinstance(option, click.Option) and not (
+                    option.multiple or option.count or option.is_flag
+                )
+                if once and order.count(option) > 1:
+                    raise click.UsageError(f"option '{option.opts[0]}' is given more than once", context)
         return name, command, rest
 
     def make_context(self, *args: Any, **kwargs: Any) -> click.Context:
@@ -106,17 +115,6 @@ def _interruptible() -> Iterator[None]:
         yield
     except KeyboardInterrupt:
         raise click.Abort from None
-
-
-def _refuse_repetitions(ctx: click.Context, arguments: list[str]) -> None:
-    try:
-        _, _, order = ctx.command.make_parser(ctx).parse_args(list(arguments))
-    except click.UsageError:
-        return  # the command itself reports the error
-    for option in dict.fromkeys(order):
-        once = isinstance(option, click.Option) and not (option.multiple or option.count or option.is_flag)
-        if once and order.count(option) > 1:
-            raise click.UsageError(f"option '{option.opts[0]}' is given more than once", ctx)
 
 
 @click.group(

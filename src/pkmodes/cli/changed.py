@@ -128,12 +128,27 @@ def changed(
         )
     data = campaigns[later[0]]
     report = report_file(report_to, lambda: page_of(result, declared, data, sources))
-    limit = None if everything else MOST
 
     def show() -> None:
-        from pkmodes.cli.changed_tables import show_changes
+        from pkmodes.cli.diagnosis_tables import show_causes
+        from pkmodes.cli.terminal import Terminal
+        from pkmodes.pages.report.changed import changes, changes_summary, what_to_do
+        from pkmodes.pages.report.numbers import errors
+        from pkmodes.pages.report.setting import ReportSetting
 
-        show_changes(declared, result, limit)
+        terminal, setting = Terminal(), ReportSetting(declared.name, declared, None, (), None)
+        head = changes_summary(result, setting)
+        terminal.summary(head)
+        for name, change in result.by_state.items() or [(result.states[-1], result)]:
+            if result.by_state:
+                terminal.line()
+                terminal.line(f"{name}:")
+                terminal.line(change.reason, "  ")
+            terminal.show(what_to_do(change, setting))
+            show_causes(terminal, change, setting)
+            terminal.show(changes(change, None if everything else MOST))
+        terminal.show(*errors(result))
+        terminal.notes(head)
 
     deliver(json_file, result.as_json(), show, report)
     return 1 if result.verdict in failures else 0

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated
 
@@ -165,33 +164,31 @@ def examples(name: str | None, out: Path, overwrite: bool, json_file: str | None
     check_targets(json_file, [])
     chosen = [example for example in CATALOGUE if name in (example.name, EVERYTHING, None)]
     if name is None:
-        document = ExamplesDocument(chosen, None, [], [])
-        deliver(json_file, document.as_json(), lambda: _list(chosen))
+
+        def list_all() -> None:
+            width = max(len(example.name) for example in chosen)
+            for example in chosen:
+                echo(f"{example.name:{width}}  {example.text}")
+                echo(f"{'':{width}}  {example.page}")
+            echo(
+                "\npkmodes examples NAME writes one of them, with the robot files; pkmodes examples all writes "
+                "everything."
+            )
+
+        deliver(json_file, ExamplesDocument(chosen, None, [], []).as_json(), list_all)
         return
     contents = supplied(*(place for example in chosen for place in example.places))
     new = unlike(out, contents, f"--out {out}", overwrite)
     write_files(out, new)
-    document = ExamplesDocument(
-        chosen, str(out), list(new), [file_name for file_name in contents if file_name not in new]
-    )
-    deliver(json_file, document.as_json(), lambda: _say(document, out, chosen))
+    unchanged = [file for file in contents if file not in new]
 
+    def show() -> None:
+        for file in new:
+            echo(out / file)
+        if unchanged:
+            echo(f"files that were there already: {len(unchanged)}")
+        place = "" if out == Path() else f" in {pasted(out)}"
+        for example in chosen:
+            echo(f"next{place}: {example.command} ({example.page})")
 
-def _list(chosen: Sequence[Example]) -> None:
-    width = max(len(example.name) for example in chosen)
-    for example in chosen:
-        echo(f"{example.name:{width}}  {example.text}")
-        echo(f"{'':{width}}  {example.page}")
-    echo(
-        "\npkmodes examples NAME writes one of them, with the robot files; pkmodes examples all writes everything."
-    )
-
-
-def _say(document: ExamplesDocument, out: Path, chosen: Sequence[Example]) -> None:
-    for file in document.written:
-        echo(out / file)
-    if document.unchanged:
-        echo(f"files that were there already: {len(document.unchanged)}")
-    place = "" if out == Path() else f" in {pasted(out)}"
-    for example in chosen:
-        echo(f"next{place}: {example.command} ({example.page})")
+    deliver(json_file, ExamplesDocument(chosen, str(out), list(new), unchanged).as_json(), show)

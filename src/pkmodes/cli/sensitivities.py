@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -33,7 +32,6 @@ from pkmodes.pages.report.blocks import Paragraph
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
-    from pkmodes.pages.report.sources import Source
 
 Array = NDArray[np.float64]
 #: An example of --parameters, for messages.
@@ -153,22 +151,22 @@ def sensitivities(
         relative_derivatives=relative.tolist(),
         eigenvalue_derivatives=derivatives.eigenvalues.tolist(),
     ).as_json()
+
+    def page() -> str:
+        from pkmodes.pages.report.sensitivities import sensitivities_report
+
+        return sensitivities_report(model, content, sources)
+
     by_name = paths is not None
-    deliver(
-        json_file,
-        content,
-        lambda: _print(model, content, by_name, everything),
-        report_file(report_to, lambda: _page(model, content, sources)),
-    )
-
-
-def _page(model: Model, content: dict[str, Any], sources: Sequence[Source]) -> str:
-    from pkmodes.pages.report.sensitivities import sensitivities_report
-
-    return sensitivities_report(model, content, sources)
+    report = report_file(report_to, page)
+    deliver(json_file, content, lambda: _print(model, content, by_name, everything), report)
 
 
 def _print(model: Model, content: dict[str, Any], by_name: bool, everything: bool) -> None:
+    """Print the derivatives: the largest, or all of those that are asked for.
+
+    - by_name: whether --parameters names them
+    """
     from pkmodes.cli.terminal import Terminal
     from pkmodes.loop.sensitivity.changes import PERCENT, SIGMA, changes_at
     from pkmodes.pages.report.sensitivity_tables import (

@@ -280,13 +280,23 @@ def shaper_document(model: Model, choice: Choice, spectrum: MeasuredSpectrum | N
 
     best = choice.candidates[choice.recommended]
     spectrum_part, spectrum_notes = SpectrumDocument.seen(spectrum, choice)
+    no_design = dict.fromkeys(("frequencies_hz", "damping_ratios", "amplitudes", "delays_s"))
+    shapers = [
+        CandidateDocument.of(
+            candidate,
+            **(no_design if candidate.follows_pose else _design(candidate)),
+            duration_s=candidate.duration,
+            left=_left(candidate.left),
+        )
+        for candidate in choice.candidates
+    ]
     return ShaperDocument(
         robot=model.robot.name,
         drives=cast("Drives", choice.ringing.drives),
         poses=len(choice.ringing.poses),
         modes=choice.ringing.frequencies.shape[1],
         unshaped=UnshapedDocument.of(choice.unshaped, settings=_settings(choice.unshaped)),
-        shapers=[_candidate(candidate) for candidate in choice.candidates],
+        shapers=shapers,
         recommended=choice.recommended,
         spectrum=spectrum_part,
         firmware=lines_of(best),
@@ -331,14 +341,6 @@ def _settings(amplitude: Amplitude) -> dict[str, float]:
 
 def _left(amplitude: Amplitude) -> LeftDocument:
     return LeftDocument.of(amplitude, settings=_settings(amplitude))
-
-
-def _candidate(candidate: Candidate) -> CandidateDocument:
-    design = None if candidate.follows_pose else _design(candidate)
-    empty = dict.fromkeys(("frequencies_hz", "damping_ratios", "amplitudes", "delays_s"))
-    return CandidateDocument.of(
-        candidate, **(design or empty), duration_s=candidate.duration, left=_left(candidate.left)
-    )
 
 
 def _design(candidate: Candidate) -> dict[str, list[float]]:
