@@ -44,18 +44,18 @@ DONE, DOES_NOT_HOLD, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
 WORKFLOW: dict[str, dict[click.Command, str]] = {
     "Describe a machine": {
         examples: "List the examples of the documentation, or write them.",
-        new: "Write a robot file to begin with, with a comment on each key.",
+        new: "Write a robot file to start from, with a comment on each key.",
     },
     "Look at a machine": {
         modes: "Print frequencies, mode shapes and damping at a pose.",
         map_: "Compute the modes over the workspace.",
-        sensitivities: "Say which parameters change each frequency, and how much.",
+        sensitivities: "Show which parameters change each frequency, and by how much.",
         show: "Write a page with the moving machine in three dimensions.",
-        figures: "Draw working plane, frequencies and directions of motion.",
+        figures: "Draw the working plane, frequencies and directions of motion.",
     },
     "Measure it": {
         identify: "Identify modes from measured signals.",
-        compare: "Compare measured modes with the model, or two robots.",
+        compare: "Compare a model with measured modes, or two of either.",
     },
     "Diagnose it": {
         diagnose: "Find the physical effect that the model lacks, and add it.",
@@ -65,7 +65,7 @@ WORKFLOW: dict[str, dict[click.Command, str]] = {
         response: "Compute responses to motors and forces on the platform.",
         shaper: "Choose input shapers that keep the machine from ringing.",
         generate: "Generate NumPy and C code for one robot.",
-        check: "Check that generated code is up to date and right.",
+        check: "Check that generated code is up to date and correct.",
     },
 }
 

@@ -100,7 +100,7 @@ class CheckDocument(Document, frozen=True):
 )
 @click.argument("targets", metavar="[DIR or ROBOT.toml ...]", nargs=-1, type=FILE)
 @checked_mechanism_option
-@click.option("--brief", is_flag=True, help="Print one line for each folder or robot file, for logs of CI.")
+@click.option("--brief", is_flag=True, help="Print one line for each folder or robot file, for CI logs.")
 @click.option("--diff", is_flag=True, help="Show the lines of the files that differ, after the reasons.")
 @json_option
 def check(

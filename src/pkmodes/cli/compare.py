@@ -73,8 +73,8 @@ def compare(
     Two measurement files, such as before and after a repair, are compared pose by pose: which modes changed, and
     whether by more than their stated errors.
 
-    Two robot files are compared by what they declare and by their frequencies at the poses that both can reach: of
-    --grid or --poses, by default of their workspaces.  Modes are paired by their shapes.
+    Two robot files are compared by what they declare and by their frequencies at the poses that both can reach: those
+    of --grid or --poses, by default those of their workspaces.  Modes are paired by their shapes.
     """
     if robot.suffix.lower() == modes.suffix.lower() == ".csv":
         check_targets(json_file, [robot, modes, poses], report_target(report_to))
@@ -85,7 +85,7 @@ def compare(
     check_order(robot, modes, "pkmodes compare")
     check_targets(json_file, [robot, modes, poses], report_target(report_to))
     if modes.suffix.lower() == ".toml":
-        _refuse(band, "--band", "is of measurements, and two robots are compared")
+        _refuse(band, "--band", "is for measurements, but two robots are compared")
         compare_robot_files((robot, modes), grid, poses, drives, everything, report_to, json_file)
         return
     _refuse(grid, "--grid", "is for two robots; measurements have their own poses")

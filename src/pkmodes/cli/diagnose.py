@@ -55,7 +55,7 @@ MOST_WIDENED = 3
     "--holdout",
     metavar="POSES",
     help="Labels of poses to exclude from all fits, separated by commas (a label with a comma in double quotes), "
-    "or none; by default one in six.",
+    "or the word none; by default one pose in six.",
 )
 @click.option(
     "--save-robot",
@@ -76,29 +76,30 @@ MOST_WIDENED = 3
     "--no-beyond",
     "no_beyond",
     is_flag=True,
-    help="Try the candidates only, not one thing at one place, such as a mass on one body, where they do not explain "
-    "the measurements.",
+    help="Where the candidates do not explain the measurements, do not search beyond them for one thing at one "
+    "place, such as a mass on one body.",
 )
 @click.option(
     "--fail-on",
     "fail_on",
     metavar="VERDICTS",
-    help="Verdicts that give exit code 1, separated by commas, or any for all except adequate; by default none.",
+    help="Verdicts that give exit code 1, separated by commas, or the word any for all except adequate; by "
+    "default no verdict.",
 )
 @click.option(
     "--prior",
     "priors",
     metavar="NAME=SIGMA",
     multiple=True,
-    help="How far a candidate may plausibly be from what is declared, one standard deviation, such as "
-    "measurement:offset.z=2mm; may be repeated, and stand in the file.",
+    help="Standard deviation by which a candidate may plausibly differ from what is declared, such as "
+    "measurement:offset.z=2mm; may be repeated, or given in the file.",
 )
 @click.option(
     "--usable",
     metavar="LIMIT",
     multiple=True,
-    help="Where the next measurement may be, as in [usable] of a robot file, such as z=40mm,300mm or radius=120mm; "
-    "may be repeated, and stand in the file.",
+    help="Limits of the poses at which the next measurement may be taken, as in [usable] of a robot file, such as "
+    "z=40mm,300mm or radius=120mm; may be repeated, or given in the file.",
 )
 @band_option
 @measured_drives_option
@@ -123,12 +124,12 @@ def diagnose(
 ) -> int:
     """Find what is missing from the model, and how much adding it improves the fit.
 
-    The verdict is adequate, effect_found, ambiguous, unexplained or insufficient_data, with a reason.  The exit code
-    is 0 for any verdict except those in --fail-on, which give 1; so does --save-robot where the verdict leaves
+    The verdict is adequate, effect_found, ambiguous, unexplained or insufficient_data, with a reason.  The exit
+    code is 0 for any verdict except those in --fail-on, which give 1, as does --save-robot where the verdict leaves
     nothing to save.  It is 2 for bad input.
 
-    All of these are about frequencies and shapes.  Measured damping has a verdict of its own beside them; losses that
-    it shows are saved, too.
+    These verdicts concern frequencies and shapes.  Measured damping has a verdict of its own; losses that it shows
+    are saved, too.
     """
     check_order(robot, modes, "pkmodes diagnose")
     save_target = Target("--save-robot", save_to, "the corrected robot")

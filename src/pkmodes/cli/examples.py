@@ -151,15 +151,15 @@ CATALOGUE = (
     metavar="DIR",
     type=FILE,
     default=Path(),
-    help="The folder below which robots/ and examples/NAME/ are written; by default this one.",
+    help="Folder in which robots/ and examples/NAME/ are written; by default the current one.",
 )
 @overwrite_option
 @json_option
 def examples(name: str | None, out: Path, overwrite: bool, json_file: str | None) -> None:
     """List the examples of the documentation, or write one of them, or all.
 
-    Each brings the robot files.  The commands of its page then work in that folder as in a checkout.
-    Files that are there already and are the same are left; of those that differ none is replaced without --overwrite.
+    Each example comes with the robot files, so that the commands of its page work in that folder as in a checkout.
+    Identical files are left as they are; files that differ are replaced only with --overwrite.
     """
     check_targets(json_file, [])
     chosen = [example for example in CATALOGUE if name in (example.name, EVERYTHING, None)]

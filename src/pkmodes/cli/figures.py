@@ -57,7 +57,7 @@ class FiguresDocument(Document, frozen=True):
     multiple=True,
     default=["svg"],
     show_default=True,
-    help="Repeat it for several.",
+    help="Format of the pictures; may be repeated.",
 )
 @overwrite_option
 @drives_option

@@ -30,10 +30,10 @@ if TYPE_CHECKING:
     metavar="MODES.csv",
     type=FILE,
     required=True,
-    help="Measurement file to write, which compare and diagnose take; an existing one is replaced.",
+    help="Measurement file to write, for compare and diagnose; an existing file is replaced.",
 )
 @click.option(
-    "--keep-going", is_flag=True, help="Leave faulty files out, and a record if none of its files remains."
+    "--keep-going", is_flag=True, help="Leave out faulty files, and records of which no file remains."
 )
 @mechanism_option
 @report_option
@@ -41,9 +41,9 @@ if TYPE_CHECKING:
 def identify(
     campaign: Path, out: Path, keep_going: bool, report_to: Path | None, json_file: str | None
 ) -> None:
-    """Identify modes from measured signals, or join those that another program has identified.
+    """Identify modes from measured signals, or combine those that another program has identified.
 
-    The campaign file says what was measured where, and with which sensors.  The result has a standard deviation for
+    The campaign file states what was measured where, and with which sensors.  The result has a standard deviation for
     every frequency, damping ratio and shape.
     """
     targets = Target("--out", out, "the modes", (".csv",)), report_target(report_to)
@@ -83,7 +83,7 @@ def identify(
             for omission in identified.left_out:
                 echo(f"left out: {omission.file}: {omission.reason}", err=True)
             if identified.is_left_out:
-                echo(f"left out: {identified.record.pose}, as no file of it is left", err=True)
+                echo(f"left out: {identified.record.pose}, none of whose files remains", err=True)
 
 
 def _print(identification: Identification, campaign: Campaign, content: dict[str, Any]) -> None:

@@ -30,8 +30,8 @@ class MapOptions(OptionTable):
     poses: Path | None = entry(poses_option, reads="")
     settings: tuple[str, ...] = entry(
         settings_option(
-            "Sweep a parameter, such as platform.mass=1:2:5 or platform.mass=1.5; repeat it for several, all of "
-            "whose combinations are evaluated."
+            "Sweep a parameter, such as platform.mass=1:2:5 or platform.mass=1.5; repeat for several parameters, "
+            "all of whose combinations are evaluated."
         )
     )
     samples: int | None = option(
@@ -39,7 +39,7 @@ class MapOptions(OptionTable):
         metavar="N",
         type=click.IntRange(1),
         passed=True,
-        help="Evaluate N robots whose values with a standard deviation are drawn from normal distributions, with the "
+        help="Evaluate N robots: values with a standard deviation are drawn from normal distributions with the "
         "correlations of the robot file.",
     )
     seed: int = option(
@@ -49,7 +49,7 @@ class MapOptions(OptionTable):
         default=0,
         show_default=True,
         passed=True,
-        help="Of the draws.",
+        help="Seed of the random draws of --samples.",
     )
     shapes: bool = option("--shapes", is_flag=True, passed=True, help="Keep mode shapes too.")
     tracked: bool = option(
@@ -62,15 +62,22 @@ class MapOptions(OptionTable):
         passed=True,
         writes="the map",
         anywhere=True,
-        help="File to write: .nc (NetCDF), .zarr, or a table in .csv or .parquet.  After an interruption the same "
-        "command continues.",
+        help="File to write: .nc (NetCDF), .zarr, or a table in .csv or .parquet.  The same command continues an "
+        "interrupted map.",
     )
     overwrite: bool = option("--overwrite", is_flag=True, passed=True, help="Replace an existing file.")
     threads: int | None = option(
-        "--threads", metavar="N", type=click.IntRange(1), passed=True, help="By default one per core."
+        "--threads",
+        metavar="N",
+        type=click.IntRange(1),
+        passed=True,
+        help="Number of threads; by default one per core.",
     )
     scheduler: str | None = option(
-        "--scheduler", metavar="ADDRESS", passed=True, help="A Dask scheduler whose workers evaluate the map."
+        "--scheduler",
+        metavar="ADDRESS",
+        passed=True,
+        help="Address of a Dask scheduler whose workers evaluate the map.",
     )
     drives: str = entry(drives_option, passed=True)
     mechanism: Path | None = entry(repeated_mechanism_option)

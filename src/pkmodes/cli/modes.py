@@ -123,8 +123,8 @@ def modes(robot: Path, pose: str, drives: str, json_file: str | None) -> None:
     """Compute frequencies, mode shapes, the end effector's motion and static torques at a pose.
 
     Mode shapes are mass-normalised.  The table scales them to their largest component and, if the other coordinates
-    are angles, divides lengths by a radius, as in the paper.  The end effector's motion is a unit vector; rotations
-    count times its characteristic length.
+    are angles, divides lengths by a radius, as in the paper.  The end effector's motion is a unit vector, in which
+    rotations are multiplied by its characteristic length.
     """
     check_targets(json_file, [robot])
     model = load(robot)

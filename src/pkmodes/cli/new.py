@@ -17,14 +17,14 @@ from pkmodes.core.support.writing import write_file
 
 @click.command(epilog=f"\b\nExample:\n  pkmodes new {registry.supplied()[0]} --out my-robot.toml")
 @click.argument("name", metavar="[MECHANISM]", required=False)
-@click.option("--out", metavar="FILE.toml", type=FILE, help="The file to write, instead of standard output.")
+@click.option("--out", metavar="FILE.toml", type=FILE, help="File to write instead of standard output.")
 @overwrite_option
 @repeated_mechanism_option
 def new(name: str | None, out: Path | None, overwrite: bool, mechanism: Path | None) -> None:
-    """Write a robot file to begin with: every key, its unit, and what to measure it with.
+    """Write a robot file to start from: every key, its unit, and what to measure it with.
 
-    The file is valid as it is: it has the values of an example, to be replaced by those of your robot.  What is
-    optional stands there as a comment.  Without MECHANISM the command lists the mechanisms.
+    The file is valid as it stands: its values are those of an example, to be replaced by those of your robot.
+    Optional keys are commented out.  Without MECHANISM the command lists the mechanisms.
     """
     check_targets(None, [], Target("--out", out, "the robot file", (".toml",)))
     if name is None:

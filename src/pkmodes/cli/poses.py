@@ -27,16 +27,16 @@ pose_option = click.option(
 grid_option = click.option(
     "--grid",
     metavar="X=START:STOP:COUNT,...",
-    help="For each component of the pose start:stop:count, both ends included, or one value; in SI units or with "
-    "units.  Rotations that are not given are 0.  By default the reachable workspace, within the [usable] limits of "
-    "the robot file.",
+    help="For each component of the pose, start:stop:count with both ends included, or one value, in SI units or "
+    "with units.  Rotations that are not given are 0.  By default the reachable workspace, within the [usable] "
+    "limits of the robot file.",
 )
 
 poses_option = click.option(
     "--poses",
     metavar="FILE.csv",
     type=FILE,
-    help="Poses instead of a grid: one row each, with the components of the pose as columns, such as x,y,z.",
+    help="Table of poses instead of a grid: one row per pose, with a column for each component, such as x,y,z.",
 )
 
 

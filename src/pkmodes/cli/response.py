@@ -52,30 +52,30 @@ class ResponseOptions(OptionTable):
         "--inputs",
         metavar="NAME,...",
         required=True,
-        help="torque_1 of a free motor, the prescribed angle motor_1 of a held one, force_x on the platform, "
-        "moment_x on one that turns.",
+        help="Inputs: torque_1 of a free motor, the prescribed angle motor_1 of a held motor, force_x on the "
+        "platform, moment_x on a platform that turns.",
     )
     outputs: str = option(
         "--outputs",
         metavar="NAME,...",
         required=True,
-        help="p_x of the platform, r_x of one that turns, another direction of it such as nozzle=1:1:0, motor_1, or "
-        "any coordinate.",
+        help="Outputs: p_x of the platform, r_x of a platform that turns, another direction of the platform such "
+        "as nozzle=1:1:0, motor_1, or any coordinate.",
     )
     frequencies: str = option(
         "--frequencies",
         metavar="START:STOP:COUNT",
         required=True,
-        help="In Hz, such as 1:400:1000, both ends included, or one value.",
+        help="Frequencies in Hz, such as 1:400:1000 with both ends included, or one value.",
     )
-    log: bool = option("--log", is_flag=True, help="Space the frequencies by equal ratios.")
+    log: bool = option("--log", is_flag=True, help="Space the frequencies logarithmically.")
     quantity: str = option(
         "--quantity",
         type=click.Choice(QUANTITIES),
         default="displacement",
         show_default=True,
         passed=True,
-        help="What is asked of every output.",
+        help="Quantity of every output.",
     )
     out: Path | None = option(
         "--out",
@@ -92,7 +92,7 @@ class ResponseOptions(OptionTable):
         type=FILE,
         writes="the state space model",
         endings=(".mat",),
-        help="MATLAB file to write: A, B, C, D of the same inputs and outputs.",
+        help="MATLAB file to write: A, B, C, D for the same inputs and outputs.",
     )
     modes: int | None = option(
         "--modes",
@@ -124,7 +124,7 @@ class ResponseOptions(OptionTable):
         type=FILE,
         reads="robot file before",
         needs=("figure", "report_to"),
-        help="Robot file of which the same is drawn dashed, such as the one that a diagnosis corrected.",
+        help="Robot file whose responses are drawn dashed, such as the one that a diagnosis corrected.",
     )
     drives: str = entry(drives_option, passed=True)
     mechanism: Path | None = entry(repeated_mechanism_option)
@@ -138,7 +138,7 @@ class ResponseOptions(OptionTable):
 def response(options: ResponseOptions) -> None:
     """Compute how the machine responds to its motors and to forces, as functions of frequency.
 
-    Prints the largest response of each channel; --out writes all of it, --report a page with pictures.
+    Prints the largest response of each channel; --out writes the whole responses, --report a page with pictures.
     """
     options.check_files()
     frequencies = _frequencies(options.frequencies, options.log)
@@ -228,6 +228,6 @@ def _frequencies(text: str, log: bool) -> NDArray[np.float64]:
         raise PkmodesError(problem, "--frequencies", "for example: --frequencies 1:400:1000")
     if log and first == 0.0:
         raise PkmodesError(
-            "equal ratios cannot begin at 0 Hz", "--log", "begin above 0 Hz, or leave --log out"
+            "logarithmic spacing cannot begin at 0 Hz", "--log", "begin above 0 Hz, or leave --log out"
         )
     return np.geomspace(first, last, len(values)) if log else values

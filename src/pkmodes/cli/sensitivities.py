@@ -39,8 +39,8 @@ EXAMPLE = "--parameters platform.mass,axis.span; or omit the option"
 #: Most quantities printed by default, and a note on what is then left out.
 MOST = 10
 ALL = (
-    "--all prints everything: also coordinates, of which a per cent depends on where the origin lies, effects that "
-    "the file does not have, and Hz per unit of the value."
+    "--all prints everything, including coordinates, for which one per cent depends on where the origin lies, "
+    "effects that the file does not have, and Hz per unit of the value."
 )
 
 
@@ -109,8 +109,8 @@ class SensitivitiesDocument(Document, frozen=True):
     "--all",
     "everything",
     is_flag=True,
-    help="Print every quantity, also coordinates and absent effects, and derivatives in Hz per unit; without it the "
-    "ten with the largest relative effect.",
+    help="Print every quantity, including coordinates and absent effects, and derivatives in Hz per unit; without "
+    "it, the ten with the largest relative effect.",
 )
 @drives_option
 @mechanism_option
@@ -127,8 +127,8 @@ def sensitivities(
 ) -> None:
     """Compute exact derivatives of the frequencies at a pose with respect to the robot's quantities and to effects.
 
-    Prints the ten largest, by what one per cent of the value does to any frequency; the JSON always has all.  The
-    platform pose and all other quantities are held constant; docs/how-to/sensitivities.md lists the paths.
+    Prints the ten largest, by the change of any frequency per one per cent of the value; the JSON always has all.
+    The platform pose and all other quantities are held constant; docs/how-to/sensitivities.md lists the paths.
     """
     if everything and parameters is not None:
         raise click.UsageError("--all and --parameters exclude each other", click.get_current_context())

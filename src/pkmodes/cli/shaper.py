@@ -52,8 +52,8 @@ class ShaperOptions(OptionTable):
         metavar="MODES.csv",
         type=FILE,
         reads="measurement file",
-        help="Measured modes instead of a robot file, such as identify writes: shapers for these, within their "
-        "errors.",
+        help="Measured modes instead of a robot file, as identify writes them: shapers for these modes, within "
+        "their errors.",
     )
     spectrum: Path | None = option(
         "--spectrum",
@@ -67,8 +67,9 @@ class ShaperOptions(OptionTable):
     poses: Path | None = entry(poses_option, only=ROBOT, reads="")
     settings: tuple[str, ...] = entry(
         settings_option(
-            "A parameter that takes several values in use, such as effects.payload.mass=0:1.2kg:7: a schedule with "
-            "the shaper of each, beside those for all; repeat it for several, all of whose combinations count."
+            "Parameter that takes several values in use, such as effects.payload.mass=0:1.2kg:7: a schedule with "
+            "a shaper for each value, beside the shapers for all values; repeat for several parameters, all of "
+            "whose combinations count."
         ),
         only=ROBOT,
     )
@@ -77,15 +78,15 @@ class ShaperOptions(OptionTable):
         "--shapers",
         "kinds",
         metavar="KIND,...",
-        help="zv, zvd, zvdd, mzv, ei, 2hump_ei, 3hump_ei, or products such as zv*zv for as many modes; by default "
-        "all of these.",
+        help="Kinds to compare: zv, zvd, zvdd, mzv, ei, 2hump_ei, 3hump_ei, or products such as zv*zv, with one "
+        "factor for each mode; by default all of these.",
     )
     modes: int | None = option(
         "--modes",
         metavar="N",
         type=click.IntRange(1),
         passed=True,
-        help="How many modes count, the lowest ones at each pose; by default 3, or all that are measured.",
+        help="Number of modes that count, the lowest at each pose; by default 3, or all that are measured.",
     )
     damping: float | None = option(
         "--damping",
@@ -93,7 +94,7 @@ class ShaperOptions(OptionTable):
         callback=quantity("1", "5 %"),
         passed=True,
         only=MEASURED,
-        help="Damping ratio of measured modes without one; by default anything from 0 to 10 %.",
+        help="Damping ratio of measured modes that have none in the table; by default anything from 0 to 10 %.",
     )
     left: float = option(
         "--left",
@@ -102,15 +103,15 @@ class ShaperOptions(OptionTable):
         default="10 %",
         show_default=True,
         passed=True,
-        help="What the recommended shaper may leave of the vibration at the worst pose, or of the worst measured "
-        "mode.",
+        help="Largest share of the vibration that the recommended shaper may leave at the worst pose, or of the "
+        "worst measured mode.",
     )
     length: float | None = option(
         "--length",
         metavar="TIME",
         callback=quantity("s", "60 ms"),
         passed=True,
-        help='How long the recommended shaper may last: "60 ms", or a number in s.',
+        help='Longest duration of the recommended shaper: "60 ms", or a number in s.',
     )
     tick: float = option(
         "--tick",
@@ -119,22 +120,22 @@ class ShaperOptions(OptionTable):
         default="1 ms",
         show_default=True,
         passed=True,
-        help="Time between two commands of the controller; shapers shorter than two are left out.",
+        help="Time between two commands of the controller; shapers shorter than two ticks are left out.",
     )
     firmware: str | None = option(
         "--firmware",
         metavar="NAME",
         passed=True,
-        help="klipper, marlin or reprapfirmware: compare shapers as its current version makes them, and recommend "
-        "one that it has; versions before are klipper-2025-09, klipper-2025-08, marlin-2025-09 and "
-        "reprapfirmware-3.5.",
+        help="klipper, marlin or reprapfirmware: compare shapers as the current version of this firmware makes "
+        "them, and recommend one that it has; earlier versions are klipper-2025-09, klipper-2025-08, "
+        "marlin-2025-09 and reprapfirmware-3.5.",
     )
     drives: str | None = option(
         "--drives",
         type=click.Choice(DRIVES),
-        help="What the motors do: turn against the springs that [effects.servo_stiffness] gives them, or be held by "
-        "position loops far stiffer than the machine; by default as the robot file has them.  With --measured, what "
-        "they did in the test, if the file does not say it; default free.",
+        help="Motors: free to turn against the springs of [effects.servo_stiffness], or held by position loops "
+        "far stiffer than the machine; by default as the robot file has them.  With --measured, motors in the "
+        "test, if the file does not state it; by default free.",
     )
     mechanism: Path | None = entry(repeated_mechanism_option)
     out: Path | None = option(
@@ -143,7 +144,8 @@ class ShaperOptions(OptionTable):
         type=FILE,
         writes="the table",
         endings=(".csv",),
-        help="Table to write: what each fixed shaper leaves of a mode, over frequency, and the spectrum if given.",
+        help="Table to write: what each fixed shaper leaves of a mode, over the frequency of the mode, and the "
+        "spectrum if given.",
     )
     figure: Path | None = option(
         "--figure",
@@ -151,7 +153,7 @@ class ShaperOptions(OptionTable):
         type=FILE,
         writes="the picture",
         endings=(".svg", ".png", ".pdf"),
-        help="Picture of it to write; .svg, .png or .pdf.",
+        help="Picture of this table to write; .svg, .png or .pdf.",
     )
 
     @property
@@ -178,15 +180,15 @@ class _Result:
 )
 @ShaperOptions.taken_by
 def shaper(options: ShaperOptions) -> None:
-    """Choose an input shaper: the best fixed one of each kind, beside those that follow the pose.
+    """Choose an input shaper: the best fixed shaper of each kind, beside those that follow the pose.
 
-    Motors give way on their springs where the robot file has [effects.servo_stiffness], and are held where it has
-    none.  Prints what each leaves of the vibration, and lines for the firmware of printers.
+    Motors yield on their springs where the robot file has [effects.servo_stiffness], and are held where it has none.
+    Prints the vibration that each shaper leaves, and lines for the firmware of printers.
 
-    With --set, as of a payload that grows, also a schedule: the best fixed shaper for each value.
+    With --set, such as for a payload that grows, prints a schedule, too: the best fixed shaper for each value.
 
-    With --measured there is no model: the best fixed shapers for the modes in the table, with what each leaves of
-    them within two standard deviations.
+    With --measured there is no model: prints the best fixed shapers for the modes in the table, with what each leaves
+    of these modes within two standard deviations.
     """
     options.check_files()
     robot, measured, context = options.robot, options.measured, click.get_current_context()

@@ -180,8 +180,8 @@ class SpectrumDocument(Document, frozen=True):
         peak, at_mode = spectrum.peak(choice.ringing.frequencies)
         share = float(residual(best.shaper, peak, best.damping_ratio))
         missing = (
-            f"the highest peak of the spectrum, at {peak:.4g} Hz, is at none of the modes: one may be missing or "
-            f"wrong; of a mode there the recommended shaper leaves {plain(100.0 * share, 2)} %"
+            f"the highest peak of the spectrum, at {peak:.4g} Hz, is at none of the modes: a mode may be missing "
+            f"or wrong; the recommended shaper leaves {plain(100.0 * share, 2)} % of a mode there"
         )
         return cls(file=spectrum.source, peak_hz=peak, at_mode=at_mode, left=share), [] if at_mode else [
             missing
