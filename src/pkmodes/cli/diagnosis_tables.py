@@ -45,8 +45,8 @@ def show_diagnosis(robot: Robot, result: Diagnosis) -> None:
     _damping(terminal, result, setting)
     count = sum(not (row.held_out or row.outlier) for row in result.rows)
     terminal.line()
-    did = motors_in_words(robot, [row.drives for row in result.rows])
-    terminal.line(f"{count} measured mode{'' if count == 1 else 's'} fitted, {did}")
+    motors = motors_in_words(robot, [row.drives for row in result.rows])
+    terminal.line(f"{count} measured mode{'' if count == 1 else 's'} fitted, {motors}")
     if len({row.drives for row in result.rows}) > 1:
         labels = sorted_labels(dict.fromkeys(row.pose for row in result.rows if row.drives == HELD))
         terminal.line(f"motors held: {poses_in_words(labels)}")
@@ -92,9 +92,12 @@ def _class(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected]) 
     for place, member in enumerate(effect.members):
         if place == 1:
             terminal.line("these data cannot distinguish it from", "  ")
-        relative, why = effect.relative(member), effect.member(member).implausible
+        relative, reason = effect.relative(member), effect.member(member).implausible
         values = ", ".join(f"{_short(v)} = {_with_sigma(v)}" for v in relative or effect.alternatives[member])
-        mean, also = " relative to their mean" if relative else "", f" (implausible: {why})" if why else ""
+        mean, also = (
+            " relative to their mean" if relative else "",
+            f" (implausible: {reason})" if reason else "",
+        )
         assumed = f", for {text}" if (text := effect.member(member).assumed) else ""
         terminal.line(f"{values}{mean}{assumed}{also}", "    " if place else "  ")
     remarks = ["+- by the fit alone"]
@@ -126,19 +129,21 @@ def _values(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected])
     if relative:
         terminal.line("relative to their mean:", "  ")
     for value in relative or effect.parameters:
-        shown, why = (value, "") if relative else (believed(value, corrected), why_larger(value, corrected))
+        shown, reason = (
+            (value, "") if relative else (believed(value, corrected), why_larger(value, corrected))
+        )
         terminal.line(f"{_short(value)} = {_with_sigma(shown)}{effect.assumed}", "    " if relative else "  ")
-        if why:
-            terminal.line(why, "    ")
-    if why := effect.member(effect.name).implausible:
-        terminal.line(f"implausible: {why}", "  ")
+        if reason:
+            terminal.line(reason, "    ")
+    if reason := effect.member(effect.name).implausible:
+        terminal.line(f"implausible: {reason}", "  ")
     if relative:
         with_mean = ", ".join(_with_sigma(believed(value, corrected)) for value in effect.parameters)
         terminal.line("with their mean, which is less certain:", "  ")
         terminal.line(with_mean, "    ")
         reasons = dict.fromkeys(why_larger(value, corrected) for value in effect.parameters)
-        for why in filter(None, reasons):
-            terminal.line(why, "    ")
+        for reason in filter(None, reasons):
+            terminal.line(reason, "    ")
 
 
 def _damping(terminal: Terminal, result: Diagnosis, setting: ReportSetting) -> None:

@@ -222,18 +222,14 @@ def _sentences(model: Model, result: Modes, statics: Statics, with_sigmas: bool)
     rigid = result.frequencies[: result.rigid_modes]
     zero = ZERO_FREQUENCY * float(np.abs(result.frequencies).max(initial=0.0))
     if not (np.abs(rigid) < zero).all():
-        sign, held = (
-            "f = sqrt(|lambda|)/(2 pi) with the sign of lambda",
-            model.solved(result.drives).held_motions,
-        )
-        yield (
-            f"rigid: only gravity acts; {sign}"
-            if not held
-            else (
-                f"rigid: the {len(rigid)} lowest modes, as many as there are motions that no spring holds; gravity "
-                f"acts on these, and mixes them with the {held} that springs to ground hold; {sign}"
+        grounded = model.solved(result.drives).held_motions
+        reason = "only gravity acts"
+        if grounded:
+            reason = (
+                f"the {len(rigid)} lowest modes, as many as there are motions that no spring holds; gravity acts on "
+                f"these, and mixes them with the {grounded} that springs to ground hold"
             )
-        )
+        yield f"rigid: {reason}; f = sqrt(|lambda|)/(2 pi) with the sign of lambda"
     units = {q.name: q.unit for q in model.mechanism.coordinates}
     drive = model.mechanism.drives[0].unit
     for label, values, unit in (

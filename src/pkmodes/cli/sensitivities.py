@@ -192,8 +192,8 @@ def _print(model: Model, content: dict[str, Any], by_name: bool, everything: boo
     if depends and full:
         terminal.show(per_unit(model, content))
     if full and len(depends) < len(paths):
-        still = [path for t, path in enumerate(paths) if t not in depends]
-        terminal.show(Paragraph(f"No frequency depends on {', '.join(still)}."))
+        without_influence = [path for t, path in enumerate(paths) if t not in depends]
+        terminal.show(Paragraph(f"No frequency depends on {', '.join(without_influence)}."))
     if not full:
         terminal.show(Paragraph(ALL))
     terminal.notes(head)
