@@ -158,8 +158,8 @@ CATALOGUE = (
 def examples(name: str | None, out: Path, overwrite: bool, json_file: str | None) -> None:
     """List the examples of the documentation, or write one of them, or all.
 
-    Each example comes with the robot files, so that the commands of its page work in that folder as in a checkout.
-    Identical files are left as they are; files that differ are replaced only with --overwrite.
+    Each example comes with the robot files, so that the commands of its page work in that folder as in a
+    checkout.  Identical files are left as they are; files that differ are replaced only with --overwrite.
     """
     check_targets(json_file, [])
     chosen = [example for example in CATALOGUE if name in (example.name, EVERYTHING, None)]

@@ -127,8 +127,8 @@ def sensitivities(
 ) -> None:
     """Compute exact derivatives of the frequencies at a pose with respect to the robot's quantities and to effects.
 
-    Prints the ten largest, by the change of any frequency per one per cent of the value; the JSON always has all.
-    The platform pose and all other quantities are held constant; docs/how-to/sensitivities.md lists the paths.
+    Prints the ten largest, by the change of any frequency per one per cent of the value; the JSON always has
+    all.  The platform pose and all other quantities are held constant; docs/how-to/sensitivities.md lists the paths.
     """
     if everything and parameters is not None:
         raise click.UsageError("--all and --parameters exclude each other", click.get_current_context())

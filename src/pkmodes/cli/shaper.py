@@ -134,7 +134,7 @@ class ShaperOptions(OptionTable):
         "--drives",
         type=click.Choice(DRIVES),
         help="Motors: free to turn against the springs of [effects.servo_stiffness], or held by position loops "
-        "far stiffer than the machine; by default as the robot file has them.  With --measured, motors in the "
+        "far stiffer than the machine; by default as the robot file has them.  With --measured: motors in the "
         "test, if the file does not state it; by default free.",
     )
     mechanism: Path | None = entry(repeated_mechanism_option)
@@ -182,8 +182,8 @@ class _Result:
 def shaper(options: ShaperOptions) -> None:
     """Choose an input shaper: the best fixed shaper of each kind, beside those that follow the pose.
 
-    Motors yield on their springs where the robot file has [effects.servo_stiffness], and are held where it has none.
-    Prints the vibration that each shaper leaves, and lines for the firmware of printers.
+    Motors yield on their springs where the robot file has [effects.servo_stiffness], and are held where it has
+    none.  Prints the vibration that each shaper leaves, and lines for the firmware of printers.
 
     With --set, such as for a payload that grows, prints a schedule, too: the best fixed shaper for each value.
 
