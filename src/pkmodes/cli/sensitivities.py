@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -12,17 +13,10 @@ from numpy.typing import NDArray
 
 from pkmodes.api import load
 from pkmodes.cli.delivery import deliver
-from pkmodes.cli.options import (
-    comma_list,
-    drives_option,
-    json_option,
-    mechanism_option,
-    report_option,
-    robot_argument,
-)
+from pkmodes.cli.option_table import OptionTable, entry, option
+from pkmodes.cli.options import comma_list, drives_option, repeated_mechanism_option, robot_argument
 from pkmodes.cli.poses import pose_of, pose_option
-from pkmodes.cli.reporting import report_file, sources_of
-from pkmodes.cli.targets import check_targets, report_target
+from pkmodes.cli.reporting import report_file
 from pkmodes.core.base.drives import Drives
 from pkmodes.core.support.documents import Count, Document, Matrix
 from pkmodes.core.support.progress import say
@@ -93,50 +87,48 @@ class SensitivitiesDocument(Document, frozen=True):
     ]
 
 
+@dataclass(frozen=True)
+class SensitivitiesOptions(OptionTable):
+    """What the command takes."""
+
+    robot: Path = entry(robot_argument, reads="robot file")
+    pose: str = entry(pose_option)
+    parameters: str | None = option(
+        "--parameters",
+        metavar="PATHS",
+        help="Quantities such as platform.mass, link.length or effects.payload.mass, separated by commas; by default "
+        "all that can vary.",
+    )
+    everything: bool = option(
+        "--all",
+        "everything",
+        is_flag=True,
+        help="Print every quantity, including coordinates and absent effects, and derivatives in Hz per unit; "
+        "without it, the ten with the largest relative effect.",
+    )
+    drives: str = entry(drives_option)
+    mechanism: Path | None = entry(repeated_mechanism_option)
+
+
 @click.command(
     epilog="\b\nExample:\n  pkmodes sensitivities robots/linear-delta-2022.toml --pose 0.6,0,-0.245 \\\n"
     "    --parameters platform.mass,axis.span,effects.gearbox_compliance.compliance"
 )
-@robot_argument
-@pose_option
-@click.option(
-    "--parameters",
-    metavar="PATHS",
-    help="Quantities such as platform.mass, link.length or effects.payload.mass, separated by commas; by default all "
-    "that can vary.",
-)
-@click.option(
-    "--all",
-    "everything",
-    is_flag=True,
-    help="Print every quantity, including coordinates and absent effects, and derivatives in Hz per unit; without "
-    "it, the ten with the largest relative effect.",
-)
-@drives_option
-@mechanism_option
-@report_option
-@json_option
-def sensitivities(
-    robot: Path,
-    pose: str,
-    parameters: str | None,
-    everything: bool,
-    drives: str,
-    report_to: Path | None,
-    json_file: str | None,
-) -> None:
+@SensitivitiesOptions.taken_by
+def sensitivities(options: SensitivitiesOptions) -> None:
     """Compute exact derivatives of the frequencies at a pose with respect to the robot's quantities and to effects.
 
     Prints the ten largest, by the change of any frequency per one per cent of the value; the JSON always has
     all.  The platform pose and all other quantities are held constant; docs/how-to/sensitivities.md lists the paths.
     """
-    if everything and parameters is not None:
+    drives, parameters = options.drives, options.parameters
+    if options.everything and parameters is not None:
         raise click.UsageError("--all and --parameters exclude each other", click.get_current_context())
-    check_targets(json_file, [robot], report_target(report_to))
-    sources = sources_of(report_to, {"robot file": robot})
+    options.check_files()
+    sources = options.sources()
     paths = None if parameters is None else comma_list(parameters, "--parameters", EXAMPLE, "parameter paths")
-    model = load(robot)
-    point = pose_of(model, pose)
+    model = load(options.robot)
+    point = pose_of(model, options.pose)
     modes = model.modes(point, drives=drives)
     say("differentiating the modes")
     derivatives = model.sensitivities(point, paths, drives=drives)
@@ -158,8 +150,8 @@ def sensitivities(
         return sensitivities_report(model, content, sources)
 
     by_name = paths is not None
-    report = report_file(report_to, page)
-    deliver(json_file, content, lambda: _print(model, content, by_name, everything), report)
+    report = report_file(options.report_to, page)
+    deliver(options.json_file, content, lambda: _print(model, content, by_name, options.everything), report)
 
 
 def _print(model: Model, content: dict[str, Any], by_name: bool, everything: bool) -> None:
