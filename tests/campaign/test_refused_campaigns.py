@@ -281,7 +281,7 @@ def test_what_was_left_out_is_named_at_the_end_and_in_the_json(
     assert ends == [
         "left out: p2.csv: expected a finit",
         "left out: p3.csv: expected a frequ",
-        "left out: P2, as no file of it is ",
+        "left out: P2, none of whose files ",
     ]
     assert run(arguments) == 0
     assert "P2, modes, motors free\nleft out\n" in capsys.readouterr().out

@@ -76,7 +76,7 @@ def test_a_report_that_fails_is_not_announced_and_the_map_is_kept(
     def fail(*_: object) -> None:
         raise mishap
 
-    monkeypatch.setattr("pkmodes.cli.map._page", fail)
+    monkeypatch.setattr("pkmodes.pages.report.map.map_report", fail)
     old, out = tmp_path / "map.html", tmp_path / "map.nc"
     old.write_text("older")
     code = run(["map", ROBOT, *PLANE, "--out", str(out), "--report", str(old)])

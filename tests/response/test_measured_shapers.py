@@ -304,7 +304,9 @@ def test_a_peak_that_is_no_measured_mode_is_said(
     spectrum = resonances(tmp_path, ((41.2, 0.05, 0.5), (52.8, 0.03, 1.0)))
     assert run(["shaper", "--measured", modes, "--spectrum", str(spectrum), "--shapers", "zv,mzv"]) == 0
     said = " ".join(capsys.readouterr().out.split())
-    assert "The highest peak of the spectrum, at 52.8 Hz, is at none of the modes: one may be missing" in said
+    assert (
+        "The highest peak of the spectrum, at 52.8 Hz, is at none of the modes: a mode may be missing" in said
+    )
 
 
 def test_spectra_that_are_none_are_refused_with_what_to_do(tmp_path: Path) -> None:

@@ -131,7 +131,7 @@ def test_the_colour_scale_is_symmetric_and_leaves_out_the_largest() -> None:
     ("arguments", "message"),
     [
         ([str(PUBLISHED), PRINTER], "expected two robots of one mechanism, found linear_delta and corexy"),
-        ([PRINTER, VORON, "--band", "10,400"], "--band is of measurements"),
+        ([PRINTER, VORON, "--band", "10,400"], "--band is for measurements"),
         ([PRINTER, "modes.csv", "--grid", "x=0,y=0"], "--grid is for two robots"),
         ([PRINTER, "modes.csv", "--poses", "poses.csv"], "--poses is for two robots"),
         ([PRINTER, VORON, *GRID, "--poses", "poses.csv"], "exclude each other"),

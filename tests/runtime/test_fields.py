@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import json
 import pickle
 import tracemalloc
 from collections.abc import Callable
@@ -131,6 +132,16 @@ def test_the_word_all_stands_for_every_name(model: pkmodes.Model) -> None:
     every, said = model.sensitivities(POSE), model.sensitivities(POSE, "all", fields="all")
     assert said.parameters == every.parameters
     np.testing.assert_array_equal(said.frequencies, every.frequencies)
+
+
+def test_the_list_that_a_remedy_names_is_accepted(model: pkmodes.Model) -> None:
+    for method in (model.modes, model.sensitivities):
+        with pytest.raises(pkmodes.PkmodesError, match="expected a list of fields") as error:
+            method(POSE, fields="frequencies")
+        verb, _, fields = error.value.remedy.partition(" ")
+        assert verb == "write"
+        result = method(POSE, fields=json.loads(fields))
+        np.testing.assert_allclose(result.frequencies, method(POSE).frequencies, rtol=1e-6)
 
 
 def places(shape: tuple[int, ...]) -> list[np.ndarray]:

@@ -62,7 +62,7 @@ def test_a_page_whose_name_nobody_gave_replaces_only_another_such_page(here: Pat
     page.write_text('<!DOCTYPE html>\n<html lang="en"><head><title>Diagnosis: corexy-printer</title>')
     before = page.read_bytes()
     error = refused("show", PRINTER, *POSE)
-    assert "corexy-printer.html: the file exists, and is no page of pkmodes show (--out)" in error
+    assert "corexy-printer.html: the file exists, and is not a page of pkmodes show (--out)" in error
     assert "--out FILE.html" in error
     assert page.read_bytes() == before
     assert printed("show", PRINTER, *POSE, "--overwrite") == "corexy-printer.html\n"

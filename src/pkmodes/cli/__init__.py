@@ -44,18 +44,18 @@ DONE, DOES_NOT_HOLD, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
 WORKFLOW: dict[str, dict[click.Command, str]] = {
     "Describe a machine": {
         examples: "List the examples of the documentation, or write them.",
-        new: "Write a robot file to begin with, with a comment on each key.",
+        new: "Write a robot file to start from, with a comment on each key.",
     },
     "Look at a machine": {
         modes: "Print frequencies, mode shapes and damping at a pose.",
         map_: "Compute the modes over the workspace.",
-        sensitivities: "Say which parameters change each frequency, and how much.",
+        sensitivities: "Show which parameters change each frequency, and by how much.",
         show: "Write a page with the moving machine in three dimensions.",
-        figures: "Draw working plane, frequencies and directions of motion.",
+        figures: "Draw the working plane, frequencies and directions of motion.",
     },
     "Measure it": {
         identify: "Identify modes from measured signals.",
-        compare: "Compare measured modes with the model, or two robots.",
+        compare: "Compare a model with measured modes, or two of either.",
     },
     "Diagnose it": {
         diagnose: "Find the physical effect that the model lacks, and add it.",
@@ -65,7 +65,7 @@ WORKFLOW: dict[str, dict[click.Command, str]] = {
         response: "Compute responses to motors and forces on the platform.",
         shaper: "Choose input shapers that keep the machine from ringing.",
         generate: "Generate NumPy and C code for one robot.",
-        check: "Check that generated code is up to date and right.",
+        check: "Check that generated code is up to date and correct.",
     },
 }
 
@@ -79,7 +79,16 @@ class Commands(click.Group):
         """Find the command and check its options."""
         name, command, rest = super().resolve_command(ctx, args)
         if command is not None:
-            _refuse_repetitions(click.Context(command, info_name=name, parent=ctx), rest)
+            context = click.Context(command, info_name=name, parent=ctx)
+            order: list[click.Parameter] = []
+            with suppress(click.UsageError):  # which the command itself reports
+                _, _, order = command.make_parser(context).parse_args(list(rest))
+            for option in dict.fromkeys(order):
+                once = isinstance(option, click.Option) and not (
+                    option.multiple or option.count or option.is_flag
+                )
+                if once and order.count(option) > 1:
+                    raise click.UsageError(f"option '{option.opts[0]}' is given more than once", context)
         return name, command, rest
 
     def make_context(self, *args: Any, **kwargs: Any) -> click.Context:
@@ -106,17 +115,6 @@ def _interruptible() -> Iterator[None]:
         yield
     except KeyboardInterrupt:
         raise click.Abort from None
-
-
-def _refuse_repetitions(ctx: click.Context, arguments: list[str]) -> None:
-    try:
-        _, _, order = ctx.command.make_parser(ctx).parse_args(list(arguments))
-    except click.UsageError:
-        return  # the command itself reports the error
-    for option in dict.fromkeys(order):
-        once = isinstance(option, click.Option) and not (option.multiple or option.count or option.is_flag)
-        if once and order.count(option) > 1:
-            raise click.UsageError(f"option '{option.opts[0]}' is given more than once", ctx)
 
 
 @click.group(

@@ -49,21 +49,22 @@ MOST = 10
 @click.option(
     "--holdout",
     metavar="POSES",
-    help="Labels of poses of the later files to exclude from all fits, separated by commas, or none; by default one "
-    "in six.",
+    help="Labels of poses of the later files to exclude from all fits, separated by commas, or the word none; by "
+    "default one pose in six.",
 )
 @report_option
 @click.option(
     "--no-beyond",
     "no_beyond",
     is_flag=True,
-    help="Try the candidates only, not one thing at one place, such as a mass on one body.",
+    help="Do not search beyond the candidates for one thing at one place, such as a mass on one body.",
 )
 @click.option(
     "--fail-on",
     "fail_on",
     metavar="VERDICTS",
-    help="Verdicts that give exit code 1, separated by commas, or any for all except adequate; by default none.",
+    help="Verdicts that give exit code 1, separated by commas, or the word any for all except adequate; by "
+    "default no verdict.",
 )
 @click.option(
     "--all",
@@ -91,14 +92,14 @@ def changed(
 ) -> int:
     """Find what changed on a machine since a trusted measurement, such as before and after a repair.
 
-    Each file has the modes of one state of the machine, the first one those of the trusted state; one file may have
-    several states, named in a column "state".  What the model is wrong by in the trusted state is taken off the
-    others, so that differences are compared with differences.  The result says whether anything changed, and what,
-    with a value and how sure that is, or that the data do not tell.
+    Each file has the modes of one state of the machine, the first file those of the trusted state; a file may have
+    several states, named in a column "state".  The error of the model in the trusted state is subtracted from the
+    other states, so that differences are compared with differences.  The result states whether anything changed, and
+    what, with a value and its uncertainty, or that the data cannot tell.
 
     Uncertain values are those of the trusted state.  The stiffness that all belts, legs or reducers share may differ
-    by some 1.5 % from one day to another: that is no change.  The exit code is 0 for any verdict except those in
-    --fail-on, which give 1, and 2 for bad input.
+    by some 1.5 % from one day to the next, which does not count as a change.  The exit code is 0 for any verdict
+    except those in --fail-on, which give 1, and 2 for bad input.
     """
     for file in states:
         check_order(robot, file, "pkmodes changed")
@@ -128,12 +129,27 @@ def changed(
         )
     data = campaigns[later[0]]
     report = report_file(report_to, lambda: page_of(result, declared, data, sources))
-    limit = None if everything else MOST
 
     def show() -> None:
-        from pkmodes.cli.changed_tables import show_changes
+        from pkmodes.cli.diagnosis_tables import show_causes
+        from pkmodes.cli.terminal import Terminal
+        from pkmodes.pages.report.changed import changes, changes_summary, what_to_do
+        from pkmodes.pages.report.numbers import errors
+        from pkmodes.pages.report.setting import ReportSetting
 
-        show_changes(declared, result, limit)
+        terminal, setting = Terminal(), ReportSetting(declared.name, declared, None, (), None)
+        head = changes_summary(result, setting)
+        terminal.summary(head)
+        for name, change in result.by_state.items() or [(result.states[-1], result)]:
+            if result.by_state:
+                terminal.line()
+                terminal.line(f"{name}:")
+                terminal.line(change.reason, "  ")
+            terminal.show(what_to_do(change, setting))
+            show_causes(terminal, change, setting)
+            terminal.show(changes(change, None if everything else MOST))
+        terminal.show(*errors(result))
+        terminal.notes(head)
 
     deliver(json_file, result.as_json(), show, report)
     return 1 if result.verdict in failures else 0

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from functools import partial
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
@@ -101,7 +100,7 @@ class CheckDocument(Document, frozen=True):
 )
 @click.argument("targets", metavar="[DIR or ROBOT.toml ...]", nargs=-1, type=FILE)
 @checked_mechanism_option
-@click.option("--brief", is_flag=True, help="Print one line for each folder or robot file, for logs of CI.")
+@click.option("--brief", is_flag=True, help="Print one line for each folder or robot file, for CI logs.")
 @click.option("--diff", is_flag=True, help="Show the lines of the files that differ, after the reasons.")
 @json_option
 def check(
@@ -141,25 +140,23 @@ def check(
                 "no such file or folder", str(target), "give a generated folder or a robot file"
             )
     holds = all(report.holds for report in reports)
-    lines_of = _brief if brief else partial(_lines, diff=diff)
-    document = CheckDocument(holds=holds, targets=list(map(_document, reports)))
-    deliver(json_file, document.as_json(), lambda: _print(reports, lines_of))
+    documents = [
+        TargetDocument.of(
+            report,
+            findings=list(map(FindingDocument.of, report.findings)),
+            consistency=list(map(RelationDocument.of, report.checks)),
+            mend=report.mend or None,
+        )
+        for report in reports
+    ]
+
+    def show() -> None:
+        for report in reports:
+            for line in _brief(report) if brief else _lines(report, diff):
+                echo(line)
+
+    deliver(json_file, CheckDocument(holds=holds, targets=documents).as_json(), show)
     return 0 if holds else 1
-
-
-def _document(report: Report) -> TargetDocument:
-    return TargetDocument.of(
-        report,
-        findings=list(map(FindingDocument.of, report.findings)),
-        consistency=list(map(RelationDocument.of, report.checks)),
-        mend=report.mend or None,
-    )
-
-
-def _print(reports: Sequence[Report], lines_of: Callable[[Report], Iterator[str]]) -> None:
-    for report in reports:
-        for line in lines_of(report):
-            echo(line)
 
 
 def _brief(report: Report) -> Iterator[str]:
@@ -186,7 +183,7 @@ def _verdict(report: Report) -> str:
     return "as generated, and current except for what was not checked" if report.unchecked else "current"
 
 
-def _lines(report: Report, diff: bool = False) -> Iterator[str]:
+def _lines(report: Report, diff: bool) -> Iterator[str]:
     """Yield the reasons, what was not checked and what to do, and after them the differences of the files."""
     diffs = [finding.diff for finding in report.findings if finding.diff]
     for finding in report.findings:

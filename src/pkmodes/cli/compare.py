@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 import click
 
-from pkmodes.cli.compare_measurements import compare_measurement_files
 from pkmodes.cli.compare_robots import compare_robot_files
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import (
@@ -31,8 +30,8 @@ if TYPE_CHECKING:
     from pkmodes.loop.diagnosis import Comparison, Measurements
 
 
-#: Rows that are printed without ``--all``.
-WORST = 5
+#: Rows that are printed without ``--all``: of a robot and its measurements, and of two measurement files.
+WORST, MOST = 5, 10
 
 
 @click.command(
@@ -74,19 +73,19 @@ def compare(
     Two measurement files, such as before and after a repair, are compared pose by pose: which modes changed, and
     whether by more than their stated errors.
 
-    Two robot files are compared by what they declare and by their frequencies at the poses that both can reach: of
-    --grid or --poses, by default of their workspaces.  Modes are paired by their shapes.
+    Two robot files are compared by what they declare and by their frequencies at the poses that both can reach: those
+    of --grid or --poses, by default those of their workspaces.  Modes are paired by their shapes.
     """
     if robot.suffix.lower() == modes.suffix.lower() == ".csv":
         check_targets(json_file, [robot, modes, poses], report_target(report_to))
         for option, value in {"--grid": grid, "--poses": poses, "--report": report_to}.items():
             _refuse(value, option, "does not apply to two measurement files")
-        compare_measurement_files((robot, modes), band_of(band), drives, everything, json_file)
+        _compare_measurements((robot, modes), band_of(band), drives, everything, json_file)
         return
     check_order(robot, modes, "pkmodes compare")
     check_targets(json_file, [robot, modes, poses], report_target(report_to))
     if modes.suffix.lower() == ".toml":
-        _refuse(band, "--band", "is of measurements, and two robots are compared")
+        _refuse(band, "--band", "is for measurements, but two robots are compared")
         compare_robot_files((robot, modes), grid, poses, drives, everything, report_to, json_file)
         return
     _refuse(grid, "--grid", "is for two robots; measurements have their own poses")
@@ -127,6 +126,32 @@ def show_comparison(robot: Robot, data: Measurements, result: Comparison, limit:
     for note in result.notes:  # verbatim: it may name what the file names
         terminal.line()
         terminal.line(f"note: {note}")
+
+
+def _compare_measurements(
+    files: tuple[Path, Path],
+    band: tuple[float, float] | None,
+    drives: str | None,
+    everything: bool,
+    json_file: str | None,
+) -> None:
+    """Compare two measurement files: which modes changed, and whether by more than their errors."""
+    from pkmodes.loop.measured.compared import compare_measurements
+    from pkmodes.loop.updating.reading import read_any
+
+    first, second = (read_any(file, band, drives=drives) for file in files)
+    result = compare_measurements(first, second)
+
+    def show() -> None:
+        from pkmodes.cli.terminal import Terminal
+        from pkmodes.pages.report.measured_shapes import shape_tables
+        from pkmodes.pages.report.measurements import changes, measurements_summary
+
+        limit = None if everything else MOST
+        blocks = [*changes(result, limit), *shape_tables(result, limit)]
+        Terminal().result(measurements_summary(result), *blocks)
+
+    deliver(json_file, result.as_json(), show)
 
 
 def _refuse(value: object, option: str, why: str) -> None:

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -20,8 +19,7 @@ from pkmodes.core.support.progress import say
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
-    from pkmodes.machine.maps.poses import Places, PoseGrid
-    from pkmodes.pages.report.sources import Source
+    from pkmodes.machine.maps.poses import Places
 
 #: Approximate number of poses in a workspace, and most poses compared: all are held in memory at once.
 POSES, MOST = 20_000, 1_000_000
@@ -49,12 +47,31 @@ def compare_robot_files(
     with named_as_options("grid", poses="--poses" if poses else "--grid"):
         document = compare_robots(first, second, _points(first, second, places), drives or FREE)
     content = document.as_json()
-    report = report_file(report_to, lambda: _page(first, second, content, sources, _plane(places)))
-    limit = None if everything else LARGEST
-    deliver(json_file, content, lambda: _print(files, (first, second), content, limit), report)
+
+    def page() -> str:
+        from pkmodes.machine.maps.poses import PoseGrid
+        from pkmodes.pages.report.robots import robots_report
+
+        say("drawing the differences over the working plane")
+        plane = places if isinstance(places, PoseGrid) and sum(n > 1 for n in places.shape) == 2 else None
+        return robots_report(first, second, content, sources, plane)
+
+    def show() -> None:
+        from pkmodes.cli.terminal import Terminal
+        from pkmodes.pages.report.robot_values import different_values, frequencies, robots_summary
+
+        terminal, limit = Terminal(), None if everything else LARGEST
+        terminal.heading(f"first:  {content['first']} ({files[0]})")
+        terminal.heading(f"second: {content['second']} ({files[1]})")
+        terminal.line()
+        blocks = [*different_values(first, content, limit), *frequencies(content)]
+        terminal.result(robots_summary(first, second, content), *blocks)
+
+    deliver(json_file, content, show, report_file(report_to, page))
 
 
 def _points(first: Model, second: Model, places: Places | None) -> np.ndarray:
+    """Return the poses, by default those of the workspaces that one of the robots uses."""
     from pkmodes.machine.maps.poses import PoseGrid
     from pkmodes.machine.maps.workspace import reachable_by, within
 
@@ -67,34 +84,3 @@ def _points(first: Model, second: Model, places: Places | None) -> np.ndarray:
     if isinstance(places, PoseGrid) and places.used:
         points = points[within(first)(points) | within(second)(points)]
     return points
-
-
-def _plane(places: Places | None) -> PoseGrid | None:
-    """Return the given grid if it is a plane."""
-    from pkmodes.machine.maps.poses import PoseGrid
-
-    return places if isinstance(places, PoseGrid) and sum(n > 1 for n in places.shape) == 2 else None
-
-
-def _page(
-    first: Model, second: Model, content: dict[str, Any], sources: Sequence[Source], plane: PoseGrid | None
-) -> str:
-    from pkmodes.pages.report.robots import robots_report
-
-    say("drawing the differences over the working plane")
-    return robots_report(first, second, content, sources, plane)
-
-
-def _print(
-    files: tuple[Path, Path], models: tuple[Model, Model], content: dict[str, Any], limit: int | None
-) -> None:
-    from pkmodes.cli.terminal import Terminal
-    from pkmodes.pages.report.robot_values import different_values, frequencies, robots_summary
-
-    terminal, head = Terminal(), robots_summary(*models, content)
-    terminal.heading(f"first:  {content['first']} ({files[0]})")
-    terminal.heading(f"second: {content['second']} ({files[1]})")
-    terminal.line()
-    terminal.summary(head)
-    terminal.show(*different_values(models[0], content, limit), *frequencies(content))
-    terminal.notes(head)

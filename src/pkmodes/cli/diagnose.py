@@ -55,7 +55,7 @@ MOST_WIDENED = 3
     "--holdout",
     metavar="POSES",
     help="Labels of poses to exclude from all fits, separated by commas (a label with a comma in double quotes), "
-    "or none; by default one in six.",
+    "or the word none; by default one pose in six.",
 )
 @click.option(
     "--save-robot",
@@ -76,29 +76,30 @@ MOST_WIDENED = 3
     "--no-beyond",
     "no_beyond",
     is_flag=True,
-    help="Try the candidates only, not one thing at one place, such as a mass on one body, where they do not explain "
-    "the measurements.",
+    help="Where the candidates do not explain the measurements, do not search beyond them for one thing at one "
+    "place, such as a mass on one body.",
 )
 @click.option(
     "--fail-on",
     "fail_on",
     metavar="VERDICTS",
-    help="Verdicts that give exit code 1, separated by commas, or any for all except adequate; by default none.",
+    help="Verdicts that give exit code 1, separated by commas, or the word any for all except adequate; by "
+    "default no verdict.",
 )
 @click.option(
     "--prior",
     "priors",
     metavar="NAME=SIGMA",
     multiple=True,
-    help="How far a candidate may plausibly be from what is declared, one standard deviation, such as "
-    "measurement:offset.z=2mm; may be repeated, and stand in the file.",
+    help="Standard deviation by which a candidate may plausibly differ from what is declared, such as "
+    "measurement:offset.z=2mm; may be repeated, or given in the file.",
 )
 @click.option(
     "--usable",
     metavar="LIMIT",
     multiple=True,
-    help="Where the next measurement may be, as in [usable] of a robot file, such as z=40mm,300mm or radius=120mm; "
-    "may be repeated, and stand in the file.",
+    help="Limits of the poses at which the next measurement may be taken, as in [usable] of a robot file, such as "
+    "z=40mm,300mm or radius=120mm; may be repeated, or given in the file.",
 )
 @band_option
 @measured_drives_option
@@ -123,12 +124,12 @@ def diagnose(
 ) -> int:
     """Find what is missing from the model, and how much adding it improves the fit.
 
-    The verdict is adequate, effect_found, ambiguous, unexplained or insufficient_data, with a reason.  The exit code
-    is 0 for any verdict except those in --fail-on, which give 1; so does --save-robot where the verdict leaves
+    The verdict is adequate, effect_found, ambiguous, unexplained or insufficient_data, with a reason.  The exit
+    code is 0 for any verdict except those in --fail-on, which give 1, as does --save-robot where the verdict leaves
     nothing to save.  It is 2 for bad input.
 
-    All of these are about frequencies and shapes.  Measured damping has a verdict of its own beside them; losses that
-    it shows are saved, too.
+    These verdicts concern frequencies and shapes.  Measured damping has a verdict of its own; losses that it shows
+    are saved, too.
     """
     check_order(robot, modes, "pkmodes diagnose")
     save_target = Target("--save-robot", save_to, "the corrected robot")
@@ -196,23 +197,39 @@ def diagnose(
 def _saved(file: Path, mechanism: Path | None, robot: Robot, result: Diagnosis) -> list[str]:
     """Say how to generate the code of the saved robot, what it has, and what is missing in it."""
     from pkmodes.cli.terminal import Terminal
+    from pkmodes.loop.diagnosis.verdict import naming
+    from pkmodes.loop.updating.corrected_robot import widened
 
-    terminal = Terminal()
-    option = f"--mechanism {pasted(mechanism)} " if mechanism else ""
-    command = f"pkmodes generate {option}{pasted(file)} --out DIR"
     sentences = [
-        *_chosen(result),
-        *_widened(result),
-        *(
-            f"{constant} is known from the measurements alone: add its value in operation to {file}"
-            for constant in _set_only(robot, result)
-        ),
+        f"{naming.chosen(effect)}: to save that instead, add --candidates {effect.members[1]}"
+        for effect in result.every_cause
+        if len(effect.members) > 1  # which these data cannot distinguish
     ]
-    # The command is not wrapped, so that it can be copied.
-    return [
-        f"\nwrote {file}; next: {command}",
-        *(line for text in sentences for line in terminal.wrapped(text)),
+    values = sorted(widened(result), key=lambda value: -value.saved_sigma / max(value.sigma, 1e-300))
+    texts = [
+        f"{value.name.removeprefix('effects.')} {plain(value.saved_sigma, 2)} instead of "
+        f"{plain(value.sigma, 2)} {value.unit} ({value.unseen.candidate or value.unseen.default})"
+        for value in values
+        if value.unseen is not None
     ]
+    if texts:
+        sentences.append(
+            "the sigmas in it include what a candidate that these data do not show could have done to the values: "
+            + listed(texts, MOST_WIDENED, last=", and ")
+        )
+    # Constants of the causes that only the load cases have, such as a belt tension.
+    in_loads = {path for row in result.rows for path in row.load}
+    names = [effect.name.partition(".")[0] for effect in result.effects]
+    for cause in [robot.mechanism.effects[name] for name in names if name in robot.mechanism.effects]:
+        for constant in [f"{cause.name}.{p.name}" for p in cause.parameters if not p.fitted]:
+            if f"effects.{constant}" in in_loads and constant not in robot.effects:
+                sentences.append(
+                    f"effects.{constant} is known from the measurements alone: add its value in operation to {file}"
+                )
+    option = f"--mechanism {pasted(mechanism)} " if mechanism else ""
+    command = f"pkmodes generate {option}{pasted(file)} --out DIR"  # not wrapped, so that it can be copied
+    lines = [line for text in sentences for line in Terminal().wrapped(text)]
+    return [f"\nwrote {file}; next: {command}", *lines]
 
 
 def _with_term(file: Path, effect: Path | None, terms: TermClass) -> list[str]:
@@ -226,42 +243,3 @@ def _with_term(file: Path, effect: Path | None, terms: TermClass) -> list[str]:
     if effect is None:
         lines.append("FILE.py is the effect itself: write it with --save-effect FILE.py")
     return [*lines, "then give other commands --mechanism DIR/<mechanism>"]
-
-
-def _widened(result: Diagnosis) -> list[str]:
-    """Say which standard deviations are larger in the file than in the fit, and because of what."""
-    from pkmodes.loop.updating.corrected_robot import widened
-
-    values = sorted(widened(result), key=lambda value: -value.saved_sigma / max(value.sigma, 1e-300))
-    shown = [
-        f"{value.name.removeprefix('effects.')} {plain(value.saved_sigma, 2)} instead of "
-        f"{plain(value.sigma, 2)} {value.unit} ({value.unseen.candidate or value.unseen.default})"
-        for value in values
-        if value.unseen is not None
-    ]
-    explanation = (
-        "the sigmas in it include what a candidate that these data do not show could have done to the values"
-    )
-    return [f"{explanation}: {listed(shown, MOST_WIDENED, last=', and ')}"] if shown else []
-
-
-def _chosen(result: Diagnosis) -> list[str]:
-    """Say which of several indistinguishable causes the saved robot has, and how to save it with another."""
-    from pkmodes.loop.diagnosis.verdict import naming
-
-    return [
-        f"{naming.chosen(effect)}: to save that instead, add --candidates {effect.members[1]}"
-        for effect in result.every_cause
-        if len(effect.members) > 1
-    ]
-
-
-def _set_only(robot: Robot, result: Diagnosis) -> list[str]:
-    """Return the constants of the causes found that only the load cases have, such as a belt tension."""
-    in_loads = {path for row in result.rows for path in row.load}
-    names = [effect.name.partition(".")[0] for effect in result.effects]
-    causes = [robot.mechanism.effects[name] for name in names if name in robot.mechanism.effects]
-    paths = [
-        f"effects.{effect.name}.{p.name}" for effect in causes for p in effect.parameters if not p.fitted
-    ]
-    return [path for path in paths if path in in_loads and path.removeprefix("effects.") not in robot.effects]

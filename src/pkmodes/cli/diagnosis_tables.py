@@ -43,11 +43,17 @@ def show_diagnosis(robot: Robot, result: Diagnosis) -> None:
     terminal.show(*errors(result))
     _beyond(terminal, result, setting)
     _damping(terminal, result, setting)
-    _counts(terminal, robot, result)
+    count = sum(not (row.held_out or row.outlier) for row in result.rows)
+    terminal.line()
+    motors = motors_in_words(robot, [row.drives for row in result.rows])
+    terminal.line(f"{count} measured mode{'' if count == 1 else 's'} fitted, {motors}")
+    if len({row.drives for row in result.rows}) > 1:
+        labels = sorted_labels(dict.fromkeys(row.pose for row in result.rows if row.drives == HELD))
+        terminal.line(f"motors held: {poses_in_words(labels)}")
     if settings := settings_in_words(setting, result.rows):
         terminal.line(settings)
     terminal.show(*fitted_value_tables(result, setting))
-    _remarks(terminal, setting, result)
+    _remarks(terminal, result)
 
 
 def show_causes(terminal: Terminal, result: Diagnosis, setting: ReportSetting) -> None:
@@ -66,22 +72,17 @@ def _beyond(terminal: Terminal, result: Diagnosis, setting: ReportSetting) -> No
 
 
 def _explained(terminal: Terminal, result: Diagnosis | Damping) -> None:
-    """Print the causes found, and the explanations that remain."""
-    _causes(terminal, result.effects, result.corrected)
-    for group in result.survivors:
-        terminal.line(f"remains: {' or '.join(group)}", "  ")
-
-
-def _causes(terminal: Terminal, effects: Sequence[Finding], corrected: Sequence[Corrected]) -> None:
-    """Print causes with their values and classes."""
-    for effect in effects:
+    """Print the causes found with their values, and the explanations that remain."""
+    for effect in result.effects:
         terminal.line()
         if len(effect.members) > 1:
-            _class(terminal, effect, corrected)
-            continue
-        sentence = f": {effect.sentence}" if effect.sentence else ""
-        terminal.line(f"cause: {effect.name} ({p_in_words(effect.p_value)}){sentence}")
-        _values(terminal, effect, corrected)
+            _class(terminal, effect, result.corrected)
+        else:
+            sentence = f": {effect.sentence}" if effect.sentence else ""
+            terminal.line(f"cause: {effect.name} ({p_in_words(effect.p_value)}){sentence}")
+            _values(terminal, effect, result.corrected)
+    for group in result.survivors:
+        terminal.line(f"remains: {' or '.join(group)}", "  ")
 
 
 def _class(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected]) -> None:
@@ -91,9 +92,12 @@ def _class(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected]) 
     for place, member in enumerate(effect.members):
         if place == 1:
             terminal.line("these data cannot distinguish it from", "  ")
-        relative, why = effect.relative(member), effect.member(member).implausible
+        relative, reason = effect.relative(member), effect.member(member).implausible
         values = ", ".join(f"{_short(v)} = {_with_sigma(v)}" for v in relative or effect.alternatives[member])
-        mean, also = " relative to their mean" if relative else "", f" (implausible: {why})" if why else ""
+        mean, also = (
+            " relative to their mean" if relative else "",
+            f" (implausible: {reason})" if reason else "",
+        )
         assumed = f", for {text}" if (text := effect.member(member).assumed) else ""
         terminal.line(f"{values}{mean}{assumed}{also}", "    " if place else "  ")
     remarks = ["+- by the fit alone"]
@@ -125,19 +129,21 @@ def _values(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected])
     if relative:
         terminal.line("relative to their mean:", "  ")
     for value in relative or effect.parameters:
-        shown, why = (value, "") if relative else (believed(value, corrected), why_larger(value, corrected))
+        shown, reason = (
+            (value, "") if relative else (believed(value, corrected), why_larger(value, corrected))
+        )
         terminal.line(f"{_short(value)} = {_with_sigma(shown)}{effect.assumed}", "    " if relative else "  ")
-        if why:
-            terminal.line(why, "    ")
-    if why := effect.member(effect.name).implausible:
-        terminal.line(f"implausible: {why}", "  ")
+        if reason:
+            terminal.line(reason, "    ")
+    if reason := effect.member(effect.name).implausible:
+        terminal.line(f"implausible: {reason}", "  ")
     if relative:
         with_mean = ", ".join(_with_sigma(believed(value, corrected)) for value in effect.parameters)
         terminal.line("with their mean, which is less certain:", "  ")
         terminal.line(with_mean, "    ")
         reasons = dict.fromkeys(why_larger(value, corrected) for value in effect.parameters)
-        for why in filter(None, reasons):
-            terminal.line(why, "    ")
+        for reason in filter(None, reasons):
+            terminal.line(reason, "    ")
 
 
 def _damping(terminal: Terminal, result: Diagnosis, setting: ReportSetting) -> None:
@@ -155,17 +161,8 @@ def _damping(terminal: Terminal, result: Diagnosis, setting: ReportSetting) -> N
         terminal.line(f"note on the damping: {note}")
 
 
-def _counts(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
-    count = sum(not (row.held_out or row.outlier) for row in result.rows)
-    terminal.line()
-    did = motors_in_words(robot, [row.drives for row in result.rows])
-    terminal.line(f"{count} measured mode{'' if count == 1 else 's'} fitted, {did}")
-    if len({row.drives for row in result.rows}) > 1:
-        labels = sorted_labels(dict.fromkeys(row.pose for row in result.rows if row.drives == HELD))
-        terminal.line(f"motors held: {poses_in_words(labels)}")
-
-
-def _remarks(terminal: Terminal, setting: ReportSetting, result: Diagnosis) -> None:
+def _remarks(terminal: Terminal, result: Diagnosis) -> None:
+    """Print what else the reader should know."""
     remarks = []
     if result.outliers:
         remarks.append(f"set aside as outliers: {rows_in_words(result.outliers)}")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated
 
@@ -111,7 +110,7 @@ CATALOGUE = (
         "python examples/three_storeys/three_storeys.py",
     ),
     _example(
-        "explanation/voron",
+        "voron",
         "Published resonances of a real printer at several belt tensions.",
         "explanation/voron",
         "python examples/voron/voron.py",
@@ -152,46 +151,44 @@ CATALOGUE = (
     metavar="DIR",
     type=FILE,
     default=Path(),
-    help="The folder below which robots/ and examples/NAME/ are written; by default this one.",
+    help="Folder in which robots/ and examples/NAME/ are written; by default the current one.",
 )
 @overwrite_option
 @json_option
 def examples(name: str | None, out: Path, overwrite: bool, json_file: str | None) -> None:
     """List the examples of the documentation, or write one of them, or all.
 
-    Each brings the robot files.  The commands of its page then work in that folder as in a checkout.
-    Files that are there already and are the same are left; of those that differ none is replaced without --overwrite.
+    Each example comes with the robot files, so that the commands of its page work in that folder as in a
+    checkout.  Identical files are left as they are; files that differ are replaced only with --overwrite.
     """
     check_targets(json_file, [])
     chosen = [example for example in CATALOGUE if name in (example.name, EVERYTHING, None)]
     if name is None:
-        document = ExamplesDocument(chosen, None, [], [])
-        deliver(json_file, document.as_json(), lambda: _list(chosen))
+
+        def list_all() -> None:
+            width = max(len(example.name) for example in chosen)
+            for example in chosen:
+                echo(f"{example.name:{width}}  {example.text}")
+                echo(f"{'':{width}}  {example.page}")
+            echo(
+                "\npkmodes examples NAME writes one of them, with the robot files; pkmodes examples all writes "
+                "everything."
+            )
+
+        deliver(json_file, ExamplesDocument(chosen, None, [], []).as_json(), list_all)
         return
     contents = supplied(*(place for example in chosen for place in example.places))
     new = unlike(out, contents, f"--out {out}", overwrite)
     write_files(out, new)
-    document = ExamplesDocument(
-        chosen, str(out), list(new), [file_name for file_name in contents if file_name not in new]
-    )
-    deliver(json_file, document.as_json(), lambda: _say(document, out, chosen))
+    unchanged = [file for file in contents if file not in new]
 
+    def show() -> None:
+        for file in new:
+            echo(out / file)
+        if unchanged:
+            echo(f"files that were there already: {len(unchanged)}")
+        place = "" if out == Path() else f" in {pasted(out)}"
+        for example in chosen:
+            echo(f"next{place}: {example.command} ({example.page})")
 
-def _list(chosen: Sequence[Example]) -> None:
-    width = max(len(example.name) for example in chosen)
-    for example in chosen:
-        echo(f"{example.name:{width}}  {example.text}")
-        echo(f"{'':{width}}  {example.page}")
-    echo(
-        "\npkmodes examples NAME writes one of them, with the robot files; pkmodes examples all writes everything."
-    )
-
-
-def _say(document: ExamplesDocument, out: Path, chosen: Sequence[Example]) -> None:
-    for file in document.written:
-        echo(out / file)
-    if document.unchanged:
-        echo(f"files that were there already: {len(document.unchanged)}")
-    place = "" if out == Path() else f" in {pasted(out)}"
-    for example in chosen:
-        echo(f"next{place}: {example.command} ({example.page})")
+    deliver(json_file, ExamplesDocument(chosen, str(out), list(new), unchanged).as_json(), show)

@@ -57,7 +57,7 @@ class FiguresDocument(Document, frozen=True):
     multiple=True,
     default=["svg"],
     show_default=True,
-    help="Repeat it for several.",
+    help="Format of the pictures; may be repeated.",
 )
 @overwrite_option
 @drives_option
@@ -90,13 +90,12 @@ def figures(
     document = FiguresDocument(
         robot=str(robot), out=out, files=[path.name for path in written], same_everywhere=sentences
     )
-    deliver(json_file, document.as_json(), lambda: _print(written, sentences))
 
+    def show() -> None:
+        for path in written:
+            echo(path)
+        for name, sentence in sentences.items():
+            for line in Terminal().wrapped(f"note: {name} holds a sentence instead of a picture: {sentence}"):
+                echo(line, err=True)
 
-def _print(written: list[Path], sentences: dict[str, str]) -> None:
-    """Print the files, and on stderr which of them hold a sentence."""
-    for path in written:
-        echo(path)
-    for name, sentence in sentences.items():
-        for line in Terminal().wrapped(f"note: {name} holds a sentence instead of a picture: {sentence}"):
-            echo(line, err=True)
+    deliver(json_file, document.as_json(), show)

@@ -52,8 +52,8 @@ class GenerateDocument(Document, frozen=True):
     metavar="FILE.py",
     type=FILE,
     multiple=True,
-    help="An effect of your own beside the catalogue's: a file of diagnose --save-effect, or as in "
-    "docs/how-to/adding-an-effect.md.  May be given several times.",
+    help="An effect of your own beside those of the catalogue: a file of diagnose --save-effect, or as in "
+    "docs/how-to/adding-an-effect.md; may be repeated.",
 )
 @json_option
 def generate(
@@ -61,13 +61,13 @@ def generate(
 ) -> None:
     """Derive and write a model specialised to one robot.
 
-    The output is a NumPy module, a C99 source with its header, and a manifest.  The module needs only NumPy and the
-    C source only a compiler, so both can be vendored.  For a robot with effects there is a second set of them,
+    The output is a NumPy module, a C99 source with its header, and a manifest.  The module needs only NumPy and the C
+    source only a compiler, so both can be vendored.  For a robot with effects there is a second set of these files,
     without the effects.  Other files in the folder are not touched.
 
     A mechanism of your own is defined by a Python file (docs/how-to/adding-a-mechanism.md).  Its code is written to
-    the folder DIR/<name>, which the other commands accept as --mechanism DIR/<name>.  So is the code of a mechanism
-    of pkmodes with an effect of your own.
+    the folder DIR/<name>, which the other commands accept as --mechanism DIR/<name>; so is the code of a supplied
+    mechanism with an effect of your own.
     """
     from pkmodes.codegen.generation import generate as generate_model
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -18,11 +19,8 @@ from pkmodes.core.support.motors import motors_in_words
 from pkmodes.core.support.numbers import plain
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from pkmodes.modaltest.campaign.campaign import Campaign
     from pkmodes.modaltest.campaign.results import Identification
-    from pkmodes.pages.report.sources import Source
 
 
 @click.command(epilog="\b\nExample:\n  pkmodes identify examples/campaign/campaign.toml --out modes.csv")
@@ -32,10 +30,10 @@ if TYPE_CHECKING:
     metavar="MODES.csv",
     type=FILE,
     required=True,
-    help="Measurement file to write, which compare and diagnose take; an existing one is replaced.",
+    help="Measurement file to write, for compare and diagnose; an existing file is replaced.",
 )
 @click.option(
-    "--keep-going", is_flag=True, help="Leave faulty files out, and a record if none of its files remains."
+    "--keep-going", is_flag=True, help="Leave out faulty files, and records of which no file remains."
 )
 @mechanism_option
 @report_option
@@ -43,25 +41,26 @@ if TYPE_CHECKING:
 def identify(
     campaign: Path, out: Path, keep_going: bool, report_to: Path | None, json_file: str | None
 ) -> None:
-    """Identify modes from measured signals, or join those that another program has identified.
+    """Identify modes from measured signals, or combine those that another program has identified.
 
-    The campaign file says what was measured where, and with which sensors.  The result has a standard deviation for
+    The campaign file states what was measured where, and with which sensors.  The result has a standard deviation for
     every frequency, damping ratio and shape.
     """
     targets = Target("--out", out, "the modes", (".csv",)), report_target(report_to)
     check_targets(json_file, [campaign], *targets)
     from pkmodes.loop.measured.writing import as_csv
     from pkmodes.modaltest.campaign.campaign import read_campaign
-    from pkmodes.modaltest.campaign.identify import identify as identified
+    from pkmodes.modaltest.campaign.identify import identify as identify_modes
 
     declared = read_campaign(campaign)
     inputs = [file for record in declared.records for files in record.setups.values() for file in files]
     robot = None if declared.model is None else Path(declared.model.robot.source)
     check_targets(json_file, [campaign, *inputs, robot], *targets)
     sources = sources_of(report_to, {"campaign file": campaign, "robot file": robot})
-    identification = identified(declared, keep_going=keep_going, inspect=report_to is not None)
-    for message in _notes(identification):
-        echo(message, err=True)
+    identification = identify_modes(declared, keep_going=keep_going, inspect=report_to is not None)
+    messages = [message for identified in identification.records for message in identified.messages]
+    for message in (*messages, *identification.messages):
+        echo(f"note: {message}", err=True)
     content = identification.as_json()
     text = as_csv(identification.measurements, [f"modes identified by pkmodes identify from {campaign.name}"])
     rows = len(identification.measurements.frequency)
@@ -70,40 +69,25 @@ def identify(
         lambda: text,
         lambda path: (f"wrote {path}: {rows} mode{'' if rows == 1 else 's'}",),
     )
-    report = report_file(report_to, lambda: _page(identification, declared, content, sources))
+
+    def page() -> str:
+        from pkmodes.pages.report.identification import identification_report
+
+        return identification_report(identification, declared, content, sources)
+
+    show = partial(_print, identification, declared, content)
     try:
-        deliver(json_file, content, lambda: _print(identification, declared, content), file, report)
+        deliver(json_file, content, show, file, report_file(report_to, page))
     finally:
-        for line in _left_out(identification):
-            echo(line, err=True)
-
-
-def _page(
-    identification: Identification, declared: Campaign, content: dict[str, Any], sources: Sequence[Source]
-) -> str:
-    from pkmodes.pages.report.identification import identification_report
-
-    return identification_report(identification, declared, content, sources)
-
-
-def _notes(identification: Identification) -> list[str]:
-    messages = [message for identified in identification.records for message in identified.messages]
-    return [f"note: {message}" for message in (*messages, *identification.messages)]
-
-
-def _left_out(identification: Identification) -> list[str]:
-    lines = []
-    for identified in identification.records:
-        lines += [f"left out: {omission.file}: {omission.reason}" for omission in identified.left_out]
-        lines += (
-            [f"left out: {identified.record.pose}, as no file of it is left"]
-            if identified.is_left_out
-            else []
-        )
-    return lines
+        for identified in identification.records:
+            for omission in identified.left_out:
+                echo(f"left out: {omission.file}: {omission.reason}", err=True)
+            if identified.is_left_out:
+                echo(f"left out: {identified.record.pose}, none of whose files remains", err=True)
 
 
 def _print(identification: Identification, campaign: Campaign, content: dict[str, Any]) -> None:
+    """Print a table of each record, and what its columns are."""
     from pkmodes.cli.terminal import Terminal
     from pkmodes.pages.report.identified_record import meanings, modes_table
 

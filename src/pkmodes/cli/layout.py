@@ -128,7 +128,10 @@ class _Grid:
 
     def printed(self, cells: Sequence[str], part: Sequence[int]) -> str:
         """Return some cells of a row, each as wide as its column."""
-        aligned = (_aligned(cells[c], self.widths[c], left=not self.numbers[c]) for c in part)
+        aligned = []
+        for c in part:
+            space = (self.widths[c] - cell_len(cells[c])) * " "
+            aligned.append(space + cells[c] if self.numbers[c] else cells[c] + space)
         return (self.gap * " ").join(aligned).rstrip()
 
     def over(self, part: Sequence[int]) -> str:
@@ -202,9 +205,3 @@ def _table(table: Table, width: int) -> Iterator[str]:
             else:
                 yield grid.printed([name, *row[1:]], part)
                 yield from continuation
-
-
-def _aligned(text: str, width: int, *, left: bool) -> str:
-    """Return a cell of a table, as wide as its column."""
-    space = (width - cell_len(text)) * " "
-    return text + space if left else space + text

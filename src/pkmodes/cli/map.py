@@ -3,40 +3,84 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
 
 import click
 
 from pkmodes.api import load
 from pkmodes.cli.delivery import deliver
-from pkmodes.cli.options import (
-    FILE,
-    drives_option,
-    json_option,
-    mechanism_option,
-    named_as_options,
-    report_option,
-    robot_argument,
-)
+from pkmodes.cli.option_table import OptionTable, entry, option
+from pkmodes.cli.options import FILE, drives_option, repeated_mechanism_option, robot_argument
 from pkmodes.cli.poses import grid_option, places_given, poses_option
 from pkmodes.cli.progress import duration
-from pkmodes.cli.reporting import report_file, sources_of
+from pkmodes.cli.reporting import report_file
 from pkmodes.cli.settings import settings_given, settings_option
-from pkmodes.cli.targets import Target, check_targets, report_target
 from pkmodes.core.support.progress import say
 
-if TYPE_CHECKING:
-    from xarray import Dataset
 
-    from pkmodes.core.model import Model
-    from pkmodes.pages.report.sources import Source
+@dataclass(frozen=True)
+class MapOptions(OptionTable):
+    """What the command takes; arguments that are passed are those of `pkmodes.Model.map`."""
 
-
-#: Arguments of `pkmodes.Model.map` that have the names of their options.
-ARGUMENTS = ("out", "samples", "tracked", "seed", "threads", "grid", "poses")
+    robot: Path = entry(robot_argument, reads="robot file")
+    grid: str | None = entry(grid_option)
+    poses: Path | None = entry(poses_option, reads="")
+    settings: tuple[str, ...] = entry(
+        settings_option(
+            "Sweep a parameter, such as platform.mass=1:2:5 or platform.mass=1.5; repeat for several parameters, "
+            "all of whose combinations are evaluated."
+        )
+    )
+    samples: int | None = option(
+        "--samples",
+        metavar="N",
+        type=click.IntRange(1),
+        passed=True,
+        help="Evaluate N robots: values with a standard deviation are drawn from normal distributions with the "
+        "correlations of the robot file.",
+    )
+    seed: int = option(
+        "--seed",
+        metavar="N",
+        type=click.IntRange(0),
+        default=0,
+        show_default=True,
+        passed=True,
+        help="Seed of the random draws of --samples.",
+    )
+    shapes: bool = option("--shapes", is_flag=True, passed=True, help="Keep mode shapes too.")
+    tracked: bool = option(
+        "--tracked", is_flag=True, passed=True, help="Number modes by their shapes instead of by rank."
+    )
+    out: Path | None = option(
+        "--out",
+        metavar="FILE",
+        type=FILE,
+        passed=True,
+        writes="the map",
+        anywhere=True,
+        help="File to write: .nc (NetCDF), .zarr, or a table in .csv or .parquet.  The same command continues an "
+        "interrupted map.",
+    )
+    overwrite: bool = option("--overwrite", is_flag=True, passed=True, help="Replace an existing file.")
+    threads: int | None = option(
+        "--threads",
+        metavar="N",
+        type=click.IntRange(1),
+        passed=True,
+        help="Number of threads; by default one per core.",
+    )
+    scheduler: str | None = option(
+        "--scheduler",
+        metavar="ADDRESS",
+        passed=True,
+        help="Address of a Dask scheduler whose workers evaluate the map.",
+    )
+    drives: str = entry(drives_option, passed=True)
+    mechanism: Path | None = entry(repeated_mechanism_option)
 
 
 @click.command(
@@ -44,94 +88,45 @@ ARGUMENTS = ("out", "samples", "tracked", "seed", "threads", "grid", "poses")
     epilog="\b\nExample:\n  pkmodes map robots/linear-delta-2022.toml \\\n"
     "    --grid x=0.3:0.8:51,y=-0.1:0.1:41,z=-0.245 --out map.nc",
 )
-@robot_argument
-@grid_option
-@poses_option
-@settings_option(
-    "Sweep a parameter, such as platform.mass=1:2:5 or platform.mass=1.5; repeat it for several, all of whose "
-    "combinations are evaluated."
-)
-@click.option(
-    "--samples",
-    metavar="N",
-    type=click.IntRange(1),
-    help="Evaluate N robots whose values with a standard deviation are drawn from normal distributions, with the "
-    "correlations of the robot file.",
-)
-@click.option(
-    "--seed", metavar="N", type=click.IntRange(0), default=0, show_default=True, help="Of the draws."
-)
-@click.option("--shapes", is_flag=True, help="Keep mode shapes too.")
-@click.option("--tracked", is_flag=True, help="Number modes by their shapes instead of by rank.")
-@click.option(
-    "--out",
-    metavar="FILE",
-    type=FILE,
-    help="File to write: .nc (NetCDF), .zarr, or a table in .csv or .parquet.  After an interruption the same "
-    "command continues.",
-)
-@click.option("--overwrite", is_flag=True, help="Replace an existing file.")
-@click.option("--threads", metavar="N", type=click.IntRange(1), help="By default one per core.")
-@click.option("--scheduler", metavar="ADDRESS", help="A Dask scheduler whose workers evaluate the map.")
-@drives_option
-@mechanism_option
-@report_option
-@json_option
-def map_(
-    robot: Path,
-    grid: str | None,
-    poses: Path | None,
-    settings: tuple[str, ...],
-    samples: int | None,
-    seed: int,
-    shapes: bool,
-    tracked: bool,
-    out: Path | None,
-    overwrite: bool,
-    threads: int | None,
-    scheduler: str | None,
-    drives: str,
-    report_to: Path | None,
-    json_file: str | None,
-) -> None:
+@MapOptions.taken_by
+def map_(options: MapOptions) -> None:
     """Compute the modes over the workspace, print their ranges, and write them to a file."""
-    map_target = Target("--out", out, "the map", anywhere=True)
-    check_targets(json_file, [robot, poses], map_target, report_target(report_to))
-    sources = sources_of(report_to, {"robot file": robot})
-    model = load(robot)
-    with named_as_options(*ARGUMENTS, sweep="--set"), _continued(out):
+    options.check_files()
+    sources, out = options.sources(), options.out
+    model = load(options.robot)
+    with options.named(sweep="--set"), _continued(out):
         dataset = model.map(
-            places_given(model, grid, poses),
-            sweep=settings_given(model, settings),
-            samples=samples,
-            seed=seed,
-            shapes=shapes,
-            tracked=tracked,
-            out=out,
-            overwrite=overwrite,
-            scheduler=scheduler,
-            threads=threads,
-            drives=drives,
+            places_given(model, options.grid, options.poses),
+            sweep=settings_given(model, options.settings),
             progress=_counted(),
+            **options.passed(),
         )
     from pkmodes.machine.maps.summary import summary_of
 
-    file = None if out is None else str(out)
-    content = summary_of(dataset, file).as_json()
-    report = report_file(report_to, lambda: _page(model, dataset, content, sources))
+    content = summary_of(dataset, None if out is None else str(out)).as_json()
+
+    def page() -> str:
+        from pkmodes.pages.report.map import map_report, middle_of
+        from pkmodes.pages.report.model_view import view_of
+
+        view = view_of(model, start=middle_of(model, dataset), drives=content["drives"])
+        return map_report(model, dataset, content, sources, view)
+
+    def show() -> None:
+        from pkmodes.cli.terminal import Terminal
+        from pkmodes.pages.report.map_summary import ranges, summary_of_map
+
+        terminal = Terminal()
+        terminal.result(summary_of_map(model, content), ranges(model, content))
+        if content["file"]:
+            terminal.line()
+            terminal.heading(f"wrote {content['file']}")
+
     complete = (
         "" if out is None else "the map is written; for its report run the command again with --overwrite"
     )
     with _continued(out, complete):
-        deliver(json_file, content, lambda: _print(model, content), report)
-
-
-def _page(model: Model, dataset: Dataset, content: dict[str, Any], sources: Sequence[Source]) -> str:
-    from pkmodes.pages.report.map import map_report, middle_of
-    from pkmodes.pages.report.model_view import view_of
-
-    view = view_of(model, start=middle_of(model, dataset), drives=content["drives"])
-    return map_report(model, dataset, content, sources, view)
+        deliver(options.json_file, content, show, report_file(options.report_to, page))
 
 
 @contextmanager
@@ -159,17 +154,3 @@ def _counted() -> Callable[[int, int], None]:
         say(f"{done:,} of {total:,} poses{remaining}")
 
     return told
-
-
-def _print(model: Model, content: dict[str, Any]) -> None:
-    """Print the summary of a map of a robot, from `pkmodes.machine.maps.summary.summary_of`."""
-    from pkmodes.cli.terminal import Terminal
-    from pkmodes.pages.report.map_summary import ranges, summary_of_map
-
-    terminal, head = Terminal(), summary_of_map(model, content)
-    terminal.summary(head)
-    terminal.show(ranges(model, content))
-    terminal.notes(head)
-    if content["file"]:
-        terminal.line()
-        terminal.heading(f"wrote {content['file']}")

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Annotated, Any, Literal, cast
+from typing import TYPE_CHECKING, Annotated, Any, Literal, cast
 
 import click
 import msgspec
@@ -22,13 +22,16 @@ from pkmodes.core.mechanism.length import headings, lengths_of, unit_vectors
 from pkmodes.core.mechanism.poses import placed
 from pkmodes.core.model import Model
 from pkmodes.core.solve.backends import AUTO, SOLVERS
-from pkmodes.core.solve.fields import FIELDS, INDEPENDENT, Field, of_modes
+from pkmodes.core.solve.fields import FIELDS, INDEPENDENT, of_modes
 from pkmodes.core.solve.results import Modes, Statics
 from pkmodes.core.support.documents import Count, Document
 from pkmodes.core.support.motors import motors_give_way, motors_in_words
 from pkmodes.loop.sensitivity.spread import spread_of
 from pkmodes.machine.response.linearised import LinearisedRobot
 from pkmodes.machine.response.poles import notes_on_damping, poles
+
+if TYPE_CHECKING:
+    from pkmodes.pages.report.blocks import Table
 
 Array = NDArray[np.float64]
 #: Components below the first are rounding; so are frequencies, whose squares are computed, below the second times the
@@ -89,27 +92,25 @@ _AFTER: tuple[tuple[str, Any, str], ...] = (
 def modes_document() -> type[Document]:
     """Return the class of the JSON document: its keys are fields of the modes (`pkmodes.core.solve.fields`)."""
     fields = [FIELDS[name] for name in of_modes() if FIELDS[name].key]
-    keys = [(field.key, _type_of(field), field.key_text) for field in fields if not field.same_as]
+    keys: list[tuple[str, Any, str]] = []
+    for field in (field for field in fields if not field.same_as):
+        kind: Any = float | None if field.nullable else float
+        for _ in field.dims:
+            kind = list[kind]
+        if field.dims == (INDEPENDENT,):
+            kind = dict[str, float]
+        elif field.only == HELD:
+            kind = kind | None
+        keys.append((field.key, kind, field.key_text))
     declared: list[Any] = [
         (name, Annotated[kind, Meta(description=text)]) for name, kind, text in (*keys, *_AFTER)
     ]
-    for field in fields:
-        if field.same_as:  # of some mechanisms only
-            kind = Annotated[list[float] | UnsetType, Meta(description=field.key_text)]
-            declared.append((field.key, kind, UNSET))
+    for field in (field for field in fields if field.same_as):  # of some mechanisms only
+        kind = Annotated[list[float] | UnsetType, Meta(description=field.key_text)]
+        declared.append((field.key, kind, UNSET))
     text = "The modes at a pose: n coordinates, m modes, the rigid-body ones first."
     document = msgspec.defstruct("ModesDocument", declared, bases=(_AtPose,), namespace={"__doc__": text})
     return cast("type[Document]", document)
-
-
-def _type_of(field: Field) -> Any:
-    """Return the type of a field in JSON: by name along the independent coordinates, lists along other axes."""
-    if field.dims == (INDEPENDENT,):
-        return dict[str, float]
-    kind: Any = float | None if field.nullable else float
-    for _ in field.dims:
-        kind = list[kind]
-    return kind | None if field.only == HELD else kind
 
 
 @click.command(epilog="\b\nExample:\n  pkmodes modes robots/linear-delta-2022.toml --pose 0.6,0,-0.245")
@@ -122,8 +123,8 @@ def modes(robot: Path, pose: str, drives: str, json_file: str | None) -> None:
     """Compute frequencies, mode shapes, the end effector's motion and static torques at a pose.
 
     Mode shapes are mass-normalised.  The table scales them to their largest component and, if the other coordinates
-    are angles, divides lengths by a radius, as in the paper.  The end effector's motion is a unit vector; rotations
-    count times its characteristic length.
+    are angles, divides lengths by a radius, as in the paper.  The end effector's motion is a unit vector, in which
+    rotations are multiplied by its characteristic length.
     """
     check_targets(json_file, [robot])
     model = load(robot)
@@ -131,7 +132,20 @@ def modes(robot: Path, pose: str, drives: str, json_file: str | None) -> None:
     result, statics = model.modes(point, drives=drives), model.statics(point)
     content = as_json(model, result, statics)
     document = modes_document()(**content)
-    deliver(json_file, document.as_json(), lambda: _print(model, result, statics, content["notes"]))
+
+    def show() -> None:
+        from pkmodes.cli.terminal import Terminal
+
+        terminal, at = Terminal(), placed(model.mechanism, result.poses, "g")
+        terminal.heading(f"{model.robot.name} at {at}, {motors_in_words(model.robot, result.drives)}")
+        terminal.line()
+        sigmas = spread_of(model, result.poses, result.drives)
+        terminal.block(_table(model, result, sigmas))
+        terminal.line()
+        for sentence in (*_sentences(model, result, statics, sigmas is not None), *content["notes"]):
+            terminal.line(sentence)
+
+    deliver(json_file, document.as_json(), show)
 
 
 def as_json(model: Model, result: Modes, statics: Statics) -> dict[str, Any]:
@@ -139,7 +153,14 @@ def as_json(model: Model, result: Modes, statics: Statics) -> dict[str, Any]:
     # Both poles and notes need it.
     linearised = LinearisedRobot(model, result.poses[None], result.drives, AUTO)
     fields = [FIELDS[name] for name in Modes.fields_of(model.mechanism) if FIELDS[name].key]
-    values = {field.key: _in_json(field, result, model) for field in fields}
+    values: dict[str, Any] = {}
+    for field in fields:
+        value = getattr(result, field.name).tolist()
+        if field.only == HELD and result.drives != HELD and not motors_give_way(result.robot):
+            value = None
+        elif field.dims == (INDEPENDENT,) and not field.same_as:
+            value = dict(zip(model.mechanism.independent, value, strict=True))
+        values[field.key] = value
     return {
         "robot": model.robot.name,
         "pose": result.poses.tolist(),
@@ -155,33 +176,22 @@ def as_json(model: Model, result: Modes, statics: Statics) -> dict[str, Any]:
     }
 
 
-def _in_json(field: Field, result: Modes, model: Model) -> Any:
-    """Return the value of a field: by name along the independent coordinates, except under another name of these."""
-    if field.only == HELD and result.drives != HELD and not motors_give_way(result.robot):
-        return None
-    value = getattr(result, field.name).tolist()
-    if field.dims == (INDEPENDENT,) and not field.same_as:
-        return dict(zip(model.mechanism.independent, value, strict=True))
-    return value
+def _table(model: Model, result: Modes, sigmas: Array | None) -> Table:
+    """Return the table: one column per mode and one row per component.
 
-
-def _print(model: Model, result: Modes, statics: Statics, notes: Sequence[str]) -> None:
-    """Print one column per mode and one row per component; more modes than fit go below."""
-    from pkmodes.cli.terminal import Terminal
+    - sigmas: standard deviations of the frequencies, (m,) [Hz]; None if the robot file states none
+    """
     from pkmodes.pages.report.blocks import Cell, Column, Table
 
-    terminal = Terminal()
-    at, rigid = placed(model.mechanism, result.poses, "g"), result.rigid_modes
-    terminal.heading(f"{model.robot.name} at {at}, {motors_in_words(model.robot, result.drives)}")
-    terminal.line()
+    rigid = result.rigid_modes
     numbers = [str(i + 1 - rigid) if i >= rigid else "rigid" for i in range(len(result.frequencies))]
-    largest = float(np.abs(result.frequencies).max(initial=0.0))
-    rows = [["f [Hz]", *(_fixed(f, ZERO_FREQUENCY * largest) for f in result.frequencies)]]
-    sigmas = spread_of(model, result.poses, result.drives)
+    zero = ZERO_FREQUENCY * float(np.abs(result.frequencies).max(initial=0.0))
+    rows = [["f [Hz]", *(_fixed(f, zero) for f in result.frequencies)]]
     if sigmas is not None:
         rows.append(["+- [Hz]", *map(_sigma, sigmas)])
     if model.robot.dissipates:
-        rows.append(["damping [%]", *map(_per_cent, result.damping_ratios)])
+        ratios = ("" if np.isnan(ratio) else _fixed(100.0 * ratio) for ratio in result.damping_ratios)
+        rows.append(["damping [%]", *ratios])
     scaled, symbols = result.shapes.copy(), {}
     for scale in model.mechanism.scales:
         k = result.coordinates.index(scale.coordinate)
@@ -194,37 +204,57 @@ def _print(model: Model, result: Modes, statics: Statics, notes: Sequence[str]) 
     components = np.concatenate([scaled, moved], axis=1).T
     rows += [[name, *map(_fixed, row)] for name, row in zip(names, components, strict=True)]
     columns = [Column("mode", numbers=False), *map(Column, numbers)]
-    terminal.block(Table("", columns, [list(map(Cell, row)) for row in rows]))
-    terminal.line()
-    for sentence in _of_motors(model, result):
-        terminal.line(sentence)
-    terminal.line(_of_platform(model))
-    if sigmas is not None:
-        terminal.line("+-: one standard deviation, from those that the robot file states")
-    held = model.solved(result.drives).held_motions
-    for sentence in _rigid(result.frequencies[:rigid], ZERO_FREQUENCY * largest, held):
-        terminal.line(sentence)
+    return Table("", columns, [list(map(Cell, row)) for row in rows])
+
+
+def _sentences(model: Model, result: Modes, statics: Statics, with_sigmas: bool) -> Iterator[str]:
+    """Yield what the motors do and what the rows are; then the joint positions and the forces that hold the pose."""
+    yield from _of_motors(model, result)
+    if model.mechanism.rotations:
+        yield (
+            "p, r*L: how the platform moves and turns about base axes, a unit vector; "
+            f"L = {model.characteristic_length:.4g} m, the rms distance of its joints from its origin"
+        )
+    else:
+        yield "p: direction in which the platform moves, a unit vector in the base frame"
+    if with_sigmas:
+        yield "+-: one standard deviation, from those that the robot file states"
+    rigid = result.frequencies[: result.rigid_modes]
+    zero = ZERO_FREQUENCY * float(np.abs(result.frequencies).max(initial=0.0))
+    if not (np.abs(rigid) < zero).all():
+        grounded = model.solved(result.drives).held_motions
+        reason = "only gravity acts"
+        if grounded:
+            reason = (
+                f"the {len(rigid)} lowest modes, as many as there are motions that no spring holds; gravity acts on "
+                f"these, and mixes them with the {grounded} that springs to ground hold"
+            )
+        yield f"rigid: {reason}; f = sqrt(|lambda|)/(2 pi) with the sign of lambda"
     units = {q.name: q.unit for q in model.mechanism.coordinates}
     drive = model.mechanism.drives[0].unit
     for label, values, unit in (
         (model.mechanism.independent_are, result.joint_positions, units[model.mechanism.independent[0]]),
         ("static forces" if drive == "N" else "static torques", statics.torques, drive),
     ):
-        terminal.line(f"{label} [{unit}]: {', '.join(f'{round(v, 4) + 0.0:.4f}' for v in values)}")
-    for note in notes:
-        terminal.line(note)
+        yield f"{label} [{unit}]: {', '.join(f'{round(v, 4) + 0.0:.4f}' for v in values)}"
 
 
 def _of_motors(model: Model, result: Modes) -> Iterator[str]:
-    """State what the motors do, and the first frequency if they did otherwise; nothing if it is the same."""
+    """Yield what the motors do, and the first frequency if they did otherwise; nothing if it is the same."""
     drives = other_drives(result.drives)
-    frequencies_otherwise = model.frequencies(result.poses, "nan", drives=drives)[
-        model.solved(drives).rigid_modes :
-    ]
-    first, first_otherwise = (
-        _lowest(f) for f in (result.frequencies[result.rigid_modes :], frequencies_otherwise)
-    )
-    if first is None or first_otherwise is None or abs(first_otherwise - first) <= SAME * abs(first):
+    frequencies_otherwise = model.frequencies(result.poses, "nan", drives=drives)
+    lowest = []
+    for frequencies in (
+        result.frequencies[result.rigid_modes :],
+        frequencies_otherwise[model.solved(drives).rigid_modes :],
+    ):
+        size = np.abs(frequencies)
+        moving = frequencies[size > ZERO_FREQUENCY * size.max(initial=0.0)]  # more than rounding
+        if not len(moving):
+            return
+        lowest.append(float(moving[0]))
+    first, first_otherwise = lowest
+    if abs(first_otherwise - first) <= SAME * abs(first):
         return
     doing = motors_in_words(model.robot, drives).removeprefix("motors ")
     doing = {FREE: "turning freely", HELD: "with their shafts held"}.get(doing, doing)
@@ -232,41 +262,6 @@ def _of_motors(model: Model, result: Modes) -> Iterator[str]:
         f"{motors_in_words(model.robot, result.drives)}; {doing} the first mode of vibration "
         f"is at {first_otherwise:.4g} Hz"
     )
-
-
-def _lowest(frequencies: Array) -> float | None:
-    """Return the lowest frequency of vibration that is more than rounding; None where there is none."""
-    size = np.abs(frequencies)
-    moving = frequencies[size > ZERO_FREQUENCY * size.max(initial=0.0)]
-    return float(moving[0]) if len(moving) else None
-
-
-def _of_platform(model: Model) -> str:
-    """Say what the rows of the platform are."""
-    if not model.mechanism.rotations:
-        return "p: direction in which the platform moves, a unit vector in the base frame"
-    return (
-        "p, r*L: how the platform moves and turns about base axes, a unit vector; "
-        f"L = {model.characteristic_length:.4g} m, the rms distance of its joints from its origin"
-    )
-
-
-def _rigid(frequencies: Array, zero: float, held: int) -> Iterator[str]:
-    """Say why rigid modes have frequencies; nothing where there are none, or all are zero."""
-    if (np.abs(frequencies) < zero).all():
-        return
-    sign = "f = sqrt(|lambda|)/(2 pi) with the sign of lambda"
-    if not held:
-        yield f"rigid: only gravity acts; {sign}"
-        return
-    yield (
-        f"rigid: the {len(frequencies)} lowest modes, as many as there are motions that no spring holds; gravity "
-        f"acts on these, and mixes them with the {held} that springs to ground hold; {sign}"
-    )
-
-
-def _per_cent(ratio: float) -> str:
-    return "" if np.isnan(ratio) else _fixed(100.0 * ratio)
 
 
 def _sigma(value: float) -> str:

@@ -11,28 +11,38 @@ from pkmodes.cli.options import FILE, overwrite_option, repeated_mechanism_optio
 from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import Target, check_targets
 from pkmodes.core.mechanism import registry
-from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.support.pasting import pasted
 from pkmodes.core.support.writing import write_file
 
 
 @click.command(epilog=f"\b\nExample:\n  pkmodes new {registry.supplied()[0]} --out my-robot.toml")
 @click.argument("name", metavar="[MECHANISM]", required=False)
-@click.option("--out", metavar="FILE.toml", type=FILE, help="The file to write, instead of standard output.")
+@click.option("--out", metavar="FILE.toml", type=FILE, help="File to write instead of standard output.")
 @overwrite_option
 @repeated_mechanism_option
 def new(name: str | None, out: Path | None, overwrite: bool, mechanism: Path | None) -> None:
-    """Write a robot file to begin with: every key, its unit, and what to measure it with.
+    """Write a robot file to start from: every key, its unit, and what to measure it with.
 
-    The file is valid as it is: it has the values of an example, to be replaced by those of your robot.  What is
-    optional stands there as a comment.  Without MECHANISM the command lists the mechanisms.
+    The file is valid as it stands: its values are those of an example, to be replaced by those of your robot.
+    Optional keys are commented out.  Without MECHANISM the command lists the mechanisms.
     """
     check_targets(None, [], Target("--out", out, "the robot file", (".toml",)))
     if name is None:
         for mechanism_name in registry.names():
             echo(f"{mechanism_name}: {registry.mechanism(mechanism_name).title}")
         return
-    text = _text(registry.mechanism(name), mechanism)
+    from pkmodes.core.model import Model
+    from pkmodes.core.robot.reading import robot_from_document
+    from pkmodes.loop.robot_files.template import example_document, template
+    from pkmodes.pages.view import typical_pose
+
+    described = registry.mechanism(name)
+    robot = robot_from_document(example_document(described), described.name)
+    # The commands in the head of the file have a pose that the example reaches.
+    pose = ",".join(f"{component:g}" for component in typical_pose(Model(robot)).tolist())
+    folder = "" if mechanism is None else " --mechanism FOLDER"
+    commands = [f"pkmodes modes FILE --pose {pose}{folder}", f"pkmodes show FILE{folder}"]
+    text = template(described, commands)
     if out is None:
         click.echo(text, nl=False)
         return
@@ -40,16 +50,3 @@ def new(name: str | None, out: Path | None, overwrite: bool, mechanism: Path | N
         write_file(out, text)
     option = "" if mechanism is None else f" --mechanism {pasted(mechanism)}"
     echo(f"wrote {out}; next: pkmodes show {pasted(out)}{option}")
-
-
-def _text(mechanism: Mechanism, folder: Path | None) -> str:
-    """Return the robot file; the commands in its head have a pose that the example reaches."""
-    from pkmodes.core.model import Model
-    from pkmodes.core.robot.reading import robot_from_document
-    from pkmodes.loop.robot_files.template import example_document, template
-    from pkmodes.pages.view import typical_pose
-
-    robot = robot_from_document(example_document(mechanism), mechanism.name)
-    pose = ",".join(f"{component:g}" for component in typical_pose(Model(robot)).tolist())
-    option = "" if folder is None else " --mechanism FOLDER"
-    return template(mechanism, [f"pkmodes modes FILE --pose {pose}{option}", f"pkmodes show FILE{option}"])

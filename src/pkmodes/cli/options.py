@@ -27,7 +27,9 @@ json_option = click.option(
 )
 
 overwrite_option = click.option(
-    "--overwrite", is_flag=True, help="Replace what exists and is something else, such as a file of yours."
+    "--overwrite",
+    is_flag=True,
+    help="Replace an existing file even if it holds something else, such as your own work.",
 )
 
 report_option = click.option(
@@ -35,7 +37,7 @@ report_option = click.option(
     "report_to",
     metavar="FILE.html",
     type=FILE,
-    help="Write a report, one page that needs no other file and no network.",
+    help="Write a report: one page that needs no other file and no network.",
 )
 
 
@@ -62,20 +64,20 @@ drives_option = click.option(
     type=click.Choice(DRIVES),
     default=FREE,
     show_default=True,
-    help="What the motors do: turn freely, or be held by position loops far stiffer than the machine.",
+    help="Motors: free to turn, or held by position loops far stiffer than the machine.",
 )
 
 #: The same for a command that takes measurements, which may state it themselves.
 measured_drives_option = click.option(
     "--drives",
     type=click.Choice(DRIVES),
-    help="What the motors did in the test, if the file does not say it: turn freely, or be held; default free.",
+    help="Motors in the test, if the file does not state it: free to turn, or held; by default free.",
 )
 
 band_option = click.option(
     "--band",
     metavar="LOW,HIGH",
-    help="Frequency band of the measurement, such as 10,400 in Hz, if the file does not give it.",
+    help="Frequency band of the measurement in Hz, such as 10,400, if the file does not state it.",
 )
 
 
@@ -107,14 +109,14 @@ def comma_list(text: str, option: str, example: str, noun: str = "names") -> lis
     return list(dict.fromkeys(names))
 
 
-def quantity_option(name: str, unit: str, example: str, **settings: Any) -> Callable[[Any], Any]:
-    """Return an option that is a number in SI units, or a number with its unit.
+def quantity(unit: str, example: str) -> Callable[[click.Context, click.Parameter, str | None], float | None]:
+    """Return what reads an option as a number in SI units, or a number with its unit.
 
     - unit: the SI unit
     - example: a value with its unit, for messages
     """
 
-    def read(_: click.Context, __: click.Parameter, text: str | None) -> float | None:
+    def read(_: click.Context, option: click.Parameter, text: str | None) -> float | None:
         from pkmodes.core.robot.units import QuantityError, parse_number_or_quantity
 
         if text is None:
@@ -122,10 +124,10 @@ def quantity_option(name: str, unit: str, example: str, **settings: Any) -> Call
         try:
             return parse_number_or_quantity(text, unit)
         except QuantityError as error:
-            remedy = error.remedy or f'for example: {name} "{example}"'
-            raise PkmodesError(str(error), name, remedy) from None
+            name = option.opts[0]
+            raise PkmodesError(str(error), name, error.remedy or f'for example: {name} "{example}"') from None
 
-    return click.option(name, callback=read, **settings)
+    return read
 
 
 def check_order(robot: Path, modes: Path, command: str) -> None:

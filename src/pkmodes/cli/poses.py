@@ -27,16 +27,16 @@ pose_option = click.option(
 grid_option = click.option(
     "--grid",
     metavar="X=START:STOP:COUNT,...",
-    help="For each component of the pose start:stop:count, both ends included, or one value; in SI units or with "
-    "units.  Rotations that are not given are 0.  By default the reachable workspace, within the [usable] limits of "
-    "the robot file.",
+    help="For each component of the pose, start:stop:count with both ends included, or one value, in SI units or "
+    "with units.  Rotations that are not given are 0.  By default the reachable workspace, within the [usable] "
+    "limits of the robot file.",
 )
 
 poses_option = click.option(
     "--poses",
     metavar="FILE.csv",
     type=FILE,
-    help="Poses instead of a grid: one row each, with the components of the pose as columns, such as x,y,z.",
+    help="Table of poses instead of a grid: one row per pose, with a column for each component, such as x,y,z.",
 )
 
 
@@ -66,23 +66,14 @@ def pose_of(model: Model, text: str) -> list[float]:
     """Read the pose of ``--pose``.
 
     Raises PoseError as `parse_pose` does, and if the robot could reach it if its bare lengths, some of them large,
-    were in millimetres, or its bare angles in degrees.
-    """
-    point = parse_pose(text, model.mechanism)
-    _check_units(model, text, point)
-    return point
-
-
-def _check_units(model: Model, text: str, point: list[float]) -> None:
-    """Reject a pose that could be reached if bare numbers, some of them large, were in other units.
-
-    Raises PoseError.  Other poses that cannot be reached are left to the model to reject.
+    were in millimetres, or its bare angles in degrees.  Other poses that cannot be reached are left to the model to
+    reject.
     """
     from pkmodes.core.mechanism.poses import MEANT
 
-    units = [component.unit for component in model.mechanism.pose]
+    point, units = parse_pose(text, model.mechanism), [component.unit for component in model.mechanism.pose]
     if any(c.isalpha() for c in re.sub(r"\d[eE]", "", text)) or model.check(point).valid:
-        return
+        return point
     large = {
         unit for c, unit in zip(point, units, strict=True) if unit in MEANT and abs(c) >= MEANT[unit].size
     }
@@ -96,6 +87,7 @@ def _check_units(model: Model, text: str, point: list[float]) -> None:
         looks = " and ".join(MEANT[unit].plural for unit in MEANT if unit in large)
         remedy = f'the numbers look like {looks}: write --pose "{with_units}"'
         raise PoseError(str(model.check(point).sentences).partition(";")[0], "--pose", remedy)
+    return point
 
 
 def places_given(model: Model, grid: str | None, poses: Path | None) -> Places | None:

@@ -66,17 +66,15 @@ class ProgressLine:
             wait = STEP
 
     def _write(self, line: str) -> None:
-        line = line[: self._columns() - 1]
+        columns = COLUMNS
+        with suppress(OSError, ValueError):
+            columns = os.get_terminal_size(self._stream.fileno()).columns or COLUMNS
+        line = line[: columns - 1]
         if line or self._shown:
             with suppress(OSError, ValueError):  # the terminal is gone
                 self._stream.write("\r" + line.ljust(self._shown) + ("" if line else "\r"))
                 self._stream.flush()
         self._shown = len(line)
-
-    def _columns(self) -> int:
-        with suppress(OSError, ValueError):
-            return os.get_terminal_size(self._stream.fileno()).columns or COLUMNS
-        return COLUMNS
 
 
 _current: ProgressLine | None = None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -13,17 +13,10 @@ from numpy.typing import NDArray
 
 from pkmodes.api import load
 from pkmodes.cli.delivery import deliver
-from pkmodes.cli.options import (
-    comma_list,
-    drives_option,
-    json_option,
-    mechanism_option,
-    report_option,
-    robot_argument,
-)
+from pkmodes.cli.option_table import OptionTable, entry, option
+from pkmodes.cli.options import comma_list, drives_option, repeated_mechanism_option, robot_argument
 from pkmodes.cli.poses import pose_of, pose_option
-from pkmodes.cli.reporting import report_file, sources_of
-from pkmodes.cli.targets import check_targets, report_target
+from pkmodes.cli.reporting import report_file
 from pkmodes.core.base.drives import Drives
 from pkmodes.core.support.documents import Count, Document, Matrix
 from pkmodes.core.support.progress import say
@@ -33,7 +26,6 @@ from pkmodes.pages.report.blocks import Paragraph
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
-    from pkmodes.pages.report.sources import Source
 
 Array = NDArray[np.float64]
 #: An example of --parameters, for messages.
@@ -41,8 +33,8 @@ EXAMPLE = "--parameters platform.mass,axis.span; or omit the option"
 #: Most quantities printed by default, and a note on what is then left out.
 MOST = 10
 ALL = (
-    "--all prints everything: also coordinates, of which a per cent depends on where the origin lies, effects that "
-    "the file does not have, and Hz per unit of the value."
+    "--all prints everything, including coordinates, for which one per cent depends on where the origin lies, "
+    "effects that the file does not have, and Hz per unit of the value."
 )
 
 
@@ -97,50 +89,48 @@ class SensitivitiesDocument(Document, frozen=True):
     ]
 
 
+@dataclass(frozen=True)
+class SensitivitiesOptions(OptionTable):
+    """What the command takes."""
+
+    robot: Path = entry(robot_argument, reads="robot file")
+    pose: str = entry(pose_option)
+    parameters: str | None = option(
+        "--parameters",
+        metavar="PATHS",
+        help="Quantities such as platform.mass, link.length or effects.payload.mass, separated by commas; by default "
+        "all that can vary.",
+    )
+    everything: bool = option(
+        "--all",
+        "everything",
+        is_flag=True,
+        help="Print every quantity, including coordinates and absent effects, and derivatives in Hz per unit; "
+        "without it, the ten with the largest relative effect.",
+    )
+    drives: str = entry(drives_option)
+    mechanism: Path | None = entry(repeated_mechanism_option)
+
+
 @click.command(
     epilog="\b\nExample:\n  pkmodes sensitivities robots/linear-delta-2022.toml --pose 0.6,0,-0.245 \\\n"
     "    --parameters platform.mass,axis.span,effects.gearbox_compliance.compliance"
 )
-@robot_argument
-@pose_option
-@click.option(
-    "--parameters",
-    metavar="PATHS",
-    help="Quantities such as platform.mass, link.length or effects.payload.mass, separated by commas; by default all "
-    "that can vary.",
-)
-@click.option(
-    "--all",
-    "everything",
-    is_flag=True,
-    help="Print every quantity, also coordinates and absent effects, and derivatives in Hz per unit; without it the "
-    "ten with the largest relative effect.",
-)
-@drives_option
-@mechanism_option
-@report_option
-@json_option
-def sensitivities(
-    robot: Path,
-    pose: str,
-    parameters: str | None,
-    everything: bool,
-    drives: str,
-    report_to: Path | None,
-    json_file: str | None,
-) -> None:
+@SensitivitiesOptions.taken_by
+def sensitivities(options: SensitivitiesOptions) -> None:
     """Compute exact derivatives of the frequencies at a pose with respect to the robot's quantities and to effects.
 
-    Prints the ten largest, by what one per cent of the value does to any frequency; the JSON always has all.  The
-    platform pose and all other quantities are held constant; docs/reference/parameter-paths.md lists the paths.
+    Prints the ten largest, by the change of any frequency per one per cent of the value; the JSON always has
+    all.  The platform pose and all other quantities are held constant; docs/reference/parameter-paths.md lists the paths.
     """
-    if everything and parameters is not None:
+    drives, parameters = options.drives, options.parameters
+    if options.everything and parameters is not None:
         raise click.UsageError("--all and --parameters exclude each other", click.get_current_context())
-    check_targets(json_file, [robot], report_target(report_to))
-    sources = sources_of(report_to, {"robot file": robot})
+    options.check_files()
+    sources = options.sources()
     paths = None if parameters is None else comma_list(parameters, "--parameters", EXAMPLE, "parameter paths")
-    model = load(robot)
-    point = pose_of(model, pose)
+    model = load(options.robot)
+    point = pose_of(model, options.pose)
     modes = model.modes(point, drives=drives)
     say("differentiating the modes")
     derivatives = model.sensitivities(point, paths, drives=drives)
@@ -155,22 +145,22 @@ def sensitivities(
         relative_derivatives=relative.tolist(),
         eigenvalue_derivatives=derivatives.eigenvalues.tolist(),
     ).as_json()
+
+    def page() -> str:
+        from pkmodes.pages.report.sensitivities import sensitivities_report
+
+        return sensitivities_report(model, content, sources)
+
     by_name = paths is not None
-    deliver(
-        json_file,
-        content,
-        lambda: _print(model, content, by_name, everything),
-        report_file(report_to, lambda: _page(model, content, sources)),
-    )
-
-
-def _page(model: Model, content: dict[str, Any], sources: Sequence[Source]) -> str:
-    from pkmodes.pages.report.sensitivities import sensitivities_report
-
-    return sensitivities_report(model, content, sources)
+    report = report_file(options.report_to, page)
+    deliver(options.json_file, content, lambda: _print(model, content, by_name, options.everything), report)
 
 
 def _print(model: Model, content: dict[str, Any], by_name: bool, everything: bool) -> None:
+    """Print the derivatives: the largest, or all of those that are asked for.
+
+    - by_name: whether --parameters names them
+    """
     from pkmodes.cli.terminal import Terminal
     from pkmodes.loop.sensitivity.changes import PERCENT, SIGMA, changes_at
     from pkmodes.pages.report.sensitivity_tables import (
@@ -196,8 +186,8 @@ def _print(model: Model, content: dict[str, Any], by_name: bool, everything: boo
     if depends and full:
         terminal.show(per_unit(model, content))
     if full and len(depends) < len(paths):
-        still = [path for t, path in enumerate(paths) if t not in depends]
-        terminal.show(Paragraph(f"No frequency depends on {', '.join(still)}."))
+        without_influence = [path for t, path in enumerate(paths) if t not in depends]
+        terminal.show(Paragraph(f"No frequency depends on {', '.join(without_influence)}."))
     if not full:
         terminal.show(Paragraph(ALL))
     terminal.notes(head)

@@ -21,9 +21,9 @@ HEIGHT_EXAMPLE = 'write --height 0:200mm, or density * area: --height "1.24 g/cm
 height_option = click.option(
     "--height",
     metavar="START:STOP",
-    help="With one range in --set: heights of the print at its first and its last value, such as 0:200mm; or, for a "
-    'mass, density times area of the print, such as "1.24 g/cm^3 * 40 cm^2".  Each line for firmware then says from '
-    "which layer on it holds.",
+    help="With one range in --set: heights of the print at its first and last values, such as 0:200mm; or, for a "
+    'mass, density times area of the print, such as "1.24 g/cm^3 * 40 cm^2".  Each line for firmware then '
+    "states the first layer it applies to.",
 )
 
 

@@ -180,8 +180,8 @@ class SpectrumDocument(Document, frozen=True):
         peak, at_mode = spectrum.peak(choice.ringing.frequencies)
         share = float(residual(best.shaper, peak, best.damping_ratio))
         missing = (
-            f"the highest peak of the spectrum, at {peak:.4g} Hz, is at none of the modes: one may be missing or "
-            f"wrong; of a mode there the recommended shaper leaves {plain(100.0 * share, 2)} %"
+            f"the highest peak of the spectrum, at {peak:.4g} Hz, is at none of the modes: a mode may be missing "
+            f"or wrong; the recommended shaper leaves {plain(100.0 * share, 2)} % of a mode there"
         )
         return cls(file=spectrum.source, peak_hz=peak, at_mode=at_mode, left=share), [] if at_mode else [
             missing
@@ -280,13 +280,23 @@ def shaper_document(model: Model, choice: Choice, spectrum: MeasuredSpectrum | N
 
     best = choice.candidates[choice.recommended]
     spectrum_part, spectrum_notes = SpectrumDocument.seen(spectrum, choice)
+    no_design = dict.fromkeys(("frequencies_hz", "damping_ratios", "amplitudes", "delays_s"))
+    shapers = [
+        CandidateDocument.of(
+            candidate,
+            **(no_design if candidate.follows_pose else _design(candidate)),
+            duration_s=candidate.duration,
+            left=_left(candidate.left),
+        )
+        for candidate in choice.candidates
+    ]
     return ShaperDocument(
         robot=model.robot.name,
         drives=cast("Drives", choice.ringing.drives),
         poses=len(choice.ringing.poses),
         modes=choice.ringing.frequencies.shape[1],
         unshaped=UnshapedDocument.of(choice.unshaped, settings=_settings(choice.unshaped)),
-        shapers=[_candidate(candidate) for candidate in choice.candidates],
+        shapers=shapers,
         recommended=choice.recommended,
         spectrum=spectrum_part,
         firmware=lines_of(best),
@@ -331,14 +341,6 @@ def _settings(amplitude: Amplitude) -> dict[str, float]:
 
 def _left(amplitude: Amplitude) -> LeftDocument:
     return LeftDocument.of(amplitude, settings=_settings(amplitude))
-
-
-def _candidate(candidate: Candidate) -> CandidateDocument:
-    design = None if candidate.follows_pose else _design(candidate)
-    empty = dict.fromkeys(("frequencies_hz", "damping_ratios", "amplitudes", "delays_s"))
-    return CandidateDocument.of(
-        candidate, **(design or empty), duration_s=candidate.duration, left=_left(candidate.left)
-    )
 
 
 def _design(candidate: Candidate) -> dict[str, list[float]]:

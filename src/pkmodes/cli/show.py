@@ -58,8 +58,8 @@ class ShowDocument(Document, frozen=True):
 @click.option(
     "--out",
     metavar="FILE.html",
-    help="The page; or FILE.gif, a moving picture of one mode.  An existing one is replaced.  By default the robot "
-    "file's name with .html, which replaces only a page of this command.",
+    help="Page to write, or FILE.gif for a moving picture of one mode; an existing file is replaced.  By default "
+    "the robot file's name with .html, which replaces only a page of this command.",
 )
 @overwrite_option
 @click.option(
@@ -72,8 +72,8 @@ class ShowDocument(Document, frozen=True):
     VARY,
     "vary",
     metavar="PATH=START:STOP,...",
-    help="Sliders for up to three parameters or effects instead of the pose, which is then that of --pose: "
-    "start:stop, or start:stop:count, in SI units or with units.",
+    help="Sliders for up to three parameters or effects instead of the pose, which stays at --pose: start:stop, "
+    "or start:stop:count, in SI units or with units.",
 )
 @drives_option
 @mechanism_option
@@ -90,9 +90,9 @@ def show(
 ) -> None:
     """Write a page that shows the robot in three dimensions, moving in its modes.
 
-    Choose a pose, a mode, amplitude and speed; belts and other springs are coloured by their share of the
-    strain energy; a table gives the numbers.  The page is one file and needs no network.  With --vary, sliders
-    change values of the robot, beside thin lines of the robot as declared.
+    The page has controls for pose, mode, amplitude and speed; belts and other springs are coloured by their share of
+    the strain energy, and a table gives the numbers.  The page is one file and needs no network.  With --vary,
+    sliders change values of the robot, and thin lines show it as declared.
     """
     from pkmodes.pages.view import page, poses_around, typical_pose, varied
     from pkmodes.pages.view import scene as scene_of
@@ -101,7 +101,7 @@ def show(
     target = f"{robot.stem}.html" if out is None else out
     check_targets(json_file, [robot], Target("--out", target, "the page", (".html", ".gif")))
     if out is None:
-        problem = "the file exists, and is no page of pkmodes show"
+        problem = "the file exists, and is not a page of pkmodes show"
         remedy = "name the page with --out FILE.html, or replace what is there with --overwrite"
         check_replaced([Path(target)], "--out", overwrite, holds(PAGE_MARK), what=problem, remedy=remedy)
     moving = Path(target).suffix.lower() == ".gif"

@@ -50,24 +50,21 @@ def check_targets(json_file: str | None, inputs: Sequence[Path | None], *other_t
             if target.file is not None and not target.anywhere:
                 _check_place("" if target.file == Path() else str(target.file), target.option)
         for target in targets:
-            if target.file is not None:
-                _check_distinct(target, inputs, taken)
+            if target.file is None:
+                continue
+            path = Path(str(target.file))
+            real = resolved(path, target.option)
+            where = f"{target.option} {target.file if target.option == '--json' else path}"
+            if real in taken:
+                problem = f"{taken[real]} and {target.label} would be the same file"
+                raise OutputError(problem, where, "choose another file")
+            existing = (source for source in inputs if source and source.exists() and path.exists())
+            if any(source.samefile(path) for source in existing):
+                raise OutputError(f"{target.label} would replace its own input", where, "choose another file")
+            taken[real] = target.label
     for target in other_targets:
         if target.file is not None and target.endings:
             _check_ending(target, Path(target.file))
-
-
-def _check_distinct(target: Target, inputs: Sequence[Path | None], taken: dict[Path, str]) -> None:
-    """Reject a target that is an input or already taken, and add it to those taken."""
-    path = Path(str(target.file))
-    real = resolved(path, target.option)
-    where = f"{target.option} {target.file if target.option == '--json' else path}"
-    if real in taken:
-        problem = f"{taken[real]} and {target.label} would be the same file"
-        raise OutputError(problem, where, "choose another file")
-    if any(source and source.exists() and path.exists() and source.samefile(path) for source in inputs):
-        raise OutputError(f"{target.label} would replace its own input", where, "choose another file")
-    taken[real] = target.label
 
 
 def _check_place(file: str, option: str) -> None:

@@ -53,6 +53,12 @@ class Terminal:
             self.line()
             self.line(f"note: {typed(note)}")
 
+    def result(self, head: Summary, *blocks: Shown) -> None:
+        """Print a result: its head, blocks, and notes."""
+        self.summary(head)
+        self.show(*blocks)
+        self.notes(head)
+
     def show(self, *blocks: Shown) -> None:
         """Print blocks of a result as on its page, with an empty line before each but what a sentence announces."""
         announced = False

@@ -54,7 +54,13 @@ def facts() -> Iterator[tuple[str, str]]:
     except PkmodesError as error:
         yield "back end", str(error)
     for name in registry.supplied():
-        yield f"compiled {name}", _compiled(name)
+        library = loader.present(registry.mechanism(name).package, name)
+        text = "no library; it is built at first use where there is a C compiler"
+        if library is not None:
+            instructions = INSTRUCTIONS.get((build.machine(), library.width), "")
+            vectors = f" ({instructions})" if instructions else ""
+            text = f"{library.width} poses at once{vectors}, {library.path}"
+        yield f"compiled {name}", text
     cc = build.compiler()
     yield "C compiler", "none" if cc is None else f"{' '.join(cc)}{_version_of(cc)}"
     try:
@@ -79,15 +85,6 @@ def _libraries() -> Iterator[tuple[str, str]]:
     yield from ((name, version or "not installed") for name, version in core.items())
     present = [f"{name} {version}" for name, version in extras.items() if version and name not in core]
     yield "of the extras", ", ".join(present) or "none"
-
-
-def _compiled(name: str) -> str:
-    """Return where the library of a mechanism is, and its vectors."""
-    library = loader.present(registry.mechanism(name).package, name)
-    if library is None:
-        return "no library; it is built at first use where there is a C compiler"
-    instructions = INSTRUCTIONS.get((build.machine(), library.width), "")
-    return f"{library.width} poses at once{f' ({instructions})' if instructions else ''}, {library.path}"
 
 
 def _version_of(cc: tuple[str, ...]) -> str:

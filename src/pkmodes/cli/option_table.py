@@ -1,0 +1,161 @@
+"""The options of a command as a table: a class with a field for each, which says what is done with its value.
+
+Commands of few options have them as click does.
+"""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager
+from dataclasses import dataclass, field, fields
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Self, TypeVar
+
+import click
+
+from pkmodes.cli.options import json_option, named_as_options, report_option
+from pkmodes.cli.reporting import sources_of
+from pkmodes.cli.targets import Target, check_targets
+from pkmodes.core.base.errors import PkmodesError
+
+if TYPE_CHECKING:
+    from pkmodes.pages.report.sources import Source
+
+Result = TypeVar("Result")
+ENTRY = "entry"
+
+
+@dataclass(frozen=True)
+class OptionEntry:
+    """An option of a command.
+
+    - option: what adds it to the command, such as ``click.option(...)``; its name is that of the field
+    - passed: whether its value goes as it is to the argument of the same name
+    - only: what it is for alone, such as "measured modes"
+    - needs: options of files of which one must be written with it
+    - reads: of a file that is read, its role on the report; "" if the report does not list it
+    - writes: of a file that is written, what it will be, such as "the table"
+    - endings, anywhere: as for `Target`
+    """
+
+    option: Callable[[Any], Any]
+    passed: bool = False
+    only: str = ""
+    needs: Sequence[str] = ()
+    reads: str | None = None
+    writes: str = ""
+    endings: tuple[str, ...] = ()
+    anywhere: bool = False
+
+
+def entry(option: Callable[[Any], Any], **uses: Any) -> Any:
+    """Return a field of an `OptionTable`; the uses of its value are those of `OptionEntry`."""
+    return field(metadata={ENTRY: OptionEntry(option, **uses)})
+
+
+def option(*names: str, **settings: Any) -> Any:
+    """Return a field of an `OptionTable`; settings are the uses of its value, and those of ``click.option``."""
+    uses = {part.name: settings.pop(part.name) for part in fields(OptionEntry) if part.name in settings}
+    return entry(click.option(*names, **settings), **uses)
+
+
+@dataclass(frozen=True)
+class OptionTable:
+    """The values of a command's options, in the order of its help; those of all commands come last."""
+
+    report_to: Path | None = entry(report_option, writes="the report", endings=(".html",))
+    json_file: str | None = entry(json_option)
+
+    @classmethod
+    def entries(cls) -> dict[str, OptionEntry]:
+        """Return the entries by name."""
+        entries = {part.name: part.metadata[ENTRY] for part in fields(cls)}
+        last = {name: entries.pop(name) for name in OptionTable.__annotations__}
+        return entries | last
+
+    @classmethod
+    def taken_by(cls, function: Callable[[Self], Result]) -> Callable[..., Result]:
+        """Add the options to a command, which is called with their values."""
+
+        @functools.wraps(function)
+        def command(**values: Any) -> Result:
+            return function(cls(**values))
+
+        for part in reversed(cls.entries().values()):
+            part.option(command)
+        return command
+
+    def check_files(self) -> None:
+        """Check the files that are written, as `check_targets` does."""
+        entries, parameters = self.entries(), _parameters()
+        targets = [
+            Target(parameters[name].opts[0], getattr(self, name), part.writes, part.endings, part.anywhere)
+            for name, part in entries.items()
+            if part.writes
+        ]
+        inputs = [getattr(self, name) for name, part in entries.items() if part.reads is not None]
+        check_targets(self.json_file, inputs, *targets)
+
+    def check_only(self, source: str) -> None:
+        """Refuse options that are for something else alone.
+
+        Raises click.UsageError.
+        """
+        for name, part in self.entries().items():
+            if self._has(name) and part.only not in ("", source):
+                problem = f"{_parameters()[name].opts[0]} is for {part.only}"
+                raise click.UsageError(problem, click.get_current_context())
+
+    def check_needs(self) -> None:
+        """Refuse options for files none of which is written.
+
+        Raises PkmodesError.
+        """
+        entries, parameters = self.entries(), _parameters()
+        for name, part in entries.items():
+            if self._has(name) and part.needs and not any(map(self._has, part.needs)):
+                option = parameters[name].opts[0]
+                files = " and ".join(entries[needed].writes for needed in part.needs)
+                missing = [
+                    f"{parameters[needed].opts[0]} {parameters[needed].metavar}" for needed in part.needs
+                ]
+                problem = f"{option} is for {files}, which {'is' if len(missing) == 1 else 'are'} not written"
+                raise PkmodesError(problem, option, f"add {' or '.join(missing)}, or leave {option} out")
+
+    def sources(self) -> Sequence[Source]:
+        """Return the files that the report lists, as `sources_of` does."""
+        return sources_of(
+            self.report_to,
+            {part.reads: getattr(self, name) for name, part in self.entries().items() if part.reads},
+        )
+
+    def passed(self, source: str = "") -> dict[str, Any]:
+        """Return the values that are arguments as they are, without those for something else alone."""
+        return {
+            name: getattr(self, name)
+            for name, part in self.entries().items()
+            if part.passed and part.only in ("", source)
+        }
+
+    def named(self, **renamed: str) -> AbstractContextManager[None]:
+        """Name options in errors that name arguments, as `named_as_options` does.
+
+        - renamed: options of arguments that do not have the names of fields
+        """
+        options = {
+            name: parameter.opts[0]
+            for name, parameter in _parameters().items()
+            if isinstance(parameter, click.Option)
+        }
+        return named_as_options(**(options | renamed))
+
+    def _has(self, name: str) -> bool:
+        """Return whether an option is given."""
+        value = getattr(self, name)
+        return not (value is None or value is False or value == ())
+
+
+def _parameters() -> dict[str, click.Parameter]:
+    """Return the parameters of the running command by name."""
+    return {str(parameter.name): parameter for parameter in click.get_current_context().command.params}
