@@ -86,30 +86,24 @@ def marked(term: str, words: str, elements: Sequence[Element]) -> Marked | None:
     form, _, place = term.partition(":")
     if not place:  # a cause of the catalogue
         return None
-    if form in ("parameter", "compliance"):
-        indices = _of_one_axis(place, words, elements)
-        return Marked(words, indices) if indices else None
+    if form in ("parameter", "compliance"):  # of the table or joint of one axis, or else all of that axis
+        numbers, tables = re.findall(r"(?<![a-z])\d+", place), re.findall(r"[a-z]+", place)
+        if not numbers:
+            return None
+        number = numbers[0]
+        tried = (
+            lambda e: e.place and e.place.startswith(tuple(f"{table}_{number}" for table in tables)),
+            lambda e: e.kind in tables and e.name.endswith(f" {number}"),
+            lambda e: " ".join(e.name.split()[-2:]) in words,
+            lambda e: number in re.findall(r"\d+", e.place)[:1],
+        )
+        for shows in tried:
+            if indices := tuple(i for i, element in enumerate(elements) if shows(element)):
+                return Marked(words, indices)
+        return None
     ends, _, along = place.partition(".")
     names = ends.split("/")
     indices = tuple(i for i, element in enumerate(elements) if element.place in names)
     if {elements[i].place for i in indices} != {*names}:
         return None
     return Marked(words, indices, along if along in AXES else "")
-
-
-def _of_one_axis(place: str, words: str, elements: Sequence[Element]) -> tuple[int, ...]:
-    """Return the elements of the table or joint of one axis, or else all of that axis."""
-    numbers = re.findall(r"(?<![a-z])\d+", place)
-    if not numbers:
-        return ()
-    number, tables = numbers[0], re.findall(r"[a-z]+", place)
-    tried = (
-        lambda e: e.place and e.place.startswith(tuple(f"{table}_{number}" for table in tables)),
-        lambda e: e.kind in tables and e.name.endswith(f" {number}"),
-        lambda e: " ".join(e.name.split()[-2:]) in words,
-        lambda e: number in re.findall(r"\d+", e.place)[:1],
-    )
-    for shows in tried:
-        if indices := tuple(i for i, element in enumerate(elements) if shows(element)):
-            return indices
-    return ()

@@ -59,9 +59,12 @@ def sensitivities_summary(
     if first:
         mode = int(relative[first[0]].argmax())
         change = f"{relative[first[0], mode]:.2g}"
-        name = " or ".join(_named(model, path) for path in percent.names[first[0]])
+        names = []
+        for path in map(clean, percent.names[first[0]]):
+            words = clean(meaning_of(model.robot.mechanism, path))
+            names.append(f"the {words} ({path})" if words else path)
         which = f"Of the chosen quantities, mode {mode + 1}" if chosen_only else f"Mode {mode + 1}"
-        headline = f"{which} depends most on {name}: {change} % for 1 %"
+        headline = f"{which} depends most on {' or '.join(names)}: {change} % for 1 %"
         reason = "The largest change of any frequency for one per cent of a quantity. "
     at = placed(model.mechanism, np.array(content["pose"]), "g").replace("-", MINUS)
     doing, facts, rigid = motors_in_words(model.robot, content["drives"]), [], content["rigid_modes"]
@@ -79,12 +82,6 @@ def sensitivities_summary(
         facts=facts,
         head=head_of(model.robot.report),
     )
-
-
-def _named(model: Model, path: str) -> str:
-    """Return what a quantity is within a sentence: in words, with its path."""
-    words = clean(meaning_of(model.robot.mechanism, path))
-    return f"the {words} ({clean(path)})" if words else clean(path)
 
 
 def _quantity(model: Model, paths: Sequence[str]) -> Cell:
