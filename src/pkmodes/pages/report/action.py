@@ -54,8 +54,8 @@ WHERE_ELSE = {
 LIKELY = ((0.9, "very likely that"), (0.7, "likely that"), (0.0, "doubtful whether"))
 #: Probabilities above this are not distinguished.
 SUREST = 0.99
-#: Most explanations for which the report states where to look.
-MOST = 5
+#: Most places to inspect that are listed: one for each leg of a hexapod.
+MOST = 6
 
 
 def action(result: Diagnosis, setting: ReportSetting) -> Facts:

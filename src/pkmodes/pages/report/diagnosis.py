@@ -40,7 +40,7 @@ from pkmodes.pages.report.stability import stability_sentence
 #: Sections that are unfolded when the page opens.
 OPEN = ("errors", "causes", "beyond", "place", "modes")
 #: Most values listed in the header for the members of a class; those of a single cause are all listed.
-MOST = 5
+MOST = 6
 #: Written as `diff` writes it.
 NO_END = "\\ No newline at end of file"
 
