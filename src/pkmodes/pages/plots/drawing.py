@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -71,7 +71,18 @@ class Drawing:
         free = sum(len(series.x) for _, series in shown) - coloured
         places = next((digits for count, digits in LONG if free > count), None)
         values = DIGITS if coloured <= MANY else FEWER
-        return _joined([_columns(panel, series, places, values) for panel, series in shown])
+        tables = [_columns(panel, series, places, values) for panel, series in shown]
+        tables = [(count, columns) for count, columns in tables if count]
+        titles = dict.fromkeys(title for _, columns in tables for title in columns)
+        order = [title for title in (PANEL, SERIES, PART) if title in titles]
+        order += [title for title in titles if title not in order]
+        joined = []
+        for title in order:  # the columns of all series below each other
+            cells = [_cell(title)]
+            for count, columns in tables:
+                cells += map(_cell, columns[title]) if title in columns else [""] * count
+            joined.append(cells)
+        return joined
 
     def sheet(self, *, narrow: bool) -> Sheet:
         """Draw it, in the style of all figures."""
@@ -123,21 +134,6 @@ def _nearest(names: Mapping[float, str], place: float) -> str:
 
 def _rounded(values: Array, digits: int) -> list[float]:
     return [float(f"{value:.{digits}g}") for value in values.tolist()]
-
-
-def _joined(tables: Sequence[tuple[int, Mapping[str, Sequence[Any]]]]) -> list[list[str]]:
-    """Return the columns of all series below each other."""
-    tables = [(count, columns) for count, columns in tables if count]
-    titles = dict.fromkeys(title for _, columns in tables for title in columns)
-    order = [title for title in (PANEL, SERIES, PART) if title in titles]
-    order += [title for title in titles if title not in order]
-    joined = []
-    for title in order:
-        cells = [_cell(title)]
-        for count, columns in tables:
-            cells += map(_cell, columns[title]) if title in columns else [""] * count
-        joined.append(cells)
-    return joined
 
 
 def _cell(value: Any) -> str:
