@@ -145,7 +145,7 @@ def _effect(result: Diagnosis, setting: ReportSetting) -> list[Cell]:
         for f in (stages.without[at, partner], stages.after.spectrum[at, mode])
     )
     are = "another is" if len(new) == 1 else "others are"
-    new_modes = f"; {are} new, there {joined([f'{f:.4g}' for f in new])} Hz" if new else ""
+    new_modes = f"; {are} new there, at {joined([f'{f:.4g}' for f in new])} Hz" if new else ""
     return [
         Cell(
             f"In the model {who} the natural frequencies at the {plural(len(labels), f'measured {place}')} by up to "
@@ -214,21 +214,23 @@ def _sure(result: Diagnosis) -> list[Cell]:
     saved = saved_as(values[0], result.corrected) if len(values) == 1 else None
     if saved is not None and saved.value != saved.declared:
         part = plain(100.0 * saved.saved_sigma / abs(saved.value - saved.declared), 2)
-        sentences.append(f"how large it is, is known to {part} % (one standard deviation)")
+        sentences.append(f"its size is known to within {part} % (one standard deviation)")
     if result.settled and result.stability and not stable(result):
         changed = [entry.change for entry in result.stability if not same(result, entry)]
         words = joined([CHANGES.get(change, change) for change in changed], "or")
-        sentences.append(f"with {words}, the verdict is another")
+        sentences.append(f"with {words}, the verdict changes")
     if not result.settled and not result.survivors and result.probabilities is not None:
         explanation, p = result.probabilities.top
         if explanation == OUTSIDE:
-            sentences.append(f"most probable is something that is no candidate ({_percent(p)})")
+            sentences.append(f"most probable is something that is not among the candidates ({_percent(p)})")
         else:
             members = (explanation,) if isinstance(explanation, str) else explanation
             first = members[0] if isinstance(members[0], str) else " + ".join(members[0])
             like = ", or what acts like this" if len(members) > 1 else ""
             words = f"{_explanation(first, result)}{like}"
-            sentences.append(f"most probable, but not sure enough to be claimed, is: {words} ({_percent(p)})")
+            sentences.append(
+                f"the most probable explanation, not certain enough to be claimed, is: {words} ({_percent(p)})"
+            )
     text = " ".join(map(sentence, sentences))
     return [Cell(text.replace(" %", "\u00a0%"), plain=text)]
 
@@ -237,8 +239,8 @@ def _sure_of_terms(beyond: Beyond, term_class: TermClass) -> Iterator[str]:
     """Yield how certain a claim beyond the catalogue is."""
     several = len(term_class.finding.members) > 1
     yield (
-        f"of {beyond.tried} changes at one place each that were tried where the catalogue does not explain the "
-        f"measurements, the tests leave {'these alone' if several else 'this alone'}"
+        f"of {beyond.tried} changes at a single place that were tried where the catalogue does not explain the "
+        f"measurements, the tests leave {'only these' if several else 'only this one'}"
     )
     if several:
         yield "these data cannot tell which of the alternatives it is"
@@ -249,7 +251,7 @@ def _sure_of_terms(beyond: Beyond, term_class: TermClass) -> Iterator[str]:
         )
         if value.value != declared:
             part = plain(100.0 * value.sigma / abs(value.value - declared), 2)
-            yield f"how large it is, is known to {part} % (one standard deviation)"
+            yield f"its size is known to within {part} % (one standard deviation)"
 
 
 def _probability(result: Diagnosis) -> tuple[float | None, bool]:
@@ -307,7 +309,7 @@ def _next(result: Diagnosis, setting: ReportSetting) -> list[Cell]:
             motors = motors_in_words(setting.robot, proposed.drives, claimed)
         text += f" {motors},"
     first, second = (_explanation(name, result) for name in proposed.separates)
-    told = f"which is expected to tell most about what is true: {first}, or {second}; they differ there by"
+    told = f"which is expected to separate the explanations best: {first} and {second} differ there by"
     caveat = f" {sentence(proposed.caveat)}" if proposed.caveat else ""
     load = [Cell("Set"), setting.load(proposed.load)] if proposed.load else []
     sigmas = number(proposed.sigmas, ".0f", pointer(at, "sigmas"))

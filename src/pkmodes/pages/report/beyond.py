@@ -61,7 +61,8 @@ def _classes(terms: Beyond, setting: ReportSetting) -> Table:
     columns += [Column("unit", False), Column("plausible", False), Column("p-value"), Column("probability")]
     return table(
         "One thing at one place, beyond the catalogue: what remains.  These data cannot tell the members of a class "
-        "from one another; the p-value counts all that was tried, and the probability all that leaves noise.",
+        "from one another; the p-value accounts for all that was tried, and the probability for all that leaves only "
+        "noise.",
         columns,
         rows,
     )

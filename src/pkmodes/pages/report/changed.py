@@ -117,7 +117,7 @@ def changes_summary(result: Change, setting: ReportSetting) -> Summary:
     if term is not None:
         last = term.errors[term.finding.name]
     if last is not None and not result.by_state:
-        facts.append(("chi\u00b2 per degree of freedom in the end", three_digits(last.chi2_per_dof)))
+        facts.append(("final chi\u00b2 per degree of freedom", three_digits(last.chi2_per_dof)))
     return Summary(
         subject=setting.title(row.drives for row in result.rows),
         kind="What changed",

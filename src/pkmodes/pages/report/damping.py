@@ -139,8 +139,9 @@ def _ratios(rows: list[tuple[int, Row]]) -> Table:
     columns.append(Column("remark", False))
     caption = (
         "Damping ratios: measured, and those of the model, whose frequencies are the final ones. The \u03c3 of a "
-        "measured ratio is the one with which it was compared: the stated one, with the 10 % by which tests of one "
-        "machine differ at least, what the shape of its mode leaves open, and a scatter that the verdict allows for."
+        "measured ratio is the one with which it was compared: the stated one, with at least 10 % for the difference "
+        "between tests of one machine, what the shape of its mode leaves open, and a scatter that the verdict allows "
+        "for."
     )
     return table(caption, columns, cells, note=note)
 

@@ -215,7 +215,7 @@ def _correction(result: Diagnosis, robot: Robot | None) -> list[Block]:
     chosen = "".join(f" {sentence(clean(naming.chosen(effect)))}" for effect in several)
     return [
         Paragraph(
-            "What the corrected robot file has instead of the given one, as written by --save-robot: the cause where "
+            "What changes in the corrected robot file, as written by --save-robot: the cause where "
             f"one was found, {losses}and the refitted values with their new standard deviations. "
             f"Comments and order are kept.{chosen}"
         ),

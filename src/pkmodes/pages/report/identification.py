@@ -82,7 +82,9 @@ def _summary(identified: Identification, campaign: Campaign) -> Summary:
         f"{names[dominant]}."
     )
     if messages:
-        reason += f" {plural(messages, 'message')} {'is' if messages == 1 else 'are'} with the records."
+        reason += (
+            f" {plural(messages, 'message')} {'is' if messages == 1 else 'are'} listed with the records."
+        )
     subject = "Structure" if campaign.model is None else campaign.model.robot.name
     return Summary(
         subject=shortened(subject),
@@ -109,11 +111,11 @@ def _facts(identified: Identification, modes: Sequence[IdentifiedMode]) -> list[
             Cell(_per_cent(float(np.median(relative))), float(np.median(relative))),
         ),
         ("largest \u03c3 of a frequency", Cell(_per_cent(float(relative.max())), float(relative.max()))),
-        ("of it repeatability", Cell(_per_cent(identified.repeatability), identified.repeatability, at)),
+        ("of which repeatability", Cell(_per_cent(identified.repeatability), identified.repeatability, at)),
     ]
     if damped.size:
         middle = float(np.median(damped))
-        facts.append(("median \u03c3 of a damping ratio, of its value", Cell(_per_cent(middle), middle)))
+        facts.append(("median relative \u03c3 of a damping ratio", Cell(_per_cent(middle), middle)))
     return facts
 
 
@@ -132,7 +134,7 @@ def _attention(identified: Identification) -> list[tuple[str, list[str]]]:
     points = [
         (f"{plural(len(omitted), 'faulty file')} left out:", omitted),
         (
-            "No file could be used of",
+            "No file could be used at",
             [result.record.pose for result in identified.records if result.is_left_out],
         ),
         (
@@ -149,7 +151,7 @@ def _attention(identified: Identification) -> list[tuple[str, list[str]]]:
             _modes_with(identified, lambda mode, _: mode.complexity < COMPLEX),
         ),
         (
-            "Found in some of the files only:",
+            "Found in only some of the files:",
             _modes_with(identified, lambda mode, result: mode.files < _files(result)),
         ),
         (
@@ -219,7 +221,7 @@ def _overview(identified: Identification, content: Mapping[str, Any]) -> list[Bl
                 "Frequencies at each pose",
                 f"{plural(len(modes), 'mode')} at {plural(len(labels), 'pose')}.",
                 "Frequencies at each pose. Their standard deviations are smaller than the marks. A mode that its "
-                "neighbours lack was hidden there, or is none.",
+                "neighbours lack was hidden there, or is not a mode.",
             )
         )
     return [*blocks, table("Records.", columns, rows)]

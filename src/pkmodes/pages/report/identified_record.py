@@ -49,7 +49,7 @@ SHOWN = {"frf": "FRF"}
 #: The functions measured in each kind of record.
 FUNCTIONS = {
     "frf": "frequency response function, as acceleration per force in SI units",
-    "impact": "frequency response function of the blows, as acceleration per force in SI units",
+    "impact": "frequency response function from the blows, as acceleration per force in SI units",
     "ambient": "power spectral density of the responses, in SI units",
     "spectrum": "power spectrum, relative to its sum over the band",
 }
@@ -77,7 +77,7 @@ def record_section(
         cells = [hertz(f, pointer("records", index, "struck", k)) for k, f in enumerate(result.struck)]
         facts.append(("struck out by the campaign [Hz]", cells))
     blocks: list[Block] = [Facts(facts)]
-    nothing = Paragraph("No file of it could be used." if result.is_left_out else "No mode was found.")
+    nothing = Paragraph("None of its files could be used." if result.is_left_out else "No mode was found.")
     blocks.append(modes_table(index, content["modes"]) if result.modes else nothing)
     if result.messages:
         messages = [clean(message) for message in result.messages[:MOST_MESSAGES]]

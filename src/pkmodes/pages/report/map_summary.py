@@ -69,7 +69,7 @@ def _headline(content: dict[str, Any]) -> str:
     """Return where the lowest frequency lies, ignoring a few poses at the edge of the workspace."""
     first, count = content["modes"][0], content["counted"]
     if first["minimum_hz"] is None:
-        return "The machine is stable at no pose" if content["valid"] else "No pose could be evaluated"
+        return "The machine is not stable at any pose" if content["valid"] else "No pose could be evaluated"
     lowest = "Mode 1" if content["tracked"] else "The lowest frequency of vibration"
     if count < FEW:
         low, high, where = first["minimum_hz"], first["maximum_hz"], ""

@@ -151,9 +151,9 @@ def correlations(result: Diagnosis) -> list[Picture]:
             figure,
             "Correlation of the fitted values",
             f"Correlation of each pair of the fitted values. {strong}.",
-            "Correlation of the fitted values, by the fit and the priors. Near +1 or \u22121 the data tell a "
-            "combination of two values far better than each: what is known better of one then moves the other. "
-            f"{strong}.",
+            "Correlation of the fitted values, by the fit and the priors. Near +1 or \u22121 the data "
+            "determine a combination of two values far better than either: a better value of one then moves the "
+            f"other. {strong}.",
         )
     ]
     if parts is not None:

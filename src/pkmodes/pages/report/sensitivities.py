@@ -51,7 +51,7 @@ def sensitivities_report(
     by_sigma: list[Block] = [
         Paragraph(
             'The robot file states no standard deviations. Where it does, as in mass = { value = "1.5 kg", '
-            'sigma = "1 %" }, this section says how surely each frequency is known.'
+            'sigma = "1 %" }, this section shows how well each frequency is known.'
         )
     ]
     if sigma is not None:

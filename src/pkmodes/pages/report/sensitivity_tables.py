@@ -110,7 +110,7 @@ def per_cent(model: Model, changes: Changes, content: dict[str, Any], max_rows: 
         rows.append(row)
     note = "" if all(len(changes.names[i]) == 1 for i in order[:max_rows]) else ONE
     if max_rows is not None and len(order) > max_rows:
-        note = f"{note} The {max_rows} largest of {len(order)}, by their largest in any mode.".strip()
+        note = f"{note} The {max_rows} largest of {len(order)}, by their largest change in any mode.".strip()
     caption = "Per cent of each frequency for one per cent more of a quantity, the largest first."
     return Table(
         caption, _columns("quantity", "value", page_only=True, modes=len(frequencies)), rows, note=note
@@ -128,17 +128,13 @@ def per_sigma(model: Model, changes: Changes) -> Table:
         rows.append([*row, *(number(float(value), "+.3f") for value in changes.changes[i])])
     combined = [number(float(value), ".3f", strong=True) for value in changes.together]
     rows.append([Cell("all together", strong=True), Cell(""), *combined])
-    how = (
-        CORRELATED
-        if model.robot.covariance
-        else "the root of the sum of squares, for values that err independently"
-    )
+    how = CORRELATED if model.robot.covariance else "the root of the sum of squares, for independent errors"
     return Table(
         "Hz for one standard deviation more of a value, and the standard deviation of each frequency.",
         _columns("quantity", "\u03c3", page_only=False, modes=len(changes.frequencies)),
         rows,
-        note=f"All together: {how}. Exact to first order: good where the standard deviations are small against the "
-        "values.",
+        note=f"All together: {how}. Exact to first order: good where the standard deviations are small compared with "
+        "the values.",
     )
 
 
