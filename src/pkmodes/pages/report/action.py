@@ -54,7 +54,7 @@ WHERE_ELSE = {
 LIKELY = ((0.9, "very likely that"), (0.7, "likely that"), (0.0, "doubtful whether"))
 #: Probabilities above this are not distinguished.
 SUREST = 0.99
-#: Most places to inspect that are listed: one for each leg of a hexapod.
+#: Most places to inspect that are listed: one for each leg of a machine with six.
 MOST = 6
 
 
