@@ -285,4 +285,4 @@ def test_what_was_left_out_is_named_at_the_end_and_in_the_json(
     ]
     assert run(arguments) == 0
     assert "P2, modes, motors free\nleft out\n" in capsys.readouterr().out
-    assert "No file could be used of" in Path("r.html").read_text(encoding="utf-8")
+    assert "No file could be used at" in Path("r.html").read_text(encoding="utf-8")

@@ -132,7 +132,7 @@ def test_few_poses_that_all_move_away_have_no_extremes() -> None:
     summary = summary_of(pkmodes.load(PUBLISHED).map(HELD[3:4], drives="held"), None).as_json()
     assert summary["counted"] == 0
     assert {summary["modes"][0][key] for key in ("minimum_hz", "maximum_at", "median_hz")} == {None}
-    assert _headline(summary) == "The machine is stable at no pose"
+    assert _headline(summary) == "The machine is not stable at any pose"
 
 
 @pytest.mark.parametrize(

@@ -2,15 +2,25 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 import pkmodes
 from helpers.pages.documentation import ROOT
+from helpers.pages.report_examples import made_up
 from pkmodes.core.mechanism.registry import mechanism
+from pkmodes.loop.diagnosis.problem import Joint
+from pkmodes.loop.diagnosis.verdict.findings import Finding
+from pkmodes.loop.diagnosis.verdict.joints import JointAlone
+from pkmodes.pages.plots.evidence import PlottedEvidence
 from pkmodes.pages.plots.places import COLOURS, Marked, places
-from pkmodes.pages.report.places import marked
+from pkmodes.pages.report.blocks import Picture
+from pkmodes.pages.report.places import marked, marked_elements, picture
+from pkmodes.pages.report.setting import ReportSetting
 from pkmodes.pages.view import scene
+from pkmodes.pages.view.poses import typical_pose
 
 #: Terms of each mechanism, and the names of the elements that show them; None where none does.
 SHOWN = {
@@ -82,3 +92,31 @@ def test_the_picture_has_the_marked_bodies_in_colour_and_an_arrow() -> None:
     middle = np.mean(block.get_xydata(), axis=0)
     ends = np.array([arrow.xy, arrow.get_position()])  # type: ignore[attr-defined]
     np.testing.assert_allclose(ends.mean(axis=0), middle, atol=0.2 * np.ptp(ends, axis=0).max())
+
+
+@pytest.mark.parametrize(("count", "others"), [(6, ""), (8, " 2 further places are not marked.")])
+def test_every_leg_of_a_hexapod_is_marked_and_what_is_not_is_counted(count: int, others: str) -> None:
+    robot = pkmodes.read_robot(ROOT / "robots" / "hexapod.toml")
+    model = pkmodes.Model(robot)
+    result, data = made_up(4, 3)
+    names = [f"leg {k}" for k in range(1, 7)] + ["the platform", "the rod of leg 1"]
+    terms = [*(f"parameter:axis.{k}.leg.stiffness" for k in range(1, 7)), "mass:platform", "mass:rod_1"]
+    joints = [Joint(term, words, "stiffness", term) for term, words in zip(terms, names, strict=True)]
+    effects = tuple(
+        Finding(
+            joint.term, (joint.term,), (), {joint.term: ()}, 1e-9, "", alone=JointAlone(joint, -0.2, 0.01, 5)
+        )
+        for joint in joints[:count]
+    )
+    found = replace(result, effects=effects)
+    evidence = replace(PlottedEvidence.of(result, data), points=np.tile(typical_pose(model), (4, 1)))
+    (drawn,) = picture(found, evidence, ReportSetting("hexapod", robot, data, (), None))
+    assert isinstance(drawn, Picture)
+    assert f"in colour: {'; '.join(names[:6])}.{others}" in drawn.svg
+    assert drawn.caption.endswith(f"acts.{others}")
+    legs = {
+        element.name for element in robot.mechanism.drawing.elements if element.name.startswith("base part")
+    }
+    shown = {robot.mechanism.drawing.elements[i].name for i in marked_elements(found, robot)}
+    assert len(legs) == 6
+    assert legs <= shown

@@ -183,8 +183,8 @@ def test_the_stability_says_what_was_changed(undecided: Element) -> None:
 
 def test_the_next_measurement_has_its_pose_and_load(undecided: Element) -> None:
     assert facts(undecided.by_id("action"))["measure next"] == (
-        "At x = 0.6000 m, y = \u22120.0500 m, z = \u22120.2450 m, which is expected to tell most about what is true: "
-        "payload, or belt_mass; they differ there by 7 standard deviations. Set effects.payload.mass = 0.2 kg"
+        "At x = 0.6000 m, y = \u22120.0500 m, z = \u22120.2450 m, which is expected to separate the explanations "
+        "best: payload and belt_mass differ there by 7 standard deviations. Set effects.payload.mass = 0.2 kg"
     )
 
 

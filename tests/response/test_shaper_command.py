@@ -197,7 +197,7 @@ def test_firmware_without_the_recommended_shaper_is_told_which_it_has(
 @pytest.mark.parametrize(
     ("grid", "said"),
     [
-        ("x=0.6,y=0,z=-0.22", "There is one pose only"),
+        ("x=0.6,y=0,z=-0.22", "There is only one pose"),
         ("x=0.4:0.8:9,y=0,z=-0.22", "Left over the workspace"),
         ("x=0.6,y=-0.05:0.05:5,z=-0.24:-0.2:5", "Left over the workspace"),
     ],

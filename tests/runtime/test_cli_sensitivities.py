@@ -141,7 +141,7 @@ def test_every_quantity_is_in_the_tables_per_unit_once() -> None:
 def test_without_a_choice_the_ten_largest_per_cent_are_printed() -> None:
     robot = PUBLISHED.with_name("linear-delta-2022-identified.toml")
     out = sensitivities(robot=robot)
-    assert "The 10 largest of 11, by their largest in any mode." in " ".join(out.split())
+    assert "The 10 largest of 11, by their largest change in any mode." in " ".join(out.split())
     found = as_json(robot=robot)
     # Largest by the JSON, which has all: of the quantities of the file and of wholes, without coordinates.
     rigid, size = found["rigid_modes"], {}

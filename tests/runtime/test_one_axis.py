@@ -145,7 +145,7 @@ def test_its_map_is_a_line_and_the_report_draws_it(tmp_path: Path) -> None:
 
 def test_figures_say_that_they_need_a_plane(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     assert run(["figures", *MECHANISM, "--out", str(tmp_path / "figures")]) == 2
-    assert "the figures need two components of the pose, slide has x only" in capsys.readouterr().err
+    assert "the figures need two components of the pose, slide has only x" in capsys.readouterr().err
     assert not (tmp_path / "figures").exists()
 
 

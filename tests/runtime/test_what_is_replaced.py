@@ -83,10 +83,10 @@ def test_pictures_replace_only_pictures_of_their_kind(
     folder.mkdir()
     file.write_text(MINE)
     error = refused(*command)
-    assert f"pictures/{file.name}: the file exists, and is no such figure (--out)" in error
+    assert f"pictures/{file.name}: the file exists, and is not such a figure (--out)" in error
     assert "--overwrite" in error
     assert file.read_text() == MINE
-    with pytest.raises(OutputError, match="is no such figure"):
+    with pytest.raises(OutputError, match="is not such a figure"):
         write_pictures(load(PRINTER), folder, formats=[form])
     assert answer(*command, "--overwrite").code == 0
     written = file.read_bytes()

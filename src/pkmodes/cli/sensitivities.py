@@ -121,7 +121,8 @@ def sensitivities(options: SensitivitiesOptions) -> None:
     """Compute exact derivatives of the frequencies at a pose with respect to the robot's quantities and to effects.
 
     Prints the ten largest, by the change of any frequency per one per cent of the value; the JSON always has
-    all.  The platform pose and all other quantities are held constant; docs/reference/parameter-paths.md lists the paths.
+    all.  The platform pose and all other quantities are held constant; docs/reference/parameter-paths.md lists the
+    paths.
     """
     drives, parameters = options.drives, options.parameters
     if options.everything and parameters is not None:

@@ -74,7 +74,7 @@ def written_pictures(
     for suffix in formats:
         check_argument(suffix, one_of(FORMATS), "formats", "choose one of the three", OutputError)
     for kind in PICTURES:
-        problem = "the file exists, and is no such figure"
+        problem = "the file exists, and is not such a figure"
         places = [folder / f"{kind.name}.{suffix}" for suffix in formats]
         remedy = "choose another folder, or replace what is there with overwrite=True (--overwrite)"
         check_replaced(places, "folder", overwrite, holds(kind.title.encode()), what=problem, remedy=remedy)

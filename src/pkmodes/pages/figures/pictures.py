@@ -147,7 +147,9 @@ def known_to(spread: NDArray[Any] | None) -> str:
 
 def with_rotations(lengths: NDArray[Any] | None) -> str:
     """State how rotations of the platform count; empty if it does not turn."""
-    return "" if lengths is None else f" Rotations count times {typeset(f'{1e3 * lengths[-1]:.4g}')} mm."
+    return (
+        "" if lengths is None else f" Rotations are multiplied by {typeset(f'{1e3 * lengths[-1]:.4g}')} mm."
+    )
 
 
 #: The figures in order.  A new one needs an entry here, the function that draws it, and a row in
@@ -239,9 +241,9 @@ def pictures(model: Model, grid: Any = None, *, drives: str = FREE) -> Iterator[
     components = [component.name for component in model.mechanism.pose]
     if len(components) < 2:
         problem = (
-            f"the figures need two components of the pose, {model.mechanism.name} has {components[0]} only"
+            f"the figures need two components of the pose, {model.mechanism.name} has only {components[0]}"
         )
-        raise PkmodesError(problem, model.robot.source, "draw its frequencies by the report of a map")
+        raise PkmodesError(problem, model.robot.source, "draw its frequencies in the report of a map")
     say("choosing the plane of the pictures")
     places = working_plane(model) if grid is None else places_of(model.mechanism, grid)
     plane_axes(

@@ -116,8 +116,11 @@ def _draw(axes: Axes, scene: Scene, points: Array, mode: int, turned: Array) -> 
     for i in np.argsort(depths):
         element = scene.elements[int(i)]
         line = outline(element, points, turned[i]).T
-        if element.shape == "wheel":
-            _wheel(axes, line, _colour(element, shares, largest) if element.spring >= 0 else PALE)
+        if element.shape == "wheel":  # an ellipse with two spokes
+            colour = _colour(element, shares, largest) if element.spring >= 0 else PALE
+            axes.fill(*line, facecolor=colour, edgecolor=STEEL, linewidth=1.0)
+            for place in (0, 12) if line.shape[1] > 1 else ():
+                axes.plot(*line[:, [place, place + 24]], color=STEEL, linewidth=0.8)
         elif element.shape == "plate":
             axes.fill(*line, facecolor=DARK, edgecolor=INK, linewidth=0.8, alpha=0.9)
         elif element.shape == "ball":
@@ -127,14 +130,6 @@ def _draw(axes: Axes, scene: Scene, points: Array, mode: int, turned: Array) -> 
         else:
             colour = _colour(element, shares, largest)
             axes.plot(*line, color=colour, linewidth=WIDTHS.get(element.kind, 2.5), solid_capstyle="round")
-
-
-def _wheel(axes: Axes, edge: Array, colour: Any) -> None:
-    """Draw a wheel as an ellipse with two spokes."""
-    axes.fill(*edge, facecolor=colour, edgecolor=STEEL, linewidth=1.0)
-    if edge.shape[1] > 1:
-        for place in (0, 12):
-            axes.plot(*edge[:, [place, place + 24]], color=STEEL, linewidth=0.8)
 
 
 def _colour(element: Element, shares: Array, largest: float) -> Any:

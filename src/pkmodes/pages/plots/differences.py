@@ -24,6 +24,11 @@ def by_mode(evidence: PlottedEvidence) -> Drawing:
     """Return the relative differences of each mode's setups, one panel for each stage, on one scale."""
     mode, stages = evidence.mode(), evidence.stages
     place = mode + SPREAD * ((evidence.setup + 0.5) / len(evidence.labels) - 0.5)
+    numbers, names = range(1, evidence.modes + 1), []
+    for number in numbers:  # with their typical frequencies if there is room
+        of_mode = evidence.measured[mode == number]
+        typical = f"\n{np.median(of_mode):.3g} Hz" if len(of_mode) and evidence.modes <= MOST_NAMED else ""
+        names.append(f"{number}{typical}")
 
     def draw(sheet: Sheet) -> None:
         sheet.groups(len(stages), 1, 0.7 + 1.75 * len(stages), share_x=True, share_y=True)
@@ -31,7 +36,7 @@ def by_mode(evidence: PlottedEvidence) -> Drawing:
             percent = 100.0 * evidence.difference(stage)
             marks.zero(panel)
             marks.rows(panel, evidence, np.where(mode > 0, place, np.nan), percent)
-            for number in range(1, evidence.modes + 1):
+            for number in numbers:
                 of_mode = percent[(mode == number) & ~evidence.outlier & np.isfinite(percent)]
                 if len(of_mode):
                     ends = np.array([[number - HALF, number + HALF]])
@@ -41,7 +46,7 @@ def by_mode(evidence: PlottedEvidence) -> Drawing:
                 x="mode of the model, with the median of its measured frequencies",
                 y="difference [%]",
             )
-            panel.name_places("x", range(1, evidence.modes + 1), _names(evidence))
+            panel.name_places("x", numbers, names)
             panel.axes.grid(visible=False, axis="x")
         shown = 100.0 * np.hstack([evidence.difference(stage)[stage.paired] for stage in stages])
         low, high = float(shown.min(initial=0.0)), float(shown.max(initial=0.0))
@@ -50,16 +55,6 @@ def by_mode(evidence: PlottedEvidence) -> Drawing:
         marks.legend(sheet, sheet.panels[0])
 
     return Drawing(draw)
-
-
-def _names(evidence: PlottedEvidence) -> list[str]:
-    """Return the numbers of the modes, with their typical frequency if there is room."""
-    mode, names = evidence.mode(), []
-    for number in range(1, evidence.modes + 1):
-        of_mode = evidence.measured[mode == number]
-        typical = f"\n{np.median(of_mode):.3g} Hz" if len(of_mode) and evidence.modes <= MOST_NAMED else ""
-        names.append(f"{number}{typical}")
-    return names
 
 
 def by_setup(evidence: PlottedEvidence) -> Drawing:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -58,8 +58,31 @@ class Drawing:
 
     @property
     def table(self) -> list[list[str]]:
-        """The numbers that it shows: columns, each with its title, as the cells of a CSV file."""
-        return _table_of(self.wide.panels)
+        """The numbers that it shows: columns, each with its title, as the cells of a CSV file.
+
+        They are ``panel`` and ``series``, and those that the labels of axes and colour scales name, with their
+        units: a row for each point, a column for each labelled axis.  Where an axis has names instead of numbers, a
+        further column has them.  Coordinates of curves and marks have all digits, or nine where there are thousands,
+        and values shown as colours seven; where there are tens of thousands, six and five.  Text never begins as a
+        formula of a spreadsheet does.  Empty if nothing is drawn.
+        """
+        shown = [(panel, series) for panel in self.wide.panels for series in panel.series]
+        coloured = sum(len(series.x) for _, series in shown if series.values is not None)
+        free = sum(len(series.x) for _, series in shown) - coloured
+        places = next((digits for count, digits in LONG if free > count), None)
+        values = DIGITS if coloured <= MANY else FEWER
+        tables = [_columns(panel, series, places, values) for panel, series in shown]
+        tables = [(count, columns) for count, columns in tables if count]
+        titles = dict.fromkeys(title for _, columns in tables for title in columns)
+        order = [title for title in (PANEL, SERIES, PART) if title in titles]
+        order += [title for title in titles if title not in order]
+        joined = []
+        for title in order:  # the columns of all series below each other
+            cells = [_cell(title)]
+            for count, columns in tables:
+                cells += map(_cell, columns[title]) if title in columns else [""] * count
+            joined.append(cells)
+        return joined
 
     def sheet(self, *, narrow: bool) -> Sheet:
         """Draw it, in the style of all figures."""
@@ -67,23 +90,6 @@ class Drawing:
             sheet = Sheet(narrow=narrow)
             self.draw(sheet)
         return sheet
-
-
-def _table_of(panels: Sequence[Panel]) -> list[list[str]]:
-    """Return what panels show as the columns of a table: a row for each point, a column for each labelled axis.
-
-    Returns each column with its title, as the cells of a CSV file: ``panel`` and ``series``, and those that the
-    labels of axes and colour scales name, with their units.  Where an axis has names instead of numbers, a further
-    column has them.  Coordinates of curves and marks have all digits, or nine where there are thousands, and values
-    shown as colours seven; where there are tens of thousands, six and five.  Text never begins as a formula of a
-    spreadsheet does.  Empty if nothing is drawn.
-    """
-    shown_series = [series for panel in panels for series in panel.series]
-    coloured = sum(len(series.x) for series in shown_series if series.values is not None)
-    free = sum(len(series.x) for series in shown_series) - coloured
-    places = next((digits for count, digits in LONG if free > count), None)
-    values = DIGITS if coloured <= MANY else FEWER
-    return _joined([_columns(panel, series, places, values) for panel in panels for series in panel.series])
 
 
 def _columns(
@@ -106,27 +112,18 @@ def _columns(
         columns[PART] = series.part[drawn].tolist()
     sides: tuple[tuple[Side, Array], ...] = (("x", series.x), ("y", series.y))
     for side, coordinates in sides:
-        title, chosen = _label(panel, side), coordinates[drawn]
+        title, names, chosen = visible(panel.labels[side]) or side, panel.names[side], coordinates[drawn]
+        if panel.labels["x"] == panel.labels["y"] != "":
+            title = f"{side}: {title}"
         columns[title] = chosen.tolist() if places is None else _rounded(chosen, places)
-        if _named(panel.names[side]):
-            columns[f"{title} (name)"] = [_nearest(panel.names[side], place) for place in chosen.tolist()]
+        if any(name != f"{at:g}" for at, name in names.items()):  # they say more than the numbers
+            columns[f"{title} (name)"] = [_nearest(names, place) for place in chosen.tolist()]
     if series.values is not None:
         title, values = panel.labels["scale"] or "value", series.values[drawn]
         columns[title] = _rounded(values, digits)
         if series.meanings:
             columns[f"{title} (name)"] = [series.meanings[int(value)] for value in values.tolist()]
     return count, columns
-
-
-def _label(panel: Panel, side: Side) -> str:
-    """Return the title of the column of an axis; where both have one label, with the name of the axis."""
-    label = visible(panel.labels[side]) or side
-    return f"{side}: {label}" if panel.labels["x"] == panel.labels["y"] != "" else label
-
-
-def _named(names: Mapping[float, str]) -> bool:
-    """Return whether names say more than the numbers that they label."""
-    return any(name != f"{at:g}" for at, name in names.items())
 
 
 def _nearest(names: Mapping[float, str], place: float) -> str:
@@ -137,21 +134,6 @@ def _nearest(names: Mapping[float, str], place: float) -> str:
 
 def _rounded(values: Array, digits: int) -> list[float]:
     return [float(f"{value:.{digits}g}") for value in values.tolist()]
-
-
-def _joined(tables: Sequence[tuple[int, Mapping[str, Sequence[Any]]]]) -> list[list[str]]:
-    """Return the columns of all series below each other."""
-    tables = [(count, columns) for count, columns in tables if count]
-    titles = dict.fromkeys(title for _, columns in tables for title in columns)
-    order = [title for title in (PANEL, SERIES, PART) if title in titles]
-    order += [title for title in titles if title not in order]
-    joined = []
-    for title in order:
-        cells = [_cell(title)]
-        for count, columns in tables:
-            cells += map(_cell, columns[title]) if title in columns else [""] * count
-        joined.append(cells)
-    return joined
 
 
 def _cell(value: Any) -> str:

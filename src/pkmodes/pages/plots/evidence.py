@@ -92,6 +92,12 @@ class PlottedEvidence:
             raise PkmodesError(problem, "data", "give those that were passed to diagnose or compare")
         # A structure without positions has all of them at 0.
         placed = None if data is None or not data.points.any() else data
+        stages = _stages(result)
+        if order != list(range(len(order))):
+            stages = tuple(
+                replace(stage, predicted=replace(stage.predicted, spectrum=stage.predicted.spectrum[order]))
+                for stage in stages
+            )
         return cls(
             labels=labels,
             setup=np.array([index[row.pose] for row in result.rows], dtype=np.intp),
@@ -99,7 +105,7 @@ class PlottedEvidence:
             sigma=np.array([row.sigma for row in result.rows]),
             held_out=np.array([getattr(row, "held_out", False) for row in result.rows], dtype=bool),
             outlier=np.array([getattr(row, "outlier", False) for row in result.rows], dtype=bool),
-            stages=tuple(_in_order(stage, order) for stage in _stages(result)),
+            stages=stages,
             points=np.empty((len(labels), 0)) if placed is None else placed.points[order],
             components=() if placed is None else placed.components,
             units=() if placed is None else placed.component_units,
@@ -127,13 +133,6 @@ class PlottedEvidence:
         for stage in self.stages:
             modes = np.where(stage.paired, stage.predicted.mode, modes)
         return modes
-
-
-def _in_order(stage: ModelStage, order: list[int]) -> ModelStage:
-    """Return a stage with its setups in another order."""
-    if order == list(range(len(order))):
-        return stage
-    return replace(stage, predicted=replace(stage.predicted, spectrum=stage.predicted.spectrum[order]))
 
 
 def _stages(result: Diagnosis | Comparison) -> tuple[ModelStage, ...]:

@@ -113,6 +113,10 @@ def directions(plane: Plane, lengths: Array | None = None) -> Drawing | str:
     reach = step * (y[-1] - y[0]) / max(len(y) - 1, 1) * 0.45
 
     def draw(sheet: Sheet) -> None:
+        from matplotlib import colormaps
+        from matplotlib.colors import ListedColormap
+
+        blues = ListedColormap(colormaps["Blues"](np.linspace(0.0, LIGHT, 256)))
         mesh: Any = None
         scales: Scales = "" if plane.normal is None else "common"
         for mode, panel in mode_panels(sheet, plane, modes, scales=scales, below=below):
@@ -123,7 +127,7 @@ def directions(plane: Plane, lengths: Array | None = None) -> Drawing | str:
                 perpendicular = np.abs(unit[:, :, mode, names.index(plane.normal)])
             if plane.normal is None:
                 perpendicular = np.where(np.isfinite(unit[:, :, mode, across]), 0.0, np.nan)
-            mesh = plane.draw(panel, perpendicular, vmin=0.0, vmax=1.0, cmap=_light_blues())
+            mesh = plane.draw(panel, perpendicular, vmin=0.0, vmax=1.0, cmap=blues)
             part = unit[rows, columns, mode]
             _strokes(panel, x[columns], y[rows], reach * part[..., across], reach * part[..., along])
         if plane.normal is not None:
@@ -202,14 +206,6 @@ def _range(low: float, high: float) -> str:
     """Write a range of frequencies with as many decimals as tell its ends apart."""
     decimals = 1 if high <= low else max(0, min(4, 1 - math.floor(math.log10(high - low))))
     return f"{typeset(f'{low:.{decimals}f}')}\N{EN DASH}{typeset(f'{high:.{decimals}f}')} Hz"
-
-
-def _light_blues() -> Any:
-    """Return a scale from white to a blue on which black can be seen."""
-    from matplotlib import colormaps
-    from matplotlib.colors import ListedColormap
-
-    return ListedColormap(colormaps["Blues"](np.linspace(0.0, LIGHT, 256)))
 
 
 def _strokes(panel: Panel, x: Array, y: Array, across: Array, along: Array) -> None:

@@ -51,11 +51,13 @@ def places(scene: Scene, marks: Sequence[Marked]) -> Drawing:
             _draw(axes, scene.elements[int(i)], flat, colours.get(int(i), ""))
         for k, mark in enumerate(marks):
             axes.plot([], [], color=COLOURS[k % len(COLOURS)], linewidth=BOLD, label=mark.name)
-            if mark.along:
-                at = flat[list(scene.elements[mark.elements[0]].points)]
-                _arrow(
-                    axes, at.mean(axis=0), ARROW * scene.size * view[:, "xyz".index(mark.along)], mark.along
-                )
+            if mark.along:  # an arrow with two heads through the middle of the body
+                middle = flat[list(scene.elements[mark.elements[0]].points)].mean(axis=0)
+                reach = ARROW * scene.size * view[:, "xyz".index(mark.along)]
+                start, end = (middle - reach)[:2], (middle + reach)[:2]
+                heads = {"arrowstyle": "<->", "color": INK, "linewidth": 1.2, "shrinkA": 0, "shrinkB": 0}
+                axes.annotate("", xy=end, xytext=start, arrowprops=heads, zorder=4)
+                axes.annotate(mark.along, end, textcoords="offset points", xytext=(4, 4), color=INK, zorder=4)
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, 0.0), frameon=False)
 
     return Drawing(draw)
@@ -73,11 +75,3 @@ def _draw(axes: Any, element: Element, points: Array, colour: str) -> None:
         axes.plot(*line, solid_capstyle="butt", color=colour, linewidth=3.0 * width, zorder=depth)
     else:
         axes.plot(*line, color=colour, linewidth=width, zorder=depth)
-
-
-def _arrow(axes: Any, middle: Array, reach: Array, along: str) -> None:
-    """Draw an arrow with two heads through the middle of a body, and the name of its axis."""
-    start, end = (middle - reach)[:2], (middle + reach)[:2]
-    heads = {"arrowstyle": "<->", "color": INK, "linewidth": 1.2, "shrinkA": 0, "shrinkB": 0}
-    axes.annotate("", xy=end, xytext=start, arrowprops=heads, zorder=4)
-    axes.annotate(along, end, textcoords="offset points", xytext=(4, 4), color=INK, zorder=4)

@@ -105,13 +105,11 @@ class Plane:
     @property
     def area(self) -> float | None:
         """Area that can be reached [m^2]; None unless both components are lengths."""
-        if any(self.dataset[name].attrs["units"] != "m" for name in (self.along, self.across)):
+        axes = [self.dataset[name] for name in (self.along, self.across)]
+        if any(axis.attrs["units"] != "m" for axis in axes):
             return None
-        steps = [np.ptp(values) / (len(values) - 1) for values in self._axes()]
+        steps = [np.ptp(axis.values) / (len(axis) - 1) for axis in axes]
         return float(self.dataset["valid"].values.sum() * steps[0] * steps[1])
-
-    def _axes(self) -> list[Array]:
-        return [self.dataset[name].values for name in (self.along, self.across)]
 
     def unit(self, name: str) -> tuple[str, float]:
         """Return the unit in which a component is drawn, and the factor from SI units."""

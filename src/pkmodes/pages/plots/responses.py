@@ -106,12 +106,9 @@ def _channel(
 def draw_phases(panel: Panel, curves: Iterable[tuple[Array, Array, dict[str, Any]]]) -> None:
     """Draw the phases of complex values over frequency, each with its style."""
     for f, values, style in curves:
-        panel.plot(*_unbroken(f, np.degrees(np.angle(values))), **style)
+        phase = np.degrees(np.angle(values))
+        # No line joins +180 and -180 degrees.
+        jumps = np.flatnonzero(np.abs(np.diff(phase)) > 180.0) + 1
+        panel.plot(np.insert(f, jumps, f[jumps]), np.insert(phase, jumps, np.nan), **style)
     panel.axes.set_ylim(-190.0, 190.0)
     panel.axes.set_yticks([-180, 0, 180])
-
-
-def _unbroken(f: Array, phase: Array) -> tuple[Array, Array]:
-    """Return a phase without the lines that would join +180 and -180 degrees."""
-    jumps = np.flatnonzero(np.abs(np.diff(phase)) > 180.0) + 1
-    return np.insert(f, jumps, f[jumps]), np.insert(phase, jumps, np.nan)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -37,7 +35,10 @@ def spectrum(evidence: PlottedEvidence) -> Drawing:
         axes = panel.axes
         highest = ABOVE * float(evidence.measured.max())
         for stage, style in zip(evidence.stages, STYLES[-len(evidence.stages) :], strict=True):
-            _lines(panel, stage.predicted.spectrum, highest, f"model {stage.title}", style)
+            setup, mode = np.nonzero(stage.predicted.spectrum <= highest)
+            y, ends = stage.predicted.spectrum[setup, mode], np.stack([setup - HALF, setup + HALF], axis=1)
+            many, label = len(y) > marks.MANY, f"model {stage.title}"
+            panel.lines(ends, y[:, None], label=label, zorder=2, rasterized=many, **style)
         if evidence.spread is not None:
             _bands(panel, evidence.stages[0].predicted.spectrum, evidence.spread, highest)
         place = evidence.setup.astype(float)
@@ -53,16 +54,6 @@ def spectrum(evidence: PlottedEvidence) -> Drawing:
         marks.legend(sheet, panel)
 
     return Drawing(draw)
-
-
-def _lines(
-    panel: Panel, spectrum: NDArray[np.float64], highest: float, label: str, style: dict[str, Any]
-) -> None:
-    """Draw a short line for each mode of each setup."""
-    setup, mode = np.nonzero(spectrum <= highest)
-    y = spectrum[setup, mode]
-    ends = np.stack([setup - HALF, setup + HALF], axis=1)
-    panel.lines(ends, y[:, None], label=label, zorder=2, rasterized=len(y) > marks.MANY, **style)
 
 
 def _bands(panel: Panel, spectrum: NDArray[np.float64], spread: NDArray[np.float64], highest: float) -> None:

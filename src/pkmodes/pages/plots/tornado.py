@@ -40,17 +40,26 @@ def tornado(changes: Changes, modes: Sequence[int] | None = None) -> Drawing:
     shown = range(len(changes.frequencies)) if modes is None else modes
     columns = min(COLUMNS, len(shown))
     rows = -(-len(shown) // columns)
-    bars = max(_bars(changes, mode) for mode in shown)
+    bars = max(len(_visible(changes, mode)) for mode in shown) + (changes.together is not None)
     height = rows * (BAR * bars + AROUND) + 0.3
 
     def draw(sheet: Sheet) -> None:
         from matplotlib.layout_engine import ConstrainedLayoutEngine
+        from matplotlib.patches import Patch
 
         sheet.figure.set_layout_engine(ConstrainedLayoutEngine(h_pad=0.08))  # a title is near its own panel
         sheet.groups(len(shown), columns, height)
         for mode, panel in zip(shown, sheet.panels, strict=True):
             _panel(panel, changes, mode, bars)
-        _legend(sheet, changes)
+        step = STEPS[changes.by]
+        handles = [
+            Patch(label=f"{step} more", facecolor=RISE["color"], edgecolor=BLUE),
+            Patch(label=f"{step} less", facecolor=FALL["color"], edgecolor=BLUE),
+        ]
+        if changes.together is not None:
+            handles.append(Patch(label=f"{ALL}: standard deviation", facecolor=GREY, edgecolor=GREY))
+        names = [str(handle.get_label()) for handle in handles]
+        sheet.legend_of(handles, names, loc="outside upper right", ncols=len(handles))
 
     return Drawing(draw)
 
@@ -67,10 +76,6 @@ def broken(name: str) -> str:
 def _visible(changes: Changes, mode: int) -> list[int]:
     size = np.abs(changes.changes[:, mode])
     return [i for i in changes.largest(mode, MOST) if size[i] > LEAST * size.max()]
-
-
-def _bars(changes: Changes, mode: int) -> int:
-    return len(_visible(changes, mode)) + (changes.together is not None)
 
 
 def _panel(panel: Panel, changes: Changes, mode: int, bars: int) -> None:
@@ -102,17 +107,3 @@ def _panel(panel: Panel, changes: Changes, mode: int, bars: int) -> None:
     title = f"mode {mode + 1}, {typeset(f'{changes.frequencies[mode]:.2f}')} Hz"
     panel.inner.clear()  # it has a scale of its own
     panel.label(title, x="change of the frequency [Hz]")
-
-
-def _legend(sheet: Sheet, changes: Changes) -> None:
-    from matplotlib.patches import Patch
-
-    step = STEPS[changes.by]
-    handles = [
-        Patch(label=f"{step} more", facecolor=RISE["color"], edgecolor=BLUE),
-        Patch(label=f"{step} less", facecolor=FALL["color"], edgecolor=BLUE),
-    ]
-    if changes.together is not None:
-        handles.append(Patch(label=f"{ALL}: standard deviation", facecolor=GREY, edgecolor=GREY))
-    names = [str(handle.get_label()) for handle in handles]
-    sheet.legend_of(handles, names, loc="outside upper right", ncols=len(handles))

@@ -54,6 +54,12 @@ def workspace(plane: Plane, volume: Volume | None) -> Drawing | str:
             f"The condition number of the platform Jacobian is {np.nanmedian(condition):.3g} at every pose."
         )
 
+    # A median: poses next to a singular edge would decide a mean.
+    finite, median = condition[np.isfinite(condition)], ""
+    if len(finite):
+        over = "" if plane.area is None else f"\nover {typeset(f'{plane.area:.2g}')} m\N{SUPERSCRIPT TWO}"
+        median = f"median {np.median(finite):.2f}{over}"
+
     def draw(sheet: Sheet) -> None:
         if volume is None:
             flat = sheet.panel(WIDTH * 0.55, WIDTH * 0.7, shape=plane.proportions, scales="own")
@@ -65,7 +71,7 @@ def workspace(plane: Plane, volume: Volume | None) -> Drawing | str:
             _volume(solid, plane, volume, low, high)
             flat = sheet.adopt(right.add_subplot())
         mesh = plane.draw(flat, condition, vmin=low, vmax=high)
-        plane.label_panel(flat, _median(plane, condition))
+        plane.label_panel(flat, median)
         label = "condition number [1]"
         if plane.is_tall:
             flat.axes.set_anchor("E")  # next to its scale
@@ -74,15 +80,6 @@ def workspace(plane: Plane, volume: Volume | None) -> Drawing | str:
             scale_beside(plane, flat, mesh, label)
 
     return Drawing(draw, narrow=volume is None)
-
-
-def _median(plane: Plane, condition: Array) -> str:
-    """Return the median and its area: poses next to a singular edge would decide a mean."""
-    finite = condition[np.isfinite(condition)]
-    if not len(finite):
-        return ""
-    over = "" if plane.area is None else f"\nover {typeset(f'{plane.area:.2g}')} m\N{SUPERSCRIPT TWO}"
-    return f"median {np.median(finite):.2f}{over}"
 
 
 def _outlines(x: Array, y: Array, valid: Array) -> list[list[Array]]:

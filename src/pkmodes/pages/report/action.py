@@ -14,9 +14,9 @@ from pkmodes.core.base.drives import FREE
 from pkmodes.core.support.motors import motors_in_words
 from pkmodes.core.support.numbers import plain, rounded
 from pkmodes.core.support.ordering import joined
-from pkmodes.loop.diagnosis.posterior.document import NOTHING_MISSING, OUTSIDE, Probabilities
+from pkmodes.loop.diagnosis.posterior.document import NOTHING_MISSING, OUTSIDE
 from pkmodes.loop.diagnosis.problem import Array
-from pkmodes.loop.diagnosis.verdict.findings import NextMeasurement, saved_as
+from pkmodes.loop.diagnosis.verdict.findings import saved_as
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes.loop.diagnosis.verdict.stability_words import same, stable
 from pkmodes.loop.diagnosis.verdict.terms import DECLARED, Beyond, TermClass
@@ -54,8 +54,8 @@ WHERE_ELSE = {
 LIKELY = ((0.9, "very likely that"), (0.7, "likely that"), (0.0, "doubtful whether"))
 #: Probabilities above this are not distinguished.
 SUREST = 0.99
-#: Most explanations for which the report states where to look.
-MOST = 5
+#: Most places to inspect that are listed: one for each leg of a machine with six.
+MOST = 6
 
 
 def action(result: Diagnosis, setting: ReportSetting) -> Facts:
@@ -145,7 +145,7 @@ def _effect(result: Diagnosis, setting: ReportSetting) -> list[Cell]:
         for f in (stages.without[at, partner], stages.after.spectrum[at, mode])
     )
     are = "another is" if len(new) == 1 else "others are"
-    new_modes = f"; {are} new, there {joined([f'{f:.4g}' for f in new])} Hz" if new else ""
+    new_modes = f"; {are} new there, at {joined([f'{f:.4g}' for f in new])} Hz" if new else ""
     return [
         Cell(
             f"In the model {who} the natural frequencies at the {plural(len(labels), f'measured {place}')} by up to "
@@ -198,20 +198,39 @@ def _sure(result: Diagnosis) -> list[Cell]:
         return [Cell(" ".join(map(sentence, _sure_of_terms(result.beyond, term_class))))]
     p, alike = _probability(result)
     likely = "the tests allow that" if p is None else f"it is {next(w for least, w in LIKELY if p >= least)}"
-    claim = VERDICTS[result.verdict].sure.format(likely=likely, what=_claim(result, alike))
+    several, one_of = len(result.effects) > 1, any(len(effect.members) > 1 for effect in result.effects)
+    who = "these" if several else "one of these" if one_of else "this"
+    like = f", or what acts like {'this' if who == 'this' else 'these'}," if alike else ""
+    what = f"{who}{like} {'are the causes' if several else 'is the cause'}"
+    claim = VERDICTS[result.verdict].sure.format(likely=likely, what=what)
     sentences = [claim if p is None else f"{claim} (probability {_percent(p)})"]
     if alike:
         sentences.append("the tests exclude all others that act alike")
-    if any(len(effect.members) > 1 for effect in result.effects):
+    if one_of:
         sentences.append("these data cannot tell which of the alternatives it is")
-    if size := _size(result):
-        sentences.append(f"how large it is, is known to {size}")
+    values = [
+        value for effect in result.effects for name in effect.members for value in effect.alternatives[name]
+    ]
+    saved = saved_as(values[0], result.corrected) if len(values) == 1 else None
+    if saved is not None and saved.value != saved.declared:
+        part = plain(100.0 * saved.saved_sigma / abs(saved.value - saved.declared), 2)
+        sentences.append(f"its size is known to within {part} % (one standard deviation)")
     if result.settled and result.stability and not stable(result):
         changed = [entry.change for entry in result.stability if not same(result, entry)]
         words = joined([CHANGES.get(change, change) for change in changed], "or")
-        sentences.append(f"with {words}, the verdict is another")
+        sentences.append(f"with {words}, the verdict changes")
     if not result.settled and not result.survivors and result.probabilities is not None:
-        sentences.append(_most_probable(result, result.probabilities))
+        explanation, p = result.probabilities.top
+        if explanation == OUTSIDE:
+            sentences.append(f"most probable is something that is not among the candidates ({_percent(p)})")
+        else:
+            members = (explanation,) if isinstance(explanation, str) else explanation
+            first = members[0] if isinstance(members[0], str) else " + ".join(members[0])
+            like = ", or what acts like this" if len(members) > 1 else ""
+            words = f"{_explanation(first, result)}{like}"
+            sentences.append(
+                f"the most probable explanation, not certain enough to be claimed, is: {words} ({_percent(p)})"
+            )
     text = " ".join(map(sentence, sentences))
     return [Cell(text.replace(" %", "\u00a0%"), plain=text)]
 
@@ -220,8 +239,8 @@ def _sure_of_terms(beyond: Beyond, term_class: TermClass) -> Iterator[str]:
     """Yield how certain a claim beyond the catalogue is."""
     several = len(term_class.finding.members) > 1
     yield (
-        f"of {beyond.tried} changes at one place each that were tried where the catalogue does not explain the "
-        f"measurements, the tests leave {'these alone' if several else 'this alone'}"
+        f"of {beyond.tried} changes at a single place that were tried where the catalogue does not explain the "
+        f"measurements, the tests leave {'only these' if several else 'only this one'}"
     )
     if several:
         yield "these data cannot tell which of the alternatives it is"
@@ -232,16 +251,7 @@ def _sure_of_terms(beyond: Beyond, term_class: TermClass) -> Iterator[str]:
         )
         if value.value != declared:
             part = plain(100.0 * value.sigma / abs(value.value - declared), 2)
-            yield f"how large it is, is known to {part} % (one standard deviation)"
-
-
-def _claim(result: Diagnosis, alike: bool) -> str:
-    """Return what was claimed to be the cause, as a clause."""
-    one_of = any(len(effect.members) > 1 for effect in result.effects)
-    several = len(result.effects) > 1
-    who = "these" if several else "one of these" if one_of else "this"
-    like = f", or what acts like {'this' if who == 'this' else 'these'}," if alike else ""
-    return f"{who}{like} {'are the causes' if several else 'is the cause'}"
+            yield f"its size is known to within {part} % (one standard deviation)"
 
 
 def _probability(result: Diagnosis) -> tuple[float | None, bool]:
@@ -257,36 +267,18 @@ def _probability(result: Diagnosis) -> tuple[float | None, bool]:
     claimed = [set(effect.members) for effect in result.effects]
     p, alike = 0.0, False
     for statement in probabilities.classes if len(claimed) == 1 else probabilities.pairs:
-        matches = [
-            _claimed((member,) if isinstance(member, str) else member, claimed)
-            for member in statement.members
+        causes = [(member,) if isinstance(member, str) else member for member in statement.members]
+        matches = [  # whether they are those claimed, one of each class
+            any(all(map(set.__contains__, claimed, order)) for order in permutations(names))
+            for names in causes
         ]
         if any(matches):
             p, alike = p + statement.probability, alike or not all(matches)
     return p, alike
 
 
-def _claimed(causes: tuple[str, ...], claimed: list[set[str]]) -> bool:
-    """Return whether causes are those claimed, one of each class."""
-    return any(all(map(set.__contains__, claimed, order)) for order in permutations(causes))
-
-
 def _percent(p: float) -> str:
     return f"over {100 * SUREST:.0f} %" if p > SUREST else f"{100 * p:.0f} %"
-
-
-def _most_probable(result: Diagnosis, probabilities: Probabilities) -> str:
-    """Return the most probable explanation where none is certain enough for the verdict."""
-    explanation, p = probabilities.top
-    if explanation == OUTSIDE:
-        return f"most probable is something that is no candidate ({_percent(p)})"
-    words = _explanation(explanation if isinstance(explanation, str) else _joined(explanation[0]), result)
-    like = "" if isinstance(explanation, str) or len(explanation) == 1 else ", or what acts like this"
-    return f"most probable, but not sure enough to be claimed, is: {words}{like} ({_percent(p)})"
-
-
-def _joined(causes: str | tuple[str, str]) -> str:
-    return causes if isinstance(causes, str) else " + ".join(causes)
 
 
 def _explanation(name: str, result: Diagnosis) -> str:
@@ -297,18 +289,6 @@ def _explanation(name: str, result: Diagnosis) -> str:
     for group in result.beyond.classes if result.beyond is not None else ():
         sentences |= {name: group.finding.member(name).sentence for name in group.finding.members}
     return named(name, sentences)
-
-
-def _size(result: Diagnosis) -> str:
-    """Return how well the size of the only cause is known, in per cent; empty where it has several values."""
-    values = [
-        value for effect in result.effects for name in effect.members for value in effect.alternatives[name]
-    ]
-    saved = saved_as(values[0], result.corrected) if len(values) == 1 else None
-    if saved is None or saved.value == saved.declared:
-        return ""
-    part = saved.saved_sigma / abs(saved.value - saved.declared)
-    return f"{plain(100.0 * part, 2)} % (one standard deviation)"
 
 
 def _next(result: Diagnosis, setting: ReportSetting) -> list[Cell]:
@@ -322,18 +302,15 @@ def _next(result: Diagnosis, setting: ReportSetting) -> list[Cell]:
         cells += [Cell(f"{text} {name} ="), number(value, ".4f", pointer(at, "pose", k))]
         text = f"{unit(symbol)},"
     if proposed.drives:
-        text += f" {_motors(result, setting, proposed)},"
+        motors = proposed.motors
+        if setting.robot is not None and proposed.drives == FREE:
+            # Those that yield, as declared or claimed, are not called free.
+            claimed = [effect.members[0] for effect in result.effects if len(effect.members) == 1]
+            motors = motors_in_words(setting.robot, proposed.drives, claimed)
+        text += f" {motors},"
     first, second = (_explanation(name, result) for name in proposed.separates)
-    told = f"which is expected to tell most about what is true: {first}, or {second}; they differ there by"
+    told = f"which is expected to separate the explanations best: {first} and {second} differ there by"
     caveat = f" {sentence(proposed.caveat)}" if proposed.caveat else ""
     load = [Cell("Set"), setting.load(proposed.load)] if proposed.load else []
     sigmas = number(proposed.sigmas, ".0f", pointer(at, "sigmas"))
     return [*cells, Cell(f"{text} {told}"), sigmas, Cell(f"standard deviations.{caveat}"), *load]
-
-
-def _motors(result: Diagnosis, setting: ReportSetting, proposed: NextMeasurement) -> str:
-    """Return what to do with the motors; free ones that yield, as declared or claimed, are not called free."""
-    if setting.robot is None or proposed.drives != FREE:
-        return proposed.motors
-    claimed = [effect.members[0] for effect in result.effects if len(effect.members) == 1]
-    return motors_in_words(setting.robot, proposed.drives, claimed)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pkmodes.loop.diagnosis.states.result import Change
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes.loop.diagnosis.verdict.rows import Error
-from pkmodes.loop.diagnosis.verdict.terms import Beyond, TermClass
+from pkmodes.loop.diagnosis.verdict.terms import Beyond
 from pkmodes.pages.report.blocks import Cell, Column, Paragraph, Table
 from pkmodes.pages.report.formatting import (
     clean,
@@ -39,40 +39,33 @@ def _classes(terms: Beyond, setting: ReportSetting) -> Table:
     for k, group in enumerate(terms.classes):
         at = pointer("beyond", "classes", k)
         for i, name in enumerate(group.finding.members):
-            rows += _member(group, name, f"{at}{pointer('members', i)}", setting, k, at)
+            member = group.finding.member(name)
+            for value in group.finding.alternatives[name]:
+                quantity = group.quantity(name, value)
+                of_value = at + pointer("members", i, "parameters", quantity)
+                rows.append(
+                    [
+                        Cell(str(k + 1), k + 1),
+                        Cell.named(clean(member.words), clean(name)),
+                        Cell(setting.words(value.name) or clean(quantity)),
+                        uncertain_cell(
+                            value.value, value.sigma, of_value + pointer("value"), of_value + pointer("sigma")
+                        ),
+                        Cell(unit(value.unit)),
+                        Cell(prose(f"no: {member.implausible}") if member.implausible else "yes"),
+                        p_value(group.finding.p_value, at + pointer("p_value")),
+                        three_digits(group.probability, at + pointer("probability")),
+                    ]
+                )
     columns = [Column("class"), Column("explanation", False), Column("parameter", False), Column("value")]
     columns += [Column("unit", False), Column("plausible", False), Column("p-value"), Column("probability")]
     return table(
         "One thing at one place, beyond the catalogue: what remains.  These data cannot tell the members of a class "
-        "from one another; the p-value counts all that was tried, and the probability all that leaves noise.",
+        "from one another; the p-value accounts for all that was tried, and the probability for all that leaves only "
+        "noise.",
         columns,
         rows,
     )
-
-
-def _member(
-    group: TermClass, name: str, at: str, setting: ReportSetting, k: int, of_class: str
-) -> list[list[Cell]]:
-    member, rows = group.finding.member(name), []
-    for value in group.finding.alternatives[name]:
-        quantity = group.quantity(name, value)
-        at_parameter = at + pointer("parameters", quantity)
-        words = setting.words(value.name) or clean(quantity)
-        rows.append(
-            [
-                Cell(str(k + 1), k + 1),
-                Cell.named(clean(member.words), clean(name)),
-                Cell(words),
-                uncertain_cell(
-                    value.value, value.sigma, at_parameter + pointer("value"), at_parameter + pointer("sigma")
-                ),
-                Cell(unit(value.unit)),
-                Cell(prose(f"no: {member.implausible}") if member.implausible else "yes"),
-                p_value(group.finding.p_value, of_class + pointer("p_value")),
-                three_digits(group.probability, of_class + pointer("probability")),
-            ]
-        )
-    return rows
 
 
 def _errors(result: Diagnosis, terms: Beyond) -> Table:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from pkmodes.core.support.numbers import rounded
 from pkmodes.loop.diagnosis.states.result import Change
 from pkmodes.loop.diagnosis.states.words import between
-from pkmodes.loop.diagnosis.verdict.findings import Corrected, Finding, Value
+from pkmodes.loop.diagnosis.verdict.findings import Corrected, Value
 from pkmodes.loop.diagnosis.verdict.rows import Row
 from pkmodes.pages.plots.evidence import PlottedEvidence
 from pkmodes.pages.report import explanations, figures, numbers
@@ -55,7 +55,12 @@ def change_headline(result: Change, setting: ReportSetting) -> str:
     if result.changed is None:
         return clean(f"The data do not tell whether anything changed since {trusted}")
     if result.changed is False:
-        day = "; ".join(_of_day(result))
+        # Such as "all belts are 1.2 % stiffer".
+        day = "; ".join(
+            between(f"{parameter.name} from {parameter.before:g} to {parameter.after:g}", *result.states[:2])
+            for parameter in result.refitted
+            if parameter.name.startswith(DAY) and abs(parameter.after) > CLEARLY * parameter.sigma
+        )
         return clean(
             f"Nothing changed since {trusted} beyond the errors of both{f', but {day}' if day else ''}"
         )
@@ -68,7 +73,12 @@ def _best(result: Change, setting: ReportSetting) -> str:
     """Return the best explanation with its size, and how many others act alike."""
     if len(result.effects) > 1:
         return result.what.removeprefix("change ").removeprefix("found: ")
-    finding, values = _claimed(result)
+    if result.effects:
+        finding, values = result.effects[0], result.corrected
+    else:
+        assert result.beyond is not None
+        assert result.beyond.found is not None
+        finding, values = result.beyond.found.finding, result.beyond.found.corrected
     member = finding.member(finding.name)
     sizes = [_size(value, values, setting) for value in finding.alternatives[finding.name]]
     words = sizes[0] if sizes and sizes[0].startswith("the ") else ", ".join([member.words, *sizes])
@@ -82,16 +92,6 @@ def _best(result: Change, setting: ReportSetting) -> str:
     )
 
 
-def _claimed(result: Change) -> tuple[Finding, Sequence[Corrected]]:
-    """Return what is claimed, with the values before and after."""
-    if result.effects:
-        return result.effects[0], result.corrected
-    assert result.beyond is not None
-    term_class = result.beyond.found
-    assert term_class is not None
-    return term_class.finding, term_class.corrected
-
-
 def _size(value: Value, values: Sequence[Corrected], setting: ReportSetting) -> str:
     """Return the change of a declared value in per cent, or the size of what was not there before."""
     before = next((parameter.declared for parameter in values if parameter.name == value.name), 0.0)
@@ -101,22 +101,15 @@ def _size(value: Value, values: Sequence[Corrected], setting: ReportSetting) -> 
     return f"{value.rounded} {value.unit}".removesuffix(" 1")
 
 
-def _of_day(result: Change) -> list[str]:
-    """Return the clear day-to-day differences: "all belts are 1.2 % stiffer"."""
-    return [
-        between(f"{parameter.name} from {parameter.before:g} to {parameter.after:g}", *result.states[:2])
-        for parameter in result.refitted
-        if parameter.name.startswith(DAY) and abs(parameter.after) > CLEARLY * parameter.sigma
-    ]
-
-
 def changes_summary(result: Change, setting: ReportSetting) -> Summary:
     """Return the header of the page."""
+    relative = [change for change, _ in _changes(result) if change is not None]
+    rms = (sum(change**2 for change in relative) / len(relative)) ** 0.5 if relative else None
     facts = [
         ("states", Cell(clean(" \u2192 ".join(result.states)), len(result.states))),
         ("modes compared", _count(sum(counterpart is not None for counterpart in result.counterparts))),
         ("without a counterpart", _count(sum(counterpart is None for counterpart in result.counterparts))),
-        ("rms change [%]", numbers.percent(_rms(result))),
+        ("rms change [%]", numbers.percent(rms)),
         ("error of the model in both [%]", numbers.percent(result.model_error, pointer("model_error"))),
     ]
     last = result.after or result.refit or result.before
@@ -124,7 +117,7 @@ def changes_summary(result: Change, setting: ReportSetting) -> Summary:
     if term is not None:
         last = term.errors[term.finding.name]
     if last is not None and not result.by_state:
-        facts.append(("chi\u00b2 per degree of freedom in the end", three_digits(last.chi2_per_dof)))
+        facts.append(("final chi\u00b2 per degree of freedom", three_digits(last.chi2_per_dof)))
     return Summary(
         subject=setting.title(row.drives for row in result.rows),
         kind="What changed",
@@ -156,12 +149,6 @@ def _count(number: int) -> Cell:
     return Cell(str(number), number)
 
 
-def _rms(result: Change) -> float | None:
-    """Return the root mean square of the relative changes of the modes that both states have."""
-    changes = [change for change, _ in _changes(result) if change is not None]
-    return (sum(change**2 for change in changes) / len(changes)) ** 0.5 if changes else None
-
-
 def _changes(result: Change) -> list[tuple[float | None, float | None]]:
     """Return the relative change of each mode, and in standard deviations of the difference."""
     differences: list[tuple[float | None, float | None]] = []
@@ -184,18 +171,21 @@ def changes(result: Change, max_rows: int | None = MOST) -> Table:
         range(len(differences)), key=lambda i: (differences[i][1] is None, -abs(differences[i][1] or 0.0))
     )[:max_rows]
     trusted, *later = result.states
-    rows = [
-        [
-            label(result.rows[i].pose),
-            *_of_trusted(result, i),
-            number(result.rows[i].line, ".0f", pointer("rows", i, "line")),
-            hertz(result.rows[i].measured, pointer("rows", i, "frequency_hz")),
-            number(differences[i][0], "+.2f", scale=100.0),
-            number(differences[i][1], "+.1f"),
-            number(_explained(result.rows[i]), "+.2f", scale=100.0),
-        ]
-        for i in chosen
-    ]
+    rows = []
+    for i in chosen:
+        row, before, (relative, sigmas) = result.rows[i], result.counterparts[i], differences[i]
+        rows.append(
+            [
+                label(row.pose),
+                number(None if before is None else before.line, ".0f", pointer("rows", i, "trusted_line")),
+                hertz(None if before is None else before.measured, pointer("rows", i, "trusted_hz")),
+                number(row.line, ".0f", pointer("rows", i, "line")),
+                hertz(row.measured, pointer("rows", i, "frequency_hz")),
+                number(relative, "+.2f", scale=100.0),
+                number(sigmas, "+.1f"),
+                number(_explained(row), "+.2f", scale=100.0),
+            ]
+        )
     columns = [
         Column("pose", numbers=False),
         *[Column("line"), Column("f [Hz]")] * 2,
@@ -213,14 +203,6 @@ def changes(result: Change, max_rows: int | None = MOST) -> Table:
     return table(caption, columns, rows, groups, note)
 
 
-def _of_trusted(result: Change, i: int) -> list[Cell]:
-    before = result.counterparts[i]
-    return [
-        number(None if before is None else before.line, ".0f", pointer("rows", i, "trusted_line")),
-        hertz(None if before is None else before.measured, pointer("rows", i, "trusted_hz")),
-    ]
-
-
 def _explained(row: Row) -> float | None:
     """Return the relative change of a frequency that the explanation accounts for; None without one."""
     return None if row.after is None or not row.before else row.after / row.before - 1.0
@@ -230,33 +212,7 @@ def change_page(result: Change, evidence: PlottedEvidence, setting: ReportSettin
     """Return the page of what changed as HTML."""
     title = "What remains" if result.survivors else "What changed"
     where = [] if result.by_state else picture(result, evidence, setting)
-    sections = [
-        Section("changes", "Before and after, mode by mode", [changes(result)]),
-        *([Section("causes", title, causes)] if (causes := explanations.causes(result, setting)) else []),
-        *([Section("beyond", "One thing at one place", terms)] if (terms := beyond(result, setting)) else []),
-        *([Section("place", "Where it is", where)] if where else []),
-        Section("errors", "Error before and after", numbers.errors(result)),
-        *(_of_states(result, setting) if result.by_state else figures.sections(evidence)),
-        Section("candidates", "What may have changed", explanations.candidate_blocks(result)),
-        Section("values", "Values before and after", numbers.fitted_value_tables(result, setting)),
-        *view_section(setting.view),
-        *([] if result.by_state else [_rows(result, evidence, setting)]),
-        glossary(diagnosed=True),
-        setting.origin(evidence),
-    ]
-    return page(
-        changes_summary(result, setting),
-        [replace(section, folded=section.name not in OPEN) for section in sections],
-    )
-
-
-def _rows(result: Change, evidence: PlottedEvidence, setting: ReportSetting) -> Section:
-    return Section("rows", "All measured modes beside the model", [mode_table(result, evidence, setting)])
-
-
-def _of_states(result: Change, setting: ReportSetting) -> Sequence[Section]:
-    """Return a section for each later state."""
-    return [
+    states = [
         Section(
             f"state-{k}",
             clean(f"{name}: {change.what}"),
@@ -269,3 +225,22 @@ def _of_states(result: Change, setting: ReportSetting) -> Sequence[Section]:
         )
         for k, (name, change) in enumerate(result.by_state.items(), start=1)
     ]
+    rows_title = "All measured modes beside the model"
+    sections = [
+        Section("changes", "Before and after, mode by mode", [changes(result)]),
+        *([Section("causes", title, causes)] if (causes := explanations.causes(result, setting)) else []),
+        *([Section("beyond", "One thing at one place", terms)] if (terms := beyond(result, setting)) else []),
+        *([Section("place", "Where it is", where)] if where else []),
+        Section("errors", "Error before and after", numbers.errors(result)),
+        *(states or figures.sections(evidence)),
+        Section("candidates", "What may have changed", explanations.candidate_blocks(result)),
+        Section("values", "Values before and after", numbers.fitted_value_tables(result, setting)),
+        *view_section(setting.view),
+        *([] if states else [Section("rows", rows_title, [mode_table(result, evidence, setting)])]),
+        glossary(diagnosed=True),
+        setting.origin(evidence),
+    ]
+    return page(
+        changes_summary(result, setting),
+        [replace(section, folded=section.name not in OPEN) for section in sections],
+    )

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from statistics import median
 
-from pkmodes.loop.diagnosis.verdict.findings import Examined
 from pkmodes.loop.diagnosis.verdict.result import Damping, Diagnosis, key
 from pkmodes.loop.diagnosis.verdict.rows import Row
 from pkmodes.pages.report import explanations
@@ -41,13 +40,27 @@ def damping(result: Diagnosis, setting: ReportSetting) -> list[Block]:
     damping_result = result.damping
     if not damping_result.measured:
         return []
+    # How the verdict on the damping changes with other errors or priors.
+    claimed = {name for effect in damping_result.effects for name in effect.members}
+    parts = [
+        f"{CHANGES.get(s.change, s.change)}: {' '.join([s.verdict, *s.effects])}"
+        for s in damping_result.stability
+        if s.verdict != damping_result.verdict or not set(s.effects) <= claimed
+    ]
+    stability: list[Block] = []
+    if parts:
+        stability = [Paragraph(f"It changes with {'; '.join(map(clean, parts))}.")]
+    elif damping_result.stability:
+        stability = [
+            Paragraph("That is the same with \u03c3 halved or doubled, and with priors twice as wide.")
+        ]
     blocks: list[Block] = [
         Paragraph(
             f"Verdict on the damping: {damping_result.verdict}. {prose(sentence(damping_result.reason))}"
         ),
         *explanations.causes(damping_result, setting, TOP),
         *refitted(damping_result, setting),
-        *_stability(damping_result),
+        *stability,
         *factors(result),
         *(
             [Listing([prose(sentence(note)) for note in damping_result.notes])]
@@ -70,31 +83,10 @@ def refitted(damping_result: Damping, setting: ReportSetting) -> list[Paragraph 
         at = pointer(TOP, "refitted", value.name)
         after = uncertain_cell(value.after, value.sigma, at + pointer("after"), at + pointer("sigma"))
         before = figures(value.before, 6, at + pointer("before"))
-        entries.append(
-            (_named(value.name, setting), [after, unit_cell(value.unit), Cell("instead of"), before])
-        )
+        words, path = setting.words(value.name), clean(value.name)
+        title = f"{words} ({path})" if words else path
+        entries.append((title, [after, unit_cell(value.unit), Cell("instead of"), before]))
     return [Paragraph("Uncertain losses, refitted within their priors:"), Facts(entries)] if entries else []
-
-
-def _named(path: str, setting: ReportSetting) -> str:
-    """Return a loss in words, with its path."""
-    words = setting.words(path)
-    return f"{words} ({clean(path)})" if words else clean(path)
-
-
-def _stability(damping_result: Damping) -> list[Block]:
-    """Return how the verdict on the damping changes with other errors or priors."""
-    claimed = {name for effect in damping_result.effects for name in effect.members}
-    parts = [
-        f"{CHANGES.get(s.change, s.change)}: {' '.join([s.verdict, *s.effects])}"
-        for s in damping_result.stability
-        if s.verdict != damping_result.verdict or not set(s.effects) <= claimed
-    ]
-    if not damping_result.stability:
-        return []
-    if not parts:
-        return [Paragraph("That is the same with \u03c3 halved or doubled, and with priors twice as wide.")]
-    return [Paragraph(f"It changes with {'; '.join(map(clean, parts))}.")]
 
 
 def factors(result: Diagnosis) -> list[Paragraph]:
@@ -122,7 +114,24 @@ def factors(result: Diagnosis) -> list[Paragraph]:
 
 def _ratios(rows: list[tuple[int, Row]]) -> Table:
     """Return every measured ratio beside those of the model."""
-    note = ""
+    note, cells = "", []
+    for i, row in rows[:MOST]:
+        at = pointer("rows", i)
+        measured = three_digits(row.damping, at + pointer("damping"), scale=100.0)
+        if row.damping is not None and row.sigma_damping_used is not None:
+            places = at + pointer("damping"), at + pointer("sigma_damping_used")
+            measured = uncertain_cell(row.damping, row.sigma_damping_used, *places, scale=100.0)
+        cells.append(
+            [
+                Cell(shortened(row.pose)),
+                Cell(str(row.line), row.line, at + pointer("line")),
+                hertz(row.measured, at + pointer("frequency_hz")),
+                measured,
+                three_digits(row.sigma_damping, at + pointer("sigma_damping"), scale=100.0),
+                *(three_digits(getattr(row, key), at + pointer(key), scale=100.0) for key in RATIOS),
+                Cell(row.damping_remark or ""),
+            ]
+        )
     if len(rows) > MOST:
         note = f"The table has the first {MOST} of {len(rows)} ratios. All are in the output of --json, under rows."
     columns = [Column("pose", False), Column("line"), Column("f [Hz]"), Column("measured [%]")]
@@ -130,29 +139,11 @@ def _ratios(rows: list[tuple[int, Row]]) -> Table:
     columns.append(Column("remark", False))
     caption = (
         "Damping ratios: measured, and those of the model, whose frequencies are the final ones. The \u03c3 of a "
-        "measured ratio is the one with which it was compared: the stated one, with the 10 % by which tests of one "
-        "machine differ at least, what the shape of its mode leaves open, and a scatter that the verdict allows for."
+        "measured ratio is the one with which it was compared: the stated one, with at least 10 % for the difference "
+        "between tests of one machine, what the shape of its mode leaves open, and a scatter that the verdict allows "
+        "for."
     )
-    return table(caption, columns, [_row(i, row) for i, row in rows[:MOST]], note=note)
-
-
-def _row(i: int, row: Row) -> list[Cell]:
-    at = pointer("rows", i)
-    measured = three_digits(row.damping, at + pointer("damping"), scale=100.0)
-    if row.damping is not None and row.sigma_damping_used is not None:
-        places = at + pointer("damping"), at + pointer("sigma_damping_used")
-        measured = uncertain_cell(row.damping, row.sigma_damping_used, *places, scale=100.0)
-    stated = three_digits(row.sigma_damping, at + pointer("sigma_damping"), scale=100.0)
-    ratios = [three_digits(getattr(row, key), at + pointer(key), scale=100.0) for key in RATIOS]
-    return [
-        Cell(shortened(row.pose)),
-        Cell(str(row.line), row.line, at + pointer("line")),
-        hertz(row.measured, at + pointer("frequency_hz")),
-        measured,
-        stated,
-        *ratios,
-        Cell(row.damping_remark or ""),
-    ]
+    return table(caption, columns, cells, note=note)
 
 
 def _candidates(damping_result: Damping) -> Table:
@@ -160,7 +151,30 @@ def _candidates(damping_result: Damping) -> Table:
 
     There is no p-value: for a loss alone it differs from that of a loss found along with others.
     """
-    rows = [_candidate(damping_result, k, candidate) for k, candidate in enumerate(damping_result.candidates)]
+    rows = []
+    for k, candidate in enumerate(damping_result.candidates):
+        name, limit = next(
+            ((n, limit) for n, limit in damping_result.limits.items() if limit.candidate == candidate.name),
+            ("", None),
+        )
+        visible = next(iter(candidate.visible_from), None)
+        of_visible = pointer(TOP, "candidates", k, "visible_from", key(visible), "value") if visible else ""
+        size = None if limit is None else limit.value
+        of_limit = pointer(TOP, "limits", name, *(() if size is None else ("value",))) if limit else ""
+        rows.append(
+            [
+                Cell.named(clean(candidate.sentence), clean(candidate.name)),
+                Cell(explanations.standing(damping_result, candidate.name)),
+                figures(
+                    visible.value if visible and candidate.detectable else None,
+                    2,
+                    of_visible if candidate.detectable else "",
+                ),
+                figures(size, 2, of_limit) if limit else Cell(""),
+                Cell(unit(visible.unit if visible else limit.unit if limit else "1")),
+                Cell("yes" if candidate.detectable else "no"),
+            ]
+        )
     columns = [Column("loss", False), Column("standing", False), Column("visible from")]
     columns += [Column("limit (95\u00a0%)"), Column("unit", False), Column("detectable", False)]
     caption = (
@@ -168,25 +182,3 @@ def _candidates(damping_result: Damping) -> Table:
         f"the value may still be from the declared one at 95 %; {NOTHING} where nothing bounds it."
     )
     return table(caption, columns, rows)
-
-
-def _candidate(damping_result: Damping, k: int, candidate: Examined) -> list[Cell]:
-    name, limit = next(
-        ((name, limit) for name, limit in damping_result.limits.items() if limit.candidate == candidate.name),
-        ("", None),
-    )
-    visible = next(iter(candidate.visible_from), None)
-    at = pointer(TOP, "candidates", k, "visible_from", key(visible), "value") if visible else ""
-    size = None if limit is None else limit.value
-    place = pointer(TOP, "limits", name, *(() if size is None else ("value",))) if limit else ""
-    symbol = visible.unit if visible else limit.unit if limit else "1"
-    return [
-        Cell.named(clean(candidate.sentence), clean(candidate.name)),
-        Cell(explanations.standing(damping_result, candidate.name)),
-        figures(
-            visible.value if visible and candidate.detectable else None, 2, at if candidate.detectable else ""
-        ),
-        figures(size, 2, place) if limit else Cell(""),
-        Cell(unit(symbol)),
-        Cell("yes" if candidate.detectable else "no"),
-    ]

@@ -40,7 +40,7 @@ from pkmodes.pages.report.stability import stability_sentence
 #: Sections that are unfolded when the page opens.
 OPEN = ("errors", "causes", "beyond", "place", "modes")
 #: Most values listed in the header for the members of a class; those of a single cause are all listed.
-MOST = 5
+MOST = 6
 #: Written as `diff` writes it.
 NO_END = "\\ No newline at end of file"
 
@@ -56,6 +56,14 @@ def diagnosis_page(result: Diagnosis, evidence: PlottedEvidence, setting: Report
         *numbers.pulls(result, setting),
         *numbers.correlations(result),
     ]
+    tried = stability_sentence(result)
+    estimated: list[tuple[str, list[Cell]]] = []
+    if result.scatter:
+        common = number(result.scatter, ".2g", pointer("pose_scatter"), scale=100.0)
+        estimated.append(("error common to the modes of a pose [%]", [common]))
+    if result.shape_scatter is not None:
+        scatter = number(result.shape_scatter, ".2g", pointer("shape_scatter"), scale=100.0)
+        estimated.append(("estimated scatter of the shapes [%]", [scatter]))
     sections = [
         Section("errors", "Error before and after", numbers.errors(result)),
         *([Section("causes", title, causes)] if causes else []),
@@ -65,58 +73,40 @@ def diagnosis_page(result: Diagnosis, evidence: PlottedEvidence, setting: Report
         *([Section("damping", "Damping", ratios)] if (ratios := damping(result, setting)) else []),
         Section("candidates", "Candidates", explanations.candidate_blocks(result)),
         Section("values", "Values before and after", fitted),
-        *_stability(result),
+        *([Section("stability", "Stability", [Paragraph(sentence(clean(tried)))])] if tried else []),
         Section("correction", "Correction", _correction(result, setting.robot)),
         *view_section(setting.view),
         Section("rows", "All measured modes", [mode_table(result, evidence, setting)]),
         glossary(diagnosed=True),
-        _origin(result, evidence, setting),
+        setting.origin(evidence, estimated),
     ]
     return page(
         _summary(result, setting), [replace(section, folded=section.name not in OPEN) for section in sections]
     )
 
 
-def _stability(result: Diagnosis) -> list[Section]:
-    """Return how other errors and priors affect the verdict."""
-    tried = stability_sentence(result)
-    return [Section("stability", "Stability", [Paragraph(sentence(clean(tried)))])] if tried else []
-
-
 def _summary(result: Diagnosis, setting: ReportSetting) -> Summary:
-    facts = [(name, cell) for name, cell in _facts(result, setting) if cell.value is not None]
-    return Summary(
-        subject=setting.title(row.drives for row in result.rows),
-        kind="Diagnosis",
-        verdict=result.verdict,
-        headline=verdict_headline(result),
-        reason=prose(sentence(result.reason) + _larger(result)),
-        tone=VERDICTS[result.verdict].colour,
-        notes=[prose(sentence(note)) for note in (*result.notes, *_of_damping(result))],
-        action=action(result, setting),
-        facts=facts,
-        head=setting.head,
-    )
-
-
-def _larger(result: Diagnosis) -> str:
-    """Return why the standard deviations of the causes are larger than those of the fit."""
-    return "".join(
+    larger = "".join(  # why the standard deviations of the causes are larger than those of the fit
         f" {key(value)}: {why}."
         for effect in result.effects
         if len(effect.members) == 1 and not effect.relative()
         for value in effect.parameters
         if (why := why_larger(value, result.corrected))
     )
-
-
-def _of_damping(result: Diagnosis) -> list[str]:
-    """Return what the damping says, which changes neither the verdict nor the headline."""
-    damping_result = result.damping
-    return (
-        [f"the verdict is that of frequencies and shapes; {damping_result.reason}"]
-        if damping_result.measured
-        else []
+    notes = [*result.notes]
+    if result.damping.measured:  # which changes neither the verdict nor the headline
+        notes.append(f"the verdict is that of frequencies and shapes; {result.damping.reason}")
+    return Summary(
+        subject=setting.title(row.drives for row in result.rows),
+        kind="Diagnosis",
+        verdict=result.verdict,
+        headline=verdict_headline(result),
+        reason=prose(sentence(result.reason) + larger),
+        tone=VERDICTS[result.verdict].colour,
+        notes=[prose(sentence(note)) for note in notes],
+        action=action(result, setting),
+        facts=[(name, cell) for name, cell in _facts(result, setting) if cell.value is not None],
+        head=setting.head,
     )
 
 
@@ -205,7 +195,7 @@ def _class_sizes(effect: Finding, i: int, setting: ReportSetting) -> list[tuple[
 
 
 def _correction(result: Diagnosis, robot: Robot | None) -> list[Block]:
-    """Return the difference that ``--save-robot`` makes, or why there is none."""
+    """Return the difference that ``--save-robot`` makes, which `patch` can apply, or why there is none."""
     if robot is None:
         return [Paragraph("The model is not a robot file, so there is no file to correct.")]
     if not result.settled:
@@ -215,7 +205,9 @@ def _correction(result: Diagnosis, robot: Robot | None) -> list[Block]:
     except PkmodesError as error:
         return [Paragraph(f"There is no corrected robot file: {clean(error.what)}.")]
     source = Path(robot.source)
-    lines = _difference(source.read_bytes().decode("utf-8"), after, source.name)
+    before, name = source.read_bytes().decode("utf-8"), shortened(source.name)
+    difference = difflib.unified_diff(_lines(before), _lines(after), name, name, lineterm="")
+    lines = [part for line in difference for part in line.split("\n")]
     if not lines:
         return [Paragraph("The robot file needs no correction.")]
     losses = "the losses that the damping shows, " if result.damping.effects else ""
@@ -223,22 +215,12 @@ def _correction(result: Diagnosis, robot: Robot | None) -> list[Block]:
     chosen = "".join(f" {sentence(clean(naming.chosen(effect)))}" for effect in several)
     return [
         Paragraph(
-            "What the corrected robot file has instead of the given one, as written by --save-robot: the cause where "
+            "What changes in the corrected robot file, as written by --save-robot: the cause where "
             f"one was found, {losses}and the refitted values with their new standard deviations. "
             f"Comments and order are kept.{chosen}"
         ),
         Difference("Difference of the robot file", lines),
     ]
-
-
-def _difference(before: str, after: str, name: str) -> list[str]:
-    """Return a unified difference, without line ends; `patch` applies it to the file.
-
-    - before, after: two texts
-    - name: name of the file
-    """
-    lines = difflib.unified_diff(_lines(before), _lines(after), shortened(name), shortened(name), lineterm="")
-    return [part for line in lines for part in line.split("\n")]
 
 
 def _lines(text: str) -> list[str]:
@@ -248,15 +230,3 @@ def _lines(text: str) -> list[str]:
         "\t".join(clean(part) for part in line.split("\t")) for line in [*lines, *([rest] if rest else [])]
     ]
     return [*visible[:-1], f"{visible[-1]}\n{NO_END}"] if rest else visible
-
-
-def _origin(result: Diagnosis, evidence: PlottedEvidence, setting: ReportSetting) -> Section:
-    facts: list[tuple[str, list[Cell]]] = []
-    if result.scatter:
-        at = pointer("pose_scatter")
-        common = number(result.scatter, ".2g", at, scale=100.0)
-        facts.append(("error common to the modes of a pose [%]", [common]))
-    if result.shape_scatter is not None:
-        scatter = number(result.shape_scatter, ".2g", pointer("shape_scatter"), scale=100.0)
-        facts.append(("estimated scatter of the shapes [%]", [scatter]))
-    return setting.origin(evidence, facts)

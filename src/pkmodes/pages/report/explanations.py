@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from pkmodes.core.support.ordering import listed
 from pkmodes.loop.diagnosis.verdict import naming
-from pkmodes.loop.diagnosis.verdict.findings import Corrected, Examined, Finding, Value, believed
+from pkmodes.loop.diagnosis.verdict.findings import Corrected, Finding, believed
 from pkmodes.loop.diagnosis.verdict.result import Damping, Diagnosis, key
 from pkmodes.pages.plots import scores
 from pkmodes.pages.report.blocks import Block, Cell, Column, Facts, Listing, Paragraph, Picture, Table
@@ -153,24 +153,49 @@ def candidate_blocks(result: Diagnosis) -> list[Block]:
     if not result.candidates:
         names = [clean(name) for name in result.undetectable]
         about: list[Block] = [Paragraph("Nothing is said about"), Listing(names, names=True)] if names else []
-        return [Paragraph("No candidate was tested."), *_limits(result), *about]
+        limits = [
+            (clean(name), [_limit(result, name), Cell(unit(limit.unit))])
+            for name, limit in result.limits.items()
+            if limit.value is not None
+        ]
+        if limits:
+            what = Paragraph(
+                "How far a value of a candidate may be from the declared one at 95 %, if everything else is as "
+                "declared within its \u03c3; nothing bounds the others within their plausible range:"
+            )
+            about = [what, Facts(limits), *about]
+        return [Paragraph("No candidate was tested."), *about]
     figure = scores.candidate_scores(result)
-    best = min(result.candidates, key=lambda candidate: candidate.p_value)
     blocks: list[Block] = []
     if figure is not None:
-        name = clean(best.name)
+        ranked, count = (
+            sorted(result.candidates, key=lambda candidate: candidate.p_value),
+            len(result.candidates),
+        )
+        name, shown = clean(ranked[0].name), ranked[: scores.MOST]
+        which = f" (the {scores.MOST} most significant of {count})" if count > scores.MOST else ""
+        open_marks = " Open marks are candidates that these data cannot detect, listed below the table."
+        if all(candidate.detectable for candidate in shown):
+            open_marks = ""
         blocks.append(
             Picture.of(
                 figure,
                 "Scores of the candidates",
-                f"{plural(len(result.candidates), 'candidate')} by the p-value of their score; the most "
+                f"{plural(count, 'candidate')} by the p-value of their score; the most "
                 f"significant is {name}.",
-                f"Scores of the candidates{_which(result)}: how clearly the residual of the refitted model points at "
+                f"Scores of the candidates{which}: how clearly the residual of the refitted model points at "
                 "each. The score only shortlists: the choice is made by refitting, so the longest line need not be "
-                f"the cause.{_open(result)}",
+                f"the cause.{open_marks}",
             )
         )
-    return [*blocks, _table(result), *_probabilities(result), *_undetectable(result)]
+    blocks += [_table(result), *_probabilities(result)]
+    if result.undetectable:
+        what = Paragraph(
+            "Not detectable with these data: nothing bounds them within their plausible range, and no explanation "
+            "contains them. That they were not found says nothing about them:"
+        )
+        blocks += [what, Listing([named(name, result.sentences) for name in result.undetectable])]
+    return blocks
 
 
 def _probabilities(result: Diagnosis) -> list[Block]:
@@ -202,38 +227,32 @@ def _first_names(names: Sequence[str]) -> str:
     return listed([clean(name) for name in names], SHOWN, " or ", " or ")
 
 
-def _open(result: Diagnosis) -> str:
-    """Return what open marks are, if the figure has any."""
-    shown = sorted(result.candidates, key=lambda candidate: candidate.p_value)[: scores.MOST]
-    note = " Open marks are candidates that these data cannot detect, listed below the table."
-    return "" if all(candidate.detectable for candidate in shown) else note
-
-
-def _which(result: Diagnosis) -> str:
-    """Return which candidates the figure shows, if not all."""
-    count = len(result.candidates)
-    return f" (the {scores.MOST} most significant of {count})" if count > scores.MOST else ""
-
-
 def _table(result: Diagnosis) -> Table:
     order = sorted(range(len(result.candidates)), key=lambda k: result.candidates[k].p_value)
     rows = []
     for k in order[:MOST]:
         candidate = result.candidates[k]
-        at = ("candidates", k)
-        sizes = _sizes(result, candidate)
-        for value, name in sizes:
-            visible_size = value if candidate.detectable else None
+        # A row for each parameter: the smallest visible size, and the limit.
+        sizes = {value.name.removeprefix("effects."): value for value in candidate.visible_from}
+        limited = [name for name, limit in result.limits.items() if limit.candidate == candidate.name]
+        names = [*dict.fromkeys([*limited, *sizes])] or [""]
+        for name in names:
+            parameter = "" if len(names) == 1 else f".{name.removeprefix(f'{candidate.name}.')}"
+            visible = sizes.get(name) if candidate.detectable else None
+            limit, symbol, size = result.limits.get(name), "", Cell(NOTHING)
+            if visible is not None:
+                at = pointer("candidates", k, "visible_from", key(visible), "value")
+                symbol, size = unit(visible.unit), figures(visible.value, 2, at)
+            elif limit is not None and limit.value is not None:
+                symbol = unit(limit.unit)
             rows.append(
                 [
-                    Cell.named(
-                        clean(candidate.sentence), clean(_identifier(candidate.name, name, len(sizes)))
-                    ),
+                    Cell.named(clean(candidate.sentence), clean(f"{candidate.name}{parameter}")),
                     Cell(standing(result, candidate.name)),
-                    p_value(candidate.p_value, pointer(*at, "p_value")),
-                    _visible(visible_size, pointer(*at, "visible_from")),
+                    p_value(candidate.p_value, pointer("candidates", k, "p_value")),
+                    size,
                     _limit(result, name),
-                    Cell(_unit(result, visible_size, name)),
+                    Cell(symbol),
                     Cell("yes" if candidate.detectable else "no"),
                 ]
             )
@@ -260,51 +279,12 @@ def _table(result: Diagnosis) -> Table:
     return table(caption, columns, rows, note=note)
 
 
-def _identifier(name: str, parameter: str, count: int) -> str:
-    """Return the name of a candidate, with that of its parameter if it has several."""
-    return name if count == 1 else f"{name}.{parameter.removeprefix(f'{name}.')}"
-
-
-def _limits(result: Diagnosis) -> list[Block]:
-    """Return the limits alone, where no candidate was tested."""
-    entries = [
-        (clean(name), [_limit(result, name), Cell(unit(limit.unit))])
-        for name, limit in result.limits.items()
-        if limit.value is not None
-    ]
-    about = (
-        "How far a value of a candidate may be from the declared one at 95 %, if everything else is as declared "
-        "within its \u03c3; nothing bounds the others within their plausible range:"
-    )
-    return [Paragraph(about), Facts(entries)] if entries else []
-
-
-def _sizes(result: Diagnosis, candidate: Examined) -> list[tuple[Value | None, str]]:
-    """Return the parameters of a candidate: the smallest visible size, and the name among the limits."""
-    visible = {value.name.removeprefix("effects."): value for value in candidate.visible_from}
-    names = [name for name, limit in result.limits.items() if limit.candidate == candidate.name]
-    return [(visible.get(name), name) for name in dict.fromkeys([*names, *visible])] or [(None, "")]
-
-
-def _visible(value: Value | None, at: str) -> Cell:
-    if value is None:
-        return Cell(NOTHING)
-    return figures(value.value, 2, at + pointer(key(value), "value"))
-
-
 def _limit(result: Diagnosis, name: str) -> Cell:
     limit = result.limits.get(name)
     if limit is None:
         return Cell("")
     at = pointer("limits", name) if limit.value is None else pointer("limits", name, "value")
     return figures(limit.value, 2, at)
-
-
-def _unit(result: Diagnosis, value: Value | None, name: str) -> str:
-    limit = result.limits.get(name)
-    if value is not None:
-        return unit(value.unit)
-    return "" if limit is None or limit.value is None else unit(limit.unit)
 
 
 def standing(result: Diagnosis | Damping, name: str) -> str:
@@ -317,17 +297,3 @@ def standing(result: Diagnosis | Damping, name: str) -> str:
         if any(name in explanation.split(" + ") for explanation in group):
             return f"remains ({i})"
     return "not claimed"
-
-
-def _undetectable(result: Diagnosis) -> list[Block]:
-    """Return what these data neither show nor bound."""
-    if not result.undetectable:
-        return []
-    sentences = result.sentences
-    return [
-        Paragraph(
-            "Not detectable with these data: nothing bounds them within their plausible range, and no explanation "
-            "contains them. That they were not found says nothing about them:"
-        ),
-        Listing([named(name, sentences) for name in result.undetectable]),
-    ]

@@ -51,7 +51,7 @@ def explorer_of(model: Model, dataset: xarray.Dataset, units: Any, *, machine: b
         "modes": modes,
         "axes": axes,
         "components": [_component(component, part) for component in model.mechanism.pose],
-        "list": _list(part, components) if LIST in places else None,
+        "list": [part[name].values.tolist() for name in components] if LIST in places else None,
         "limits": [limits_of(part["frequency"].values[..., i]) for i in range(part.sizes["mode"])],
         "colours": _colours(),
         "decimals": DECIMALS,
@@ -103,11 +103,6 @@ def _digits(values: NDArray[np.float64]) -> int:
     return min(max(math.ceil(1.0 - math.log10(steps.min())), 1), 6) if len(steps) else 1
 
 
-def _list(part: xarray.Dataset, components: Sequence[str]) -> list[list[float]]:
-    """Return each component of all poses of a list."""
-    return [part[name].values.tolist() for name in components]
-
-
 def _colours() -> list[str]:
     """Return the colours of the figures' scale, the lowest first."""
     import matplotlib
@@ -120,19 +115,12 @@ def _colours() -> list[str]:
 
 def _note(values: MapValues, dataset: xarray.Dataset) -> str:
     """Return which poses of the map the page holds."""
-    held, total = (_count(part["valid"].size) for part in (values.dataset, dataset))
+    held, total = (f"{part['valid'].size:,}".replace(",", "\u202f") for part in (values.dataset, dataset))
     if not values.thinned:
         return f"This page holds all {total} poses of the map."
-    kept = ", ".join(
-        f"every {_ordinal(step)} of {clean(dim)}" for dim, step in values.steps.items() if step > 1
-    )
-    return f"This page holds {held} of the {total} poses of the map: {kept}."
-
-
-def _count(number: int) -> str:
-    return f"{number:,}".replace(",", "\u202f")
-
-
-def _ordinal(number: int) -> str:
-    ending = "th" if 10 <= number % 100 <= 20 else {1: "st", 2: "nd", 3: "rd"}.get(number % 10, "th")
-    return f"{number}{ending} value"
+    kept = []
+    for dim, step in values.steps.items():
+        if step > 1:
+            ending = "th" if 10 <= step % 100 <= 20 else {1: "st", 2: "nd", 3: "rd"}.get(step % 10, "th")
+            kept.append(f"every {step}{ending} value of {clean(dim)}")
+    return f"This page holds {held} of the {total} poses of the map: {', '.join(kept)}."

@@ -112,7 +112,7 @@ def _spread(evidence: PlottedEvidence) -> str:
     if evidence.spread is None or not (evidence.spread > 0.0).any():
         return ""
     later = (
-        " Later stages have none: the measurements tell their values better."
+        " Later stages have none: the measurements determine their values better."
         if len(evidence.stages) > 1
         else ""
     )

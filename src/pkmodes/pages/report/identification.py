@@ -64,6 +64,42 @@ def _summary(identified: Identification, campaign: Campaign) -> Summary:
     notes = [clean(note) for note in (*sentences, *identified.messages)]
     # A sentence that lists several modes or poses counts as that many points.
     points = sum(len(places) for _, places in attention) + len(identified.messages)
+    # Where the modes come from, and what limits their accuracy.
+    files = sum(_files(result) for result in identified.records)
+    names = {
+        "repeatability": "the repeatability of the pose",
+        "scatter": "the scatter of the repeats",
+        "fit": "what the fit leaves open",
+    }
+    largest = [
+        max(("scatter", "fit", "repeatability"), key=lambda part: getattr(mode.parts, part)) for mode in modes
+    ]
+    dominant = max(names, key=largest.count)
+    share = "all of them" if largest.count(dominant) == len(modes) else f"{largest.count(dominant)} of them"
+    messages = sum(len(result.messages) for result in identified.records)
+    reason = (
+        f"From {plural(files, 'file')}. The largest part of the standard deviation of the frequency is, for {share}, "
+        f"{names[dominant]}."
+    )
+    if messages:
+        reason += (
+            f" {plural(messages, 'message')} {'is' if messages == 1 else 'are'} listed with the records."
+        )
+    subject = "Structure" if campaign.model is None else campaign.model.robot.name
+    return Summary(
+        subject=shortened(subject),
+        kind="Identification",
+        headline=f"{count} at {poses}" + (f", {plural(points, 'point')} to check" if points else ""),
+        reason=reason,
+        tone="open" if notes else "good",
+        notes=notes,
+        facts=_facts(identified, modes),
+        head=head_of(campaign.report, {} if campaign.model is None else campaign.model.robot.report),
+    )
+
+
+def _facts(identified: Identification, modes: Sequence[IdentifiedMode]) -> list[tuple[str, Cell]]:
+    """Return how many modes there are, and how accurate they are."""
     relative = np.array([mode.sigma / mode.frequency for mode in modes])
     damped = np.array([mode.sigma_damping / mode.damping for mode in modes if mode.damping > 0.0])
     damped = damped[np.isfinite(damped)]
@@ -75,60 +111,30 @@ def _summary(identified: Identification, campaign: Campaign) -> Summary:
             Cell(_per_cent(float(np.median(relative))), float(np.median(relative))),
         ),
         ("largest \u03c3 of a frequency", Cell(_per_cent(float(relative.max())), float(relative.max()))),
-        ("of it repeatability", Cell(_per_cent(identified.repeatability), identified.repeatability, at)),
+        ("of which repeatability", Cell(_per_cent(identified.repeatability), identified.repeatability, at)),
     ]
     if damped.size:
         middle = float(np.median(damped))
-        facts.append(("median \u03c3 of a damping ratio, of its value", Cell(_per_cent(middle), middle)))
-    subject = "Structure" if campaign.model is None else campaign.model.robot.name
-    messages = sum(len(result.messages) for result in identified.records)
-    return Summary(
-        subject=shortened(subject),
-        kind="Identification",
-        headline=f"{count} at {poses}" + (f", {plural(points, 'point')} to check" if points else ""),
-        reason=_reason(identified, modes, messages),
-        tone="open" if notes else "good",
-        notes=notes,
-        facts=facts,
-        head=head_of(campaign.report, {} if campaign.model is None else campaign.model.robot.report),
-    )
+        facts.append(("median relative \u03c3 of a damping ratio", Cell(_per_cent(middle), middle)))
+    return facts
 
 
 def _per_cent(share: float) -> str:
     return f"{plain(100.0 * share, 2)} %"
 
 
-def _reason(identified: Identification, modes: Sequence[IdentifiedMode], message_count: int) -> str:
-    """Return where the modes come from, and what limits their accuracy."""
-    files = sum(len(repeat.files) for result in identified.records for repeat in result.repeats)
-    largest = [
-        max(("scatter", "fit", "repeatability"), key=lambda part: getattr(mode.parts, part)) for mode in modes
-    ]
-    names = {
-        "repeatability": "the repeatability of the pose",
-        "scatter": "the scatter of the repeats",
-        "fit": "what the fit leaves open",
-    }
-    dominant = max(names, key=largest.count)
-    share = "all of them" if largest.count(dominant) == len(modes) else f"{largest.count(dominant)} of them"
-    messages = (
-        f" {plural(message_count, 'message')} {'is' if message_count == 1 else 'are'} with the records."
-        if message_count
-        else ""
-    )
-    return (
-        f"From {plural(files, 'file')}. The largest part of the standard deviation of the frequency is, for {share}, "
-        f"{names[dominant]}.{messages}"
-    )
-
-
 def _attention(identified: Identification) -> list[tuple[str, list[str]]]:
     """Return the points to check: the beginning of each sentence, and the modes or poses that it lists."""
+    alike = [
+        f"{result.record.pose} ({result.modes[i].frequency:.4g} and {result.modes[k].frequency:.4g} Hz)"
+        for result in identified.records
+        for i, k in np.argwhere(np.triu(np.nan_to_num(auto_macs(result.modes)) > ALIKE, 1))
+    ]
     omitted = [result.record.pose for result in identified.records for _ in result.left_out]
     points = [
         (f"{plural(len(omitted), 'faulty file')} left out:", omitted),
         (
-            "No file could be used of",
+            "No file could be used at",
             [result.record.pose for result in identified.records if result.is_left_out],
         ),
         (
@@ -145,17 +151,14 @@ def _attention(identified: Identification) -> list[tuple[str, list[str]]]:
             _modes_with(identified, lambda mode, _: mode.complexity < COMPLEX),
         ),
         (
-            "Found in some of the files only:",
+            "Found in only some of the files:",
             _modes_with(identified, lambda mode, result: mode.files < _files(result)),
         ),
         (
             f"Damping known to no better than {100.0 * UNCERTAIN:g} %:",
             _modes_with(identified, lambda mode, _: mode.sigma_damping > UNCERTAIN * mode.damping),
         ),
-        (
-            f"Modes that the sensors hardly tell apart (MAC above {ALIKE:g}):",
-            [pair for result in identified.records for pair in _alike(result)],
-        ),
+        (f"Modes that the sensors hardly tell apart (MAC above {ALIKE:g}):", alike),
         (
             "A single file, so that the scatter of repeats is unknown:",
             [
@@ -179,14 +182,6 @@ def _modes_with(identified: Identification, predicate: Any) -> list[str]:
 
 def _files(result: RecordResult) -> int:
     return sum(len(repeat.files) for repeat in result.repeats)
-
-
-def _alike(result: RecordResult) -> list[str]:
-    macs = auto_macs(result.modes)
-    return [
-        f"{result.record.pose} ({result.modes[i].frequency:.4g} and {result.modes[k].frequency:.4g} Hz)"
-        for i, k in np.argwhere(np.triu(np.nan_to_num(macs) > ALIKE, 1))
-    ]
 
 
 def _overview(identified: Identification, content: Mapping[str, Any]) -> list[Block]:
@@ -226,7 +221,7 @@ def _overview(identified: Identification, content: Mapping[str, Any]) -> list[Bl
                 "Frequencies at each pose",
                 f"{plural(len(modes), 'mode')} at {plural(len(labels), 'pose')}.",
                 "Frequencies at each pose. Their standard deviations are smaller than the marks. A mode that its "
-                "neighbours lack was hidden there, or is none.",
+                "neighbours lack was hidden there, or is not a mode.",
             )
         )
     return [*blocks, table("Records.", columns, rows)]

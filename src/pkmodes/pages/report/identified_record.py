@@ -49,7 +49,7 @@ SHOWN = {"frf": "FRF"}
 #: The functions measured in each kind of record.
 FUNCTIONS = {
     "frf": "frequency response function, as acceleration per force in SI units",
-    "impact": "frequency response function of the blows, as acceleration per force in SI units",
+    "impact": "frequency response function from the blows, as acceleration per force in SI units",
     "ambient": "power spectral density of the responses, in SI units",
     "spectrum": "power spectrum, relative to its sum over the band",
 }
@@ -64,34 +64,6 @@ def record_section(
     - content: the record in the JSON
     """
     record = result.record
-    blocks: list[Block] = [Facts(_facts(index, result, campaign))]
-    nothing = Paragraph("No file of it could be used." if result.is_left_out else "No mode was found.")
-    blocks.append(modes_table(index, content["modes"]) if result.modes else nothing)
-    if result.messages:
-        messages = [clean(message) for message in result.messages[:MOST_MESSAGES]]
-        omitted = len(result.messages) - len(messages)
-        blocks += [Paragraph("What was noticed:"), Listing(messages)]
-        blocks += (
-            [Paragraph(f"{plural(omitted, 'further message')} in the output of --json.")] if omitted else []
-        )
-    if result.left_out:
-        faulty = [clean(f"{_name(omission.file)}: {omission.reason}") for omission in result.left_out]
-        blocks += [Paragraph("Files that were left out:"), Listing(faulty)]
-    for inspection in result.inspections:
-        blocks += _fit(inspection, result, campaign)
-    blocks += _shapes(result)
-    blocks += _repeats(result)
-    return Section(
-        f"record-{index + 1}", shortened(f"{record.pose}: {SHOWN.get(record.kind, record.kind)}", 60), blocks
-    )
-
-
-def _name(path: str) -> str:
-    return path.replace("\\", "/").rpartition("/")[2]
-
-
-def _facts(index: int, result: RecordResult, campaign: Campaign) -> list[tuple[str, Sequence[Cell]]]:
-    record, at = result.record, ("records", index)
     facts = list[tuple[str, Sequence[Cell]]]()
     if campaign.model is not None:
         doing = motors_in_words(campaign.model.robot, record.drives)
@@ -102,9 +74,31 @@ def _facts(index: int, result: RecordResult, campaign: Campaign) -> list[tuple[s
         files = listed([shortened(path.name) for path in paths], 12)
         facts.append((f"files of setup {shortened(name)}" if name else "files", [Cell(files)]))
     if result.struck:
-        cells = [hertz(f, pointer(*at, "struck", k)) for k, f in enumerate(result.struck)]
+        cells = [hertz(f, pointer("records", index, "struck", k)) for k, f in enumerate(result.struck)]
         facts.append(("struck out by the campaign [Hz]", cells))
-    return facts
+    blocks: list[Block] = [Facts(facts)]
+    nothing = Paragraph("None of its files could be used." if result.is_left_out else "No mode was found.")
+    blocks.append(modes_table(index, content["modes"]) if result.modes else nothing)
+    if result.messages:
+        messages = [clean(message) for message in result.messages[:MOST_MESSAGES]]
+        omitted = len(result.messages) - len(messages)
+        blocks += [Paragraph("What was noticed:"), Listing(messages)]
+        blocks += (
+            [Paragraph(f"{plural(omitted, 'further message')} in the output of --json.")] if omitted else []
+        )
+    if result.left_out:
+        faulty = []
+        for omission in result.left_out:
+            name = omission.file.replace("\\", "/").rpartition("/")[2]
+            faulty.append(clean(f"{name}: {omission.reason}"))
+        blocks += [Paragraph("Files that were left out:"), Listing(faulty)]
+    for inspection in result.inspections:
+        blocks += _fit(inspection, result, campaign)
+    blocks += _shapes(result)
+    blocks += _repeats(result)
+    return Section(
+        f"record-{index + 1}", shortened(f"{record.pose}: {SHOWN.get(record.kind, record.kind)}", 60), blocks
+    )
 
 
 def modes_table(index: int, modes: Sequence[Mapping[str, Any]]) -> Table:
@@ -125,14 +119,15 @@ def modes_table(index: int, modes: Sequence[Mapping[str, Any]]) -> Table:
     rows = []
     for k, mode in enumerate(modes):
         at = ("records", index, "modes", k)
-        parts = mode["sigma_parts"]
         cells = [
             Cell(str(k + 1)),
             uncertain_cell(
                 mode["frequency"], mode["sigma"], pointer(*at, "frequency"), pointer(*at, "sigma")
             ),
         ]
-        cells += [_two_digits(parts[key], pointer(*at, "sigma_parts", key)) for key in parts]
+        for key, sigma in mode["sigma_parts"].items():  # two significant digits, zeros among them
+            form = "#.2g" if sigma is None or 0.0 < sigma < 9.95 else ".0f"
+            cells.append(number(sigma, form, pointer(*at, "sigma_parts", key)))
         if damped:
             cells.append(_damping(mode, at))
         cells += [number(mode["complexity"], ".3f", pointer(*at, "complexity"))] if shaped else []
@@ -155,11 +150,6 @@ def meanings(modes: Sequence[Mapping[str, Any]]) -> list[str]:
     return [text for key, text in texts.items() if any(mode[key] is not None for mode in modes)]
 
 
-def _two_digits(sigma: float | None, at: str) -> Cell:
-    """Return a part of a standard deviation with two significant digits, zeros among them."""
-    return number(sigma, "#.2g" if sigma is None or 0.0 < sigma < 9.95 else ".0f", at)
-
-
 def _damping(mode: Mapping[str, Any], at: Sequence[object]) -> Cell:
     """Return a damping ratio in per cent, with its standard deviation where that is known."""
     ratio, sigma, place = mode["damping"], mode["sigma_damping"], pointer(*at, "damping")
@@ -170,14 +160,12 @@ def _damping(mode: Mapping[str, Any], at: Sequence[object]) -> Cell:
 
 def _fit(inspection: Inspection, result: RecordResult, campaign: Campaign) -> list[Block]:
     """Return the figures of the fit of a file."""
-    record = result.record
     which, whole = f"file {shortened(inspection.file)}", "the record"
     if inspection.setup:
         which, whole = f"setup {shortened(inspection.setup)}, {which}", "the setup"
-    elif "" not in record.setups:  # of all setups together
+    elif "" not in result.record.setups:  # of all setups together
         which, whole = shortened(inspection.file), "each setup"
-    begin = which[:1].upper() + which[1:]
-    low, high = record.band
+    low, high = result.record.band
     multiples = [
         tone * k for tone in campaign.tones for k in range(1, int(high / tone) + 1) if tone * k >= low
     ]
@@ -187,64 +175,62 @@ def _fit(inspection: Inspection, result: RecordResult, campaign: Campaign) -> li
         sorted({*inspection.tones, *multiples}),
     )
     blocks: list[Block] = []
-    rest = ""
-    if inspection.others:
-        files, are = (
-            ("other file", "is")
-            if inspection.others == 1
-            else (plural(inspection.others, "other file"), "are")
-        )
-        rest = f" The {files} of {whole} {are} not drawn."
     if len(inspection.stabilisation.orders):
-        count = sum(map(len, inspection.stabilisation.poles))
-        lines = ["lines with a number are the modes of the record, as in the table"]
-        lines += ["dash-dotted ones those added"] if any(mode.edited for mode in result.modes) else []
-        lines += ["dashed ones those struck out"] if result.struck else []
-        lines += ["dotted ones tones"] if marked.tones else []
-        caption = (
-            f"{begin}: stabilisation diagram. Each short line is a pole at a model order; a stable one has nearly "
-            "the same frequency and damping as a pole of the order before. Behind them is the sum of the magnitudes "
-            f"of all measured functions, each relative to its rms. {sentence('; '.join(lines))}{rest}"
-        )
-        blocks.append(
-            Picture.of(
-                fits.stabilisation(inspection, marked, record.band),
-                f"Stabilisation diagram of {which}",
-                f"{plural(count, 'pole')} over {plural(len(inspection.stabilisation.orders), 'model order')}, and "
-                f"{plural(len(result.modes), 'mode')}.",
-                caption,
-            )
-        )
+        blocks.append(_stabilisation(inspection, result, marked, which, whole))
     if inspection.curves:
-        phase = record.kind in ("frf", "impact")
-        blocks.append(
-            Picture.of(
-                fits.functions(inspection, marked, record.band, phase),
-                f"Measured and synthesised functions of {which}",
-                f"{', '.join(shortened(curve.name, 40) for curve in inspection.curves)}: measured, and synthesised "
-                "from the modes.",
-                f"{begin}: {_which(inspection)}, measured and synthesised from the modes of this file. Each is a "
-                f"{FUNCTIONS[record.kind]}{_panels(phase, inspection)}. Faint lines are the modes of the record.",
-            )
-        )
+        blocks.append(_functions(inspection, result, marked, which))
     return blocks
 
 
-def _which(inspection: Inspection) -> str:
-    if len(inspection.curves) == inspection.functions:
-        return (
-            f"its {plural(inspection.functions, 'function')}" if inspection.functions > 1 else "its function"
-        )
-    return (
-        f"{len(inspection.curves)} of {inspection.functions} functions, chosen so that each mode stands out in one "
-        "of them"
+def _stabilisation(
+    inspection: Inspection, result: RecordResult, marked: fits.MarkedFrequencies, which: str, whole: str
+) -> Picture:
+    """Return the stabilisation diagram of a file.
+
+    - which: the file in words
+    - whole: what other files of the same measurement belong to
+    """
+    rest = ""
+    if inspection.others:
+        others = "other file" if inspection.others == 1 else plural(inspection.others, "other file")
+        rest = f" The {others} of {whole} {'is' if inspection.others == 1 else 'are'} not drawn."
+    lines = ["lines with a number are the modes of the record, as in the table"]
+    lines += ["dash-dotted ones those added"] if any(mode.edited for mode in result.modes) else []
+    lines += ["dashed ones those struck out"] if result.struck else []
+    lines += ["dotted ones tones"] if marked.tones else []
+    poles = plural(sum(map(len, inspection.stabilisation.poles)), "pole")
+    orders = plural(len(inspection.stabilisation.orders), "model order")
+    return Picture.of(
+        fits.stabilisation(inspection, marked, result.record.band),
+        f"Stabilisation diagram of {which}",
+        f"{poles} over {orders}, and {plural(len(result.modes), 'mode')}.",
+        f"{which[:1].upper()}{which[1:]}: stabilisation diagram. Each short line is a pole at a model order; a "
+        "stable one has nearly the same frequency and damping as a pole of the order before. Behind them is the sum "
+        "of the magnitudes of all measured functions, each relative to its rms. "
+        f"{sentence('; '.join(lines))}{rest}",
     )
 
 
-def _panels(phase: bool, inspection: Inspection) -> str:
-    parts = ["magnitude", *(["phase"] if phase else [])]
-    parts += ["coherence"] if any(curve.coherence is not None for curve in inspection.curves) else []
-    return f": {', '.join(parts)}" if len(parts) > 1 else ""
+def _functions(
+    inspection: Inspection, result: RecordResult, marked: fits.MarkedFrequencies, which: str
+) -> Picture:
+    """Return the measured functions of a file over those synthesised from its modes."""
+    kind, count, drawn = result.record.kind, inspection.functions, len(inspection.curves)
+    phase = kind in ("frf", "impact")
+    chosen = f"{drawn} of {count} functions, chosen so that each mode stands out in one of them"
+    if drawn == count:
+        chosen = f"its {plural(count, 'function')}" if count > 1 else "its function"
+    panels = ["magnitude", *(["phase"] if phase else [])]
+    panels += ["coherence"] if any(curve.coherence is not None for curve in inspection.curves) else []
+    in_panels = f": {', '.join(panels)}" if len(panels) > 1 else ""
+    return Picture.of(
+        fits.functions(inspection, marked, result.record.band, phase),
+        f"Measured and synthesised functions of {which}",
+        f"{', '.join(shortened(curve.name, 40) for curve in inspection.curves)}: measured, and synthesised from the "
+        "modes.",
+        f"{which[:1].upper()}{which[1:]}: {chosen}, measured and synthesised from the modes of this file. Each is a "
+        f"{FUNCTIONS[kind]}{in_panels}. Faint lines are the modes of the record.",
+    )
 
 
 def _shapes(result: RecordResult) -> list[Block]:

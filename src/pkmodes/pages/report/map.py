@@ -76,14 +76,18 @@ def map_report(
     need_report()
     content = summary_of(dataset, None).as_json() if content is None else content
     sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources
+    explorer = explorer_of(model, dataset, axis_units(model), machine=view is not None)
+    about = [("rigid-body modes", [Cell(str(content["rigid_modes"]))])]
+    if content["file"]:
+        about.append(("map", [Cell(shortened(content["file"].replace("\\", "/").rpartition("/")[2]))]))
     sections = [
         Section("modes", "Range of each frequency", [ranges(model, content)]),
-        *_explored(model, dataset, view),
+        *([Section("explore", "Pose by pose", [explorer])] if explorer is not None else []),
         *view_section(view),
         *_volume(model, dataset),
         *_changes(model, dataset, shown(dataset)),
         *_figures(model, dataset),
-        origin(sources, model.mechanism, _about(content), str(dataset.attrs["version"])),
+        origin(sources, model.mechanism, about, str(dataset.attrs["version"])),
     ]
     return page(summary_of_map(model, content), sections)
 
@@ -95,12 +99,6 @@ def middle_of(model: Model, dataset: xarray.Dataset) -> list[float] | None:
         return None
     pose = [float(dataset[name].values[dataset.sizes[name] // 2]) for name in names]
     return pose if model.check(pose).valid else None
-
-
-def _explored(model: Model, dataset: xarray.Dataset, view: str | None) -> list[Section]:
-    """Return the section of the interactive map, where there are poses to choose from."""
-    explorer = explorer_of(model, dataset, axis_units(model), machine=view is not None)
-    return [] if explorer is None else [Section("explore", "Pose by pose", [explorer])]
 
 
 def _volume(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
@@ -206,10 +204,3 @@ def _figures(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
             continue
         blocks.append(Picture.of(picture.drawing, picture.title, picture.description, text, cropped=True))
     yield Section("figures", title, blocks)
-
-
-def _about(content: dict[str, Any]) -> list[tuple[str, list[Cell]]]:
-    facts = [("rigid-body modes", [Cell(str(content["rigid_modes"]))])]
-    if content["file"]:
-        facts.append(("map", [Cell(shortened(content["file"].replace("\\", "/").rpartition("/")[2]))]))
-    return facts

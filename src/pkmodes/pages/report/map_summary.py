@@ -25,13 +25,23 @@ NO_BREAK_PER_CENT = "\N{NO-BREAK SPACE}%"
 
 def summary_of_map(model: Model, content: dict[str, Any]) -> Summary:
     """Return where the lowest frequency lies, and what was mapped."""
-    headline = _headline(content)
+    units, parts = axis_units(model), []
+    for dim, (low, high) in content["ranges"].items():
+        count = content["dimensions"][dim]
+        if isinstance(low, str) or dim in ("pose", "sample"):
+            parts.append(plural(count, "pose" if dim == "pose" else "sampled robot"))
+            continue
+        name, factor = units.get(dim, ("", 1.0))
+        ends = _value(low * factor) if count == 1 else f"{_value(low * factor)} to {_value(high * factor)}"
+        values = f" ({count} values)" if count > 1 else ""
+        parts.append(f"{dim} {ends} {name}".rstrip() + values)
+    mapped = f"Mapped with {motors_in_words(model.robot, content['drives'])}: {', '.join(parts)}."
     share = content["valid"] / content["poses"]
     notes = [
         f"{plural(count, 'pose')} cannot be evaluated: {model.reasons[code]}."
         for code, count in content["reasons"].items()
     ]
-    notes += [sentence.replace("= -", f"= {MINUS}") for sentence in sentences(content, axis_units(model))]
+    notes += [sentence.replace("= -", f"= {MINUS}") for sentence in sentences(content, units)]
     facts = [
         ("poses", Cell(thousands(content["poses"]), content["poses"], pointer("poses"))),
         (
@@ -47,8 +57,8 @@ def summary_of_map(model: Model, content: dict[str, Any]) -> Summary:
     return Summary(
         subject=shortened(content["robot"]),
         kind="Map",
-        headline=headline,
-        reason=_extent(model, content),
+        headline=_headline(content),
+        reason=mapped,
         notes=notes,
         facts=facts,
         head=head_of(model.robot.report),
@@ -59,7 +69,7 @@ def _headline(content: dict[str, Any]) -> str:
     """Return where the lowest frequency lies, ignoring a few poses at the edge of the workspace."""
     first, count = content["modes"][0], content["counted"]
     if first["minimum_hz"] is None:
-        return "The machine is stable at no pose" if content["valid"] else "No pose could be evaluated"
+        return "The machine is not stable at any pose" if content["valid"] else "No pose could be evaluated"
     lowest = "Mode 1" if content["tracked"] else "The lowest frequency of vibration"
     if count < FEW:
         low, high, where = first["minimum_hz"], first["maximum_hz"], ""
@@ -68,21 +78,6 @@ def _headline(content: dict[str, Any]) -> str:
     if count == 1:
         return f"{lowest} is {numbers.hertz(low)} Hz"
     return f"{lowest} lies between {numbers.hertz(low)} and {numbers.hertz(high)} Hz{where}"
-
-
-def _extent(model: Model, content: dict[str, Any]) -> str:
-    """Return what was mapped, as a sentence."""
-    units, parts = axis_units(model), []
-    for dim, (low, high) in content["ranges"].items():
-        count = content["dimensions"][dim]
-        if isinstance(low, str) or dim in ("pose", "sample"):
-            parts.append(plural(count, "pose" if dim == "pose" else "sampled robot"))
-            continue
-        name, factor = units.get(dim, ("", 1.0))
-        ends = _value(low * factor) if count == 1 else f"{_value(low * factor)} to {_value(high * factor)}"
-        values = f" ({count} values)" if count > 1 else ""
-        parts.append(f"{dim} {ends} {name}".rstrip() + values)
-    return f"Mapped with {motors_in_words(model.robot, content['drives'])}: {', '.join(parts)}."
 
 
 def axis_units(model: Model) -> dict[str, tuple[str, float]]:

@@ -84,15 +84,10 @@ def report(
     setting = ReportSetting(subject, declared, data, tuple(sources), view)
     spread = None if declared is None or data is None else declared_spread(declared, data)
     evidence = PlottedEvidence.of(result, data, "setup" if declared is None else "pose", spread)
-    if isinstance(result, Comparison):
-        return _comparison_page(result, evidence, setting)
     if isinstance(result, Change):
         return change_page(result, evidence, setting)
-    return diagnosis_page(result, evidence, setting)
-
-
-def _comparison_page(result: Comparison, evidence: PlottedEvidence, setting: ReportSetting) -> str:
-    """Return the report of a comparison as HTML."""
+    if isinstance(result, Diagnosis):
+        return diagnosis_page(result, evidence, setting)
     sections = [
         *figures.sections(evidence),
         *view_section(setting.view),

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from pkmodes.loop.measured.comparison import MeasurementsCompared, ModePair
 from pkmodes.loop.measured.shape_changes import PlaceChange
 from pkmodes.loop.measured.strain_energy import most_changed
@@ -39,10 +37,13 @@ def where(result: MeasurementsCompared) -> list[str]:
             f"and {high}: index {place.index:.3g} ({deviations_in_words(place.sigmas)}), as where stiffness is "
             f"{'lost' if increased else 'gained'} there, or a mass changed."
         )
-    trusted = [
-        pair for pair in result.pairs if pair.shape and pair.shape.chi2 is not None and _shows_places(pair)
-    ]
-    moved = [(pair, places) for pair in trusted if (places := _clearest(pair))]
+    trusted, moved = 0, list[tuple[ModePair, list[PlaceChange]]]()
+    for pair in result.pairs:
+        if pair.shape and pair.shape.chi2 is not None and _shows_places(pair):
+            trusted += 1
+            clear = [change for change in pair.shape.components if change.differs]
+            if clear:
+                moved.append((pair, sorted(clear, key=lambda change: -abs(change.sigmas or 0.0))))
     moved.sort(key=lambda entry: -abs(entry[1][0].sigmas or 0.0))
     for pair, places in moved[:MODES]:
         at = ", ".join(
@@ -61,27 +62,15 @@ def _shows_places(pair: ModePair) -> bool:
     return not NO_PLACE.intersection(pair.cautions)
 
 
-def _clearest(pair: ModePair) -> list[PlaceChange]:
-    """Return the channels at which the shape clearly differs, the clearest first."""
-    clear = [place for place in pair.shape.components if place.differs] if pair.shape else []
-    return sorted(clear, key=lambda place: -abs(place.sigmas or 0.0))
-
-
-def _places(result: MeasurementsCompared) -> Iterator[tuple[int, str, int, PlaceChange]]:
-    """Yield the places of all shapes: index of the pair, key in the JSON, index in it, and the change."""
-    for i, pair in enumerate(result.pairs):
-        if pair.shape is not None:
-            for key, places in (
-                ("components", pair.shape.components),
-                ("curvatures", pair.shape.curvatures),
-            ):
-                for k, place in enumerate(places):
-                    yield i, key, k, place
-
-
 def shape_tables(result: MeasurementsCompared, max_rows: int | None) -> list[Table]:
     """Return the places at which shapes differ: the clearest first, up to `max_rows`, or all in order."""
-    places = list(_places(result))
+    places = [
+        (i, key, k, place)
+        for i, pair in enumerate(result.pairs)
+        if pair.shape is not None
+        for key, changes in (("components", pair.shape.components), ("curvatures", pair.shape.curvatures))
+        for k, place in enumerate(changes)
+    ]
     if max_rows is not None:
         clear = [entry for entry in places if entry[3].differs and _shows_places(result.pairs[entry[0]])]
         omitted = max(len(clear) - max_rows, 0)

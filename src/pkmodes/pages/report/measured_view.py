@@ -93,10 +93,17 @@ def measured_scene(
         return None
     kept = [kept[k] for k in in_order([data.labels[i] for i in kept])]  # as in tables and figures
     scene = scene_of([models[loads[i]] for i in kept], points[kept], drives=drives)
-    units = channels(shown.robot.mechanism)
+    quantities, units = settable(shown.robot.mechanism), channels(shown.robot.mechanism)
+    labels = []
+    for i in kept:  # with the values that are set there
+        values = [
+            f"{path.split('.')[-1]} {value:g} {quantities.get(path, '')}".rstrip()
+            for path, value in data.load(i).items()
+        ]
+        labels.append(data.labels[i] + (f" ({', '.join(values)})" if values else ""))
     return replace(
         scene,
-        labels=tuple(_label(shown.robot, data, i) for i in kept),
+        labels=tuple(labels),
         what=shown.what,
         measured=_measured(result, shown, data, {pose: k for k, pose in enumerate(kept)}, scene),
         channels=tuple(Channel(name, units.get(name, "1")) for name in data.channels),
@@ -126,13 +133,3 @@ def _measured(
             )
         )
     return tuple(modes)
-
-
-def _label(robot: Robot, data: Measurements, pose: int) -> str:
-    """Return the label of a pose with the values that are set there."""
-    units = settable(robot.mechanism)
-    load = [
-        f"{path.split('.')[-1]} {value:g} {units.get(path, '')}".rstrip()
-        for path, value in data.load(pose).items()
-    ]
-    return data.labels[pose] + (f" ({', '.join(load)})" if load else "")

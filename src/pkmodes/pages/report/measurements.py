@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 #: Most modes named in a headline.
 NAMED = 3
 FACTOR = (
-    "Modes change so where stiffness or mass changes everywhere in proportion, as with the temperature or the "
-    "tension of all belts, and where the clock of one test is wrong."
+    "Modes change in this way where stiffness or mass changes everywhere in proportion, as with the temperature or "
+    "the tension of all belts, and where the clock of one test is wrong."
 )
 
 
@@ -53,7 +53,7 @@ def measurements_summary(result: MeasurementsCompared) -> Summary:
 def _judged(result: MeasurementsCompared) -> tuple[str, str, Colour]:
     """Return what the differences mean."""
     if result.changed == "no_pairs":
-        return "No mode has a partner", "No frequency of one is within 25 % of one of the other.", "bad"
+        return "No mode has a partner", "No frequency of one is within 25 % of any of the other.", "bad"
     count = len(result.pairs)
     unpaired = len(result.first_unpaired) + len(result.second_unpaired)
     unpaired_note = f"; {plural(unpaired, 'mode')} without a partner" if unpaired else ""
@@ -118,7 +118,7 @@ def _nothing_common(common: CommonChange | None) -> str:
         p = p_text(common.residual_p_value)
         return f"No change is common to most of them: their factors differ (p-value {p})."
     whose = f"the {common.pairs} that agree" if common.residual_p_value <= LEVEL else "all"
-    return f"No change is common to all modes: {_change(common.relative, common.sigmas)} of {whose}."
+    return f"No change is common to all modes: that of {whose} is {_change(common.relative, common.sigmas)}."
 
 
 def _left_of_single(common: CommonChange | None) -> str:
@@ -128,13 +128,13 @@ def _left_of_single(common: CommonChange | None) -> str:
     p = p_text(common.residual_p_value)
     if common.residual_p_value > LEVEL:
         return f"What single modes did beyond it is within the errors (p-value {p})."
-    return f"What is left of all together is more than the errors (p-value {p}), but of no single mode."
+    return f"What remains is more than the errors for all modes together (p-value {p}), but not for any single mode."
 
 
 def _noticeable(result: MeasurementsCompared) -> str:
     """Return which changes would have been found."""
     smallest, largest = (choose(result.pairs, key=lambda pair: pair.noticeable) for choose in (min, max))
-    text = f"Would have counted: a change of a single mode by {plain(100.0 * smallest.noticeable, 2)} %"
+    text = f"Changes that would have counted: of a single mode by {plain(100.0 * smallest.noticeable, 2)} %"
     if largest is not smallest:
         text += f" ({mode_name(smallest)}) to {plain(100.0 * largest.noticeable, 2)} % ({mode_name(largest)})"
     if result.common is not None and result.common.sigma is not None:

@@ -33,18 +33,7 @@ def mode_table(
     - paired: whether only modes with a partner count as the worst: the others are reported elsewhere
     """
     rows: list[Row | ComparedRow] = [*result.rows]
-    chosen, note = _order(evidence), ""
-    if len(rows) > max_rows:
-        worst = _worst(evidence)
-        with_partner = [i for i in worst if evidence.stages and evidence.last.paired[i]]
-        chosen = (with_partner if paired and with_partner else worst)[:max_rows]
-        which = (
-            "measured mode that differs" if len(chosen) == 1 else f"{len(chosen)} measured modes that differ"
-        )
-        note = (
-            f"The table has the {which} most from the model{', the worst first' if len(chosen) > 1 else ''}. "
-            f"All {plural(len(rows), 'mode')} are in the output of --json, under rows."
-        )
+    chosen, note = _chosen(evidence, max_rows, paired)
     has_names = any(row.mode for row in rows)
     shapes = any(row.mac is not None for row in rows)
     loads = any(row.load for row in rows)
@@ -74,7 +63,9 @@ def mode_table(
         cells += [Cell(str(row.line), row.line, pointer("rows", i, "line"))]
         cells += [label(row.mode)] if has_names else []
         cells += _numbers(result, evidence, i)
-        cells += _damping(row, i) if damped and isinstance(row, ComparedRow) else []
+        if damped and isinstance(row, ComparedRow):
+            keys = ("damping", "sigma_damping", "predicted_damping")
+            cells += [number(getattr(row, key), ".3g", pointer("rows", i, key), scale=100.0) for key in keys]
         cells += [number(row.mac, ".3f", pointer("rows", i, "mac"))] if shapes else []
         cells += [Cell(remarks[i])] if any(remarks) else []
         cells += [setting.load(row.load)] if loads else []
@@ -84,6 +75,25 @@ def mode_table(
     )
     caption += "; own: the name of the mode there." if has_names else "."
     return table(caption, columns, lines, groups, note, heads=2 + mixed)
+
+
+def _chosen(evidence: PlottedEvidence, max_rows: int, paired: bool) -> tuple[list[int], str]:
+    """Return the rows of the table, by pose and frequency or the worst first, and a note on those omitted."""
+    order: list[int] = np.lexsort((evidence.measured, evidence.setup)).tolist()
+    if len(order) <= max_rows:
+        return order, ""
+    if evidence.stages:  # by their difference at the last stage, unmatched ones first
+        away = np.abs(evidence.last.predicted.sigmas)
+        order = np.argsort(-np.where(np.isnan(away), np.inf, away), kind="stable").tolist()
+        with_partner = [i for i in order if evidence.last.paired[i]]
+        order = with_partner if paired and with_partner else order
+    chosen = order[:max_rows]
+    which = "measured mode that differs" if len(chosen) == 1 else f"{len(chosen)} measured modes that differ"
+    note = (
+        f"The table has the {which} most from the model{', the worst first' if len(chosen) > 1 else ''}. "
+        f"All {plural(len(evidence.measured), 'mode')} are in the output of --json, under rows."
+    )
+    return chosen, note
 
 
 def _numbers(result: Diagnosis | Comparison, evidence: PlottedEvidence, i: int) -> list[Cell]:
@@ -108,11 +118,6 @@ def _numbers(result: Diagnosis | Comparison, evidence: PlottedEvidence, i: int) 
     return cells
 
 
-def _damping(row: ComparedRow, i: int) -> list[Cell]:
-    keys = ("damping", "sigma_damping", "predicted_damping")
-    return [number(getattr(row, key), ".3g", pointer("rows", i, key), scale=100.0) for key in keys]
-
-
 def _remark(row: Row | ComparedRow, evidence: PlottedEvidence, i: int) -> str:
     words = []
     if isinstance(row, Row):
@@ -122,18 +127,3 @@ def _remark(row: Row | ComparedRow, evidence: PlottedEvidence, i: int) -> str:
     if evidence.stages and not evidence.last.paired[i]:
         words.append("unmatched")
     return ", ".join(words)
-
-
-def _order(evidence: PlottedEvidence) -> list[int]:
-    """Return the rows by pose and frequency."""
-    order: list[int] = np.lexsort((evidence.measured, evidence.setup)).tolist()
-    return order
-
-
-def _worst(evidence: PlottedEvidence) -> list[int]:
-    """Return the rows by their difference at the last stage, unmatched ones first."""
-    if not evidence.stages:
-        return _order(evidence)
-    away = np.abs(evidence.last.predicted.sigmas)
-    order: list[int] = np.argsort(-np.where(np.isnan(away), np.inf, away), kind="stable").tolist()
-    return order

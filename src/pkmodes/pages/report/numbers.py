@@ -64,7 +64,31 @@ def fitted_value_tables(result: Diagnosis, setting: ReportSetting) -> list[Table
     if not corrected:
         return [Paragraph("No value was uncertain, and none was fitted.")]
     widened = any(value.saved_sigma > NOTICEABLE * value.sigma for value in corrected)
-    rows = [_value(result, value, setting) for value in corrected]
+    rows = []
+    for value in corrected:  # its numbers are in the JSON under refitted, or with the cause
+        before, after, sigma, saved = "", "", "", ""
+        role, prior = "fitted", value.prior_sigma
+        if any(refitted.name == value.name for refitted in result.refitted):
+            role = "uncertain"
+            before, after, sigma, saved = (
+                pointer("refitted", value.name, name) for name in ("before", "after", "sigma", "saved_sigma")
+            )
+        for i, effect in enumerate(result.effects):
+            if any(parameter.name == value.name for parameter in effect.parameters):
+                role, at = "cause", ("effects", i, "parameters", key(value))
+                after, sigma, saved = (pointer(*at, name) for name in ("value", "sigma", "saved_sigma"))
+        rows.append(
+            [
+                Cell.named(setting.words(value.name), clean(value.name.removeprefix("effects."))),
+                Cell(f"{role}, at a bound" if value.at_bound else role),
+                figures(value.declared, 6, before),
+                uncertain_cell(value.value, value.saved_sigma, after, saved, fit=value.sigma),
+                figures(value.sigma, 2, sigma),
+                unit_cell(value.unit),
+                figures(prior, 2),
+                number((value.value - value.declared) / prior if prior else None, "+.1f"),
+            ]
+        )
     columns = [Column("value", False), Column("role", False, page_only=True), Column("before")]
     columns += [
         Column("after"),
@@ -127,9 +151,9 @@ def correlations(result: Diagnosis) -> list[Picture]:
             figure,
             "Correlation of the fitted values",
             f"Correlation of each pair of the fitted values. {strong}.",
-            "Correlation of the fitted values, by the fit and the priors. Near +1 or \u22121 the data tell a "
-            "combination of two values far better than each: what is known better of one then moves the other. "
-            f"{strong}.",
+            "Correlation of the fitted values, by the fit and the priors. Near +1 or \u22121 the data "
+            "determine a combination of two values far better than either: a better value of one then moves the "
+            f"other. {strong}.",
         )
     ]
     if parts is not None:
@@ -146,30 +170,3 @@ def correlations(result: Diagnosis) -> list[Picture]:
             )
         )
     return pictures
-
-
-def _value(result: Diagnosis, value: Corrected, setting: ReportSetting) -> list[Cell]:
-    """Return a row; its numbers are in the JSON under refitted, or with the cause."""
-    before, after, sigma, saved = "", "", "", ""
-    role = "fitted"
-    if any(refitted.name == value.name for refitted in result.refitted):
-        role = "uncertain"
-        before, after, sigma, saved = (
-            pointer("refitted", value.name, name) for name in ("before", "after", "sigma", "saved_sigma")
-        )
-    for i, effect in enumerate(result.effects):
-        if any(parameter.name == value.name for parameter in effect.parameters):
-            role = "cause"
-            at = ("effects", i, "parameters", key(value))
-            after, sigma, saved = (pointer(*at, name) for name in ("value", "sigma", "saved_sigma"))
-    prior = value.prior_sigma
-    return [
-        Cell.named(setting.words(value.name), clean(value.name.removeprefix("effects."))),
-        Cell(f"{role}, at a bound" if value.at_bound else role),
-        figures(value.declared, 6, before),
-        uncertain_cell(value.value, value.saved_sigma, after, saved, fit=value.sigma),
-        figures(value.sigma, 2, sigma),
-        unit_cell(value.unit),
-        figures(prior, 2),
-        number((value.value - value.declared) / prior if prior else None, "+.1f"),
-    ]

@@ -36,26 +36,23 @@ def page(summary: Summary, sections: Sequence[Section]) -> str:
     need_report()
     template = _environment().get_template(PAGE)
     style = (files(__package__) / TEMPLATES / STYLE).read_text(encoding="utf-8")
-    html = template.render(
-        summary=summary,
-        sections=list(sections),
-        style=style,
-        programs=_programs(sections),
-        version=VERSION,
-    )
-    return with_policy(html)
-
-
-def _programs(sections: Sequence[Section]) -> list[str]:
-    """Return the programs that the blocks of a page need in the browser, each once."""
+    # The programs that the blocks need in the browser, each once.
     names = dict.fromkeys(name for section in sections for block in section.blocks for name in block.programs)
     if any(section.folded for section in sections):
         names[FOLDING] = None
     folder = files(__package__) / BROWSER
-    return [
+    programs = [
         "".join((folder / f"{part}.js").read_text(encoding="utf-8") for part in name.split("+"))
         for name in names
     ]
+    html = template.render(
+        summary=summary,
+        sections=list(sections),
+        style=style,
+        programs=programs,
+        version=VERSION,
+    )
+    return with_policy(html)
 
 
 @cache

@@ -12,15 +12,15 @@ from pkmodes.core.robot.robot import Robot
 from pkmodes.loop.diagnosis.states.result import Change
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes.pages.plots.evidence import PlottedEvidence
-from pkmodes.pages.plots.places import Marked, places
+from pkmodes.pages.plots.places import COLOURS, Marked, places
 from pkmodes.pages.report.blocks import Block, Picture
-from pkmodes.pages.report.formatting import clean
+from pkmodes.pages.report.formatting import clean, plural
 from pkmodes.pages.report.setting import ReportSetting
 from pkmodes.pages.view import scene
 from pkmodes_description import Element
 
-#: Most terms that are marked.
-MOST = 5
+#: Most places that are marked: each has a colour of its own.
+MOST = len(COLOURS)
 #: Prefix of a declared value as a candidate.
 VALUE = "parameter:"
 #: Directions that an arrow can show.
@@ -43,20 +43,29 @@ def named_terms(result: Diagnosis) -> list[tuple[str, str]]:
 
 def marked_elements(result: Diagnosis, robot: Robot) -> frozenset[int]:
     """Return the elements of a machine's drawing that show these places."""
+    return frozenset(i for mark in _marks(result, robot)[:MOST] for i in mark.elements)
+
+
+def _marks(result: Diagnosis, robot: Robot) -> list[Marked]:
+    """Return the marked elements of all places that the drawing of the machine shows."""
     elements = robot.mechanism.drawing.elements
-    marks = [marked(name, words, elements) for name, words in named_terms(result)[:MOST]]
-    return frozenset(i for mark in marks if mark is not None for i in mark.elements)
+    marks = [marked(name, words, elements) for name, words in named_terms(result)]
+    return [mark for mark in marks if mark is not None]
 
 
 def picture(result: Diagnosis, evidence: PlottedEvidence, setting: ReportSetting) -> list[Block]:
     """Return a picture of the machine with these places in colour; empty if it shows none of them."""
     if setting.robot is None:
         return []
-    elements, model = setting.robot.mechanism.drawing.elements, Model(setting.robot)
-    possible = [marked(name, words, elements) for name, words in named_terms(result)[:MOST]]
-    marks = [mark for mark in possible if mark is not None]
+    marks, model = _marks(result, setting.robot), Model(setting.robot)
     if not marks:
         return []
+    marks, omitted = marks[:MOST], max(len(marks) - MOST, 0)
+    others = (
+        f" {plural(omitted, 'further place')} {'is' if omitted == 1 else 'are'} not marked."
+        if omitted
+        else ""
+    )
     valid = np.flatnonzero(model.check(evidence.points).valid)
     if not len(valid):
         return []
@@ -68,8 +77,8 @@ def picture(result: Diagnosis, evidence: PlottedEvidence, setting: ReportSetting
         Picture.of(
             places(scene(model, evidence.points[chosen]), marks),
             title,
-            f"{at}, with these bodies in colour: {words}.",
-            f"{title}: {at}. An arrow shows the direction in which something acts.",
+            f"{at}, with these bodies in colour: {words}.{others}",
+            f"{title}: {at}. An arrow shows the direction in which something acts.{others}",
         )
     ]
 
@@ -86,30 +95,24 @@ def marked(term: str, words: str, elements: Sequence[Element]) -> Marked | None:
     form, _, place = term.partition(":")
     if not place:  # a cause of the catalogue
         return None
-    if form in ("parameter", "compliance"):
-        indices = _of_one_axis(place, words, elements)
-        return Marked(words, indices) if indices else None
+    if form in ("parameter", "compliance"):  # of the table or joint of one axis, or else all of that axis
+        numbers, tables = re.findall(r"(?<![a-z])\d+", place), re.findall(r"[a-z]+", place)
+        if not numbers:
+            return None
+        number = numbers[0]
+        tried = (
+            lambda e: e.place and e.place.startswith(tuple(f"{table}_{number}" for table in tables)),
+            lambda e: e.kind in tables and e.name.endswith(f" {number}"),
+            lambda e: " ".join(e.name.split()[-2:]) in words,
+            lambda e: number in re.findall(r"\d+", e.place)[:1],
+        )
+        for shows in tried:
+            if indices := tuple(i for i, element in enumerate(elements) if shows(element)):
+                return Marked(words, indices)
+        return None
     ends, _, along = place.partition(".")
     names = ends.split("/")
     indices = tuple(i for i, element in enumerate(elements) if element.place in names)
     if {elements[i].place for i in indices} != {*names}:
         return None
     return Marked(words, indices, along if along in AXES else "")
-
-
-def _of_one_axis(place: str, words: str, elements: Sequence[Element]) -> tuple[int, ...]:
-    """Return the elements of the table or joint of one axis, or else all of that axis."""
-    numbers = re.findall(r"(?<![a-z])\d+", place)
-    if not numbers:
-        return ()
-    number, tables = numbers[0], re.findall(r"[a-z]+", place)
-    tried = (
-        lambda e: e.place and e.place.startswith(tuple(f"{table}_{number}" for table in tables)),
-        lambda e: e.kind in tables and e.name.endswith(f" {number}"),
-        lambda e: " ".join(e.name.split()[-2:]) in words,
-        lambda e: number in re.findall(r"\d+", e.place)[:1],
-    )
-    for shows in tried:
-        if indices := tuple(i for i, element in enumerate(elements) if shows(element)):
-            return indices
-    return ()

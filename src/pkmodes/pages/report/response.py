@@ -45,8 +45,8 @@ if TYPE_CHECKING:
 #: Channels in one figure, two by two.
 TOGETHER = 4
 UNDAMPED = (
-    "The robot file has no damping: a resonance has no height of its own, and its peak is as high as the nearest "
-    "frequency lets it be. Add [damping] ratio."
+    "The robot file has no damping: a resonance has no height of its own, and its peak depends only on how near the "
+    "nearest frequency is. Add [damping] ratio."
 )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
@@ -58,7 +59,11 @@ def different_values(first: Model, content: dict[str, Any], max_rows: int | None
     numbered = list(enumerate(content["values"]))
     note = ""
     if max_rows is not None and len(numbered) > max_rows:
-        numbered = sorted(numbered, key=lambda entry: _size(entry[1]))[:max_rows]
+        # Those without a relative difference first, then the largest ones.
+        ranks = {
+            i: -math.inf if value["relative"] is None else -abs(value["relative"]) for i, value in numbered
+        }
+        numbered = sorted(numbered, key=lambda entry: ranks[entry[0]])[:max_rows]
         note = f"The {max_rows} that differ most of {len(content['values'])}; all: --all, --json or --report."
     if numbered:
         shown = [value for _, value in numbered]
@@ -130,8 +135,3 @@ def frequencies(content: dict[str, Any]) -> Iterator[Shared]:
         "exchanged is the share of poses at which it is another, because frequencies cross or veer; MAC is the "
         "median of the pairs."
     )
-
-
-def _size(value: dict[str, Any]) -> tuple[int, float]:
-    """Return the key by which values are sorted: those without a relative difference first, then the largest ones."""
-    return (0, 0.0) if value["relative"] is None else (1, -abs(value["relative"]))

@@ -24,10 +24,10 @@ COMPARED = {
 DIAGNOSED = {
     "uncertain value": "Declared with a standard deviation, its prior, and refitted within it in every fit.",
     "candidate": "Something the model may lack or have wrong. A cause is a candidate that was found.",
-    "class": "Candidates that these data cannot tell apart. A claim is never more than its class.",
+    "class": "Candidates that these data cannot tell apart. A claim never goes beyond its class.",
     "held out": "A pose that took no part in any choice or fit: its error is that of a prediction.",
     "set aside": "A measured mode that contradicts all others and was left out of the fit.",
-    "p-value": "How likely noise alone would look like this: the smaller, the stronger the evidence.",
+    "p-value": "How likely noise alone is to look like this: the smaller, the stronger the evidence.",
 }
 
 

@@ -40,34 +40,28 @@ def sensitivities_report(
     pose, drives = content["pose"], content["drives"]
     percent = changes_at(model, pose, drives, PERCENT)
     sigma = changes_at(model, pose, drives, SIGMA) if stated_sigmas(model.robot) else None
+    by_percent: list[Block] = [Paragraph("No frequency depends on any quantity of the robot file.")]
+    if percent.largest_of_all():
+        whole = per_cent(model, percent, content)
+        note = (
+            f"{whole.note} Coordinates are left out, since a per cent of a coordinate depends on where the origin "
+            "lies; --all and the JSON have everything."
+        )
+        by_percent = [*_pictures(percent), *_parts(replace(whole, note=note.strip()))]
+    by_sigma: list[Block] = [
+        Paragraph(
+            'The robot file states no standard deviations. Where it does, as in mass = { value = "1.5 kg", '
+            'sigma = "1 %" }, this section shows how well each frequency is known.'
+        )
+    ]
+    if sigma is not None:
+        by_sigma = [*_pictures(sigma), *_parts(per_sigma(model, sigma))]
     sections = [
-        Section("percent", "One per cent of each quantity", _per_cent(model, percent, content)),
-        Section("sigma", "Standard deviations of the robot file", _per_sigma(model, sigma)),
+        Section("percent", "One per cent of each quantity", by_percent),
+        Section("sigma", "Standard deviations of the robot file", by_sigma),
         origin(sources, model.mechanism, [("rigid-body modes", [Cell(str(content["rigid_modes"]))])]),
     ]
     return page(sensitivities_summary(model, percent, sigma, content), sections)
-
-
-def _per_cent(model: Model, changes: Changes, content: dict[str, Any]) -> list[Block]:
-    if not changes.largest_of_all():
-        return [Paragraph("No frequency depends on any quantity of the robot file.")]
-    note = (
-        " Coordinates are left out, since a per cent of a coordinate depends on where the origin lies; --all and the "
-        "JSON have everything."
-    )
-    percent_table = per_cent(model, changes, content)
-    return [*_pictures(changes), *_parts(replace(percent_table, note=(percent_table.note + note).strip()))]
-
-
-def _per_sigma(model: Model, changes: Changes | None) -> list[Block]:
-    if changes is None:
-        return [
-            Paragraph(
-                'The robot file states no standard deviations. Where it does, as in mass = { value = "1.5 kg", '
-                'sigma = "1 %" }, this section says how surely each frequency is known.'
-            )
-        ]
-    return [*_pictures(changes), *_parts(per_sigma(model, changes))]
 
 
 def _pictures(changes: Changes) -> list[Block]:

@@ -59,9 +59,12 @@ def sensitivities_summary(
     if first:
         mode = int(relative[first[0]].argmax())
         change = f"{relative[first[0], mode]:.2g}"
-        name = " or ".join(_named(model, path) for path in percent.names[first[0]])
+        names = []
+        for path in map(clean, percent.names[first[0]]):
+            words = clean(meaning_of(model.robot.mechanism, path))
+            names.append(f"the {words} ({path})" if words else path)
         which = f"Of the chosen quantities, mode {mode + 1}" if chosen_only else f"Mode {mode + 1}"
-        headline = f"{which} depends most on {name}: {change} % for 1 %"
+        headline = f"{which} depends most on {' or '.join(names)}: {change} % for 1 %"
         reason = "The largest change of any frequency for one per cent of a quantity. "
     at = placed(model.mechanism, np.array(content["pose"]), "g").replace("-", MINUS)
     doing, facts, rigid = motors_in_words(model.robot, content["drives"]), [], content["rigid_modes"]
@@ -79,12 +82,6 @@ def sensitivities_summary(
         facts=facts,
         head=head_of(model.robot.report),
     )
-
-
-def _named(model: Model, path: str) -> str:
-    """Return what a quantity is within a sentence: in words, with its path."""
-    words = clean(meaning_of(model.robot.mechanism, path))
-    return f"the {words} ({clean(path)})" if words else clean(path)
 
 
 def _quantity(model: Model, paths: Sequence[str]) -> Cell:
@@ -113,7 +110,7 @@ def per_cent(model: Model, changes: Changes, content: dict[str, Any], max_rows: 
         rows.append(row)
     note = "" if all(len(changes.names[i]) == 1 for i in order[:max_rows]) else ONE
     if max_rows is not None and len(order) > max_rows:
-        note = f"{note} The {max_rows} largest of {len(order)}, by their largest in any mode.".strip()
+        note = f"{note} The {max_rows} largest of {len(order)}, by their largest change in any mode.".strip()
     caption = "Per cent of each frequency for one per cent more of a quantity, the largest first."
     return Table(
         caption, _columns("quantity", "value", page_only=True, modes=len(frequencies)), rows, note=note
@@ -131,17 +128,13 @@ def per_sigma(model: Model, changes: Changes) -> Table:
         rows.append([*row, *(number(float(value), "+.3f") for value in changes.changes[i])])
     combined = [number(float(value), ".3f", strong=True) for value in changes.together]
     rows.append([Cell("all together", strong=True), Cell(""), *combined])
-    how = (
-        CORRELATED
-        if model.robot.covariance
-        else "the root of the sum of squares, for values that err independently"
-    )
+    how = CORRELATED if model.robot.covariance else "the root of the sum of squares, for independent errors"
     return Table(
         "Hz for one standard deviation more of a value, and the standard deviation of each frequency.",
         _columns("quantity", "\u03c3", page_only=False, modes=len(changes.frequencies)),
         rows,
-        note=f"All together: {how}. Exact to first order: good where the standard deviations are small against the "
-        "values.",
+        note=f"All together: {how}. Exact to first order: good where the standard deviations are small compared with "
+        "the values.",
     )
 
 

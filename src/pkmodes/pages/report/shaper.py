@@ -226,7 +226,7 @@ def _over_workspace(model: Model, choice: Choice) -> Picture | Paragraph:
     }
     if not varying:
         share = ", ".join(f"{name}: {_per_cent(values[0] / 100.0)}" for name, values in shares.items())
-        return Paragraph(f"There is one pose only. Left of the vibration there: {share}.")
+        return Paragraph(f"There is only one pose. Left of the vibration there: {share}.")
     clear = [name for name, values in shares.items() if values.max() < FLAT]
     shares = {name: values for name, values in shares.items() if name not in clear} or shares
     named = [components[i].name for i in varying]

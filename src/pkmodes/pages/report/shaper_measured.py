@@ -57,7 +57,7 @@ def measured_shaper_summary(choice: Choice, content: dict[str, Any]) -> Summary:
     reason = (
         f"The recommended shaper, for {design_of(best)}, leaves at most {worst} of the vibration in each of the "
         f"{modes} at {poses}, {ERRORS}. {why_recommended(choice)} How much each mode takes part in a movement is not "
-        "in the table, so each counts in full: of all of them together no larger share is left."
+        "in the table, so each counts in full: the share left of all of them together is no larger."
     )
     facts = [
         ("lasts", Cell(f"{1e3 * best.duration:.3g} ms", best.duration)),
@@ -106,7 +106,7 @@ def shapers_table(choice: Choice) -> Table:
         rows.append(cells)
     caption = (
         "What shapers leave of the measured modes: the root mean square and the largest of all as measured, and the "
-        f"largest with each mode {ERRORS}. Where it turns back, a shaped path is rounded by so much for each "
+        f"largest with each mode {ERRORS}. Where a shaped path turns back, it is rounded by this much for each "
         "m/s\u00b2 of acceleration."
     )
     return Table(caption, columns, rows, note="* The recommended one.", heads=2)

@@ -38,13 +38,13 @@ def schedule_blocks(choice: Choice) -> list[Table]:
         Column("fixed [%]"),
         Column("rounds [\u00b5m]"),
     ]
-    serves = ", and the height of the print from which on it serves" if layers else ""
+    serves = ", and the height of the print from which it applies" if layers else ""
     halfway = ", halfway to its neighbours" if one_parameter else ""
     caption = (
         f"The schedule: for each setting the shaper that is recommended for its poses{serves}. What is left is the "
         f"largest vibration, of the largest without a shaper: at the setting itself (worst){halfway}, and at the "
-        f"setting with the recommended {clean(fixed.kind)} for all of them (fixed). Where it turns back, a shaped "
-        "path is rounded by so much for each m/s\u00b2 of acceleration."
+        f"setting with the recommended {clean(fixed.kind)} for all of them (fixed). Where a shaped path "
+        "turns back, it is rounded by this much for each m/s\u00b2 of acceleration."
     )
     rounds = [1e6 * step.best.rounding for step in schedule.steps]
     note = (

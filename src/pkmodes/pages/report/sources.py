@@ -63,11 +63,12 @@ def known_sources(roles: Sequence[tuple[str, str]]) -> tuple[Source, ...]:
 
     - roles: roles and places
     """
-    return tuple(Source.of(role, Path(place)) for role, place in roles if _is_file(place))
-
-
-def _is_file(place: str) -> bool:
-    try:
-        return Path(place).is_file()
-    except (OSError, ValueError):  # a name that no file can have
-        return False
+    sources = []
+    for role, place in roles:
+        try:
+            is_file = Path(place).is_file()
+        except (OSError, ValueError):  # a name that no file can have
+            continue
+        if is_file:
+            sources.append(Source.of(role, Path(place)))
+    return tuple(sources)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from pkmodes.core.support.ordering import joined
 from pkmodes.loop.diagnosis.verdict.findings import Stability
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
@@ -26,11 +24,15 @@ def stability_sentence(result: Diagnosis) -> str:
     claimed = {member for effect in result.effects for member in effect.members}
     outcomes: dict[tuple[str, str], list[str]] = {}
     for entry in result.stability:
-        outcome = _outcome(result, entry, claimed), meaning(result, entry)
-        outcomes.setdefault(outcome, []).append(entry.change)
+        key = _outcome(result, entry, claimed), meaning(result, entry)
+        outcomes.setdefault(key, []).append(entry.change)
     same = _same(result)
     order = sorted(outcomes, key=lambda outcome: outcome[0] != same)  # what stays comes first
-    parts = [_part(*outcome, outcomes[outcome], len(outcomes) == 1) for outcome in order]
+    parts = []
+    for outcome, why in order:
+        words = joined([CHANGES.get(change, change) for change in outcomes[outcome, why]])
+        also = "also " if len(outcomes) == 1 and " " not in outcome else ""
+        parts.append(f"{outcome} {also}with {words}{f' ({why})' if why else ''}")
     of = "the catalogue alone, " if result.beyond is not None and result.beyond.found is not None else ""
     return f"{of}{'stable' if stable(result) else 'stability'}: {'; '.join(parts)}"
 
@@ -58,9 +60,3 @@ def _same(result: Diagnosis) -> str:
     if result.effects:
         return "the same cause" + ("s" if len(result.effects) > 1 else "")
     return result.verdict
-
-
-def _part(outcome: str, why: str, changes: Sequence[str], single: bool) -> str:
-    words = joined([CHANGES.get(change, change) for change in changes])
-    because = f" ({why})" if why else ""
-    return f"{outcome} {'also ' if single and ' ' not in outcome else ''}with {words}{because}"

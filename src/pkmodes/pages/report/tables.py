@@ -30,9 +30,10 @@ def table(
     over = [k for k, (_, count) in enumerate(groups) for _ in range(count)]
     same = [c for c in range(1, len(columns)) if not columns[c].page_only and _same([row[c] for row in rows])]
     kept = [c for c in range(len(columns)) if c not in same]
-    shared = [
-        f"{_title(columns, groups, over, c)} {rows[0][c].text}" for c in same if rows[0][c].text not in BLANK
+    titles = [
+        f"{groups[over[c]][0] if over else ''} {column.title}".strip() for c, column in enumerate(columns)
     ]
+    shared = [f"{titles[c]} {rows[0][c].text}" for c in same if rows[0][c].text not in BLANK]
     kept_groups = (
         [(groups[k][0], len(list(run))) for k, run in groupby(over[c] for c in kept) if over] if over else []
     )
@@ -57,8 +58,3 @@ def _same(cells: Sequence[Cell]) -> bool:
         return True
     plain = all(cell.value is None or cell.text.isdigit() for cell in cells)
     return len(cells) > 1 and plain and not any(cell.spread for cell in cells)
-
-
-def _title(columns: Sequence[Column], groups: Sequence[tuple[str, int]], over: Sequence[int], c: int) -> str:
-    group = groups[over[c]][0] if over else ""
-    return f"{group} {columns[c].title}".strip()

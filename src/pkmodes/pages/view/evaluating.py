@@ -80,7 +80,7 @@ def scene_of(models: Sequence[Model], poses: Array, chosen: int = 0, *, drives: 
     """
     starts = [i for i, model in enumerate(models) if i == 0 or model is not models[i - 1]]
     ends = [*starts[1:], len(models)]
-    parts = [_evaluated(models[i], poses[i:k], drives) for i, k in zip(starts, ends, strict=True)]
+    parts = [_MachineMotion.of(models[i], poses[i:k], drives) for i, k in zip(starts, ends, strict=True)]
     model = models[chosen]
     drawing, mechanism = RobotDrawing(model.robot), model.mechanism
     coordinates = tuple(
@@ -149,20 +149,21 @@ class _MachineMotion:
     shapes: Array
     platform_shapes: Array
 
-
-def _evaluated(model: Model, poses: Array, drives: str) -> _MachineMotion:
-    drawing, modes = RobotDrawing(model.robot), model.modes(poses, drives=drives)
-    return _MachineMotion(
-        coordinates=modes.coordinates,
-        springs=drawing.springs(modes.poses),
-        rigid=modes.rigid_modes,
-        poses=modes.poses,
-        points=drawing.points(modes.poses),
-        motions=drawing.motions(modes.poses),
-        frequencies=modes.frequencies,
-        shapes=modes.shapes,
-        platform_shapes=modes.platform_shapes,
-    )
+    @classmethod
+    def of(cls, model: Model, poses: Array, drives: str) -> _MachineMotion:
+        """Evaluate a machine at poses, (N, d)."""
+        drawing, modes = RobotDrawing(model.robot), model.modes(poses, drives=drives)
+        return cls(
+            coordinates=modes.coordinates,
+            springs=drawing.springs(modes.poses),
+            rigid=modes.rigid_modes,
+            poses=modes.poses,
+            points=drawing.points(modes.poses),
+            motions=drawing.motions(modes.poses),
+            frequencies=modes.frequencies,
+            shapes=modes.shapes,
+            platform_shapes=modes.platform_shapes,
+        )
 
 
 def _widened(part: _MachineMotion, coordinates: tuple[str, ...], named: tuple[Named, ...]) -> _MachineMotion:

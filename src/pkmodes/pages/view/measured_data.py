@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.pages.view.measured_modes import MeasuredMode, scale_factor, weights_of
+from pkmodes.pages.view.measured_modes import scale_factor, weights_of
 from pkmodes.pages.view.scene import Scene
 
 Array = NDArray[np.float64]
@@ -29,10 +29,34 @@ def measured_data(scene: Scene) -> dict[str, Any] | None:
     """Return the measured modes of a scene; components are for a largest displacement of the model of 1 m."""
     if scene.measured is None:
         return None
-    return {
-        "channels": [{"name": channel.name, "unit": channel.unit} for channel in scene.channels],
-        "modes": [_mode(scene, mode) for mode in scene.measured],
-    }
+    modes = []
+    for measured in scene.measured:
+        pose, mode, mac = measured.pose, measured.mode, measured.mac
+        entry: dict[str, Any] = {
+            "pose": pose,
+            "mode": mode,
+            "name": measured.name,
+            "frequency": round(measured.frequency, 4),
+            "sigma": float(f"{measured.sigma:.3g}"),
+            "mac": None if mac is None or np.isnan(mac) else round(mac, 4),
+            "shape": measured.has_shape,
+        }
+        modes.append(entry)
+        if mode is None or not measured.has_shape:
+            continue
+        shapes, shape, scale = components(scene, pose), np.array(measured.shape), scene.scale(pose, mode)
+        scaled = scale * scale_factor(shape, shapes[mode], weights_of(shapes)) * shape
+        arrows, turns = _drawn(scene, pose, scaled)
+        entry |= {
+            "measured": [
+                None if np.isnan(value) else round(value, DIGITS) + 0.0 for value in scaled.tolist()
+            ],
+            "model": [round(value, DIGITS) + 0.0 for value in (scale * shapes[mode]).tolist()],
+            "arrows": arrows,
+            "turns": turns,
+        }
+    channels = [{"name": channel.name, "unit": channel.unit} for channel in scene.channels]
+    return {"channels": channels, "modes": modes}
 
 
 def components(scene: Scene, pose: int) -> Array:
@@ -45,33 +69,6 @@ def components(scene: Scene, pose: int) -> Array:
         elif channel.name in platform:
             shapes[:, k] = scene.platform_shapes[pose, :, platform.index(channel.name)]
     return shapes
-
-
-def _mode(scene: Scene, measured_mode: MeasuredMode) -> dict[str, Any]:
-    told = {
-        "pose": measured_mode.pose,
-        "mode": measured_mode.mode,
-        "name": measured_mode.name,
-        "frequency": round(measured_mode.frequency, 4),
-        "sigma": float(f"{measured_mode.sigma:.3g}"),
-        "mac": None
-        if measured_mode.mac is None or np.isnan(measured_mode.mac)
-        else round(measured_mode.mac, 4),
-        "shape": measured_mode.has_shape,
-    }
-    if measured_mode.mode is None or not measured_mode.has_shape:
-        return told
-    shapes = components(scene, measured_mode.pose)
-    measured, model = np.array(measured_mode.shape), shapes[measured_mode.mode]
-    scale = scene.scale(measured_mode.pose, measured_mode.mode)
-    scaled = scale * scale_factor(measured, model, weights_of(shapes)) * measured
-    arrows, turns = _drawn(scene, measured_mode.pose, scaled)
-    return told | {
-        "measured": [None if np.isnan(value) else round(value, DIGITS) + 0.0 for value in scaled.tolist()],
-        "model": [round(value, DIGITS) + 0.0 for value in (scale * model).tolist()],
-        "arrows": arrows,
-        "turns": turns,
-    }
 
 
 def _drawn(scene: Scene, pose: int, scaled: Array) -> tuple[list[Any], list[Any]]:
@@ -124,10 +121,11 @@ def measured_table(scene: Scene, key: str) -> str:
     here = [entry for entry in data["modes"] if entry["pose"] == scene.chosen and entry["mode"] == mode]
     rows = []
     for k, channel in enumerate(scene.channels):
-        cells = "".join(
-            f'<td data-part="of-{name}">{_cell(here[0][name][k] if here and "measured" in here[0] else None)}</td>'
-            for name in ("measured", "model")
-        )
+        cells = ""
+        for name in ("measured", "model"):
+            value = here[0][name][k] if here and "measured" in here[0] else None
+            text = "\u2013" if value is None else f"{value + 0.0:.3f}".replace("-", "\u2212")
+            cells += f'<td data-part="of-{name}">{text}</td>'
         unit = escape(SMALL.get(channel.unit, channel.unit))
         rows.append(
             f'<tr data-part="component"><th scope="row">{escape(channel.name)} [{unit}]</th>{cells}</tr>'
@@ -173,7 +171,3 @@ def observed(scene: Scene) -> str:
         if measured_mode.mac is None or math.isnan(measured_mode.mac)
         else f", MAC {measured_mode.mac:.3f}."
     )
-
-
-def _cell(value: float | None) -> str:
-    return "\u2013" if value is None else f"{value + 0.0:.3f}".replace("-", "\u2212")

@@ -152,10 +152,14 @@ def fragment(scene: Scene, name: str = "robot") -> str:
 
 def _poses(scene: Scene, key: str) -> str:
     if scene.levels is None:
-        options = "".join(
-            f'<option value="{i}"{" selected" if i == scene.chosen else ""}>{_option(scene, i)}</option>'
-            for i in range(len(scene.poses))
-        )
+        options = ""
+        for i, pose in enumerate(scene.poses):  # in few characters: with one unit where all have the same
+            parts = [_shown(c, value).rpartition(" ") for c, value in zip(scene.pose, pose, strict=True)]
+            single_unit = len({symbol for *_, symbol in parts}) == 1
+            text = ", ".join(value if single_unit else f"{value} {symbol}" for value, _, symbol in parts)
+            label = f"{scene.labels[i]}: " if scene.labels else ""
+            text = escape(f"{label}{text} {parts[0][2]}" if single_unit else label + text)
+            options += f'<option value="{i}"{" selected" if i == scene.chosen else ""}>{text}</option>'
         names = escape(", ".join(c.name for c in scene.pose))
         return (
             f'<fieldset><legend id="{key}-pose-title">Pose: {names}</legend>'
@@ -176,7 +180,7 @@ def _poses(scene: Scene, key: str) -> str:
 
 
 def _title(scene: Scene) -> str:
-    """Return what the picture shows first: the mode, its frequency, the spring with most energy, the motion."""
+    """Return what the picture shows first: mode, frequency, spring with most energy, motion, model, measurement."""
     pose, mode = scene.chosen, min(scene.rigid_modes, scene.frequencies.shape[1] - 1)
     number, shares = mode - scene.rigid_modes + 1, scene.shares[pose, mode]
     name = f"Mode {number}" if number > 0 else f"Rigid-body motion {mode + 1}"
@@ -194,21 +198,16 @@ def _title(scene: Scene) -> str:
     along = ", ".join(
         f"{component} {round(move, 2) + 0.0:.2f}".replace("-", "\u2212") for component, move in moves
     )
-    return (
-        f'<div class="pkview-title"><h2 data-part="title">{name}: {scene.frequencies[pose, mode]:.2f} Hz</h2>'
-        f'<p><span data-part="held">{held}</span></p>'
-        f'<p>Platform moves along <span data-part="along">{along}</span></p>{_about(scene)}</div>'
-    )
-
-
-def _about(scene: Scene) -> str:
-    """Return which model moves, and what was measured."""
     about = f"<p>Model {escape(scene.what)}</p>" if scene.what else ""
     if scene.varied:
         about += '<p>Thin lines: as declared<span data-part="declared"></span></p>'
-    if scene.measured is None:
-        return about
-    return f'{about}<p class="pkview-measured"><span data-part="observed">{observed(scene)}</span></p>'
+    if scene.measured is not None:
+        about += f'<p class="pkview-measured"><span data-part="observed">{observed(scene)}</span></p>'
+    return (
+        f'<div class="pkview-title"><h2 data-part="title">{name}: {scene.frequencies[pose, mode]:.2f} Hz</h2>'
+        f'<p><span data-part="held">{held}</span></p>'
+        f'<p>Platform moves along <span data-part="along">{along}</span></p>{about}</div>'
+    )
 
 
 def _modes(scene: Scene, key: str) -> str:
@@ -224,10 +223,11 @@ def _modes(scene: Scene, key: str) -> str:
         kind = "" if mode >= rigid else ' class="pkview-rigid"'
         name = str(mode - rigid + 1) if mode >= rigid else f"rigid {mode + 1}"
         chosen = " checked" if mode == first else ""
+        hertz = f"{round(scene.frequencies[scene.chosen, mode], 2) + 0.0:.2f} Hz".replace("-", "\u2212")
         labels.append(
             f'<label{kind}><input type="radio" name="{key}-mode" value="{mode}" data-part="mode"{chosen}>'
-            f'<b>{name}</b><span data-part="frequency" data-mode="{mode}">'
-            f"{_hertz(scene.frequencies[scene.chosen, mode])}</span>{beside.format(mode)}</label>"
+            f'<b>{name}</b><span data-part="frequency" data-mode="{mode}">{hertz}</span>'
+            f"{beside.format(mode)}</label>"
         )
     return (
         f'<fieldset><legend>Mode</legend><div class="pkview-modes">{"".join(labels)}</div></fieldset>'
@@ -280,11 +280,13 @@ def _table(scene: Scene, key: str) -> str:
         which = component if component.startswith("about") else f"along {component}"
         rows.append(f'<tr><th scope="row">Platform {escape(which)}</th>{cells}</tr>')
     for k, spring in enumerate(scene.springs):
-        cells = "".join(
-            f'<td data-column="{m}" data-part="share" data-mode="{m}" data-spring="{k}"'
-            f' style="--share: {np.nan_to_num(shares[m, k]):.3f}">{_percent(shares[m, k])}</td>'
-            for m in modes
-        )
+        cells = ""
+        for m in modes:
+            percent = "\u2013" if np.isnan(shares[m, k]) else f"{100 * shares[m, k]:.1f}"
+            cells += (
+                f'<td data-column="{m}" data-part="share" data-mode="{m}" data-spring="{k}"'
+                f' style="--share: {np.nan_to_num(shares[m, k]):.3f}">{percent}</td>'
+            )
         title = escape(f"{spring.name} [%]")
         rows.append(
             f'<tr data-part="spring" data-spring="{k}"><th scope="row" title="{escape(spring.description)}">'
@@ -303,20 +305,6 @@ def _turning(scene: Scene) -> str:
     if not (scene.lengths != 1.0).any():
         return ""
     return f" (rotations times {1e3 * float(scene.lengths[-1]):.4g} mm)"
-
-
-def _percent(share: float) -> str:
-    return "\u2013" if np.isnan(share) else f"{100 * share:.1f}"
-
-
-def _option(scene: Scene, index: int) -> str:
-    """Return a pose in few characters: its label, and its components with one unit where all have the same."""
-    told = [_shown(c, value).rpartition(" ") for c, value in zip(scene.pose, scene.poses[index], strict=True)]
-    units = [unit for *_, unit in told]
-    single_unit = len(set(units)) == 1
-    values = ", ".join(value if single_unit else f"{value} {unit}" for value, _, unit in told)
-    label = f"{scene.labels[index]}: " if scene.labels else ""
-    return escape(f"{label}{values} {units[0]}" if single_unit else label + values)
 
 
 def _place(scene: Scene, index: int) -> str:
@@ -340,10 +328,6 @@ def _shown(component: Named, value: float) -> str:
         return f"{text} {component.unit}".removesuffix(" 1").replace("-", "\u2212")
     unit, factor = SHOWN.get(component.unit, (component.unit, 1.0))
     return f"{round(factor * value, 1) + 0.0:.1f} {unit}".replace("-", "\u2212")
-
-
-def _hertz(value: float) -> str:
-    return f"{round(value, 2) + 0.0:.2f} Hz".replace("-", "\u2212")
 
 
 def _read(folder: str, name: str) -> str:

@@ -24,6 +24,12 @@ def as_data(scene: Scene) -> dict[str, Any]:
     turned = list(dict.fromkeys(element.turns for element in scene.elements if element.turns))
     shares = scene.shares
     moved, turns = _moves(scene, turned)
+    levels, deviations = None, None
+    if scene.levels is not None:  # of poses to a micrometre, of parameters as they are
+        levels = [values.tolist() if scene.varied else _rounded(values, 6) for values in scene.levels]
+    if scene.deviations is not None:  # at the places of `interpolation.deviations`; None where unknown
+        sizes = largest_around(scene.deviations).ravel().tolist()
+        deviations = [_rounded(size, OFF) if np.isfinite(size) else None for size in sizes]
     return {
         "size": _rounded(scene.size, PLACES),
         "amplitude": AMPLITUDE,
@@ -46,10 +52,10 @@ def as_data(scene: Scene) -> dict[str, Any]:
         "motionsOf": scene.motions_of.tolist(),
         "rigid": scene.rigid_modes,
         "chosen": scene.chosen,
-        "levels": None if scene.levels is None else [_levels(scene, values) for values in scene.levels],
+        "levels": levels,
         "places": None if scene.places is None else scene.places.ravel().tolist(),
         "order": None if scene.order is None else scene.order.tolist(),
-        "deviations": _largest_deviations(scene),
+        "deviations": deviations,
         "checked": scene.checked,
         "poses": _rounded(scene.poses, 6),
         "axes": [{"name": c.name, "unit": c.unit} for c in scene.axes],
@@ -87,19 +93,6 @@ def _moves(scene: Scene, turned: list[str]) -> tuple[Array, Array]:
     shapes = scene.shapes * scales[:, :, None]
     moved = np.einsum("pbcn,pmn->pmbc", scene.motions, shapes).reshape(count, modes, -1)
     return moved, shapes[:, :, [scene.coordinates.index(name) for name in turned]]
-
-
-def _largest_deviations(scene: Scene) -> list[float | None] | None:
-    """Return the largest errors of frequencies at the places of `interpolation.deviations`; None where unknown."""
-    if scene.deviations is None:
-        return None
-    sizes = largest_around(scene.deviations).ravel().tolist()
-    return [_rounded(size, OFF) if np.isfinite(size) else None for size in sizes]
-
-
-def _levels(scene: Scene, values: Array) -> Any:
-    """Return values of an axis: of poses to a micrometre, of parameters as they are."""
-    return values.tolist() if scene.varied else _rounded(values, 6)
 
 
 def _surface(scene: Scene, surface: Surface | None) -> dict[str, Any] | None:

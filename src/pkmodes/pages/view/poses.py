@@ -73,11 +73,15 @@ def typical_pose(model: Model) -> Array:
     PoseError
         If no regular pose is found.
     """
-    seeds = _seeds(model)
+    generated = Generated(model.mechanism.model, model.robot.parameters)
+    seeds = regular_poses(generated, model.mechanism, model.robot.parameters, SEEDS)
+    if model.robot.usable:
+        seeds = seeds[within(model)(seeds)] if len(seeds) else seeds
+        seeds = seeds if len(seeds) else usable_poses(model)
     if not len(seeds):
         raise PoseError("found no pose well inside the workspace", model.robot.source, "give one with --pose")
     lower = hanging(model, seeds)
-    heights = Generated(model.mechanism.model, model.robot.parameters).gravity_potential(lower)
+    heights = generated.gravity_potential(lower)
     group = lower[heights <= np.median(heights)]
     central: Array = group[np.argmin(np.linalg.norm(group - group.mean(axis=0), axis=-1))]
     level = central.copy()
@@ -158,12 +162,3 @@ def _levels(low: float, high: float, value: float, count: int) -> Array:
     levels = np.linspace(low + step, high - step, count).round(digits) + 0.0
     levels[np.argmin(np.abs(levels - value))] = value
     return np.unique(levels)
-
-
-def _seeds(model: Model) -> Array:
-    mechanism, parameters = model.mechanism, model.robot.parameters
-    seeds = regular_poses(Generated(mechanism.model, parameters), mechanism, parameters, SEEDS)
-    if not model.robot.usable:
-        return seeds
-    seeds = seeds[within(model)(seeds)] if len(seeds) else seeds
-    return seeds if len(seeds) else usable_poses(model)

@@ -41,7 +41,9 @@ class RobotDrawing:
         self._mechanism, self._system = mechanism, ExtendedSystem.of(robot)
         self.coordinates = self._system.coordinates
         self._generated = Generated(mechanism.drawn, robot.parameters, self._system.effects)
-        self.vertical = _against(np.asarray(getattr(robot.parameters, "gravity", np.zeros(3)), dtype=float))
+        gravity = np.asarray(getattr(robot.parameters, "gravity", np.zeros(3)), dtype=float)
+        size = float(np.linalg.norm(gravity))
+        self.vertical = -gravity / size if size > 0.0 else np.array(Z)
 
     def points(self, p: Array) -> Array:
         """Return the positions of the points, (N, points, 3) [m]; the first is the platform."""
@@ -58,9 +60,11 @@ class RobotDrawing:
         free, first = self._system.free, self._system.first
         released = [c for effect in self._mechanism.effects.values() for c in effect.coordinates]
         joints = [i for i in free if i >= first]
-        named = tuple(
-            _joint(next(c for c in released if c.name == name)) for name in self.coordinates[first:]
-        )
+        named = []
+        for name in self.coordinates[first:]:
+            joint = next(c for c in released if c.name == name)
+            symbol = "N m/rad" if joint.unit == "rad" else "N/m"
+            named.append(Named(joint.description, symbol, f"released joint {name}"))
         unit = np.broadcast_to(np.eye(len(free))[first:], (len(p), len(joints), len(free)))
         joint_stiffness = np.broadcast_to(self._system.joints[joints], (len(p), len(joints)))
         return Springs(
@@ -116,13 +120,3 @@ def present(springs: Springs) -> tuple[Springs, Sequence[int]]:
     index = np.where(there, np.cumsum(there) - 1, -1)
     named = tuple(name for name, here in zip(springs.named, there, strict=True) if here)
     return Springs(named, springs.stiffness[:, there], springs.strain[:, there]), index.tolist()
-
-
-def _joint(coordinate: Named) -> Named:
-    unit = "N m/rad" if coordinate.unit == "rad" else "N/m"
-    return Named(coordinate.description, unit, f"released joint {coordinate.name}")
-
-
-def _against(gravity: Array) -> Array:
-    size = float(np.linalg.norm(gravity))
-    return -gravity / size if size > 0.0 else np.array(Z)

@@ -11,7 +11,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.core.base.drives import FREE
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.core.mechanism.poses import OnError
 from pkmodes.core.model import Model
 from pkmodes.loop.sensitivity.paths import resolve
 from pkmodes.pages.view.evaluating import scene_of
@@ -103,7 +102,8 @@ def varied(model: Model, pose: ArrayLike, values: Mapping[str, ArrayLike], *, dr
     rigid, modes = shown.rigid_modes, shown.frequencies.shape[1]
 
     def exact(middles: Array) -> Array:
-        spectra = [_frequencies(machine(tuple(row)), point, drives, "nan") for row in middles.tolist()]
+        variants = [machine(tuple(row)) for row in middles.tolist()]
+        spectra = [np.asarray(m.frequencies(point, on_error="nan", drives=drives)) for m in variants]
         return np.array([spectrum[rigid:modes] for spectrum in spectra])
 
     vibrations = shown.frequencies[:, rigid:]
@@ -119,10 +119,6 @@ def varied(model: Model, pose: ArrayLike, values: Mapping[str, ArrayLike], *, dr
         deviations=interpolation_errors(vibrations, order[:, rigid:] - rigid, places, levels, exact),
         checked="half-way between them",
     )
-
-
-def _frequencies(model: Model, point: Array, drives: str, on_error: OnError) -> Array:
-    return np.asarray(model.frequencies(point, on_error=on_error, drives=drives))
 
 
 def _masses(shown: Scene, machines: list[Model], point: Array) -> Array:
