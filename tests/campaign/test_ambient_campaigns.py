@@ -13,7 +13,7 @@ import pytest
 
 from campaign.structures import CHANNELS, HEAD, Frame, accelerations, identify, record, refused, sensors
 from pkmodes.loop.measured.reading import read_modes
-from pkmodes.modaltest.campaign.found import FileFit
+from pkmodes.modaltest.campaign.mode_estimates import FileFit
 from pkmodes.modaltest.campaign.time_records import with_bridges
 from pkmodes.modaltest.identification.estimates import Estimate, Mode, Stabilisation
 

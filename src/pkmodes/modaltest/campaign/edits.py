@@ -10,9 +10,9 @@ import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.modaltest.campaign.campaign import Record
-from pkmodes.modaltest.campaign.found import Found
 from pkmodes.modaltest.campaign.grouping import grouped
 from pkmodes.modaltest.campaign.kinds import RecordKind
+from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate
 from pkmodes.modaltest.campaign.results import IdentifiedMode
 from pkmodes.modaltest.identification.asked import RequestedModes, nearest_frequency
 
@@ -34,7 +34,9 @@ def check_asked(edits: RequestedModes, record: Record, kind: RecordKind, source:
             refuse_added(frequency, f"the band of {record.pose} is {low:g} Hz to {high:g} Hz", source)
 
 
-def added_group(candidates: Sequence[Found | str], frequency: float, least: float) -> dict[int, Found] | str:
+def added_group(
+    candidates: Sequence[ModeEstimate | str], frequency: float, least: float
+) -> dict[int, ModeEstimate] | str:
     """Return a mode that the user adds, by the files in which it is found, or why there is none.
 
     - candidates: the result of each file

@@ -11,8 +11,8 @@ from pathlib import Path
 from pkmodes.core.base.errors import MeasurementError, nearest_name, shown
 from pkmodes.core.support.ordering import joined, listed
 from pkmodes.modaltest.campaign.campaign import Campaign, Record
-from pkmodes.modaltest.campaign.found import FileModes
 from pkmodes.modaltest.campaign.kinds import RecordKind
+from pkmodes.modaltest.campaign.mode_estimates import FileModes
 from pkmodes.modaltest.campaign.sensor_functions import asked_of
 from pkmodes.modaltest.campaign.sensors import MotionSensor, Transducer, unsigned
 from pkmodes.modaltest.signals.reading import read_signals

@@ -91,7 +91,11 @@ def _solved(
     channels = list(dict.fromkeys(channel for name in names for channel in places[name].weights))
     A = np.array([[places[name].weights.get(channel, 0.0) for channel in channels] for name in names])
     values = np.array([shape[name] for name in names])
-    rows, columns = _lengths(names, channels, places)
+    rows, columns = np.ones(len(names)), np.ones(len(channels))
+    if mounts := [mount for name in names if (mount := places[name].mount) is not None]:
+        length = spread(mounts)  # by which rotations of sensors and of channels become metres
+        rows = np.array([length if mount.angular else 1.0 for mount in mounts])
+        columns = np.array([length if channel.startswith(ROTATION) else 1.0 for channel in channels])
     U, s, Vh = np.linalg.svd(A * rows[:, None] / columns)
     rank = int((s > HIDDEN * s[0]).sum())
     hidden = np.abs(Vh[rank:]).max(axis=0, initial=0.0) > HIDDEN
@@ -101,20 +105,6 @@ def _solved(
     return {channels[i]: complex(solution[i]) for i in determined}, {
         channels[i]: float(gains[i]) for i in determined
     }
-
-
-def _lengths(
-    names: Sequence[str], channels: Sequence[str], places: Mapping[str, Transducer]
-) -> tuple[Array, Array]:
-    """Return the lengths that turn rotations of sensors and of channels into metres; 1 for everything else."""
-    mounts = [mount for name in names if (mount := places[name].mount) is not None]
-    if not mounts:
-        return np.ones(len(names)), np.ones(len(channels))
-    length = spread(mounts)
-    return (
-        np.array([length if mount.angular else 1.0 for mount in mounts]),
-        np.array([length if channel.startswith(ROTATION) else 1.0 for channel in channels]),
-    )
 
 
 def _known(

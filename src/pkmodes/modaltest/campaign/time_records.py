@@ -15,8 +15,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.modaltest.campaign.campaign import Campaign, Record
-from pkmodes.modaltest.campaign.found import FileFit, FileModes, modes_of_fit
 from pkmodes.modaltest.campaign.grouping import APART
+from pkmodes.modaltest.campaign.mode_estimates import FileFit, FileModes, modes_of_fit
 from pkmodes.modaltest.campaign.quotients import force_in
 from pkmodes.modaltest.campaign.sensor_faults import overloads, silent
 from pkmodes.modaltest.campaign.sensor_functions import (
