@@ -35,15 +35,13 @@ def read_matlab(path: Path, request: SignalRequest) -> SignalFile:
     if HDF5 in head or head.startswith(b"MATLAB 7.3"):
         with hdf5_variables(path, source) as opened:
             return functions_of(opened, source, request, WHAT, path.stat().st_size)
+    length = path.stat().st_size
     with path.open("rb") as file:
-        return functions_of(_variables(file, path, head, source), source, request, WHAT, path.stat().st_size)
-
-
-def _variables(file: BinaryIO, path: Path, head: bytes, source: str) -> list[FileVariable]:
-    """Return all variables of a file; their values are read later."""
-    if b"\0" in head[:4]:  # version 4 has no text at its beginning
-        return loaded(lambda: _of_version_4(file, path), source, WHAT)
-    return loaded(lambda: at_most(variables(file, path.stat().st_size)), source, WHAT)
+        if b"\0" in head[:4]:  # version 4 has no text at its beginning
+            opened = loaded(lambda: _of_version_4(file, path), source, WHAT)
+        else:
+            opened = loaded(lambda: at_most(variables(file, length)), source, WHAT)
+        return functions_of(opened, source, request, WHAT, length)
 
 
 def _of_version_4(file: BinaryIO, path: Path) -> list[FileVariable]:
