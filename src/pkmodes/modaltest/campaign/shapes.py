@@ -68,7 +68,7 @@ def combined(
     }
     if not of_platform:
         return Combined(values)
-    better, growth = _known(values, gains, shape, sigma)
+    better, growth = _well_determined(values, gains, shape, sigma)
     undetermined = tuple(name for name in order if name in of_platform - values.keys())
     return Combined(better, growth, undetermined, tuple(name for name in values if name not in better))
 
@@ -107,7 +107,7 @@ def _solved(
     }
 
 
-def _known(
+def _well_determined(
     values: dict[str, complex], gains: Mapping[str, float], shape: Mapping[str, complex], sigma: float
 ) -> tuple[dict[str, complex], float]:
     """Return the components with errors below the largest of them, and the growth of their errors."""

@@ -149,6 +149,7 @@ def time_signals(
         for force, unit in zip(forces, units, strict=True)
         for piece in pieces
     )
+    lost = [time[b.part.start] - time[a.part.stop - 1] - a.step for a, b in pairwise(pieces)]
     signals = TimeSignals(
         read.source,
         pieces[0].step * fewer,
@@ -159,7 +160,7 @@ def time_signals(
         np.array([motions[i].derivative for i in moving]),
         frozenset(names),
         (*read.messages, *gaps, *of_still, *overloaded),
-        _lost(time, pieces),
+        float(np.median(lost)) if lost else 0.0,
         tuple(float(time[piece.part.start]) for piece in pieces),
     )
     if not bridged:
@@ -195,12 +196,6 @@ def _pieces(time: Array, record: Record, source: str) -> tuple[tuple[Piece, ...]
         lost = time.size * (rate / by_times - 1.0)
         messages = (*messages, f"{even}: by that, {lost:.0f} samples are missing" if lost > 0.0 else even)
     return pieces, messages
-
-
-def _lost(time: Array, pieces: Sequence[Piece]) -> float:
-    """Return the median of the times lost between pieces [s]."""
-    lost = [time[b.part.start] - time[a.part.stop - 1] - a.step for a, b in pairwise(pieces)]
-    return float(np.median(lost)) if lost else 0.0
 
 
 def with_bridges(

@@ -85,7 +85,7 @@ def find_tones(
     f = np.asarray(np.fft.rfftfreq(len(signal), t_step), float)
     tones = [
         Tone(at, f"{at:.4g} Hz is given as a tone or is a multiple of one: no mode")
-        for at in _given(f, power, band, stated_tones, seconds)
+        for at in _stated(f, power, band, stated_tones, seconds)
     ]
     peaks = _peaks(power, *np.searchsorted(f, around(band)))
     for k in PASSES * peaks:  # again, as a tone found later may have hidden this one
@@ -112,7 +112,7 @@ def without_tones(
     return cleaned
 
 
-def _given(
+def _stated(
     f: Array, power: Array, band: tuple[float, float], stated_tones: Sequence[float], seconds: float
 ) -> list[float]:
     """Return the frequencies of the stated tones and their multiples in the band."""
