@@ -125,7 +125,7 @@ def _beside(
     all_signals = (signals, *other_boards.values())
     bridged = any(board.once_more is not None for board in all_signals)
     caveats = (
-        (f"{signals.source}: what interpolating adds to sigma is not known of several boards",)
+        (f"{signals.source}: what interpolation adds to sigma is not known for several boards",)
         if bridged
         else ()
     )

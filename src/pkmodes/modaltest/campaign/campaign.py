@@ -351,7 +351,7 @@ def _check_labels(records: tuple[Record, ...], source: str) -> None:
     for record in records:
         number = first.setdefault(record.pose, record.number)
         if number != record.number:
-            problem = f"the label {shown(record.pose)} is that of record {number}, too"
+            problem = f"the label {shown(record.pose)} is also that of record {number}"
             remedy = "give each record its own label; repeats are several files of one record"
             raise MeasurementError(problem, f"{source}: record.{record.number}.pose", remedy)
 

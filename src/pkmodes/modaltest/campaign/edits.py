@@ -75,10 +75,8 @@ def edited(
         struck.append(kept.pop(i).frequency)
     for (i, first), (k, second) in combinations(enumerate(added), 2):
         if abs(np.log(first.frequency / second.frequency)) < SAME:
-            problem = (
-                f"its fit becomes the mode at {first.frequency:.4g} Hz, as does that from {edits.add[i]:g} Hz"
-            )
-            refuse_added(edits.add[k], f"{problem} ({pose})", source)
+            problem = f"its fit converges to the mode at {first.frequency:.4g} Hz"
+            refuse_added(edits.add[k], f"{problem}, as does that from {edits.add[i]:g} Hz ({pose})", source)
     for mode in added:
         i = nearest_frequency([reported.frequency for reported in kept], mode.frequency)
         if i is not None:

@@ -94,7 +94,7 @@ def _result(measured: MeasuredRecord, campaign: Campaign, repeatability: float) 
     edited_modes, struck = edited(modes, added, edits, pose, campaign.source)
     if KINDS[record.kind].signals and any(mode.shape for mode in edited_modes):
         log += [
-            f"{pose}: the mode at {mode.frequency:.4g} Hz has no shape: no component stands out of the noise"
+            f"{pose}: the mode at {mode.frequency:.4g} Hz has no shape: no component stands out from the noise"
             for mode in edited_modes
             if not (mode.shape or mode.blank or mode.uncertain)
         ]

@@ -79,14 +79,17 @@ def roving_modes(points: Mapping[str, RovingPoint], record: Record, campaign: Ca
 
 
 def _blows(path: Path, record: Record, setup: str, campaign: Campaign) -> _Blows:
-    """Read a file of blows."""
+    """Read a file of blows.
+
+    Raises MeasurementError if it is faulty, or its force is none of the campaign's, or could be any of several.
+    """
     signals = time_signals(path, record, setup, campaign)
     if not signals.forces:
         functions = read_signals(path, replace(asked_of(record), force=False)).functions
         names = list(dict.fromkeys(function.response for function in functions))
-        of_file = f"of {listed([*map(shown, names)], MOST_NAMES)} say in the record which it is, names = {{ force = "
-        remedy = (
-            f'{of_file}"NAME" }}, or give its type in a universal file; without a force the kind is ambient'
+        remedy = f"state in the record which of {listed([*map(shown, names)], MOST_NAMES)} it is, names = {{ "
+        remedy += (
+            'force = "NAME" }, or give its type in a universal file; without a force the kind is ambient'
         )
         raise MeasurementError("expected a force, found none", signals.source, remedy)
     if len(signals.pieces) > 1:
@@ -101,23 +104,16 @@ def _blows(path: Path, record: Record, setup: str, campaign: Campaign) -> _Blows
             f"expected at least {PERIODS_OF_BLOWS:g} periods of {record.band[0]:g} Hz, found {seconds:.3g} s"
         )
         raise MeasurementError(problem, signals.source, "measure longer, or narrow the band")
-    return _Blows(signals, _acting(signals.force, setup, campaign, signals.source))
-
-
-def _acting(name: str, setup: str, campaign: Campaign, source: str) -> Transducer | None:
-    """Return the force of the campaign that is measured in a file, None if it has none in this setup.
-
-    Raises MeasurementError if it is none of the campaign's forces, or could be any of several.
-    """
     forces = campaign.forces_in(setup)
     if not forces:
-        return None
-    force = of_reference(name, forces)
-    if force is None:
-        problem = f"expected a force of the campaign, {', '.join(map(shown, forces))}, found {shown(name)}"
+        return _Blows(signals, None)
+    acting = of_reference(signals.force, forces)
+    if acting is None:
+        problem = "expected a force of the campaign, "
+        problem += f"{', '.join(map(shown, forces))}, found {shown(signals.force)}"
         remedy = 'name each [[force]] as in the files; where these say only "force", give each its setup'
-        raise MeasurementError(problem, source, remedy)
-    return force
+        raise MeasurementError(problem, signals.source, remedy)
+    return _Blows(signals, acting)
 
 
 def _modes(

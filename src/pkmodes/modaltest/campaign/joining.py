@@ -50,8 +50,8 @@ def joined_setups(
     if moved:
         ranges = ", ".join(f"{low:.5g} to {high:.5g}" for low, high in moved)
         log.append(
-            f"{pose}: the setups {', '.join(names)} differ by more than their standard deviations, as of a machine "
-            f"that warms or settles, in the modes at {ranges} Hz: each is one row, with half the difference in sigma"
+            f"{pose}: the setups {', '.join(names)} differ by more than their standard deviations, as when a machine "
+            f"warms up or settles, in the modes at {ranges} Hz: each is one row, with half the difference in sigma"
         )
     return joined
 

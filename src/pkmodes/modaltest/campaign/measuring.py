@@ -223,7 +223,7 @@ def _together(
     surplus = [path.name for paths in files.values() for path in list(paths)[len(points) :]]
     if surplus:
         few = "one file" if len(points) == 1 else f"{len(points)} files"
-        joint_messages.append(f"{record.pose}: as some point has only {few}, not used: {', '.join(surplus)}")
+        joint_messages.append(f"{record.pose}: not used, as some point has only {few}: {', '.join(surplus)}")
     try:
         joint = _read("", runs, record, campaign, keep_going, inspect, joint_messages)
     except ApartError as error:

@@ -83,7 +83,7 @@ def points_together(files: Sequence[ResponseFile], band: tuple[float, float]) ->
     common = [name for name in sensors if all(_shows(responses, name) for responses in inside)]
     if not common:
         which = ", ".join(map(shown, sensors))
-        raise ApartError(f"expected a sensor that shows something of every point, found none among {which}")
+        raise ApartError(f"expected a sensor with a signal for every point, found none among {which}")
     kept = [_of_sensors(responses, common) for responses in inside]
     names = [name for responses in kept for name in responses.names]
     points = tuple(dict.fromkeys(names))

@@ -22,10 +22,10 @@ Array = NDArray[np.float64]
 HIDDEN = 1e-6
 #: Reasons why a component is blank.
 UNDETERMINED = (
-    "what was measured on the platform does not tell {}: left blank; "
+    "the measurements on the platform do not determine {}: left blank; "
     "add a sensor at another place or in another direction"
 )
-UNCERTAIN = "{} would be known no better than to the largest component: left blank"
+UNCERTAIN = "the error of {} would be as large as the largest component: left blank"
 
 
 @dataclass(frozen=True, eq=False)

@@ -223,7 +223,7 @@ def with_bridges(
             sigma = getattr(mode, f"sigma_{name}")
             changes += [(getattr(counterpart, name) - getattr(mode, name)) / sigma] if sigma > 0.0 else []
     if not changes:
-        remark = "with as many samples interpolated once more no mode is found: none can be trusted"
+        remark = "with as many further samples interpolated, no mode is found: none can be trusted"
         return fit, (*messages, f"{source}: {remark}")
     moved = float(np.sqrt(np.mean(np.square(changes))))
 
@@ -231,7 +231,7 @@ def with_bridges(
         names = "sigma_frequency", "sigma_damping", "sigma_shape", "sigma_size"
         return replace(mode, **{name: getattr(mode, name) * np.hypot(1.0, moved) for name in names})
 
-    remark = f"as many samples interpolated once more move the modes by {moved:.2g} of their standard deviations, rms"
+    remark = f"interpolating as many further samples moves the modes by {moved:.2g} of their standard deviations, rms"
     sentence = f"{source}: {remark}: this is added in quadrature"
     return replace(fit, estimate=fit.estimate.changed(wider)), (*messages, sentence)
 

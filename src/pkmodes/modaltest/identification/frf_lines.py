@@ -82,7 +82,7 @@ def used_lines(
         problem = f"expected at least {FEWEST_LINES} lines, found {len(f)}"
         raise MeasurementError(problem, "the band", "measure with a finer line spacing, or use a wider band")
     if not alive.any():
-        raise MeasurementError("found no function without gaps", "the band", "check the files")
+        raise MeasurementError("expected a function without gaps, found none", "the band", "check the files")
     squares: Array = np.where(alive, (np.abs(np.where(alive, H, 0.0)) ** 2).mean(axis=0), np.nan)
     scale = np.sqrt(np.array([np.nanmean(row) if np.isfinite(row).any() else 1.0 for row in squares]))
     step = float(np.median(np.diff(f)))

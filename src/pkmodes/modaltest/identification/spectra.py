@@ -79,7 +79,7 @@ def identify_spectrum(
     f, P = frequencies[inside], np.asarray(power, float)[inside]
     if len(f) < 8:
         raise MeasurementError(
-            f"{len(f)} lines between {band[0]:g} and {band[1]:g} Hz, a spectrum needs eight",
+            f"expected at least eight lines between {band[0]:g} and {band[1]:g} Hz, found {len(f)}",
             "band",
             "widen it, or measure with a finer resolution",
         )

@@ -60,7 +60,7 @@ class Tone:
 
 def no_bandwidth(frequency: float) -> str:
     """Return a message about a tone that was found."""
-    return f"{frequency:.4g} Hz is a line without bandwidth: a tone, no mode"
+    return f"{frequency:.4g} Hz is a line without bandwidth: a tone, not a mode"
 
 
 def around(band: tuple[float, float]) -> tuple[float, float]:
@@ -84,7 +84,7 @@ def find_tones(
     power = (np.abs(np.fft.rfft(signal * np.hanning(len(signal))[:, None], axis=0)) ** 2).sum(axis=1)
     f = np.asarray(np.fft.rfftfreq(len(signal), t_step), float)
     tones = [
-        Tone(at, f"{at:.4g} Hz is given as a tone or is a multiple of one: no mode")
+        Tone(at, f"{at:.4g} Hz is given as a tone or is a multiple of one: not a mode")
         for at in _stated(f, power, band, stated_tones, seconds)
     ]
     peaks = _peaks(power, *np.searchsorted(f, around(band)))

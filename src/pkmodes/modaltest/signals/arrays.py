@@ -50,7 +50,7 @@ RATES = ("fs", "rate", "sampling_rate", "sample_rate")
 ABSCISSAS = ("time", "frequency")
 #: Rates that differ by less, relative, are the same.
 SAME = 1e-6
-NAMES = 'say in the record which it is, names = { time = "NAME" } or { frequency = "NAME" }, or give the rate there'
+NAMES = 'state in the record which it is, names = { time = "NAME" } or { frequency = "NAME" }, or give the rate there'
 
 
 class _Signal(NamedTuple):

@@ -31,7 +31,7 @@ KINDS = {
 }
 #: Function types that cannot be read, where a reason can be given.
 OTHERS = {
-    0: "general, which says nothing",
+    0: "general, which does not say what it is",
     5: "a transmissibility, whose poles are not those of the structure: the force must be measured",
     7: "an auto correlation",
     8: "a cross correlation",

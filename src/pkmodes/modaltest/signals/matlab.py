@@ -74,11 +74,11 @@ def _check_sizes(file: BinaryIO, length: int) -> None:
         head = file.read(HEAD_OF_4)
         order = "<" if int.from_bytes(head[:4], "little") < TYPES_OF_4 else ">"
         if len(head) < HEAD_OF_4:
-            raise DamagedError("expected the head of a variable")
+            raise DamagedError("expected the header of a variable")
         kind, rows, columns, is_complex, name = struct.unpack(f"{order}5i", head)
         bytes_each = BYTES_OF_4.get(kind // 10 % 10)
         if not 0 <= kind < TYPES_OF_4 or bytes_each is None or min(rows, columns, name) < 0:
-            raise DamagedError("expected the head of a variable")
+            raise DamagedError("expected the header of a variable")
         at += HEAD_OF_4 + name + rows * columns * bytes_each * (2 if is_complex else 1)
         if at > length:
             raise DamagedError(f"expected a variable of {rows} x {columns} values, found the end of the file")

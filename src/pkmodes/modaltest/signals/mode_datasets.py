@@ -104,7 +104,7 @@ def _mode(scanner: Scanner, analysis: int, form: tuple[int, int, int], pole: Pol
     if frequency < 0.0:
         scanner.refuse(f"expected a frequency of 0 or above, found {frequency:g} Hz")
     if frequency == 0.0:
-        return "a mode of frequency 0 is a motion of the whole body"
+        return "a mode of frequency 0 is a rigid-body motion"
     return ModeShape(frequency, damping or None, shape)
 
 

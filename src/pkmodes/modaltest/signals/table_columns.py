@@ -102,7 +102,7 @@ def layout_of(
         problem = (
             f"expected a column of times or frequencies, found {listed([*map(shown, cells)], MOST_NAMES)}"
         )
-        remedy = 'say in the record which it is, names = { time = "NAME" } or { frequency = "NAME" }'
+        remedy = 'state in the record which it is, names = { time = "NAME" } or { frequency = "NAME" }'
         raise MeasurementError(problem, where, f'{remedy}, or give the rate there, rate = "3200 Hz"')
     names = {i: name for i, (name, _) in enumerate(heads) if i not in abscissas and name}
     labels = [label for _, label in heads]
