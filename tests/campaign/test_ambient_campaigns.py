@@ -13,7 +13,7 @@ import pytest
 
 from campaign.structures import CHANNELS, HEAD, Frame, accelerations, identify, record, refused, sensors
 from pkmodes.loop.measured.reading import read_modes
-from pkmodes.modaltest.campaign.found import FileFit
+from pkmodes.modaltest.campaign.mode_estimates import FileFit
 from pkmodes.modaltest.campaign.time_records import with_bridges
 from pkmodes.modaltest.identification.estimates import Estimate, Mode, Stabilisation
 
@@ -85,8 +85,8 @@ def test_samples_lost_now_and_then_are_bridged_where_the_band_allows_it(tmp_path
     whole = identify(tmp_path, narrow + record("ambient", "whole.csv")).record["modes"]
     found = identify(tmp_path, narrow + record("ambient", "b.csv")).record
     assert any("409 gaps" in one and "409 samples are interpolated" in one for one in found["messages"])
-    (said,) = (one for one in found["messages"] if "interpolated once more" in one)
-    assert 0.01 < float(said.split(" move the modes by ")[1].split()[0]) < 0.5
+    (said,) = (one for one in found["messages"] if "interpolating as many further samples" in one)
+    assert 0.01 < float(said.split(" moves the modes by ")[1].split()[0]) < 0.5
     for one, other in zip(whole, found["modes"], strict=True):
         assert abs(one["frequency"] - other["frequency"]) < 0.2 * one["sigma"]
         assert abs(one["damping"] - other["damping"]) < 0.2 * one["sigma_damping"]
@@ -197,7 +197,7 @@ def test_what_interpolating_once_more_changes_is_in_sigma() -> None:
     (mode,) = found.estimate.modes
     sigmas = mode.sigma_frequency, mode.sigma_damping, mode.sigma_shape
     np.testing.assert_allclose(sigmas, np.sqrt(5.0) * np.array([0.05, 5e-5, 0.02]))
-    assert "move the modes by 2 of their standard deviations" in said[0]
+    assert "moves the modes by 2 of their standard deviations" in said[0]
 
 
 def test_a_record_too_long_for_memory_is_reduced_to_fewer_samples(

@@ -111,7 +111,7 @@ def test_a_sensor_that_a_board_lacks_is_refused_or_said(tmp_path: Path) -> None:
     whole = RECORD.replace("P1", "P2").replace("head.csv", "more/head.csv").replace("bed.csv", "more/bed.csv")
     found = identify(tmp_path, text + whole + 'clock = "own"\n')
     assert read_modes(found.file, NAMES).shapes.shape == (6, 6)
-    assert 'P1: no file of it has the sensor "z of bed" of the campaign' in found.remarks
+    assert 'P1: none of its files has the sensor "z of bed" of the campaign' in found.remarks
 
 
 def test_boards_that_felt_other_blows_are_identified_alone(tmp_path: Path) -> None:

@@ -8,10 +8,10 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from pkmodes.modaltest.campaign.averaging import Mean, averaged, mean_shape
-from pkmodes.modaltest.campaign.found import Found, mac
+from pkmodes.modaltest.campaign.averaging import averaged, mean_shape
 from pkmodes.modaltest.campaign.grouping import _apart, grouped, reunited
 from pkmodes.modaltest.campaign.joining import joined_setups
+from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate, mac
 from pkmodes.modaltest.campaign.motion import motion
 from pkmodes.modaltest.campaign.revisits import revisited
 from pkmodes.modaltest.campaign.sensors import Transducer
@@ -19,7 +19,7 @@ from pkmodes.modaltest.campaign.shapes import combined
 
 
 def test_neighbours_of_one_file_are_never_one_mode() -> None:
-    files = [[Found(50.0 + e), Found(50.2 + e)] for e in (-0.02, 0.01, 0.03)]
+    files = [[ModeEstimate(50.0 + e), ModeEstimate(50.2 + e)] for e in (-0.02, 0.01, 0.03)]
     groups = grouped(files)
     assert [len(group) for group in groups] == [3, 3]
     assert [round(float(np.mean([mode.frequency for mode in group.values()])), 1) for group in groups] == [
@@ -33,8 +33,8 @@ def test_shapes_tell_modes_that_cross_apart() -> None:
     one, other = {"a": 1.0 + 0j, "b": 0.1 + 0j}, {"a": -0.1 + 0j, "b": 1.0 + 0j}
     groups = grouped(
         [
-            [Found(50.0, shape=one), Found(50.2, shape=other)],
-            [Found(50.1, shape=other), Found(50.3, shape=one)],
+            [ModeEstimate(50.0, shape=one), ModeEstimate(50.2, shape=other)],
+            [ModeEstimate(50.1, shape=other), ModeEstimate(50.3, shape=one)],
         ]
     )
     found = sorted(tuple(mode.frequency for _, mode in sorted(group.items())) for group in groups)
@@ -45,7 +45,7 @@ def test_shapes_tell_modes_that_cross_apart() -> None:
 def test_what_moves_between_setups_is_one_mode_and_a_close_pair_stays_two(move: float) -> None:
     """A pair 1 % apart, which moves as far as that; no shape tells them apart."""
     f = np.array([40.0, 60.0, 60.6, 90.0])
-    visits = [[Found(value) for value in f], [Found(value) for value in f * (1.0 - move)]]
+    visits = [[ModeEstimate(value) for value in f], [ModeEstimate(value) for value in f * (1.0 - move)]]
     assert reunited(visits) == [{0: k, 1: k} for k in range(4)]
 
 
@@ -70,12 +70,13 @@ def test_a_mode_that_moves_alone_is_one_if_no_other_is_near(
     others: list[float], shapes: tuple[dict[str, complex], dict[str, complex]], count: int
 ) -> None:
     visits = [
-        [*map(Found, others), Found(f, shape=shape)] for f, shape in zip((60.0, 60.9), shapes, strict=True)
+        [*map(ModeEstimate, others), ModeEstimate(f, shape=shape)]
+        for f, shape in zip((60.0, 60.9), shapes, strict=True)
     ]
     assert len(reunited(visits)) == count
 
 
-def by_definition(files: list[list[Found]]) -> list[list[tuple[int, Found]]]:
+def by_definition(files: list[list[ModeEstimate]]) -> list[list[tuple[int, ModeEstimate]]]:
     """Merge the nearest pair of all groups until none is near: the definition, cubic in the number of modes."""
     groups = [{i: mode} for i, modes in enumerate(files) for mode in modes]
     groups.sort(key=lambda group: min((mode.frequency, i) for i, mode in group.items()))
@@ -100,7 +101,7 @@ def test_groups_are_those_of_the_definition(seed: int) -> None:
     f, shapes = 50.0 * np.exp(np.sort(rng.uniform(0.0, 0.08, 10))), rng.normal(size=(10, 3))
     files = [
         [
-            Found(
+            ModeEstimate(
                 f[k] * np.exp(rng.normal(0.0, 4e-3)),
                 shape=dict(zip("abc", (shapes[k] + rng.normal(0.0, 0.2, 3)).astype(complex), strict=True)),
                 resolution=float(rng.choice([0.0, 1.0])),
@@ -119,12 +120,19 @@ def seconds(count: int) -> float:
     rng = np.random.default_rng(1)
     f, shapes = np.sort(rng.uniform(10.0, 400.0, count)), rng.normal(size=(count, 3)).astype(complex)
     modes = [
-        Found(value, shape=dict(zip("abc", of, strict=True))) for value, of in zip(f, shapes, strict=True)
+        ModeEstimate(value, shape=dict(zip("abc", of, strict=True)))
+        for value, of in zip(f, shapes, strict=True)
     ]
     start = time.process_time()
     assert len(averaged(grouped([modes]))) == count
-    assert len(grouped([modes, [Found(mode.frequency, shape=mode.shape) for mode in modes[::4]]])) == count
-    assert len(reunited([modes, [Found(0.98 * mode.frequency, shape=mode.shape) for mode in modes]])) == count
+    assert (
+        len(grouped([modes, [ModeEstimate(mode.frequency, shape=mode.shape) for mode in modes[::4]]]))
+        == count
+    )
+    assert (
+        len(reunited([modes, [ModeEstimate(0.98 * mode.frequency, shape=mode.shape) for mode in modes]]))
+        == count
+    )
     return time.process_time() - start
 
 
@@ -135,31 +143,37 @@ def test_the_time_of_grouping_grows_with_the_pairs_of_close_modes() -> None:
 
 
 def test_setups_are_weighted_by_their_variances_and_their_spread_counts_where_it_is_larger() -> None:
-    def mean(frequency: float, sigma: float) -> Mean:
-        return Mean(Found(frequency, 0.01, {}, sigma, 1e-3), np.nan, np.nan, np.nan, (0,))
+    def mode(frequency: float, sigma: float) -> ModeEstimate:
+        return ModeEstimate(frequency, 0.01, {}, sigma, 1e-3, files=(0,))
 
-    (near,), _ = joined_setups({"x": [mean(50.0, 0.01)], "y": [mean(50.02, 0.02)]})
-    assert near.mode.frequency == pytest.approx((50.0 * 4 + 50.02 * 1) / 5)
-    assert near.mode.sigma_frequency == pytest.approx(1.0 / np.sqrt(1e4 + 2.5e3))
-    (apart,), _ = joined_setups({"x": [mean(50.0, 0.01)], "y": [mean(50.2, 0.01)]})
-    assert apart.mode.frequency * apart.scatter == pytest.approx(0.1)  # half their difference
+    log: list[str] = []
+    (near,) = joined_setups({"x": [mode(50.0, 0.01)], "y": [mode(50.02, 0.02)]}, "P", 0.0, log)
+    assert near.frequency == pytest.approx((50.0 * 4 + 50.02 * 1) / 5)
+    assert near.sigma_frequency == pytest.approx(1.0 / np.sqrt(1e4 + 2.5e3))
+    assert not log
+    (apart,) = joined_setups({"x": [mode(50.0, 0.01)], "y": [mode(50.2, 0.01)]}, "P", 0.0, [])
+    assert apart.frequency * apart.scatter == pytest.approx(0.1)  # half their difference
     # A machine that warmed was as much the one as the other, however well each is known.
-    setups = {"x": [mean(50.0, 0.001)], "y": [mean(50.4, 0.1)]}
-    (warmed,), notes = joined_setups(setups)
-    assert warmed.mode.frequency == pytest.approx(50.2)
-    assert warmed.mode.frequency * warmed.scatter == pytest.approx(0.2)
-    assert "the setups x, y differ by more than their standard deviations" in notes[0]
-    assert "50 to 50.4 Hz" in notes[0]
-    assert not joined_setups(setups, repeatability=3e-3)[1]  # which explains it
+    setups = {"x": [mode(50.0, 0.001)], "y": [mode(50.4, 0.1)]}
+    (warmed,) = joined_setups(setups, "P", 0.0, log)
+    assert warmed.frequency == pytest.approx(50.2)
+    assert warmed.frequency * warmed.scatter == pytest.approx(0.2)
+    (message,) = log
+    assert message.startswith("P: the setups x, y differ by more than their standard deviations")
+    assert "50 to 50.4 Hz" in message
+    joined_setups(setups, "P", 3e-3, log)  # which explains it
+    assert log == [message]
 
 
 def test_shapes_without_a_common_sensor_are_said() -> None:
-    def mean(shape: dict[str, complex]) -> Mean:
-        return Mean(Found(50.0, shape=shape), np.nan, np.nan, np.nan, (0,))
+    def mode(shape: dict[str, complex]) -> ModeEstimate:
+        return ModeEstimate(50.0, shape=shape, files=(0,))
 
-    (found,), notes = joined_setups({"x": [mean({"a": 1 + 0j, "b": 2 + 0j})], "y": [mean({"c": 1 + 0j})]})
-    assert set(found.mode.shape) == {"a", "b"}
-    assert "share no sensor in the setups x, y" in notes[0]
+    log: list[str] = []
+    setups = {"x": [mode({"a": 1 + 0j, "b": 2 + 0j})], "y": [mode({"c": 1 + 0j})]}
+    (joined,) = joined_setups(setups, "P", 0.0, log)
+    assert set(joined.shape) == {"a", "b"}
+    assert "share no sensor in the setups x, y" in log[0]
 
 
 @pytest.mark.parametrize(("truth", "within"), [(2e-3, 1e-4), (5e-4, 2e-3)])
@@ -170,14 +184,15 @@ def test_scatter_within_visits_is_taken_off_that_between_them(truth: float, with
     for _ in range(12):
         visit = f * np.exp(truth * rng.normal(size=f.size))
         files = [
-            [Found(value) for value in visit * np.exp(within * rng.normal(size=f.size))] for _ in range(4)
+            [ModeEstimate(value) for value in visit * np.exp(within * rng.normal(size=f.size))]
+            for _ in range(4)
         ]
         record = SimpleNamespace(point={"x": 0.0}, settings={}, drives="free")
         records.append((record, averaged(grouped(files))))
-    value, notes = revisited(records, "c.toml")
+    value, message = revisited(records, "c.toml")
     # 132 degrees of freedom; what is taken off has an error of its own.
     assert value == pytest.approx(truth, rel=0.2 if truth > within else 0.6)
-    assert "12 modes" in notes[0]
+    assert "12 modes" in message
 
 
 def test_shapes_of_any_scale_and_phase_have_one_mean() -> None:
@@ -250,7 +265,7 @@ def test_a_weak_mode_does_not_blur_the_shapes_and_damping_of_strong_ones() -> No
         groups = []
         for number, noise in enumerate(noises):
             modes = [
-                Found(
+                ModeEstimate(
                     50.0 + 20.0 * number,
                     float(0.01 * np.exp(noise * rng.standard_normal())),
                     dict(zip("abcd", (shape + noise * rng.standard_normal(4)).astype(complex), strict=True)),
@@ -261,10 +276,10 @@ def test_a_weak_mode_does_not_blur_the_shapes_and_damping_of_strong_ones() -> No
             ]
             groups.append(dict(enumerate(modes)))
         for noise, mean in zip(noises, averaged(groups), strict=True):
-            values = np.array([mean.mode.shape[name].real for name in "abcd"])
+            values = np.array([mean.shape[name].real for name in "abcd"])
             # No uncertainty of the identification is added here: the scatter alone.
             inside[noise][0] += int((np.abs(values / values[0] - shape)[1:] < 2.0 * mean.shape_scatter).sum())
-            inside[noise][1] += abs(np.log(mean.mode.damping / 0.01)) < 2.0 * mean.damping_scatter
+            inside[noise][1] += abs(np.log(mean.damping / 0.01)) < 2.0 * mean.damping_scatter
             inside[noise][2] += 1
     for of_shape, of_damping, count in inside.values():
         assert 0.88 < of_shape / (3 * count) <= 0.99

@@ -53,7 +53,7 @@ def test_a_table_in_which_nothing_has_the_names_of_the_campaign(tmp_path: Path) 
     error = refused(tmp_path, campaign + 'names = { time = "Elapsed" }\n')
     assert "expected a force, found none (b.csv)" in error
     assert (
-        'of "Hammer", "Ch 1", "A2", "a3" say in the record which it is, names = { force = "NAME" }' in error
+        'state in the record which of "Hammer", "Ch 1", "A2", "a3" it is, names = { force = "NAME" }' in error
     )
     named = 'names = { time = "Elapsed", force = "Hammer", a1 = "Ch 1" }\n'
     check(identify(tmp_path, campaign + named).file)
@@ -101,7 +101,7 @@ def test_a_sound_file_of_a_hammer_and_accelerometers(tmp_path: Path) -> None:
         numbered = numbered.replace(f'"a{k}"', f'"{k + 1}"')
     found = identify(tmp_path, numbered + record("impact", "hit.wav"))
     check(found.file)
-    assert "channel 1, which is that of no sensor, is taken for the force" in found.remarks
+    assert "channel 1, which belongs to no sensor, is taken as the force" in found.remarks
     assert "its numbers are parts of full scale" in found.remarks
     without = numbered.replace('unit = "m/s^2"\n', "", 1) + record("impact", "hit.wav")
     assert "expected the unit of the sensor, found none in the file (hit.wav: 2)" in refused(
@@ -109,7 +109,10 @@ def test_a_sound_file_of_a_hammer_and_accelerometers(tmp_path: Path) -> None:
     )
     two = HEAD + sensors("m/s^2").replace('"a1"', '"2"') + record("impact", "hit.wav")
     error = refused(tmp_path, two)
-    assert 'expected a force, found none (hit.wav); of "1", "2", "3", "4" say' in error
+    assert (
+        'expected a force, found none (hit.wav); state in the record which of "1", "2", "3", "4" it is'
+        in error
+    )
     single = identify(tmp_path, two + 'names = { force = "1" }\n')
     np.testing.assert_allclose(
         read_modes(single.file, CHANNELS).frequency, Frame.build().modes()[0], rtol=1e-3

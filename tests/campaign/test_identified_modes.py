@@ -14,7 +14,7 @@ from helpers.pages.page_reading import read
 from pkmodes import updating
 from pkmodes.loop.measured.reading import read_modes
 from pkmodes.modaltest.campaign.averaging import averaged
-from pkmodes.modaltest.campaign.found import Found
+from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate
 
 ROOT = Path(__file__).parents[2]
 ROBOT = ROOT / "robots/linear-delta-2022.toml"
@@ -179,9 +179,9 @@ def test_two_sigma_cover_the_truth_with_few_repeats(tmp_path: Path, n: int) -> N
         scatter = 1e-3 * np.exp(0.5 * rng.normal(size=6))  # modes differ in how well they repeat
         f = 50.0 * (1.0 + np.arange(6.0))
         draws = f * np.exp(scatter * rng.normal(size=(n, 6)))
-        groups = [{i: Found(float(draws[i, k])) for i in range(n)} for k in range(6)]
+        groups = [{i: ModeEstimate(float(draws[i, k])) for i in range(n)} for k in range(6)]
         for k, mean in enumerate(averaged(groups)):
-            error = np.log(mean.mode.frequency / f[k])
+            error = np.log(mean.frequency / f[k])
             covered.append(abs(error) <= 2.0 * mean.scatter)
             ratio.append((error**2, mean.scatter**2))
     assert 0.93 <= np.mean(covered) <= 0.98

@@ -10,8 +10,8 @@ import pytest
 
 from campaign.structures import HEAD, identify, record, sensors
 from modal_analysis.test_level import F0, RATE, ring_down
-from pkmodes.modaltest.campaign.found import Found
 from pkmodes.modaltest.campaign.levels import between_files
+from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate
 
 CAMPAIGN = HEAD.replace('"200 Hz"', '"150 Hz"') + 'repeatability = "0.01 %"\n' + sensors("m/s^2", "m/s^2")
 
@@ -41,12 +41,12 @@ def test_nothing_is_said_of_a_linear_structure(tmp_path: Path) -> None:
     assert found["modes"][0]["sigma_parts"]["fit"] < 0.01
 
 
-def files(levels: list[float], slope: float, scatter: float, seed: int) -> list[dict[int, Found]]:
+def files(levels: list[float], slope: float, scatter: float, seed: int) -> list[dict[int, ModeEstimate]]:
     """Three modes; the first changes by a slope in ln f over ln level, all scatter from file to file."""
     rng = np.random.default_rng(seed)
     return [
         {
-            i: Found(
+            i: ModeEstimate(
                 f * (level ** (slope if f == 30.0 else 0.0)) * (1.0 + scatter * rng.normal()),
                 sigma_frequency=scatter * f,
                 level=level,

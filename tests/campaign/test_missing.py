@@ -49,7 +49,7 @@ def test_a_sensor_that_is_in_no_file_is_refused_with_what_they_have(tmp_path: Pa
     known = ALL if kind != "universal" else "".join(THIRD.replace("3", str(k)) for k in (1, 2, 3))
     files = [f"{pose}.{'mat' if kind == 'array' else 'x'}" for pose in "pq"]
     text = HEAD + known + record("frf", files[0]) + record("frf", files[1], pose="P2")
-    assert "no file of it" not in identify(tmp_path, text).remarks
+    assert "none of its files" not in identify(tmp_path, text).remarks
     names = ", ".join(f'"{k}:+Z"' if kind == "universal" else f'"a{k}"' for k in (1, 2, 3))
     number = right.strip("a:+Z")
     said = refused(tmp_path, text.replace(f'name = "{right}"', f'name = "{wrong}"'))
@@ -66,7 +66,7 @@ def test_what_only_some_files_lack_is_said_and_blank(tmp_path: Path) -> None:
     found = identify(tmp_path, HEAD + ALL + record("frf", "p0.x", "p1.x") + record("frf", "q.x", pose="P2"))
     first, second = (one["messages"] for one in found.document["records"])
     assert first == ['p1.x: it lacks the sensor "a2", which its repeats have']
-    assert 'P2: no file of it has the sensor "a2" of the campaign' in second
+    assert 'P2: none of its files has the sensor "a2" of the campaign' in second
     shapes = read_modes(found.file, CHANNELS).shapes
     assert np.isfinite(shapes[:3]).all()
     assert np.isnan(shapes[3:, 1]).all()
@@ -78,7 +78,7 @@ def test_a_file_left_out_may_have_what_the_others_lack(tmp_path: Path) -> None:
     (tmp_path / "q.x").write_text("nothing")
     text = HEAD + ALL + record("frf", "p.x") + record("frf", "q.x", pose="P2")
     found = identify(tmp_path, text, "--keep-going")
-    assert 'P1: no file of it has the sensor "a2" of the campaign' in found.remarks
+    assert 'P1: none of its files has the sensor "a2" of the campaign' in found.remarks
 
 
 def test_a_spectrum_and_modes_of_another_program_have_the_sensors_of_the_campaign(tmp_path: Path) -> None:
@@ -131,7 +131,7 @@ def test_forces_and_references_of_a_roving_hammer(roved: Path, kind: str) -> Non
     """Each file has one of them: that is no lack; but the campaign names all, and no other."""
     all_named = identify(roved, HEAD + THIRD + forces(1, 2, 3) + setups(kind))
     assert "[[force]]" not in all_named.remarks
-    assert "no file of it" not in all_named.remarks
+    assert "none of its files" not in all_named.remarks
     said = refused(roved, HEAD + THIRD + forces(1, 2, 3, 7) + setups(kind))
     assert (
         'expected the force "7:+Z" in a file, found "1:+Z", "2:+Z", "3:+Z" in those of P1 (c.toml: force.4.name)'

@@ -56,8 +56,8 @@ MISTAKES = [
         r'expected a label, found "P\x1b[2J1" (c.toml: record.1.pose)',
     ),
     (HEAD + RECORD.replace('"P1"', '"P\\n1"'), r'found "P\n1" (c.toml: record.1.pose)'),
-    (HEAD + RECORD + RECORD.replace('"P1"', '" P1 "'), 'the label "P1" is that of record 1, too'),
-    (HEAD + RECORD + RECORD, 'the label "P1" is that of record 1, too (c.toml: record.2.pose)'),
+    (HEAD + RECORD + RECORD.replace('"P1"', '" P1 "'), 'the label "P1" is also that of record 1'),
+    (HEAD + RECORD + RECORD, 'the label "P1" is also that of record 1 (c.toml: record.2.pose)'),
     (HEAD + RECORD.replace('["p1.csv"]', "[]"), "expected files, found none (c.toml: record.1.files)"),
     (
         HEAD + RECORD.replace('["p1.csv"]', '{ x = ["a"], y = ["a"] }'),
@@ -95,11 +95,11 @@ MISTAKES = [
     (HEAD + RECORD + SENSOR + 'at = ["0 mm", "4 mm", 0]\n', "has no unit (c.toml: sensor.1.at)"),
     (
         HEAD + RECORD + SENSOR.replace("p_x", "x_1") + 'at = ["0 mm", "4 mm", "0 mm"]\n',
-        'the channel "x_1" is no motion of a platform, and has no place on one (c.toml: sensor.1.at)',
+        'the channel "x_1" is not a motion of a platform, and has no place on one (c.toml: sensor.1.at)',
     ),
     (
         HEAD + RECORD + SENSOR.replace("p_x", "none") + 'at = ["0 mm", "4 mm", "0 mm"]\n',
-        'the channel "none" is no motion of a platform',
+        'the channel "none" is not a motion of a platform',
     ),
     (
         HEAD + RECORD + SENSOR.replace('channel = "p_x"', 'at = ["0 mm", "4 mm", "0 mm"]'),

@@ -213,7 +213,7 @@ def test_of_two_sensors_that_which_all_points_have_is_used(tmp_path: Path) -> No
     has_the_modes_of_the_frame(found)
     assert "not used, as only some of the points that were hit have it: side" in found.remarks
     write_frf(tmp_path / "p3.csv", F, {"side": H[:, 0, 2]}, 0.01, rng)
-    assert 'expected a sensor that shows something of every point, found none among "tip", "side"' in (
+    assert 'expected a sensor with a signal for every point, found none among "tip", "side"' in (
         identify(tmp_path, text).remarks
     )
 
@@ -223,7 +223,7 @@ def test_points_with_more_files_and_faulty_ones(tmp_path: Path) -> None:
     text = campaign(files | {3: files[3][:1]})
     found = identify(tmp_path, text)
     has_the_modes_of_the_frame(found)
-    assert "as some point has only one file, not used: p1_1.csv, p2_1.csv" in found.remarks
+    assert "not used, as some point has only one file: p1_1.csv, p2_1.csv" in found.remarks
     (tmp_path / "p1_0.csv").write_text("nothing")
     found = identify(tmp_path, text, "--keep-going")
     has_the_modes_of_the_frame(found)

@@ -152,7 +152,7 @@ def test_what_five_accelerometers_leave_open_is_blank_and_said() -> None:
     assert alone.blank == ("p_x", "p_y", "r_z")
     said = left_blank("P1", UNDETERMINED, [(50.0, level.blank), (60.0, ()), (70.123, level.blank)])
     assert said == [
-        "P1: what was measured on the platform does not tell r_z in the modes at 50, 70.12 Hz: left blank; add a "
+        "P1: the measurements on the platform do not determine r_z in the modes at 50, 70.12 Hz: left blank; add a "
         "sensor at another place or in another direction"
     ]
     assert left_blank("P1", UNDETERMINED, [(50.0, ())]) == []
@@ -254,7 +254,7 @@ def test_a_campaign_of_a_hexapod_has_the_shapes_of_its_platform(tmp_path: Path, 
     ("platform", "table", "message"),
     [
         (PLATFORM, {"channel": "r_x"}, "r_x cannot have a linear motion (c.toml: sensor.1.unit)"),
-        (PLATFORM, {"channel": "s_1", "at": ["0 m"] * 3}, 'the channel "s_1" is no motion of a platform'),
+        (PLATFORM, {"channel": "s_1", "at": ["0 m"] * 3}, 'the channel "s_1" is not a motion of a platform'),
         (PLANAR, {"direction": [0, 1], "unit": "rad/s"}, "by r_z only: give that as its channel"),
         (PLATFORM, {"direction": [0, 1]}, "expected a direction along x, y, z, found [0.0, 1.0]"),
     ],

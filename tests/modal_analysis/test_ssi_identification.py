@@ -148,7 +148,7 @@ def test_where_an_order_of_a_sweep_ends_is_no_mode(after: str) -> None:
     speed = np.minimum(up, 40.0 - 36.0 * (t - 20.0) / 20.0) if after == "turns back" else up
     estimate, said = identify_responses(1.0 / rate, swept(speed, rate, rng), band=(10.0, 100.0))
     assert [round(mode.frequency) for mode in estimate.modes] == [18, 47, 52, 90]
-    assert any(sentence.endswith("as of a sweep: no mode can be told there") for sentence in said)
+    assert any(sentence.endswith("as in a sweep: no mode can be identified there") for sentence in said)
 
 
 PLAIN = structure(
@@ -170,7 +170,7 @@ def test_tones_are_no_modes_and_the_modes_beside_them_stay() -> None:
     signals = with_tones(PLAIN, np.random.default_rng(9300))
     estimate, said = identify_responses(1e-3, signals, band=BAND)
     np.testing.assert_allclose([mode.frequency for mode in estimate.modes], PLAIN.modes()[0], rtol=0.006)
-    assert sum("tone, no mode" in sentence for sentence in said) == 3
+    assert sum("tone, not a mode" in sentence for sentence in said) == 3
     given, said = identify_responses(1e-3, signals, band=BAND, tones=[50.0])
     np.testing.assert_allclose([mode.frequency for mode in given.modes], PLAIN.modes()[0], rtol=0.006)
     assert sum("given as a tone" in sentence for sentence in said) >= 2
@@ -240,7 +240,7 @@ def test_a_rounded_tone_is_a_line_and_no_mode(
     signals = exact if bits is None else 9.81 * np.round(exact * 2 ** (bits - 1)) / 2 ** (bits - 1)
     estimate, said = identify_responses(1.0 / rate, signals, band=(10.0, 200.0))
     assert estimate.modes == ()
-    assert f"{tone:g} Hz is a line without bandwidth: a tone, no mode" in said
+    assert f"{tone:g} Hz is a line without bandwidth: a tone, not a mode" in said
     assert "only the rounding of its numbers" in said[-1]
 
 

@@ -21,7 +21,7 @@ def test_a_tone_in_noise_is_found_to_a_fraction_of_a_line(frequency: float) -> N
     noise = np.random.default_rng(5).normal(size=(40000, 2))
     (found,) = find_tones(1e-3, [noise + 0.3 * tone(frequency)], BAND)
     assert found.frequency == pytest.approx(frequency, abs=0.003)
-    assert "no mode" in found.sentence
+    assert "not a mode" in found.sentence
 
 
 @pytest.mark.parametrize("seed", range(6))

@@ -86,7 +86,7 @@ def test_the_channel_without_a_sensor_is_the_force_where_one_is_needed(tmp_path:
     content = FORMS["16 bits"]
     found = read(tmp_path, content, SignalRequest(sensors=frozenset({"2"}), force=True))
     assert {one.response: one.force for one in found.functions} == {"force": True, "2": False}
-    assert "channel 1, which is that of no sensor, is taken for the force" in found.messages[-1]
+    assert "channel 1, which belongs to no sensor, is taken as the force" in found.messages[-1]
     found = read(
         tmp_path, content, SignalRequest(sensors=frozenset({"a"}), names={"force": "2", "a": "1"}, force=True)
     )
@@ -120,9 +120,9 @@ FAULTS = {
     ),
     "no samples": (wav(form(), chunk(b"data", b"")), "expected whole samples"),
     "half a sample": (wav(form(), chunk(b"data", packed(16)[:-2])), "expected whole samples of 4 bytes"),
-    "no form": (wav(chunk(b"data", packed(16))), "one on their form"),
+    "no form": (wav(chunk(b"data", packed(16))), "one with their format"),
     "no data": (wav(form()), "expected one chunk of samples"),
-    "a short form": (wav(chunk(b"fmt ", b"\1\0\2\0"), chunk(b"data", packed(16))), "one on their form"),
+    "a short form": (wav(chunk(b"fmt ", b"\1\0\2\0"), chunk(b"data", packed(16))), "one with their format"),
     "compressed": (wav(form(0x55), chunk(b"data", packed(16))), "found 16 bits of type 85"),
     "odd bits": (wav(form(bits=12, each=4), chunk(b"data", packed(16))), "found 12 bits of type 1"),
     "no channels": (wav(form(channels=0), chunk(b"data", packed(16))), "found 0 in 0 bytes"),

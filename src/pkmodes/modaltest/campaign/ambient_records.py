@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -12,7 +11,7 @@ import numpy as np
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.modaltest.campaign.boards import Board, boards_together, with_clocks
 from pkmodes.modaltest.campaign.campaign import Campaign, Record
-from pkmodes.modaltest.campaign.found import FileFit, FileModes
+from pkmodes.modaltest.campaign.mode_estimates import FileFit, FileModes
 from pkmodes.modaltest.campaign.sensor_functions import in_file
 from pkmodes.modaltest.campaign.time_records import (
     BRIDGED,
@@ -46,8 +45,18 @@ def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) ->
             f"{recording.source}: {message}" for message in messages
         )
 
-    with in_file(recording.source), _gaps_named(recording):
-        fit, messages = with_bridges(identified, [recording], recording.source)
+    with in_file(recording.source):
+        try:
+            fit, messages = with_bridges(identified, [recording], recording.source)
+        except MeasurementError as error:
+            if not recording.gap > 0.0:
+                raise
+            # It may be too short only because its gaps split it.
+            problem = (
+                f"{error.what}: {len(recording.pieces) - 1} gaps of {1e3 * recording.gap:.3g} ms split it"
+            )
+            highest = f"end the band at {BRIDGED / recording.gap:.3g} Hz or lower, where they are bridged"
+            raise MeasurementError(problem, error.where, f"{highest}; or {error.remedy}") from None
     shortest = FEWEST_PERIODS / record.band[0]
     short = [piece for piece in recording.pieces if len(piece) * recording.step < shortest]
     if short:
@@ -116,7 +125,7 @@ def _beside(
     all_signals = (signals, *other_boards.values())
     bridged = any(board.once_more is not None for board in all_signals)
     caveats = (
-        (f"{signals.source}: what interpolating adds to sigma is not known of several boards",)
+        (f"{signals.source}: what interpolation adds to sigma is not known for several boards",)
         if bridged
         else ()
     )
@@ -137,16 +146,3 @@ def _beside(
         once_more=None,
     )
     return joint, aligned.delays, columns
-
-
-@contextmanager
-def _gaps_named(signals: TimeSignals) -> Iterator[None]:
-    """If a record is too short because it is split, state up to which frequency its gaps can be bridged."""
-    try:
-        yield
-    except MeasurementError as error:
-        if not signals.gap > 0.0:
-            raise
-        problem = f"{error.what}: {len(signals.pieces) - 1} gaps of {1e3 * signals.gap:.3g} ms split it"
-        remedy = f"end the band at {BRIDGED / signals.gap:.3g} Hz or lower, where they are bridged; or {error.remedy}"
-        raise MeasurementError(problem, error.where, remedy) from None

@@ -12,18 +12,16 @@ identification itself is added: repeats at one place do not show it.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.stats import t as student
 
-from pkmodes.modaltest.campaign.found import Found
 from pkmodes.modaltest.campaign.grouping import reunited
 from pkmodes.modaltest.campaign.levels import between_files, widest
-from pkmodes.modaltest.identification.level import LevelShift
+from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate
 
-Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 #: Weight of the pooled scatter against that of a single mode, in repeats: the published value for similar variances.
 PRIOR = 4.0
@@ -31,76 +29,50 @@ PRIOR = 4.0
 COVERED = 0.95
 
 
-@dataclass(frozen=True, eq=False)
-class Mean:
-    """A mode over its repeats.
-
-    - mode: means; its standard deviations are those of the identification
-    - scatter: standard deviation of the mean frequency from the scatter of the repeats, relative; NaN for a single
-      one
-    - damping_scatter: likewise of the damping ratio, relative
-    - shape_scatter: likewise of a component of the shape, relative to the largest
-    - files: those in which it was found
-    - variance: unbiased variance of the mean of ln f from the scatter; `scatter` is larger, as few repeats estimate
-      it badly
-    - between: how the frequency changes with the level of the files
-    """
-
-    mode: Found
-    scatter: float
-    damping_scatter: float
-    shape_scatter: float
-    files: tuple[int, ...]
-    variance: float = np.nan
-    between: LevelShift | None = None
-
-
-def averaged(groups: Sequence[dict[int, Found]]) -> list[Mean]:
-    """Return the means of the modes of one record, in their order."""
-    logs = [np.log([mode.frequency for mode in group.values()]) for group in groups]
-    damping = [_logs([mode.damping for mode in group.values()]) for group in groups]
-    means = [mean_shape([mode.shape for mode in group.values()]) for group in groups]
-    shapes = [residuals for _, residuals in means]
-    fits = [list(group.values()) for group in groups]
-    scatters = [
+def averaged(groups: Sequence[Mapping[int, ModeEstimate]]) -> list[ModeEstimate]:
+    """Return the means of the modes of one record, in their order; their sigmas are those of the identification."""
+    repeats = [list(group.values()) for group in groups]
+    logs = [np.log([mode.frequency for mode in modes]) for modes in repeats]
+    damping_logs = [np.log([mode.damping for mode in modes if mode.damping > 0.0]) for modes in repeats]
+    damping_sigmas = [
+        [mode.sigma_damping / mode.damping if mode.damping > 0.0 else np.nan for mode in modes]
+        for modes in repeats
+    ]
+    frequency_scatters, damping_scatters = (
         _scatter(
             [float(np.var(values, ddof=1)) if len(values) > 1 else np.nan for values in logarithms],
             [len(values) for values in logarithms],
             left_open,
         )
-        for logarithms, left_open in (
-            (logs, None),
-            (damping, _left_open([[_relative(mode) for mode in modes] for modes in fits])),
-        )
-    ]
-    counts = [len(group) for group in groups]
-    of_shapes = _scatter(
-        [_mean_square(residuals) for residuals in shapes],
-        counts,
-        _left_open([[mode.sigma_shape for mode in modes] for modes in fits]),
+        for logarithms, left_open in ((logs, None), (damping_logs, _left_open(damping_sigmas)))
+    )
+    shapes = [mean_shape([mode.shape for mode in modes]) for modes in repeats]
+    shape_scatters = _scatter(
+        [_component_variance(residuals) for _, residuals in shapes],
+        [len(modes) for modes in repeats],
+        _left_open([[mode.sigma_shape for mode in modes] for modes in repeats]),
     )
     between = between_files(groups)
     return [
-        Mean(
-            _of(list(group.values()), means[i][0]),
-            scatters[0][i][0],
-            scatters[1][i][0],
-            of_shapes[i][0],
-            tuple(sorted(group)),
-            scatters[0][i][1],
-            between[i],
+        replace(
+            _mean(repeats[i], shapes[i][0]),
+            scatter=frequency_scatters[i][0],
+            damping_scatter=damping_scatters[i][0],
+            shape_scatter=shape_scatters[i][0],
+            variance=frequency_scatters[i][1],
+            between=between[i],
+            files=tuple(sorted(group)),
         )
         for i, group in enumerate(groups)
     ]
 
 
-def grouped_means(listed: Sequence[Sequence[Mean]]) -> list[dict[int, Mean]]:
+def grouped_means(visits: Sequence[Sequence[ModeEstimate]]) -> list[dict[int, ModeEstimate]]:
     """Group the means that belong to one mode, each keyed by the index of its setup or label in the list."""
-    groups = reunited([[mean.mode for mean in means] for means in listed])
-    return [{i: listed[i][k] for i, k in group.items()} for group in groups]
+    return [{i: visits[i][k] for i, k in group.items()} for group in reunited(visits)]
 
 
-def _of(modes: list[Found], shape: dict[str, complex]) -> Found:
+def _mean(modes: Sequence[ModeEstimate], shape: dict[str, complex]) -> ModeEstimate:
     """Return the mean of a mode over its repeats, with the uncertainty from their identification."""
     n = np.sqrt(len(modes))
 
@@ -111,7 +83,7 @@ def _of(modes: list[Found], shape: dict[str, complex]) -> Found:
     order_counts = [mode.found_in for mode in modes if mode.found_in is not None]
     participation, apart = _participation(modes, shape)
     of_fits = pooled([mode.sigma_size for mode in modes])
-    return Found(
+    return ModeEstimate(
         float(np.mean([mode.frequency for mode in modes])),
         float(np.mean(damping_ratios)) if damping_ratios else np.nan,
         shape,
@@ -128,7 +100,9 @@ def _of(modes: list[Found], shape: dict[str, complex]) -> Found:
     )
 
 
-def _participation(modes: Sequence[Found], shape: Mapping[str, complex]) -> tuple[dict[str, complex], float]:
+def _participation(
+    modes: Sequence[ModeEstimate], shape: Mapping[str, complex]
+) -> tuple[dict[str, complex], float]:
     """Return the mean participations that match the mean shape, and the relative standard deviation of their size."""
     participations: dict[str, list[complex]] = {}
     for mode in modes:
@@ -144,16 +118,6 @@ def _participation(modes: Sequence[Found], shape: Mapping[str, complex]) -> tupl
         return means, np.nan
     values = np.array(participations[largest])
     return means, float(np.std(values, ddof=1) / np.sqrt(len(values)) / abs(means[largest]))
-
-
-def _logs(values: Sequence[float]) -> Array:
-    positive = np.array([value for value in values if value > 0.0])
-    return np.asarray(np.log(positive))
-
-
-def _relative(mode: Found) -> float:
-    """Return the relative standard deviation of a damping ratio; NaN where there is none."""
-    return mode.sigma_damping / mode.damping if mode.damping > 0.0 else np.nan
 
 
 def _left_open(stated: Sequence[Sequence[float]]) -> list[float] | None:
@@ -225,7 +189,7 @@ def _scale(row: Complex, mean: Complex) -> complex:
     return complex(np.vdot(row[common], mean[common]) / size) if size > 0.0 else complex(np.nan)
 
 
-def _mean_square(residuals: Complex) -> float:
+def _component_variance(residuals: Complex) -> float:
     """Return the variance of the real part of a component over repeats; each scale uses up a degree of freedom."""
     if len(residuals) < 2 or residuals.shape[1] < 2:
         return np.nan

@@ -180,7 +180,7 @@ def boards_together(
     step, parts = _overlaps(aligned, longest)
     if parts[-1][0] + parts[-1][1] * step > parts[0][0] + longest:
         messages.append(
-            f"{aligned[0].file}: {longest:g} s are used: over more, clocks of their own drift apart"
+            f"{aligned[0].file}: {longest:g} s are used: over longer times, separate clocks drift apart"
         )
     pieces = tuple(np.hstack([board.at(start, step, count) for board in aligned]) for start, count in parts)
     return Together(step, tuple(start for start, _ in parts), pieces, delays, tuple(messages))

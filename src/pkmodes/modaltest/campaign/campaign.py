@@ -177,6 +177,10 @@ def campaign_of(table: CampaignTable, source: str) -> Campaign:
     )
     _check_labels(records, source)
     used = {name for record in records for name in record.setups}
+
+    def refuse_field(path: str, what: str, remedy: str) -> None:
+        raise MeasurementError(what, f"{source}: {path}", remedy)
+
     return Campaign(
         source=source,
         model=model,
@@ -191,20 +195,13 @@ def campaign_of(table: CampaignTable, source: str) -> Campaign:
         forces=forces_of(table.force, channel_units, _platform(model), used, source),
         records=records,
         edits=_edits(table.edit, records, source),
-        report=_report(table, source),
+        report=read_report(table.report, refuse_field),
         signs_of_file=table.signs is not None,
     )
 
 
 def _platform(model: Model | None) -> Platform:
     return Platform() if model is None else Platform(model.mechanism.directions, model.mechanism.rotations)
-
-
-def _report(table: CampaignTable, source: str) -> dict[str, str]:
-    def refuse(path: str, what: str, remedy: str) -> None:
-        raise MeasurementError(what, f"{source}: {path}", remedy)
-
-    return read_report(table.report, refuse)
 
 
 def _check_channels(names: list[str], source: str) -> None:
@@ -354,7 +351,7 @@ def _check_labels(records: tuple[Record, ...], source: str) -> None:
     for record in records:
         number = first.setdefault(record.pose, record.number)
         if number != record.number:
-            problem = f"the label {shown(record.pose)} is that of record {number}, too"
+            problem = f"the label {shown(record.pose)} is also that of record {number}"
             remedy = "give each record its own label; repeats are several files of one record"
             raise MeasurementError(problem, f"{source}: record.{record.number}.pose", remedy)
 

@@ -67,8 +67,8 @@ def phase_checked(
         if not _fitted([computed(function, np.conj) for function in suspects], band):
             remark = (
                 f"{source}: {len(which)} of {len(names)} functions ({examples}) hold more vibration before the force "
-                "than after it, and no modes fit their complex conjugates either: they are mostly no response to "
-                "this force; measure with more force or more averages"
+                "than after it, and no modes fit their complex conjugates either: they are mostly not responses "
+                "to this force; measure with more force or more averages"
             )
             return tuple(functions), (remark,)
         problem = (

@@ -10,9 +10,6 @@ from pathlib import Path
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.modaltest.campaign.campaign import Record
 
-#: Bytes read at a time: files of signals may be large.
-BLOCK = 1 << 20
-
 
 def copies(paths: Sequence[Path]) -> list[tuple[Path, Path]]:
     """Return the pairs of files of equal content, the earlier one first; files that cannot be read have none."""
@@ -20,16 +17,11 @@ def copies(paths: Sequence[Path]) -> list[tuple[Path, Path]]:
     pairs = [
         (i, k) for i, k in combinations(range(len(paths)), 2) if sizes[i] is not None and sizes[i] == sizes[k]
     ]
-    digests = {i: _digest(paths[i]) for i in {i for pair in pairs for i in pair}}
+    digests: dict[int, bytes] = {}
+    for i in {i for pair in pairs for i in pair}:
+        with paths[i].open("rb") as file:
+            digests[i] = hashlib.file_digest(file, "sha256").digest()
     return [(paths[i], paths[k]) for i, k in pairs if digests[i] == digests[k]]
-
-
-def _digest(path: Path) -> bytes:
-    total = hashlib.sha256()
-    with path.open("rb") as file:
-        while block := file.read(BLOCK):
-            total.update(block)
-    return total.digest()
 
 
 def copied_repeats(record: Record) -> list[str]:

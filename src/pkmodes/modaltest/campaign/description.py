@@ -143,15 +143,14 @@ def read_description(path: Path) -> CampaignTable:
 
 
 def campaign_tables(document: dict[str, Any], source: str) -> CampaignTable:
-    """Return the tables of a parsed file; `source` names it in messages."""
+    """Return the tables of a parsed file; `source` names it in messages.
+
+    Raises MeasurementError if a key is unknown, missing or of another kind: msgspec's error, reworded.
+    """
     try:
         return msgspec.convert(document, CampaignTable)
     except msgspec.ValidationError as error:
-        _translate(str(error), source)
-
-
-def _translate(text: str, source: str) -> NoReturn:
-    """Raise the error of msgspec in pkmodes' own wording."""
+        text = str(error)
     located = PLACE.fullmatch(text)
     problem, place = (located[1], located[2]) if located else (text, "")
     place = re.sub(r"\[(\d+)\]", lambda index: f".{int(index[1]) + 1}", place).lstrip(".")
@@ -176,7 +175,8 @@ def _translate(text: str, source: str) -> NoReturn:
         problem = f"expected {CHOICES[key]}, found {problem.removeprefix('Invalid enum value ')}"
     problem = KINDS_OF_VALUES.sub(lambda kinds: " or ".join(_plain(kinds[1])), problem)
     problem = problem.replace(", got ", ", found ").replace("`", '"').replace(" | ", " or ")
-    _refuse(f"{problem[0].lower()}{problem[1:]}", where, "see docs/reference/campaign-file.md")
+    remedy = "see docs/reference/campaign-file.md"
+    raise MeasurementError(f"{problem[0].lower()}{problem[1:]}", where, remedy)
 
 
 def _plain(kinds: str) -> list[str]:

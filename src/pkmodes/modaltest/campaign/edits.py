@@ -10,9 +10,9 @@ import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.modaltest.campaign.campaign import Record
-from pkmodes.modaltest.campaign.found import Found
 from pkmodes.modaltest.campaign.grouping import grouped
 from pkmodes.modaltest.campaign.kinds import RecordKind
+from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate
 from pkmodes.modaltest.campaign.results import IdentifiedMode
 from pkmodes.modaltest.identification.asked import RequestedModes, nearest_frequency
 
@@ -34,7 +34,9 @@ def check_asked(edits: RequestedModes, record: Record, kind: RecordKind, source:
             refuse_added(frequency, f"the band of {record.pose} is {low:g} Hz to {high:g} Hz", source)
 
 
-def added_group(candidates: Sequence[Found | str], frequency: float, least: float) -> dict[int, Found] | str:
+def added_group(
+    candidates: Sequence[ModeEstimate | str], frequency: float, least: float
+) -> dict[int, ModeEstimate] | str:
     """Return a mode that the user adds, by the files in which it is found, or why there is none.
 
     - candidates: the result of each file
@@ -73,10 +75,8 @@ def edited(
         struck.append(kept.pop(i).frequency)
     for (i, first), (k, second) in combinations(enumerate(added), 2):
         if abs(np.log(first.frequency / second.frequency)) < SAME:
-            problem = (
-                f"its fit becomes the mode at {first.frequency:.4g} Hz, as does that from {edits.add[i]:g} Hz"
-            )
-            refuse_added(edits.add[k], f"{problem} ({pose})", source)
+            problem = f"its fit converges to the mode at {first.frequency:.4g} Hz"
+            refuse_added(edits.add[k], f"{problem}, as does that from {edits.add[i]:g} Hz ({pose})", source)
     for mode in added:
         i = nearest_frequency([reported.frequency for reported in kept], mode.frequency)
         if i is not None:

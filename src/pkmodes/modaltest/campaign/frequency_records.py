@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.modaltest.campaign.campaign import Campaign, Record
 from pkmodes.modaltest.campaign.conjugates import phase_checked
-from pkmodes.modaltest.campaign.found import NAMELESS, FileFit, FileModes, Found, modes_of_fit
+from pkmodes.modaltest.campaign.mode_estimates import NAMELESS, FileFit, FileModes, ModeEstimate, modes_of_fit
 from pkmodes.modaltest.campaign.quotients import force_factor, inverted
 from pkmodes.modaltest.campaign.sensor_functions import (
     ACCELERATION,
@@ -252,8 +252,8 @@ def spectrum_modes(path: Path, record: Record, setup: str, campaign: Campaign) -
         estimate, messages = identify_spectrum(f, relative, band=record.band, edits=campaign.asked(record))
     line = float(np.median(np.diff(f)))
 
-    def converted(mode: Mode) -> Found:
-        return Found(mode.frequency, sigma_frequency=mode.sigma_frequency, resolution=line)
+    def converted(mode: Mode) -> ModeEstimate:
+        return ModeEstimate(mode.frequency, sigma_frequency=mode.sigma_frequency, resolution=line)
 
     dead = dead_channels([used[i].response for i in np.flatnonzero(~power.any(axis=0))], read.source)
     all_messages = (*read.messages, *dead, *(f"{read.source}: {message}" for message in messages))

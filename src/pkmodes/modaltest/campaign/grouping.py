@@ -16,7 +16,7 @@ from heapq import heapify, heappop, heappush
 
 import numpy as np
 
-from pkmodes.modaltest.campaign.found import Found, mac
+from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate, mac
 
 #: Largest relative difference of one mode's frequency between two files: between files of a campaign, settling joints
 #: and temperature change frequencies by a few parts in a thousand.
@@ -31,14 +31,14 @@ ALIKE = 0.5
 ROUNDED = 1.0 + 1e-9
 
 
-def grouped(files: Sequence[Sequence[Found]]) -> list[dict[int, Found]]:
+def grouped(files: Sequence[Sequence[ModeEstimate]]) -> list[dict[int, ModeEstimate]]:
     """Return the modes of several files, each with the files in which it was found; ascending in frequency."""
     ordered = sorted(
         ((mode.frequency, i, mode) for i, modes in enumerate(files) for mode in modes),
         key=lambda entry: entry[:2],
     )
-    groups: list[dict[int, Found]] = []
-    near: list[dict[int, Found]] = []
+    groups: list[dict[int, ModeEstimate]] = []
+    near: list[dict[int, ModeEstimate]] = []
     for k, (frequency, i, mode) in enumerate(ordered):
         # Modes on either side of a gap cannot match.
         if k and np.log(frequency / ordered[k - 1][0]) > max(_width(mode), _width(ordered[k - 1][2])):
@@ -49,7 +49,7 @@ def grouped(files: Sequence[Sequence[Found]]) -> list[dict[int, Found]]:
     return sorted(groups, key=lambda group: float(np.mean([mode.frequency for mode in group.values()])))
 
 
-def reunited(visits: Sequence[Sequence[Found]]) -> list[dict[int, int]]:
+def reunited(visits: Sequence[Sequence[ModeEstimate]]) -> list[dict[int, int]]:
     """Return the modes of several setups or visits, as indices in their lists; ascending in frequency."""
     base = max(visits, key=len)
     moves = [_move(modes, base) for modes in visits]
@@ -64,7 +64,7 @@ def reunited(visits: Sequence[Sequence[Found]]) -> list[dict[int, int]]:
     places = {mode: k for modes in visits for k, mode in enumerate(modes)}
     logs = [float(np.mean([np.log(mode.frequency) for mode in group.values()])) for group in groups]
     apart = [np.inf, *np.diff(logs), np.inf]
-    united: list[dict[int, Found]] = []
+    united: list[dict[int, ModeEstimate]] = []
     for i, group in enumerate(groups):
         if (
             i
@@ -77,7 +77,7 @@ def reunited(visits: Sequence[Sequence[Found]]) -> list[dict[int, int]]:
     return [{i: places[mode] for i, mode in group.items()} for group in united]
 
 
-def _move(modes: Sequence[Found], base: Sequence[Found]) -> float:
+def _move(modes: Sequence[ModeEstimate], base: Sequence[ModeEstimate]) -> float:
     """Return the factor that maps most frequencies of a visit onto those of another one."""
     logs, base_logs = (np.sort(np.log([mode.frequency for mode in visit])) for visit in (modes, base))
     first, last = (np.searchsorted(base_logs, logs + side * MOVED) for side in (-1, 1))
@@ -94,7 +94,7 @@ def _move(modes: Sequence[Found], base: Sequence[Found]) -> float:
     return float(np.exp(np.median(apart[starts[best] : ends[best]])))
 
 
-def _may_be_one(first: Mapping[int, Found], second: Mapping[int, Found]) -> bool:
+def _may_be_one(first: Mapping[int, ModeEstimate], second: Mapping[int, ModeEstimate]) -> bool:
     """Return whether groups of different visits share sensors or references, and their shapes agree."""
     return not first.keys() & second.keys() and all(
         (a.shape.keys() & b.shape.keys() or a.participation.keys() & b.participation.keys())
@@ -104,7 +104,7 @@ def _may_be_one(first: Mapping[int, Found], second: Mapping[int, Found]) -> bool
     )
 
 
-def _merged(modes: list[dict[int, Found]]) -> list[dict[int, Found]]:
+def _merged(modes: list[dict[int, ModeEstimate]]) -> list[dict[int, ModeEstimate]]:
     """Merge groups, of one mode each and in the order of their frequencies, in the order of their distance.
 
     Groups can only match where members do: after a merge, the neighbours of both parts are compared again.
@@ -138,7 +138,7 @@ def _merged(modes: list[dict[int, Found]]) -> list[dict[int, Found]]:
     return list(groups.values())
 
 
-def _neighbours(modes: Sequence[dict[int, Found]]) -> dict[int, set[int]]:
+def _neighbours(modes: Sequence[dict[int, ModeEstimate]]) -> dict[int, set[int]]:
     """Return, for each mode, which modes of other files may be the same, by their frequencies."""
     (files, members) = zip(*((i, mode) for group in modes for i, mode in group.items()), strict=True)
     logs = np.log([mode.frequency for mode in members])
@@ -152,17 +152,17 @@ def _neighbours(modes: Sequence[dict[int, Found]]) -> dict[int, set[int]]:
     return beside
 
 
-def _distance(first: dict[int, Found], second: dict[int, Found]) -> float:
+def _distance(first: dict[int, ModeEstimate], second: dict[int, ModeEstimate]) -> float:
     """Return the mean distance of two groups: 1 where their modes just match."""
     return float(np.mean([_apart(a, b) for a in first.values() for b in second.values()]))
 
 
-def _width(mode: Found) -> float:
+def _width(mode: ModeEstimate) -> float:
     """Return the relative difference of frequencies within which two modes may be the same."""
     return max(APART, mode.resolution / mode.frequency)
 
 
-def _apart(first: Found, second: Found) -> float:
+def _apart(first: ModeEstimate, second: ModeEstimate) -> float:
     difference = abs(np.log(first.frequency / second.frequency)) / max(_width(first), _width(second))
     unlike = (1.0 - mac(first.shape, second.shape)) / (1.0 - ALIKE)
     return float(max(difference, unlike, np.hypot(difference, unlike) / np.sqrt(2.0)))

@@ -23,10 +23,9 @@ from pkmodes.loop.measured.csv_rows import read_lines
 from pkmodes.loop.measured.meanings import likely_meaning, worded
 from pkmodes.loop.measured.rules import SHAPE
 from pkmodes.modaltest.campaign.campaign import Campaign, Record
-from pkmodes.modaltest.campaign.found import FileModes, Found, check_shape
 from pkmodes.modaltest.campaign.grouping import APART
+from pkmodes.modaltest.campaign.mode_estimates import FileModes, ModeEstimate, check_shape
 from pkmodes.modaltest.campaign.shapes import UNDETERMINED, combined, left_blank
-from pkmodes.modaltest.signals.functions import ModeShape
 from pkmodes.modaltest.signals.reading import HEAD, read_signals
 from pkmodes.modaltest.signals.universal_file import UNIVERSAL_FILE
 
@@ -54,21 +53,30 @@ def identified_modes(path: Path, record: Record, setup: str, campaign: Campaign)
         remedy = 'choose another kind of record, such as kind = "frf"'
         raise MeasurementError(problem, read.source, remedy)
     for mode in read.modes:
-        _check(mode, read.source)
+        where = f"{read.source}: mode at {mode.frequency:g} Hz"
+        if mode.damping is not None and not 0.0 <= mode.damping < 1.0:
+            problem = f"expected a damping ratio of at least 0 and below 1, found {mode.damping:g}"
+            raise MeasurementError(problem, where, "correct it, or export the modes again")
+        check_shape(mode.shape, where)
     turned = campaign.places_at(record)
     sensors = {name: turned[sensor.key] for name, sensor in campaign.sensors_in(setup).items()}
-    unmeasured = [name for name in sensors if _is_zero_throughout(name, read.modes)]
+    names_in_file = {name for mode in read.modes for name in mode.shape}
+    # Programs write exactly 0 in every mode for nodes without a sensor.
+    unmeasured = [
+        name
+        for name in sensors
+        if name in names_in_file and not any(mode.shape.get(name) for mode in read.modes)
+    ]
     places = {name: place for name, place in sensors.items() if name not in unmeasured}
     shapes = [
         combined({name: value for name, value in mode.shape.items() if name in places}, places)
         for mode in read.modes
     ]
     modes = tuple(
-        Found(mode.frequency, np.nan if mode.damping is None else mode.damping, shape.values)
+        ModeEstimate(mode.frequency, np.nan if mode.damping is None else mode.damping, shape.values)
         for mode, shape in zip(read.modes, shapes, strict=True)
     )
     _check_apart(modes, read.source)
-    names_in_file = {name for mode in read.modes for name in mode.shape}
     blank = [(mode.frequency, shape.blank) for mode, shape in zip(modes, shapes, strict=True)]
     messages = left_blank(read.source, UNDETERMINED, blank)
     if unmeasured:
@@ -78,12 +86,7 @@ def identified_modes(path: Path, record: Record, setup: str, campaign: Campaign)
     return FileModes(modes, (*read.messages, *messages), frozenset(names_in_file))
 
 
-def _is_zero_throughout(name: str, modes: Sequence[ModeShape]) -> bool:
-    """Return whether a component is exactly 0 in every mode, as programs write for nodes without a sensor."""
-    return any(name in mode.shape for mode in modes) and not any(mode.shape.get(name) for mode in modes)
-
-
-def _check_apart(modes: Sequence[Found], source: str) -> None:
+def _check_apart(modes: Sequence[ModeEstimate], source: str) -> None:
     """Refuse a list with more modes in a narrow range than a structure can have."""
     f = np.sort([mode.frequency for mode in modes])
     counts = np.searchsorted(f, f * (1.0 + APART), side="right") - np.arange(len(f))
@@ -94,15 +97,6 @@ def _check_apart(modes: Sequence[Found], source: str) -> None:
         )
         remedy = "list each mode once, and each pose as a record of its own"
         raise MeasurementError(problem, source, remedy)
-
-
-def _check(mode: ModeShape, source: str) -> None:
-    """Refuse a mode with numbers that a measurement file may not contain."""
-    where = f"{source}: mode at {mode.frequency:g} Hz"
-    if mode.damping is not None and not 0.0 <= mode.damping < 1.0:
-        problem = f"expected a damping ratio of at least 0 and below 1, found {mode.damping:g}"
-        raise MeasurementError(problem, where, "correct it, or export the modes again")
-    check_shape(mode.shape, where)
 
 
 def _universal(path: Path) -> bool:
@@ -117,7 +111,7 @@ def _universal(path: Path) -> bool:
 
 def read_mode_table(
     path: Path, columns: Mapping[str, str], channels: Mapping[str, str], pose: str
-) -> list[Found]:
+) -> list[ModeEstimate]:
     """Read identified modes.
 
     - columns: names of the table's columns, by those of a measurement file
@@ -197,17 +191,13 @@ def _places(
             meaning = worded(likely_meaning(cell, standard_columns, {*places, *meant}))[0]
             meant |= {meaning: cell} if meaning else {}
         likely = meant if "frequency" in meant else {"frequency": "f0", **meant}
-        example = ", ".join(f"{_key(key)} = {shown(cell)}" for key, cell in likely.items())
+        keys = [f'"{name}"' if ":" in name else name for name in likely]
+        example = ", ".join(f"{key} = {shown(cell)}" for key, cell in zip(keys, likely.values(), strict=True))
         remedy = (
             f"name it in the record: columns = {{ {example} }}; the table has {', '.join(map(shown, names))}"
         )
         _refuse("expected a column of frequencies, found none", where, remedy)
     return places
-
-
-def _key(name: str) -> str:
-    """Return a name as a key in TOML."""
-    return f'"{name}"' if ":" in name else name
 
 
 def _factor(name: str, unit: str, where: str) -> Decimal:
@@ -229,7 +219,7 @@ def _mode(
     names: list[str],
     notation: TableNotation,
     where: str,
-) -> Found:
+) -> ModeEstimate:
     values: dict[str, float] = {}
     shape: dict[str, complex] = {}
     for name, (i, factor) in places.items():
@@ -262,7 +252,7 @@ def _mode(
         _refuse(
             "expected a damping ratio of at least 0 and below 1", f"{where}, column damping", "2 % is 0.02"
         )
-    return Found(
+    return ModeEstimate(
         values["frequency"],
         values.get("damping") or np.nan,  # programs that know no damping write 0
         shape,

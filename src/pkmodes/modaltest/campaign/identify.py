@@ -12,7 +12,6 @@ from pkmodes.core.support.progress import say
 from pkmodes.core.support.threads import one_blas_thread
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.measured.quantities import DAMPING, SHAPE_SIGMA
-from pkmodes.modaltest.campaign.averaging import Mean
 from pkmodes.modaltest.campaign.campaign import Campaign
 from pkmodes.modaltest.campaign.copies import refuse_copied_visits
 from pkmodes.modaltest.campaign.edits import edited
@@ -20,6 +19,7 @@ from pkmodes.modaltest.campaign.kinds import KINDS
 from pkmodes.modaltest.campaign.levels import level_messages, with_half
 from pkmodes.modaltest.campaign.measuring import MeasuredRecord, measured
 from pkmodes.modaltest.campaign.missing import refuse_missing
+from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate
 from pkmodes.modaltest.campaign.results import Identification, IdentifiedMode, Parts, RecordResult
 from pkmodes.modaltest.campaign.revisits import revisited
 from pkmodes.modaltest.campaign.sensors import Transducer
@@ -65,93 +65,84 @@ def identify(campaign: Campaign, *, keep_going: bool = False, inspect: bool = Fa
                 f"unknown kind {shown(record.kind)}", where, nearest_name(record.kind, KINDS)
             )
         outcomes.append(measured(record, kind, campaign, keep_going, inspect))
-    if not any(
-        outcome.left_out for outcome in outcomes
-    ):  # a file left out may have what the other files lack
+    left_out = [file for outcome in outcomes for file in outcome.left_out]
+    if not left_out:  # a file left out may have what the other files lack
         refuse_missing(
             [(outcome.record, *file) for outcome in outcomes for files in outcome.places for file in files],
             campaign,
         )
-    repeatability, notes = campaign.repeatability, list[str]()
+    repeatability, messages = campaign.repeatability, list[str]()
     if repeatability is None:
-        repeatability, notes = revisited(
-            [(outcome.record, outcome.means) for outcome in outcomes], campaign.source
+        repeatability, message = revisited(
+            [(outcome.record, outcome.modes) for outcome in outcomes], campaign.source
         )
-    _check_some_left(outcomes, campaign.source)
-    results = tuple(_result(outcome, campaign, repeatability) for outcome in outcomes)
-    return Identification(results, repeatability, _measurements_of(results, campaign), tuple(notes))
-
-
-def _check_some_left(measured: Sequence[MeasuredRecord], source: str) -> None:
-    """Refuse a campaign whose files are all faulty, giving the reason for the first."""
-    left_out = [file for outcome in measured for file in outcome.left_out]
-    if left_out and not any(outcome.means or outcome.added for outcome in measured):
+        messages.append(message)
+    if left_out and not any(outcome.modes or outcome.added for outcome in outcomes):
         problem = f"expected modes, found none: {len(left_out)} files were left out, first {left_out[0].file}"
-        raise MeasurementError(f"{problem}: {left_out[0].reason}", source, "correct the files")
+        raise MeasurementError(f"{problem}: {left_out[0].reason}", campaign.source, "correct the files")
+    results = tuple(_result(outcome, campaign, repeatability) for outcome in outcomes)
+    return Identification(results, repeatability, _measurements_of(results, campaign), tuple(messages))
 
 
 def _result(measured: MeasuredRecord, campaign: Campaign, repeatability: float) -> RecordResult:
-    record, messages = measured.record, list(measured.messages)
+    """Return the rows of a record: its modes as edited, with what a measurement file may hold of them."""
+    record, log, pose = measured.record, measured.log, measured.record.pose
     places = {} if KINDS[record.kind].by_channel else campaign.places_at(record)
-    modes = [_mode(mean, places, repeatability) for mean in measured.means]
-    added = [_mode(mean, places, repeatability, ADDED) for mean in measured.added]
+    modes = [_row(mode, places, repeatability) for mode in measured.modes]
+    added = [_row(mode, places, repeatability, ADDED) for mode in measured.added]
     edits = campaign.asked(record) if measured.repeats else NOTHING
-    edited_modes, struck = edited(modes, added, edits, record.pose, campaign.source)
+    edited_modes, struck = edited(modes, added, edits, pose, campaign.source)
     if KINDS[record.kind].signals and any(mode.shape for mode in edited_modes):
-        messages += [
-            f"{record.pose}: the mode at {mode.frequency:.4g} Hz has no shape: no component stands out of the noise"
+        log += [
+            f"{pose}: the mode at {mode.frequency:.4g} Hz has no shape: no component stands out from the noise"
             for mode in edited_modes
             if not (mode.shape or mode.blank or mode.uncertain)
         ]
-    kept = [
-        readable for mode in edited_modes if (readable := _readable(mode, record.pose, messages)) is not None
-    ]
-    messages += left_blank(record.pose, UNDETERMINED, [(mode.frequency, mode.blank) for mode in kept])
-    messages += left_blank(record.pose, UNCERTAIN, [(mode.frequency, mode.uncertain) for mode in kept])
+    kept = [readable for mode in edited_modes if (readable := _readable(mode, pose, log)) is not None]
+    log += left_blank(pose, UNDETERMINED, [(mode.frequency, mode.blank) for mode in kept])
+    log += left_blank(pose, UNCERTAIN, [(mode.frequency, mode.uncertain) for mode in kept])
     reported = {mode.frequency for mode in kept}
-    for mean in (*measured.means, *measured.added):
-        if mean.mode.frequency in reported:
-            messages += level_messages(record.pose, mean.mode.frequency, mean.mode.shift, mean.between)
-    for mode in kept:
-        if mode.complexity < COMPLEX:
-            messages.append(
-                f"{record.pose}: the shape of the mode at {mode.frequency:.4g} Hz is complex: its modal phase "
-                f"collinearity is {mode.complexity:.2f}, and only its real part is used"
-            )
+    for estimate in (*measured.modes, *measured.added):
+        if estimate.frequency in reported:
+            log += level_messages(pose, estimate)
+    log += [
+        f"{pose}: the shape of the mode at {mode.frequency:.4g} Hz is complex: its modal phase collinearity is "
+        f"{mode.complexity:.2f}, and only its real part is used"
+        for mode in kept
+        if mode.complexity < COMPLEX
+    ]
     if any(mode.sigma == 0.0 for mode in kept):
-        problem = f"a mode of {record.pose} has no standard deviation"
+        problem = f"a mode of {pose} has no standard deviation"
         remedy = "measure repeats, state sigma in the table, or a repeatability above 0"
         raise MeasurementError(problem, f"{campaign.source}: record.{record.number}", remedy)
     if any(mode.parts.scatter == mode.parts.fit == 0.0 for mode in kept):
-        messages.append(
-            f"{record.pose}: sigma is the repeatability alone where neither repeats nor the file state more"
-        )
+        log.append(f"{pose}: sigma is the repeatability alone where neither repeats nor the file state more")
     return RecordResult(
         record,
         tuple(kept),
         tuple(struck),
         tuple(measured.left_out),
-        tuple(messages),
+        tuple(log),
         tuple(measured.inspections),
         tuple(measured.repeats),
     )
 
 
-def _mode(
-    mean: Mean, places: Mapping[str, Transducer], repeatability: float, edit: str | None = None
+def _row(
+    mode: ModeEstimate, places: Mapping[str, Transducer], repeatability: float, edit: str | None = None
 ) -> IdentifiedMode:
-    mode = mean.mode
-    of_shape = np.array([mean.shape_scatter, mode.sigma_shape])
+    """Return the row of a mode: its shape by channel, and its errors of all kinds combined."""
+    of_shape = np.array([mode.shape_scatter, mode.sigma_shape])
     sigma = float(np.sqrt(np.nansum(of_shape**2))) if np.nan_to_num(of_shape).any() else np.nan
     by_channel = combined(mode.shape, places, sigma) if places else Combined(dict(mode.shape))
     shape, turned = by_channel.values, turned_shape(by_channel.values)
     parts = Parts(
-        with_half(float(np.nan_to_num(mean.scatter)) * mode.frequency, mean.between),
+        with_half(float(np.nan_to_num(mode.scatter)) * mode.frequency, mode.between),
         # Where a mode lies between two lines is the same in every repeat: averaging does not reduce this error.
         max(with_half(mode.sigma_frequency, mode.shift), LEAST_LINE * mode.resolution),
         repeatability * mode.frequency,
     )
-    damping = float(np.hypot(np.nan_to_num(mean.damping_scatter) * mode.damping, mode.sigma_damping))
+    damping = float(np.hypot(np.nan_to_num(mode.damping_scatter) * mode.damping, mode.sigma_damping))
     return IdentifiedMode(
         frequency=mode.frequency,
         parts=parts,
@@ -161,7 +152,7 @@ def _mode(
         sigma_shape=sigma * by_channel.growth if len(shape) > 1 else np.nan,
         complexity=collinearity(np.array(list(shape.values()))) if shape else np.nan,
         found_in=mode.found_in,
-        files=len(mean.files),
+        files=len(mode.files),
         edited=edit,
         complex_shape=turned,
         blank=by_channel.blank,
@@ -169,21 +160,19 @@ def _mode(
     )
 
 
-def _readable(mode: IdentifiedMode, pose: str, messages: list[str]) -> IdentifiedMode | None:
+def _readable(mode: IdentifiedMode, pose: str, log: list[str]) -> IdentifiedMode | None:
     """Return the part of a mode that a measurement file may hold, None if there is none; report what is left out."""
     where = f"{pose}: the mode at {mode.frequency:.4g} Hz"
     if mode.sigma >= mode.frequency:
-        messages.append(
-            f"{where} is left out: the standard deviation of its frequency is {mode.sigma:.3g} Hz"
-        )
+        log.append(f"{where} is left out: the standard deviation of its frequency is {mode.sigma:.3g} Hz")
         return None
     if not SHAPE_SIGMA.range.holds(np.array(mode.sigma_shape)):
-        messages.append(
+        log.append(
             f"{where} has no shape: its standard deviation is {mode.sigma_shape:.3g} of the largest component"
         )
         mode = replace(mode, shape={}, sigma_shape=np.nan, complexity=np.nan, complex_shape={})
     if not DAMPING.sigma.range.holds(np.array(mode.sigma_damping)):
-        messages.append(f"{where} has no damping ratio: its standard deviation is {mode.sigma_damping:.3g}")
+        log.append(f"{where} has no damping ratio: its standard deviation is {mode.sigma_damping:.3g}")
         mode = replace(mode, damping=np.nan, sigma_damping=np.nan)
     return mode
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,13 +16,13 @@ from numpy.typing import NDArray
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.core.support.ordering import listed
 from pkmodes.modaltest.campaign.campaign import Campaign, Record
-from pkmodes.modaltest.campaign.found import NAMELESS, FileFit, FileModes
 from pkmodes.modaltest.campaign.frequency_records import Responses, frf_fit, of_reference, remarks_on
+from pkmodes.modaltest.campaign.mode_estimates import NAMELESS, FileFit, FileModes
 from pkmodes.modaltest.campaign.roving import RovingPoint
 from pkmodes.modaltest.campaign.sensor_functions import asked_of, in_file
 from pkmodes.modaltest.campaign.sensors import Transducer, unsigned
 from pkmodes.modaltest.campaign.time_records import TimeSignals, time_signals, with_bridges, with_levels
-from pkmodes.modaltest.identification.estimates import Estimate, Mode
+from pkmodes.modaltest.identification.estimates import Mode
 from pkmodes.modaltest.identification.frf_estimates import impact_estimate, samples_of_blows
 from pkmodes.modaltest.signals.functions import MOST_NAMES
 from pkmodes.modaltest.signals.reading import read_signals
@@ -80,10 +79,19 @@ def roving_modes(points: Mapping[str, RovingPoint], record: Record, campaign: Ca
 
 
 def _blows(path: Path, record: Record, setup: str, campaign: Campaign) -> _Blows:
-    """Read a file of blows."""
+    """Read a file of blows.
+
+    Raises MeasurementError if it is faulty, or its force is none of the campaign's, or could be any of several.
+    """
     signals = time_signals(path, record, setup, campaign)
     if not signals.forces:
-        _refuse_without_force(path, record, signals.source)
+        functions = read_signals(path, replace(asked_of(record), force=False)).functions
+        names = list(dict.fromkeys(function.response for function in functions))
+        remedy = f"state in the record which of {listed([*map(shown, names)], MOST_NAMES)} it is, names = {{ "
+        remedy += (
+            'force = "NAME" }, or give its type in a universal file; without a force the kind is ambient'
+        )
+        raise MeasurementError("expected a force, found none", signals.source, remedy)
     if len(signals.pieces) > 1:
         problem = f"expected one piece of even sampling, found {len(signals.pieces)}"
         raise MeasurementError(problem, signals.source, "measure the blows again, or leave the file out")
@@ -96,34 +104,16 @@ def _blows(path: Path, record: Record, setup: str, campaign: Campaign) -> _Blows
             f"expected at least {PERIODS_OF_BLOWS:g} periods of {record.band[0]:g} Hz, found {seconds:.3g} s"
         )
         raise MeasurementError(problem, signals.source, "measure longer, or narrow the band")
-    return _Blows(signals, _acting(signals.force, setup, campaign, signals.source))
-
-
-def _refuse_without_force(path: Path, record: Record, source: str) -> NoReturn:
-    """Refuse a file without a force, listing its signals, one of which may be the force."""
-    functions = read_signals(path, replace(asked_of(record), force=False)).functions
-    names = list(dict.fromkeys(function.response for function in functions))
-    of_file = (
-        f"of {listed([*map(shown, names)], MOST_NAMES)} say in the record which it is, names = {{ force = "
-    )
-    remedy = f'{of_file}"NAME" }}, or give its type in a universal file; without a force the kind is ambient'
-    raise MeasurementError("expected a force, found none", source, remedy)
-
-
-def _acting(name: str, setup: str, campaign: Campaign, source: str) -> Transducer | None:
-    """Return the force of the campaign that is measured in a file, None if it has none in this setup.
-
-    Raises MeasurementError if it is none of the campaign's forces, or could be any of several.
-    """
     forces = campaign.forces_in(setup)
     if not forces:
-        return None
-    force = of_reference(name, forces)
-    if force is None:
-        problem = f"expected a force of the campaign, {', '.join(map(shown, forces))}, found {shown(name)}"
+        return _Blows(signals, None)
+    acting = of_reference(signals.force, forces)
+    if acting is None:
+        problem = "expected a force of the campaign, "
+        problem += f"{', '.join(map(shown, forces))}, found {shown(signals.force)}"
         remedy = 'name each [[force]] as in the files; where these say only "force", give each its setup'
-        raise MeasurementError(problem, source, remedy)
-    return force
+        raise MeasurementError(problem, signals.source, remedy)
+    return _Blows(signals, acting)
 
 
 def _modes(
@@ -190,24 +180,14 @@ def _fit(
         fit = frf_fit(responses, functions.averages, record, campaign)
     messages += remarks_on(fit, source)
 
-    def wider(mode: Mode) -> Mode:
+    def complete(mode: Mode) -> Mode:
+        # The record of a blow, 1 / f[1] long, cuts off the decays; participations are those of complete ones.
+        pole = mode.pole - (1.0 / record.exponential if record.exponential else 0.0)
+        whole = np.asarray(mode.participation) / (1.0 - np.exp(pole * float(1.0 / f[1])))
+        mode = replace(mode, participation=whole)
         # The functions of a file share an error of size: that of one component of the shape, or of all.
         if len(signals) > 1:
             return replace(mode, sigma_shape=float(np.hypot(mode.sigma_shape, max(sizes))))
         return replace(mode, sigma_size=float(np.hypot(mode.sigma_size, max(sizes))))
 
-    estimate = _complete(fit.estimate, float(1.0 / f[1]), record.exponential)
-    return replace(fit, estimate=estimate.changed(wider)), tuple(messages)
-
-
-def _complete(estimate: Estimate, length: float, exponential: float | None) -> Estimate:
-    """Return the modes of blows with the participations of complete decays, which the record cuts off.
-
-    - length: of the record of each blow [s]
-    """
-
-    def whole(mode: Mode) -> Mode:
-        pole = mode.pole - (1.0 / exponential if exponential else 0.0)
-        return replace(mode, participation=np.asarray(mode.participation) / (1.0 - np.exp(pole * length)))
-
-    return estimate.changed(whole)
+    return replace(fit, estimate=fit.estimate.changed(complete)), tuple(messages)

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.modaltest.campaign.found import FileFit
+from pkmodes.modaltest.campaign.mode_estimates import FileFit
 from pkmodes.modaltest.identification.estimates import Stabilisation
 
 Array = NDArray[np.float64]
@@ -93,7 +93,19 @@ def inspection(setup: str, file: str, further_files: int, fit: FileFit) -> Inspe
     modes = [*estimate.modes, *(mode for mode in estimate.added if not isinstance(mode, str))]
     at = [int(np.argmin(np.abs(f - mode.frequency))) for mode in modes]
     heights = np.array([size[at] / np.sqrt(np.mean(size**2)) for size in sizes.values()])
-    chosen = [places[k] for k in _chosen(heights)]
+    curves = []
+    for s, r in (places[k] for k in _chosen(heights)):
+        measured = estimate.measured[:, s, r]
+        drawn = thinned(np.abs(measured))
+        curves.append(
+            InspectedFunction(
+                fit.responses[s] + (f" / {fit.references[r]}" if fit.references else ""),
+                f[drawn],
+                measured[drawn],
+                estimate.synthesised[drawn, s, r],
+                None if fit.coherence is None else fit.coherence[drawn, s, r],
+            )
+        )
     shown = thinned(total)
     return Inspection(
         setup,
@@ -102,23 +114,9 @@ def inspection(setup: str, file: str, further_files: int, fit: FileFit) -> Inspe
         estimate.stabilisation,
         f[shown],
         total[shown],
-        tuple(_curve(fit, s, r) for s, r in chosen),
+        tuple(curves),
         len(places),
         estimate.tones,
-    )
-
-
-def _curve(fit: FileFit, s: int, r: int) -> InspectedFunction:
-    estimate = fit.estimate
-    measured = estimate.measured[:, s, r]
-    shown = thinned(np.abs(measured))
-    name = fit.responses[s] + (f" / {fit.references[r]}" if fit.references else "")
-    return InspectedFunction(
-        name,
-        estimate.frequencies[shown],
-        measured[shown],
-        estimate.synthesised[shown, s, r],
-        None if fit.coherence is None else fit.coherence[shown, s, r],
     )
 
 

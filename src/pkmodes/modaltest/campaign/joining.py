@@ -11,121 +11,113 @@ settled between: it had both, whatever their weights.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 import numpy as np
 
-from pkmodes.modaltest.campaign.averaging import Mean, grouped_means, mean_shape
-from pkmodes.modaltest.campaign.found import Found
+from pkmodes.modaltest.campaign.averaging import grouped_means, mean_shape
 from pkmodes.modaltest.campaign.levels import widest
+from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate
 
 #: Number of standard deviations above which a difference between setups is real.
 SURE = 2.0
 
 
 def joined_setups(
-    setups: Mapping[str, Sequence[Mean]], repeatability: float = 0.0
-) -> tuple[list[Mean], list[str]]:
-    """Return the modes of all setups of a record, and messages about those that differ or could not be joined.
+    setups: Mapping[str, Sequence[ModeEstimate]], pose: str, repeatability: float, log: list[str]
+) -> list[ModeEstimate]:
+    """Return the modes of all setups of a record; report those that differ or could not be joined.
 
     The mean over setups is weighted by their inverse variances.  If setups differ by more than these explain, their
     spread is used instead; and half their difference if it exceeds two of its standard deviations, which include the
     relative `repeatability`.
     """
     if len(setups) == 1:
-        return list(next(iter(setups.values()))), []
-    names, listed = list(setups), list(setups.values())
-    means, notes, moved = [], list[str](), list[tuple[float, float]]()
-    for group in grouped_means(listed):
+        return list(next(iter(setups.values())))
+    names = list(setups)
+    joined, moved = list[ModeEstimate](), list[tuple[float, float]]()
+    for group in grouped_means(list(setups.values())):
         members = [group[i] for i in sorted(group)]
         ends = _differing(members, repeatability)
-        mean, apart = _together(members, ends)
+        mode, apart = _together(members, ends)
+        joined.append(mode)
         moved += [ends] if ends else []
         if apart:
             which = ", ".join(names[i] for i in sorted(group))
-            notes.append(
-                f"the shapes of the mode at {mean.mode.frequency:.4g} Hz share no sensor in the setups {which}, nor "
-                "a reference with a name: only the one with most sensors is kept"
+            log.append(
+                f"{pose}: the shapes of the mode at {mode.frequency:.4g} Hz share no sensor in the setups {which}, "
+                "nor a reference with a name: only the one with most sensors is kept"
             )
-        means.append(mean)
     if moved:
         ranges = ", ".join(f"{low:.5g} to {high:.5g}" for low, high in moved)
-        notes.append(
-            f"the setups {', '.join(names)} differ by more than their standard deviations, as of a machine that "
-            f"warms or settles, in the modes at {ranges} Hz: each is one row, with half the difference in sigma"
+        log.append(
+            f"{pose}: the setups {', '.join(names)} differ by more than their standard deviations, as when a machine "
+            f"warms up or settles, in the modes at {ranges} Hz: each is one row, with half the difference in sigma"
         )
-    return means, notes
+    return joined
 
 
-def _differing(members: Sequence[Mean], repeatability: float) -> tuple[float, float] | None:
+def _differing(members: Sequence[ModeEstimate], repeatability: float) -> tuple[float, float] | None:
     """Return the lowest and the highest frequency of a mode [Hz], None if their errors explain the difference."""
-    ordered = sorted(members, key=lambda mean: mean.mode.frequency)
-    ends = ordered[0], ordered[-1]
-    low, high = (mean.mode.frequency for mean in ends)
+    ordered = sorted(members, key=lambda mode: mode.frequency)
+    low, high = ordered[0], ordered[-1]
     errors = [
-        (np.nan_to_num(mean.scatter) ** 2 + repeatability**2) * mean.mode.frequency**2
-        + mean.mode.sigma_frequency**2
-        for mean in ends
+        (np.nan_to_num(mode.scatter) ** 2 + repeatability**2) * mode.frequency**2 + mode.sigma_frequency**2
+        for mode in (low, high)
     ]
-    return (low, high) if high - low > SURE * np.sqrt(sum(errors)) else None
+    differ = high.frequency - low.frequency > SURE * np.sqrt(sum(errors))
+    return (low.frequency, high.frequency) if differ else None
 
 
-def _together(members: Sequence[Mean], differing: tuple[float, float] | None) -> tuple[Mean, bool]:
+def _together(
+    members: Sequence[ModeEstimate], differing: tuple[float, float] | None
+) -> tuple[ModeEstimate, bool]:
     """Return the joined mode of several setups, and whether some of their shapes share no sensor or reference."""
     if len(members) == 1:
         return members[0], False
-    modes = [mean.mode for mean in members]
     frequency, sigma, scatter = _weighted(
-        [mode.frequency for mode in modes],
-        [mode.sigma_frequency for mode in modes],
-        [mean.scatter * mean.mode.frequency for mean in members],
+        [mode.frequency for mode in members],
+        [mode.sigma_frequency for mode in members],
+        [mode.scatter * mode.frequency for mode in members],
     )
     if differing is not None:
         low, high = differing
         frequency, scatter = 0.5 * (low + high), max(float(np.nan_to_num(scatter)), 0.5 * (high - low))
     damping, sigma_damping, damping_scatter = _weighted(
-        [mode.damping for mode in modes],
-        [mode.sigma_damping for mode in modes],
-        [mean.damping_scatter * mean.mode.damping for mean in members],
+        [mode.damping for mode in members],
+        [mode.sigma_damping for mode in members],
+        [mode.damping_scatter * mode.damping for mode in members],
     )
-    shaped = [mode for mode in modes if mode.shape]
-    whole, unlinked, sizes = _by_reference(shaped)
+    whole, unlinked, sizes = _by_reference([mode for mode in members if mode.shape])
     linked = [mode.shape for mode in unlinked if mode.shape.keys() & whole.keys()]
-    shape = mean_shape([whole, *linked])[0] if whole else {}
-    sigmas = [mode.sigma_shape for mode in modes if np.isfinite(mode.sigma_shape)]
-    sigma_shape = float(np.hypot(max(sigmas, default=np.nan), max(sizes, default=0.0)))
-    largest = [mean.shape_scatter for mean in members if np.isfinite(mean.shape_scatter)]
-    mode = replace(
-        modes[0],
-        frequency=frequency,
-        damping=damping,
-        shape=shape,
-        sigma_frequency=sigma,
-        sigma_damping=sigma_damping,
-        sigma_shape=sigma_shape,
+    sigmas = [mode.sigma_shape for mode in members if np.isfinite(mode.sigma_shape)]
+    joint = ModeEstimate(
+        frequency,
+        damping,
+        mean_shape([whole, *linked])[0] if whole else {},
+        sigma,
+        sigma_damping,
+        sigma_shape=float(np.hypot(max(sigmas, default=np.nan), max(sizes, default=0.0))),
         found_in=min(
-            (mode.found_in for mode in modes if mode.found_in),
+            (mode.found_in for mode in members if mode.found_in),
             key=lambda counts: counts[0] / counts[1],
             default=None,
         ),
-        resolution=min(mode.resolution for mode in modes),
-        shift=widest([mode.shift for mode in modes]),
-        participation={},
-    )
-    files = tuple(sorted(i for mean in members for i in mean.files))
-    relative = damping_scatter / damping if damping > 0.0 else np.nan
-    joint = Mean(
-        mode,
-        scatter / frequency,
-        relative,
-        max(largest, default=np.nan),
-        files,
-        between=widest([mean.between for mean in members]),
+        resolution=min(mode.resolution for mode in members),
+        shift=widest([mode.shift for mode in members]),
+        scatter=scatter / frequency,
+        damping_scatter=damping_scatter / damping if damping > 0.0 else np.nan,
+        shape_scatter=max(
+            (mode.shape_scatter for mode in members if np.isfinite(mode.shape_scatter)), default=np.nan
+        ),
+        between=widest([mode.between for mode in members]),
+        files=tuple(sorted(i for mode in members for i in mode.files)),
     )
     return joint, len(linked) < len(unlinked)
 
 
-def _by_reference(modes: Sequence[Found]) -> tuple[dict[str, complex], list[Found], list[float]]:
+def _by_reference(
+    modes: Sequence[ModeEstimate],
+) -> tuple[dict[str, complex], list[ModeEstimate], list[float]]:
     """Join the shape with most sensors to those that share a reference with it, but no sensor.
 
     Returns, in this order:
@@ -136,7 +128,7 @@ def _by_reference(modes: Sequence[Found]) -> tuple[dict[str, complex], list[Foun
     if not modes:
         return {}, [], []
     base = max(modes, key=lambda mode: len(mode.shape))
-    shape, unlinked, sigmas = dict(base.shape), list[Found](), list[float]()
+    shape, unlinked, sigmas = dict(base.shape), list[ModeEstimate](), list[float]()
     for mode in modes:
         if mode is base:
             continue

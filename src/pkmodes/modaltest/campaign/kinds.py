@@ -11,10 +11,10 @@ from pathlib import Path
 
 from pkmodes.modaltest.campaign.ambient_records import ambient_modes
 from pkmodes.modaltest.campaign.campaign import Campaign, Record
-from pkmodes.modaltest.campaign.found import FileModes
 from pkmodes.modaltest.campaign.frequency_records import frf_modes, spectrum_modes
 from pkmodes.modaltest.campaign.identified_modes import identified_modes
 from pkmodes.modaltest.campaign.impact_records import impact_modes, roving_modes
+from pkmodes.modaltest.campaign.mode_estimates import FileModes
 from pkmodes.modaltest.campaign.roving import RovingPoint
 from pkmodes.modaltest.campaign.roving_functions import roving_frf_modes
 

@@ -17,7 +17,7 @@ from scipy.stats import t as student
 
 from pkmodes.core.support.numbers import plain
 from pkmodes.loop.measured.amplitude import DIFFER
-from pkmodes.modaltest.campaign.found import Found
+from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate
 from pkmodes.modaltest.identification.level import FALSE_ALARM, LEAST, LevelShift
 
 Array = NDArray[np.float64]
@@ -42,7 +42,7 @@ class _Regression:
         return len(self.level) - 2
 
 
-def between_files(groups: Sequence[Mapping[int, Found]]) -> list[LevelShift | None]:
+def between_files(groups: Sequence[Mapping[int, ModeEstimate]]) -> list[LevelShift | None]:
     """Return, for each mode, how its frequency changes with the level of the files; None for no detectable change."""
     fits = [_regression(list(group.values())) for group in groups]
     usable = [fit for fit in fits if fit is not None]
@@ -51,7 +51,7 @@ def between_files(groups: Sequence[Mapping[int, Found]]) -> list[LevelShift | No
     return [None if fit is None else _shift(fit, pooled, freedom) for fit in fits]
 
 
-def _regression(modes: Sequence[Found]) -> _Regression | None:
+def _regression(modes: Sequence[ModeEstimate]) -> _Regression | None:
     """Return the regression of a mode over its files, None if their levels agree or are unknown."""
     if len(modes) < FEWEST or not all(mode.level > 0.0 for mode in modes):
         return None
@@ -85,13 +85,14 @@ def with_half(sigma: float, shift: LevelShift | None) -> float:
     return sigma if shift is None else math.hypot(sigma, 0.5 * shift.spread)
 
 
-def level_messages(
-    pose: str, frequency: float, within: LevelShift | None, between: LevelShift | None
-) -> list[str]:
+def level_messages(pose: str, mode: ModeEstimate) -> list[str]:
     """Return messages about a mode whose frequency changes with the level."""
     return [
-        f"{pose}: the mode at {frequency:.4g} Hz changes with the level: {shift.high:.5g} to {shift.low:.5g} Hz "
+        f"{pose}: the mode at {mode.frequency:.4g} Hz changes with the level: {shift.high:.5g} to {shift.low:.5g} Hz "
         f"while {falls} {plain(shift.fall, 2)}-fold; half the difference is in sigma"
-        for shift, falls in ((within, "its amplitude falls"), (between, "the level of the files falls"))
+        for shift, falls in (
+            (mode.shift, "its amplitude falls"),
+            (mode.between, "the level of the files falls"),
+        )
         if shift is not None
     ]

@@ -11,8 +11,8 @@ from pathlib import Path
 from pkmodes.core.base.errors import MeasurementError, nearest_name, shown
 from pkmodes.core.support.ordering import joined, listed
 from pkmodes.modaltest.campaign.campaign import Campaign, Record
-from pkmodes.modaltest.campaign.found import FileModes
 from pkmodes.modaltest.campaign.kinds import RecordKind
+from pkmodes.modaltest.campaign.mode_estimates import FileModes
 from pkmodes.modaltest.campaign.sensor_functions import asked_of
 from pkmodes.modaltest.campaign.sensors import MotionSensor, Transducer, unsigned
 from pkmodes.modaltest.signals.reading import read_signals
@@ -51,7 +51,7 @@ def lacking(pose: str, setups: Sequence[Sequence[tuple[Path, Places]]]) -> list[
     all_places = [places for files in setups for _, places in files]
     labels = list(dict.fromkeys(label for places in all_places for label in places))
     nowhere = [label for label in labels if not any(places.get(label) for places in all_places)]
-    messages = [f"{pose}: no file of it has {joined(nowhere, 'or')} of the campaign"] if nowhere else []
+    messages = [f"{pose}: none of its files has {joined(nowhere, 'or')} of the campaign"] if nowhere else []
     for files in setups:
         present = {label for _, places in files for label, has in places.items() if has}
         for path, places in files:
@@ -70,7 +70,7 @@ def unnamed(pose: str, files: Sequence[FileModes], campaign: Campaign) -> list[s
         return []
     return [
         f"{pose}: no [[force]] names the references {', '.join(names)}: their shapes have the places of the sensors "
-        "only; of a roving hammer, add [[force]] for each reference"
+        "only; for a roving hammer, add [[force]] for each reference"
     ]
 
 

@@ -8,45 +8,44 @@ import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.core.support.numbers import plain
-from pkmodes.modaltest.campaign.averaging import Mean, grouped_means
+from pkmodes.modaltest.campaign.averaging import grouped_means
 from pkmodes.modaltest.campaign.campaign import Record
+from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate
 
 #: Fewest modes that must have been measured again.
 FEWEST = 3
 
 
-def revisited(records: Sequence[tuple[Record, Sequence[Mean]]], source: str) -> tuple[float, list[str]]:
+def revisited(records: Sequence[tuple[Record, Sequence[ModeEstimate]]], source: str) -> tuple[float, str]:
     """Return the relative standard deviation of a frequency over approaches, and a message about it.
 
     The variance of the means from repeats, or from the fit of a single file, is subtracted from that between labels.
 
     Raises MeasurementError if fewer than three modes were measured again.
     """
-    alike: dict[object, list[Sequence[Mean]]] = {}
-    for record, means in records:
+    alike: dict[object, list[Sequence[ModeEstimate]]] = {}
+    for record, modes in records:
         key = (tuple(record.point.items()), tuple(sorted(record.settings.items())), record.drives)
-        alike.setdefault(key, []).append(means)
-    squares, freedom, modes = 0.0, 0, 0
+        alike.setdefault(key, []).append(modes)
+    squares, freedom, count = 0.0, 0, 0
     for visits in alike.values():
         for group in grouped_means(visits):
             if len(group) < 2:
                 continue
             members = list(group.values())
-            logs = np.log([mean.mode.frequency for mean in members])
+            logs = np.log([mode.frequency for mode in members])
             within = [
-                mean.variance
-                if np.isfinite(mean.variance)
-                else (mean.mode.sigma_frequency / mean.mode.frequency) ** 2
-                for mean in members
+                mode.variance if np.isfinite(mode.variance) else (mode.sigma_frequency / mode.frequency) ** 2
+                for mode in members
             ]
             squares += (len(members) - 1) * (float(np.var(logs, ddof=1)) - float(np.mean(within)))
             freedom += len(members) - 1
-            modes += 1
-    if modes < FEWEST:
+            count += 1
+    if count < FEWEST:
         problem = (
-            f'expected at least {FEWEST} modes measured again for repeatability = "revisits", found {modes}'
+            f'expected at least {FEWEST} modes measured again for repeatability = "revisits", found {count}'
         )
         remedy = 'measure a pose again under another label, or write a number such as "0.2 %"'
         raise MeasurementError(problem, f"{source}: repeatability", remedy)
     value = float(np.sqrt(max(squares, 0.0) / freedom))
-    return value, [f"repeatability {plain(100.0 * value, 2)} %, from {modes} modes that were measured again"]
+    return value, f"repeatability {plain(100.0 * value, 2)} %, from {count} modes that were measured again"

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.modaltest.campaign.averaging import Mean, grouped_means
+from pkmodes.modaltest.campaign.averaging import grouped_means
 from pkmodes.modaltest.campaign.campaign import Campaign
-from pkmodes.modaltest.campaign.found import FileModes, Found
+from pkmodes.modaltest.campaign.mode_estimates import FileModes, ModeEstimate
 from pkmodes.modaltest.identification.modes import IdentifiedModes
 
 Array = NDArray[np.float64]
@@ -34,7 +34,7 @@ class RovingPoint:
     """
 
     path: Path
-    modes: tuple[Found, ...]
+    modes: tuple[ModeEstimate, ...]
     factor: float = 1.0
 
     def change(
@@ -82,7 +82,7 @@ class RovingChange:
     allowed: float
     factors: Mapping[str, float] = field(default_factory=dict)
 
-    def on(self, mode: Found) -> Found:
+    def on(self, mode: ModeEstimate) -> ModeEstimate:
         """Return a mode fitted to all points with half the change in its sigma: the machine had both of its ends."""
         sigma = float(np.hypot(mode.sigma_frequency, 0.5 * self.apart * mode.frequency))
         return replace(mode, sigma_frequency=sigma)
@@ -95,24 +95,17 @@ def points_of(files: Mapping[str, Mapping[Path, FileModes]], campaign: Campaign)
       no repeat.
     """
     sensors = [campaign.sensors_in(setup) for setup in files]
-    forces = [_hit(setup, by_path.values(), campaign) for setup, by_path in files.items()]
-    if (
-        len(set(forces)) < 2
-        or not all(forces)
-        or any(setup_sensors != sensors[0] for setup_sensors in sensors)
-    ):
+    hit: list[frozenset[str]] = []  # keys of the forces that act in all files of a setup
+    for setup, by_path in files.items():
+        forces = campaign.forces_in(setup)
+        of_files = [{forces[name].key for name in file.forces} for file in by_path.values()]
+        hit.append(frozenset(set.intersection(*of_files)))
+    if len(set(hit)) < 2 or not all(hit) or any(of_setup != sensors[0] for of_setup in sensors):
         return []
     return [dict(zip(files, paths, strict=True)) for paths in zip(*files.values(), strict=False)]
 
 
-def _hit(setup: str, files: Iterable[FileModes], campaign: Campaign) -> frozenset[str]:
-    """Return the keys of the forces that act in all files of a setup."""
-    forces = campaign.forces_in(setup)
-    hit = [{forces[name].key for name in file.forces} for file in files]
-    return frozenset(set.intersection(*hit))
-
-
-def change_of(points: Mapping[str, Sequence[Mean]]) -> RovingChange:
+def change_of(points: Mapping[str, Sequence[ModeEstimate]]) -> RovingChange:
     """Return by how much the machine changed from point to point, given the modes of each.
 
     Warming and settling shift all modes; differences in single modes come from fits of modes that a point hardly
@@ -120,7 +113,7 @@ def change_of(points: Mapping[str, Sequence[Mean]]) -> RovingChange:
     weighted median polish (Tukey, Exploratory Data Analysis, 1977, chapter 11).
     """
     groups = [
-        {i: mean.mode for i, mean in group.items() if mean.mode.sigma_frequency < _allowed(mean.mode)}
+        {i: mode for i, mode in group.items() if mode.sigma_frequency < _allowed(mode)}
         for group in grouped_means(list(points.values()))
     ]
     groups = [group for group in groups if len(group) > 1]
@@ -163,6 +156,6 @@ def _error(residuals: Array, sigma: Array) -> float:
     return float(larger * np.sqrt(0.5 * np.pi / (sigma[finite] ** -2.0).sum()))
 
 
-def _allowed(mode: Found) -> float:
+def _allowed(mode: ModeEstimate) -> float:
     """Return the allowed difference of a mode's frequencies [Hz]."""
     return SHIFT * 2.0 * mode.damping * mode.frequency

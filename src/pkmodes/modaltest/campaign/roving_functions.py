@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import shown
 from pkmodes.modaltest.campaign.campaign import Campaign, Record
-from pkmodes.modaltest.campaign.found import FileModes, modes_of_fit
 from pkmodes.modaltest.campaign.frequency_records import (
     ResponseFile,
     Responses,
@@ -22,6 +21,7 @@ from pkmodes.modaltest.campaign.frequency_records import (
     read_responses,
     remarks_on,
 )
+from pkmodes.modaltest.campaign.mode_estimates import FileModes, modes_of_fit
 from pkmodes.modaltest.campaign.roving import RovingPoint
 from pkmodes.modaltest.campaign.sensor_functions import in_file
 
@@ -43,7 +43,14 @@ def roving_frf_modes(points: Mapping[str, RovingPoint], record: Record, campaign
     Raises MeasurementError if a file is faulty.
     Raises ApartError if their lines differ, or no sensor is in all of them.
     """
-    files = [_by_key(point, record, setup, campaign) for setup, point in points.items()]
+    files = []
+    for setup, point in points.items():
+        read = read_responses(point.path, record, setup, campaign)
+        of_file, forces = read.responses, campaign.forces_in(setup)
+        names = tuple(forces[name].key for name in of_file.names)
+        # As of the machine in mid-change.
+        change = point.change(of_file.frequencies, names, of_file.references, record.exponential)
+        files.append(replace(read, responses=replace(of_file, names=names, values=of_file.values + change)))
     responses, left_out = points_together(files, record.band)
     with in_file(record.pose):
         fit = frf_fit(responses, record.averages, record, campaign)
@@ -56,15 +63,6 @@ def roving_frf_modes(points: Mapping[str, RovingPoint], record: Record, campaign
     return modes_of_fit(fit, [*messages, *remarks_on(fit, record.pose)], names_in_file)
 
 
-def _by_key(point: RovingPoint, record: Record, setup: str, campaign: Campaign) -> ResponseFile:
-    """Return a file's functions, corrected to the machine in mid-change, with its forces by their keys."""
-    read = read_responses(point.path, record, setup, campaign)
-    responses, forces = read.responses, campaign.forces_in(setup)
-    names = tuple(forces[name].key for name in responses.names)
-    change = point.change(responses.frequencies, names, responses.references, record.exponential)
-    return replace(read, responses=replace(responses, names=names, values=responses.values + change))
-
-
 def points_together(files: Sequence[ResponseFile], band: tuple[float, float]) -> tuple[Responses, str]:
     """Return the functions of several points as those of one file, and the names of sensors that only some have.
 
@@ -75,12 +73,17 @@ def points_together(files: Sequence[ResponseFile], band: tuple[float, float]) ->
     inside = [_in_band(file, band) for file in files]
     f = inside[0].frequencies
     for file, responses in zip(files, inside, strict=True):
-        _check_lines(file.source, responses.frequencies, files[0].source, f)
+        lines = responses.frequencies
+        if len(lines) != len(f) or np.abs(lines - f).max(initial=0.0) > SAME_LINE * _step(f):
+            raise ApartError(
+                f"expected in {file.source} the frequencies of {files[0].source} in the band, {_lines(f)}, found "
+                f"{_lines(lines)}; export all points with the same lines"
+            )
     sensors = list(dict.fromkeys(name for responses in inside for name in responses.references))
     common = [name for name in sensors if all(_shows(responses, name) for responses in inside)]
     if not common:
         which = ", ".join(map(shown, sensors))
-        raise ApartError(f"expected a sensor that shows something of every point, found none among {which}")
+        raise ApartError(f"expected a sensor with a signal for every point, found none among {which}")
     kept = [_of_sensors(responses, common) for responses in inside]
     names = [name for responses in kept for name in responses.names]
     points = tuple(dict.fromkeys(names))
@@ -107,17 +110,6 @@ def _in_band(file: ResponseFile, band: tuple[float, float]) -> Responses:
     inside = (f >= band[0] - rounding) & (f <= band[1] + rounding)
     coherence = None if responses.coherence is None else responses.coherence[inside]
     return replace(responses, frequencies=f[inside], values=responses.values[inside], coherence=coherence)
-
-
-def _check_lines(source: str, f: Array, first: str, of_first: Array) -> None:
-    """Refuse lines that are not those of the first file."""
-    same = SAME_LINE * _step(of_first)
-    if len(f) == len(of_first) and np.abs(f - of_first).max(initial=0.0) <= same:
-        return
-    raise ApartError(
-        f"expected in {source} the frequencies of {first} in the band, {_lines(of_first)}, found {_lines(f)}; "
-        "export all points with the same lines"
-    )
 
 
 def _step(f: Array) -> float:

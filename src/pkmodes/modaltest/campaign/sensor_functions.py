@@ -122,14 +122,9 @@ def motion_of(function: Function, sensor: MotionSensor, channels: Mapping[str, s
         raise MeasurementError(problem, where, 'give it in the campaign: unit = "m/s^2"')
     measured = sensor.motion or motion(str(function.unit), where)
     check_motion(measured, sensor, channels, where)
-    if sensor.motion is not None and function.unit is not None:
-        _check_agrees(function, sensor.motion, where)
-    return measured
-
-
-def _check_agrees(function: Function, declared: Motion, where: str) -> None:
-    """Refuse a unit in the file that differs from that of the campaign."""
-    unit = str(function.unit)
+    declared, unit = sensor.motion, function.unit
+    if declared is None or unit is None:
+        return measured
     of_file = motion_or_none(unit)
     if declared.of_volts and not function.assumed:
         agree = unit == "V"
@@ -144,6 +139,7 @@ def _check_agrees(function: Function, declared: Motion, where: str) -> None:
     if not agree:
         problem = f"the campaign says {shown(declared.unit)} of this sensor, and the file {shown(unit)}"
         raise MeasurementError(problem, where, "correct the campaign, or leave the unit out of it")
+    return measured
 
 
 def check_size(values: NDArray[Any], source: str) -> None:

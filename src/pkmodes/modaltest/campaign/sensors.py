@@ -173,7 +173,7 @@ def _place(
             f"unknown channel {shown(channel)}", f"{where}.channel", nearest_name(channel, channel_units)
         )
     if table.at is not None and channel not in platform.components:
-        problem = f"the channel {shown(channel)} is no motion of a platform, and has no place on one"
+        problem = f"the channel {shown(channel)} is not a motion of a platform, and has no place on one"
         raise MeasurementError(
             problem, f"{where}.at", "leave it out, or give a direction or a channel of the platform"
         )

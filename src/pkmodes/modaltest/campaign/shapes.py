@@ -22,10 +22,10 @@ Array = NDArray[np.float64]
 HIDDEN = 1e-6
 #: Reasons why a component is blank.
 UNDETERMINED = (
-    "what was measured on the platform does not tell {}: left blank; "
+    "the measurements on the platform do not determine {}: left blank; "
     "add a sensor at another place or in another direction"
 )
-UNCERTAIN = "{} would be known no better than to the largest component: left blank"
+UNCERTAIN = "the error of {} would be as large as the largest component: left blank"
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,7 +68,7 @@ def combined(
     }
     if not of_platform:
         return Combined(values)
-    better, growth = _known(values, gains, shape, sigma)
+    better, growth = _well_determined(values, gains, shape, sigma)
     undetermined = tuple(name for name in order if name in of_platform - values.keys())
     return Combined(better, growth, undetermined, tuple(name for name in values if name not in better))
 
@@ -91,7 +91,11 @@ def _solved(
     channels = list(dict.fromkeys(channel for name in names for channel in places[name].weights))
     A = np.array([[places[name].weights.get(channel, 0.0) for channel in channels] for name in names])
     values = np.array([shape[name] for name in names])
-    rows, columns = _lengths(names, channels, places)
+    rows, columns = np.ones(len(names)), np.ones(len(channels))
+    if mounts := [mount for name in names if (mount := places[name].mount) is not None]:
+        length = spread(mounts)  # by which rotations of sensors and of channels become metres
+        rows = np.array([length if mount.angular else 1.0 for mount in mounts])
+        columns = np.array([length if channel.startswith(ROTATION) else 1.0 for channel in channels])
     U, s, Vh = np.linalg.svd(A * rows[:, None] / columns)
     rank = int((s > HIDDEN * s[0]).sum())
     hidden = np.abs(Vh[rank:]).max(axis=0, initial=0.0) > HIDDEN
@@ -103,21 +107,7 @@ def _solved(
     }
 
 
-def _lengths(
-    names: Sequence[str], channels: Sequence[str], places: Mapping[str, Transducer]
-) -> tuple[Array, Array]:
-    """Return the lengths that turn rotations of sensors and of channels into metres; 1 for everything else."""
-    mounts = [mount for name in names if (mount := places[name].mount) is not None]
-    if not mounts:
-        return np.ones(len(names)), np.ones(len(channels))
-    length = spread(mounts)
-    return (
-        np.array([length if mount.angular else 1.0 for mount in mounts]),
-        np.array([length if channel.startswith(ROTATION) else 1.0 for channel in channels]),
-    )
-
-
-def _known(
+def _well_determined(
     values: dict[str, complex], gains: Mapping[str, float], shape: Mapping[str, complex], sigma: float
 ) -> tuple[dict[str, complex], float]:
     """Return the components with errors below the largest of them, and the growth of their errors."""

@@ -15,8 +15,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.modaltest.campaign.campaign import Campaign, Record
-from pkmodes.modaltest.campaign.found import FileFit, FileModes, modes_of_fit
 from pkmodes.modaltest.campaign.grouping import APART
+from pkmodes.modaltest.campaign.mode_estimates import FileFit, FileModes, modes_of_fit
 from pkmodes.modaltest.campaign.quotients import force_in
 from pkmodes.modaltest.campaign.sensor_faults import overloads, silent
 from pkmodes.modaltest.campaign.sensor_functions import (
@@ -149,6 +149,7 @@ def time_signals(
         for force, unit in zip(forces, units, strict=True)
         for piece in pieces
     )
+    lost = [time[b.part.start] - time[a.part.stop - 1] - a.step for a, b in pairwise(pieces)]
     signals = TimeSignals(
         read.source,
         pieces[0].step * fewer,
@@ -159,7 +160,7 @@ def time_signals(
         np.array([motions[i].derivative for i in moving]),
         frozenset(names),
         (*read.messages, *gaps, *of_still, *overloaded),
-        _lost(time, pieces),
+        float(np.median(lost)) if lost else 0.0,
         tuple(float(time[piece.part.start]) for piece in pieces),
     )
     if not bridged:
@@ -197,12 +198,6 @@ def _pieces(time: Array, record: Record, source: str) -> tuple[tuple[Piece, ...]
     return pieces, messages
 
 
-def _lost(time: Array, pieces: Sequence[Piece]) -> float:
-    """Return the median of the times lost between pieces [s]."""
-    lost = [time[b.part.start] - time[a.part.stop - 1] - a.step for a, b in pairwise(pieces)]
-    return float(np.median(lost)) if lost else 0.0
-
-
 def with_bridges(
     find: Callable[[Sequence[TimeSignals]], tuple[FileFit, tuple[str, ...]]],
     recordings: Sequence[TimeSignals],
@@ -228,7 +223,7 @@ def with_bridges(
             sigma = getattr(mode, f"sigma_{name}")
             changes += [(getattr(counterpart, name) - getattr(mode, name)) / sigma] if sigma > 0.0 else []
     if not changes:
-        remark = "with as many samples interpolated once more no mode is found: none can be trusted"
+        remark = "with as many further samples interpolated, no mode is found: none can be trusted"
         return fit, (*messages, f"{source}: {remark}")
     moved = float(np.sqrt(np.mean(np.square(changes))))
 
@@ -236,7 +231,7 @@ def with_bridges(
         names = "sigma_frequency", "sigma_damping", "sigma_shape", "sigma_size"
         return replace(mode, **{name: getattr(mode, name) * np.hypot(1.0, moved) for name in names})
 
-    remark = f"as many samples interpolated once more move the modes by {moved:.2g} of their standard deviations, rms"
+    remark = f"interpolating as many further samples moves the modes by {moved:.2g} of their standard deviations, rms"
     sentence = f"{source}: {remark}: this is added in quadrature"
     return replace(fit, estimate=fit.estimate.changed(wider)), (*messages, sentence)
 

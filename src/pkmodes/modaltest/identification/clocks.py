@@ -34,7 +34,7 @@ PERIODS, FEWEST = 100.0, 8
 DELAYS, LEAST_DELAYS = 8.0, 4.0
 #: Shortest record in periods of the lower end of the band, and least ratio of the ends of the band.
 LEAST_PERIODS, WIDE = 12.0, 1.5
-TOO_SHORT = "what both recorded at the same time is too short, or the band too narrow"
+TOO_SHORT = "the time that both recorded is too short, or the band too narrow"
 #: Effective number of independent segments for each of several that overlap by half.
 INDEPENDENT = 0.6
 #: Parts of the lines, and by how many of their standard deviations another delay must be worse to be ruled out.
@@ -134,7 +134,9 @@ def delay(
     weighted = [_squares(f, times, crossed, coherent, trial) for trial in drifts]
     best = max(weighted, key=lambda pair: float(pair[1].sum()))[1]
     if not best.any():
-        raise MeasurementError("nothing in both files is coherent", "clocks", "measure a hit, or a sweep")
+        raise MeasurementError(
+            "the two files have no coherent signals", "clocks", "measure a hit, or a sweep"
+        )
     delays = np.arange(-within, within + DELAY_STEP / band[1], DELAY_STEP / band[1])
     turned = np.exp(-4j * np.pi * f[:, None] * delays)
     cuts = np.searchsorted(np.cumsum(best), best.sum() * np.arange(1, PARTS) / PARTS)

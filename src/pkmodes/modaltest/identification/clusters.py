@@ -73,7 +73,9 @@ def pole_clusters(by_order: Sequence[OrderPoles], low: float, high: float) -> li
         members = np.flatnonzero(labels == label)
         count = len(np.unique(order[members]))
         if count >= math.ceil(SHARE * len(by_order)):
-            clusters.append(_candidate(poles[members], shapes[members], parts[members], count))
+            middle = complex(np.median(poles[members].real), np.median(poles[members].imag))
+            nearest = members[np.argmin(np.abs(poles[members] - middle))]
+            clusters.append(PoleCluster(middle, shapes[nearest], parts[nearest], count))
     return sorted(clusters, key=lambda cluster: abs(cluster.pole))
 
 
@@ -106,9 +108,3 @@ def _alike(vectors: Complex) -> Array:
     sizes = np.linalg.norm(vectors, axis=1, keepdims=True)
     units = vectors / np.where(sizes > 0.0, sizes, 1.0)
     return np.asarray(np.abs(units.conj() @ units.T) ** 2)
-
-
-def _candidate(poles: Complex, shapes: Complex, parts: Complex, count: int) -> PoleCluster:
-    middle = complex(np.median(poles.real), np.median(poles.imag))
-    nearest = int(np.argmin(np.abs(poles - middle)))
-    return PoleCluster(middle, shapes[nearest], parts[nearest], count)

@@ -99,7 +99,7 @@ def _added(
             if copies(again, k, len(again.poles) - 1):  # it has become a reported mode, and replaces it
                 remaining[np.flatnonzero(kept)[k]] = False
         if not reported[~remaining].all():
-            return "its fit becomes that of another mode that is added"
+            return "its fit converges to another mode that is added"
         if remaining.sum() < kept.sum():
             again = _with(data, modes.only(remaining), trial.poles[-1])
         final, bounds = settled(data, again)

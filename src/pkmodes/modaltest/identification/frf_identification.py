@@ -93,7 +93,11 @@ def identify_frf(
         by_order = _by_order(data)
         start = _candidates(by_order, data, low, high)
         modes, bounds = _with_hidden(data, *refined(data, start, low, high), low, high, power)
-        new_tones = [] if last else _unasked(without_bandwidth(data, modes), edits)
+        new_tones = [
+            line
+            for line in ([] if last else without_bandwidth(data, modes))
+            if nearest_frequency(edits.add, line.frequency) is None
+        ]
         if not new_tones:
             break
         lines += new_tones
@@ -135,11 +139,6 @@ def identify_frf(
             if band[0] <= frequency <= band[1] and nearest_frequency(edits.add, frequency) is None
         ),
     )
-
-
-def _unasked(lines: list[Line], edits: RequestedModes) -> list[Line]:
-    """Return the lines at which the user has not requested a mode."""
-    return [line for line in lines if nearest_frequency(edits.add, line.frequency) is None]
 
 
 def _by_order(data: FrequencyLines) -> list[OrderPoles]:

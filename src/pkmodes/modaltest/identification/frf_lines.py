@@ -82,7 +82,7 @@ def used_lines(
         problem = f"expected at least {FEWEST_LINES} lines, found {len(f)}"
         raise MeasurementError(problem, "the band", "measure with a finer line spacing, or use a wider band")
     if not alive.any():
-        raise MeasurementError("found no function without gaps", "the band", "check the files")
+        raise MeasurementError("expected a function without gaps, found none", "the band", "check the files")
     squares: Array = np.where(alive, (np.abs(np.where(alive, H, 0.0)) ** 2).mean(axis=0), np.nan)
     scale = np.sqrt(np.array([np.nanmean(row) if np.isfinite(row).any() else 1.0 for row in squares]))
     step = float(np.median(np.diff(f)))
@@ -97,7 +97,9 @@ def used_lines(
     stated = coherence is not None and averages is not None
     if coherence is not None:
         by_coherence = coherence_variance(values, coherence[used], averages or 2)
-        variance = by_coherence if stated else _scaled_to(by_coherence, variance)
+        if not stated:  # only its course over the lines is known
+            by_coherence = by_coherence * np.median(variance / np.maximum(by_coherence, 1e-300), axis=0)
+        variance = by_coherence
         variance = _smoothed(np.maximum(variance, 1e-3 * difference_variance(values)))
     correlation = None if exponential is None else exponential_correlation(step, exponential, LAGS * 4)
     place = np.round((f[used] - f[0]) / step).astype(np.int64)
@@ -111,12 +113,6 @@ def at_tones(f: Array, tones: Sequence[float], step: float) -> NDArray[np.bool_]
         multiple = np.maximum(np.round(f / tone), 1.0)
         hit |= np.abs(f - multiple * tone) < TONE_REACH * step
     return hit
-
-
-def _scaled_to(relative: Array, absolute: Array) -> Array:
-    """Return variances with the course over the lines of one estimate and the size of another."""
-    ratio = np.median(absolute / np.maximum(relative, 1e-300), axis=0)
-    return np.asarray(relative * ratio)
 
 
 def _smoothed(variance: Array, width: int = 9) -> Array:

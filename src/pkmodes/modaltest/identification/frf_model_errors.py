@@ -184,13 +184,11 @@ def _on_skirts(data: FrequencyLines, modes: IdentifiedModes) -> NDArray[np.bool_
     if strong.all() or strong.sum() < PEAKS:
         return np.zeros(len(size), bool)
     strong_only, _ = settled(data, modes.only(strong))
-    return np.asarray(~strong & (size < SPURIOUS * _at_most_peaks(slow_errors(data, strong_only))))
-
-
-def _at_most_peaks(errors: Array) -> float:
-    """Return the error that at least half of the peaks have; 0 if it is known at too few."""
-    finite = np.sort(errors[np.isfinite(errors)])
-    return float(finite[(len(finite) - 1) // 2]) if len(finite) >= PEAKS else 0.0
+    errors = slow_errors(data, strong_only)
+    errors = np.sort(errors[np.isfinite(errors)])
+    # What at least half of the peaks have; 0 if it is known at too few.
+    at_most_peaks = float(errors[(len(errors) - 1) // 2]) if len(errors) >= PEAKS else 0.0
+    return np.asarray(~strong & (size < SPURIOUS * at_most_peaks))
 
 
 def _relative_sizes(data: FrequencyLines, modes: IdentifiedModes) -> Array:
@@ -210,7 +208,11 @@ def slow_errors(data: FrequencyLines, modes: IdentifiedModes) -> Array:
     NaN for a peak of few lines.
     """
     measured, f = data.measured, data.frequencies
-    remainder = _left(data, modes)[:, measured]
+    remainder = np.zeros(data.H.shape, complex)
+    for members in groups(modes.poles):
+        fitted = group_fit(data, modes, members)
+        remainder[fitted.lines] = residual(fitted.at, fitted.fit) * fitted.at.sigma[:, None, None]
+    remainder = remainder[:, measured]
     later = np.minimum(np.searchsorted(data.place, data.place + LAG), len(f) - 1)
     paired = data.place[later] == data.place + LAG
     errors = np.full(len(modes.poles), np.nan)
@@ -228,12 +230,3 @@ def slow_errors(data: FrequencyLines, modes: IdentifiedModes) -> Array:
         sure = slow > SURE * noise / math.sqrt(products.size)
         errors[k] = math.sqrt(slow / whole) if sure and whole > 0.0 else 0.0
     return errors
-
-
-def _left(data: FrequencyLines, modes: IdentifiedModes) -> Complex:
-    """Return the residual of modes, without its smooth part, at the lines of their groups, (F, S, R)."""
-    remainder = np.zeros(data.H.shape, complex)
-    for members in groups(modes.poles):
-        fitted = group_fit(data, modes, members)
-        remainder[fitted.lines] = residual(fitted.at, fitted.fit) * fitted.at.sigma[:, None, None]
-    return remainder

@@ -199,8 +199,14 @@ def group_fit(data: FrequencyLines, modes: IdentifiedModes, members: NDArray[np.
     variance = data.variance[lines].mean(axis=0)
     at = window(data.frequencies[lines], H, _inverse(variance), np.ones(len(lines)))
     fit = polish(at, poles[members], modes.participation[members])
-    weights = _inverse(_noise_of(at, fit, variance))
-    at = window(data.frequencies[lines], H, weights, _line_sigma(at, fit, weights, data.H[lines]))
+    remainder = residual(at, fit)
+    squares = (np.abs(remainder) ** 2).sum(axis=0) / max(len(at.s) - removed(at, fit).shape[1], 1)
+    noise = np.where(at.weights > 0.0, np.maximum(squares, 1e-12 * np.abs(variance)), np.nan)
+    weights = _inverse(noise)
+    measured = weights > 0.0
+    scale = np.sqrt(weights[measured])
+    sigma = line_sigma(remainder[:, measured] * scale, (data.H[lines] - remainder)[:, measured] * scale)
+    at = window(data.frequencies[lines], H, weights, sigma)
     return GroupFit(members, at, data.place[lines], lines, polish(at, fit.poles, fit.participation))
 
 
@@ -217,25 +223,20 @@ def without_others(
     return np.asarray(H - np.tensordot(1.0 / (s - modes.poles.conj()), residues.conj(), 1))
 
 
-def _line_sigma(at: Window, fit: WindowFit, weights: Array, H: Complex) -> Array:
-    measured = weights > 0.0
-    scale = np.sqrt(weights[measured])
-    remainder = residual(at, fit)
-    return line_sigma(remainder[:, measured] * scale, (H - remainder)[:, measured] * scale)
-
-
-def _noise_of(at: Window, fit: WindowFit, variance: Array) -> Array:
-    """Return the variance of each channel from its residual."""
-    squares = (np.abs(residual(at, fit)) ** 2).sum(axis=0) / max(len(at.s) - removed(at, fit).shape[1], 1)
-    return np.asarray(np.where(at.weights > 0.0, np.maximum(squares, 1e-12 * np.abs(variance)), np.nan))
-
-
 def _inverse(variance: Array) -> Array:
     return np.where(np.isfinite(variance), 1.0 / np.where(variance > 0.0, variance, np.inf), 0.0)
 
 
 def _uncertainties(data: FrequencyLines, modes: IdentifiedModes, fits: list[GroupFit]) -> Uncertainty:
-    correlation = data.correlation if data.correlation is not None else _correlation(fits)
+    """Return the uncertainty of each fit, from the noise in its residual, correlated from line to line."""
+    correlation = data.correlation
+    if correlation is None:
+        relative = [residual(fitted.at, fitted.fit) * np.sqrt(fitted.at.weights) for fitted in fits]
+        correlation = residual_correlation(
+            [remainder[:, fitted.at.weights > 0.0] for remainder, fitted in zip(relative, fits, strict=True)],
+            [fitted.place for fitted in fits],
+            [removed(fitted.at, fitted.fit) for fitted in fits],
+        )
     N, S = modes.shapes.shape
     poles, shapes, strength = np.empty((N, 2)), np.empty((N, S, S), complex), np.empty(N)
     for fitted in fits:
@@ -254,16 +255,6 @@ def _at_least(channels: Complex, variance: Array) -> Complex:
     factor = np.sqrt(np.maximum(variance / np.maximum(own_variance, 1e-300), 1.0))
     factor = np.where(own_variance > 0.0, factor, 1.0)
     return np.asarray(channels * np.outer(factor, factor))
-
-
-def _correlation(fits: list[GroupFit]) -> Complex:
-    relative = [residual(fitted.at, fitted.fit) * np.sqrt(fitted.at.weights) for fitted in fits]
-    measured = [fitted.at.weights > 0.0 for fitted in fits]
-    return residual_correlation(
-        [remainder[:, use] for remainder, use in zip(relative, measured, strict=True)],
-        [fitted.place for fitted in fits],
-        [removed(fitted.at, fitted.fit) for fitted in fits],
-    )
 
 
 def _not_modes(modes: IdentifiedModes, fits: list[GroupFit], low: float, high: float) -> NDArray[np.bool_]:

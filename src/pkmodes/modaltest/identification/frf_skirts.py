@@ -60,9 +60,14 @@ class Line:
 def without_bandwidth(data: FrequencyLines, modes: IdentifiedModes) -> list[Line]:
     """Return the lines without bandwidth among narrow modes."""
     step = data.step
+    places = modes.poles.imag / (2.0 * math.pi * step)
     narrow = np.flatnonzero(modes.half_widths < NARROW * step)
+    narrow = narrow[np.argsort(places[narrow])]
     lines: list[Line] = []
-    for cluster in _clusters(modes.poles.imag / (2.0 * math.pi * step), narrow):
+    if not len(narrow):
+        return lines
+    # Modes that may have been fitted to one tone are taken together.
+    for cluster in np.split(narrow, np.flatnonzero(np.diff(places[narrow]) > TOGETHER) + 1):
         at, pole = _single(data, modes, cluster, step)
         if len(at[0]) < FEWEST:  # all lines around it are left out already
             lines.append(Line(float(modes.frequencies[cluster[0]]), sure=False))
@@ -79,12 +84,6 @@ def distinct_tones(lines: Sequence[Line], step: float) -> tuple[float, ...]:
         if line.sure and all(abs(line.frequency - frequency) > TOGETHER * step for frequency in kept):
             kept.append(line.frequency)
     return tuple(sorted(kept))
-
-
-def _clusters(places: Array, narrow: NDArray[np.int64]) -> list[NDArray[np.int64]]:
-    """Return groups of modes that may have been fitted to one tone."""
-    order = narrow[np.argsort(places[narrow])]
-    return np.split(order, np.flatnonzero(np.diff(places[order]) > TOGETHER) + 1) if len(order) else []
 
 
 def _single(
@@ -115,7 +114,9 @@ def _resonance(f: Array, H: Complex, pole: complex, step: float) -> bool:
     if energy < gamma.isf(FALSE_ALARM, len(skirts)):
         return False
     share = float(((whole.conj() * skirts).real / variance).sum() / (np.abs(whole) ** 2 / variance).sum())
-    damping = abs(pole.real) * math.sqrt(2.0 * _known(f, pole) * float((np.abs(whole) ** 2 / rest).sum()))
+    damping = abs(pole.real) * math.sqrt(
+        2.0 * _information(f, pole) * float((np.abs(whole) ** 2 / rest).sum())
+    )
     return abs(share - 1.0) < SHARE and damping > DAMPED
 
 
@@ -129,7 +130,7 @@ def _stands_out(f: Array, H: Complex, frequency: float, step: float) -> bool:
     )
 
 
-def _known(f: Array, pole: complex) -> float:
+def _information(f: Array, pole: complex) -> float:
     """Return the information of lines of unit noise on a pole of unit residue, with a free smooth part [s^2]."""
     at = window(f, np.zeros((len(f), 1, 1), complex), np.ones((1, 1)), np.ones(len(f)))
     g, slope = basis(at, np.array([pole])).T

@@ -100,9 +100,12 @@ def levels(
     """
     lost = 1.0 / exponential if exponential else 0.0
     spectra = [np.fft.rfft(piece - piece.mean(axis=0), axis=0) for piece in pieces]
+    f = poles.imag / (2.0 * math.pi)
     mode_levels = []
     for m, pole in enumerate(poles):
-        half, along = _half_width(poles, m), along_shape(shapes[m])
+        away = np.abs(np.delete(f, m) - f[m])
+        half = float(min(OF_FREQUENCY * f[m], OF_DISTANCE * away.min(initial=np.inf)))
+        along = along_shape(shapes[m])
         decays: list[Segments] = []
         second = fourth = 0.0
         for piece, spectrum in zip(pieces, spectra, strict=True):
@@ -118,12 +121,6 @@ def levels(
         amplitude = math.sqrt(fourth / second) if second > 0.0 else 0.0
         mode_levels.append(Level(amplitude, shift_over(pole.imag / (2.0 * math.pi), decays)))
     return mode_levels
-
-
-def _half_width(poles: Complex, m: int) -> float:
-    f = poles.imag / (2.0 * math.pi)
-    distances = np.abs(np.delete(f, m) - f[m])
-    return float(min(OF_FREQUENCY * f[m], OF_DISTANCE * distances.min(initial=np.inf)))
 
 
 def along_shape(shape: Complex) -> Complex:
@@ -160,17 +157,12 @@ def _decays(z: Complex, step: float, rate: float) -> Iterator[tuple[Complex, flo
         lowest = max(ABOVE * noise, level[first] / FALLEN)
         while end < len(z) and free[end] and level[end] > lowest:
             end += 1
-        free[top : _risen(level, max(end, top + 1))] = False
+        after_top = level[max(end, top + 1) - 1 :]
+        risen = np.flatnonzero(after_top > RISE * np.minimum.accumulate(after_top))
+        free[top : max(end, top + 1) - 1 + int(risen[0]) if risen.size else len(level)] = False
         part = z[first:end:FINE]
         if len(part) >= FEWEST * SAMPLES and _decays_freely(part, FINE * step, rate):
             yield part, noise
-
-
-def _risen(level: Array, start: int) -> int:
-    """Return where a decaying level rises again."""
-    lowest = np.minimum.accumulate(level[start - 1 :])
-    risen = np.flatnonzero(level[start - 1 :] > RISE * lowest)
-    return start - 1 + int(risen[0]) if risen.size else len(level)
 
 
 def _noise(z: Complex, step: float, rate: float) -> float:

@@ -79,14 +79,14 @@ def identify_spectrum(
     f, P = frequencies[inside], np.asarray(power, float)[inside]
     if len(f) < 8:
         raise MeasurementError(
-            f"{len(f)} lines between {band[0]:g} and {band[1]:g} Hz, a spectrum needs eight",
+            f"expected at least eight lines between {band[0]:g} and {band[1]:g} Hz, found {len(f)}",
             "band",
             "widen it, or measure with a finer resolution",
         )
     _check_averaged(P)
     total = P.sum(axis=1)
     peaks = [_fitted(f, total, k) for k in _tops(total)]
-    kept, messages = _apart([peak for peak in peaks if peak is not None], float(np.median(np.diff(f))))
+    kept, messages = _merged([peak for peak in peaks if peak is not None], float(np.median(np.diff(f))))
     added = tuple(_added(f, total, target) for target in edits.add)
     added_peaks = [peak for peak in added if isinstance(peak, _Peak)]
     for peak in added_peaks:
@@ -183,7 +183,7 @@ def _fitted(f: Array, total: Array, k: int) -> _Peak | None:
     return _Peak(best.frequency, sigma, best.height, best.width, best.floor)
 
 
-def _apart(peaks: list[_Peak], step: float) -> tuple[list[_Peak], tuple[str, ...]]:
+def _merged(peaks: list[_Peak], step: float) -> tuple[list[_Peak], tuple[str, ...]]:
     """Return the peaks with those closer than a line merged, and messages about the ones dropped."""
     kept: list[_Peak] = []
     messages: list[str] = []

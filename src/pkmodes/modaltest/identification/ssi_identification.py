@@ -116,7 +116,8 @@ def identify_responses(
         at = ", ".join(f"{part_mode.mode.undamped:.4g}" for part_mode in swept)
         messages = (
             *messages,
-            f"at {at} Hz a line begins, ends, turns or stands, as of a sweep: no mode can be told there",
+            f"at {at} Hz a line begins, ends, turns back or stands still, as in a sweep: no mode can be identified "
+            "there",
         )
     return estimate, messages if only_tones is None else (*messages, NOTHING_ELSE)
 
@@ -171,7 +172,7 @@ def _sentences(tones: Sequence[Tone], modes: Sequence[Mode], seconds: float) -> 
     doubtful = [f"{mode.frequency:.4g}" for mode in modes if mode.damping < 2.0 * mode.sigma_damping]
     if doubtful:
         modes_are = "the modes at {} Hz are" if len(doubtful) > 1 else "the mode at {} Hz is"
-        why = "damping is within two standard deviations of 0; a longer record tells"
+        why = "damping is within two standard deviations of 0; a longer record would tell"
         sentences.append(f"{modes_are.format(joined(doubtful))} doubtful: {why}")
     return tuple(sentences)
 
@@ -222,7 +223,7 @@ def with_wanted(
         if isinstance(candidate, str):
             continue
         if rest_of_tone(candidate.mode, tones, record):
-            outcomes[frequency] = "what is fitted there is left of a tone"
+            outcomes[frequency] = "what is fitted there is the remainder of a tone"
             continue
         before = replaced([part_mode.mode.undamped for part_mode in kept], edits, candidate.mode.undamped)
         if before is not None:

@@ -75,10 +75,8 @@ def lines_among(
     line_tones: dict[int, Tone] = {}
     for i, (mode, amplitude) in enumerate(zip(modes, amplitudes, strict=True)):
         if amplitude.off < 1.0 and amplitude.statistic < min(quantile(0.01, mode.rate * seconds), CONSTANT):
-            sentence = (
-                f"{mode.undamped:.4g} Hz is a line: its amplitude is as constant as a tone's, no mode's is"
-            )
-            line_tones[i] = Tone(mode.frequency, sentence)
+            constant = "its amplitude is as constant as that of a tone, and of no mode"
+            line_tones[i] = Tone(mode.frequency, f"{mode.undamped:.4g} Hz is a line: {constant}")
     known_lines, searching = [*tones, *line_tones.values()], True
     while searching:  # each order found may lead to others
         orders = {
@@ -132,7 +130,7 @@ def _as_order(mode: Refined, amplitude: Followed, tones: Sequence[Tone], seconds
                     ratio = f"{float(times):g}" if times >= 1 else str(times)
                     return (
                         f"{mode.undamped:.4g} Hz is a narrow line at {ratio} times the one at "
-                        f"{tone.frequency:.4g} Hz: an order of the same motor, no mode"
+                        f"{tone.frequency:.4g} Hz: an order of the same motor, not a mode"
                     )
     return ""
 
@@ -150,6 +148,6 @@ def _not_told(mode: Refined, amplitude: Followed, seconds: float, lines: bool) -
     if like_a_mode and not beats:
         return ""
     return (
-        f"{mode.undamped:.4g} Hz is a line or a mode of light damping, and the record does not tell which: left out; "
+        f"{mode.undamped:.4g} Hz is a line or a lightly damped mode, and the record does not tell which: left out; "
         "record for longer, or add it"
     )

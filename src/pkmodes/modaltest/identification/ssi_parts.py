@@ -96,8 +96,9 @@ def modes_of_part(
     chosen = pole_clusters(by_order, part.low - margin[0], part.high + margin[1])
 
     def part_mode(mode: Refined, pole: complex, count: int) -> PartMode:
-        near = tuple(_rescaled(orders[k], levels) for k in _near(by_order, pole))
-        return PartMode(mode, part, near, references, count)
+        away = [np.abs(model.poles - pole).min() for model in by_order]
+        nearest = tuple(_rescaled(orders[k], levels) for k in np.argsort(away)[:SHAPES])
+        return PartMode(mode, part, nearest, references, count)
 
     selected = _selected(record, part, chosen)
     modes = [mode for mode, _ in selected]
@@ -116,12 +117,6 @@ def _rescaled(of: Order, levels: Array) -> Order:
     """Return an order with its responses in the scale of the lines."""
     blocks = of.rows.shape[1] // len(levels)
     return Order(of.values, of.shapes * levels[:, None], of.rows / np.tile(levels, blocks), of.columns)
-
-
-def _near(by_order: Sequence[OrderPoles], pole: complex) -> list[int]:
-    """Return the orders that have a pole closest to a given one."""
-    nearness = [np.abs(model.poles - pole).min() for model in by_order]
-    return [int(k) for k in np.argsort(nearness)[:SHAPES]]
 
 
 def _selected(
@@ -175,7 +170,9 @@ def added(
     - lines: of pieces without padding
     - ends: of the lines that may be used [Hz]
     """
-    neighbours = _others(modes, edits, target)
+    f = np.array([mode.undamped for mode in modes])
+    gone, before = struck(f, edits), replaced(f, edits, target)
+    neighbours = [mode for i, mode in enumerate(modes) if not gone[i] and i != before]
     near = [
         start(complex(model.poles[k]), model.shapes[k])
         for model in by_order
@@ -193,11 +190,3 @@ def added(
     first = min(fits, key=lambda fit: abs(fit.frequency - target))
     same = SAME * first.rate / (2.0 * math.pi)
     return max((fit for fit in fits if abs(fit.frequency - first.frequency) < same), key=lambda fit: fit.gain)
-
-
-def _others(modes: Sequence[Refined], edits: RequestedModes, target: float) -> list[Refined]:
-    """Return the modes that remain beside an added one."""
-    f = np.array([mode.undamped for mode in modes])
-    gone = struck(f, edits)
-    before = replaced(f, edits, target)
-    return [mode for i, mode in enumerate(modes) if not gone[i] and i != before]

@@ -60,7 +60,7 @@ class Tone:
 
 def no_bandwidth(frequency: float) -> str:
     """Return a message about a tone that was found."""
-    return f"{frequency:.4g} Hz is a line without bandwidth: a tone, no mode"
+    return f"{frequency:.4g} Hz is a line without bandwidth: a tone, not a mode"
 
 
 def around(band: tuple[float, float]) -> tuple[float, float]:
@@ -84,8 +84,8 @@ def find_tones(
     power = (np.abs(np.fft.rfft(signal * np.hanning(len(signal))[:, None], axis=0)) ** 2).sum(axis=1)
     f = np.asarray(np.fft.rfftfreq(len(signal), t_step), float)
     tones = [
-        Tone(at, f"{at:.4g} Hz is given as a tone or is a multiple of one: no mode")
-        for at in _given(f, power, band, stated_tones, seconds)
+        Tone(at, f"{at:.4g} Hz is given as a tone or is a multiple of one: not a mode")
+        for at in _stated(f, power, band, stated_tones, seconds)
     ]
     peaks = _peaks(power, *np.searchsorted(f, around(band)))
     for k in PASSES * peaks:  # again, as a tone found later may have hidden this one
@@ -112,7 +112,7 @@ def without_tones(
     return cleaned
 
 
-def _given(
+def _stated(
     f: Array, power: Array, band: tuple[float, float], stated_tones: Sequence[float], seconds: float
 ) -> list[float]:
     """Return the frequencies of the stated tones and their multiples in the band."""

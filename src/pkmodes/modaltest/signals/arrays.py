@@ -12,7 +12,7 @@ from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache, partial
-from typing import Any, NamedTuple, NoReturn
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -50,7 +50,7 @@ RATES = ("fs", "rate", "sampling_rate", "sample_rate")
 ABSCISSAS = ("time", "frequency")
 #: Rates that differ by less, relative, are the same.
 SAME = 1e-6
-NAMES = 'say in the record which it is, names = { time = "NAME" } or { frequency = "NAME" }, or give the rate there'
+NAMES = 'state in the record which it is, names = { time = "NAME" } or { frequency = "NAME" }, or give the rate there'
 
 
 class _Signal(NamedTuple):
@@ -85,6 +85,48 @@ def functions_of(
 
     Raises MeasurementError if there are no times, frequencies or rate, or arrays do not belong together.
     """
+    by_name = _by_name(variables, request, source)
+    named, kind = _abscissa_name(by_name, request, source)
+    rate_of = _first(RATES, [name for name, variable in by_name.items() if variable.size == 1])
+    rate_variable = None if rate_of is None else by_name[rate_of]
+    count = None if named is None else by_name[named].size
+    signals, skipped = _all_signals(by_name, named or rate_of, kind, count, request, source)
+    rate = _rate(rate_variable, request, source) if named is None else None
+    if named is None and (rate is None or not signals):
+        labels = [f"{name} ({skipped[name]})" if name in skipped else name for name in by_name]
+        text = f"expected times, frequencies or a sampling rate, found {listed(labels, MOST_NAMES) or 'no variables'}"
+        raise MeasurementError(text, source, f"{NAMES}; or {REMEDY}")
+    signals = _called(signals, request, source)
+    forced = FORCE if kind is FunctionKind.TIME else None
+    requested = [
+        signal for signal in signals if signal.name == forced or request.wants(signal.response, signal.name)
+    ]
+    if requested or all(signal.measurement is None for signal in signals):
+        requested, source = _of_measurement(requested, request, source)
+    names = dict.fromkeys([*([named] if named else []), *(signal.variable for signal in requested)])
+    _check_room([by_name[name] for name in names], size, source)
+    load = cache(lambda name: loaded(by_name[name].load, source, file_kind))
+    messages = [
+        f"{source}: {name}: skipped: {description} holds no signals" for name, description in skipped.items()
+    ]
+    abscissa = None if named is None else _abscissa(load(named), f"{source}: {named}")
+    if abscissa is not None and kind is FunctionKind.TIME and counts_samples(abscissa):
+        rate = _rate(rate_variable, request, source)
+        messages += [] if rate is None else [f"{source}: {named} counts samples, of {rate:g} Hz"]
+    if rate is not None:
+        abscissa = even_times((requested or signals)[0].length, rate)
+    assert abscissa is not None
+    functions = tuple(
+        _function(signal, by_name[signal.variable], load, abscissa, kind, source, request)
+        for signal in requested
+    )
+    return SignalFile(source, functions, (), tuple(messages))
+
+
+def _by_name(
+    variables: Sequence[FileVariable], request: SignalRequest, source: str
+) -> dict[str, FileVariable]:
+    """Return variables by their names here: of fields of structs, the field alone where only one is called so."""
     by_name: dict[str, FileVariable] = {}
     fields = Counter(variable.name.rpartition(".")[2] for variable in variables)
     for variable in variables:
@@ -99,82 +141,56 @@ def functions_of(
         for name, variable in by_name.items()
     }
     by_name.pop("", None)
-    named, kind = _abscissa_name(by_name, request, source)
-    rate_of = _first(RATES, [name for name, variable in by_name.items() if variable.size == 1])
-    count = None if named is None else by_name[named].size
-    all_signals: list[_Signal] = []
-    skipped: dict[str, str] = {}
-    several = _several(by_name, kind)
+    return by_name
+
+
+def _all_signals(
+    variables: Mapping[str, FileVariable],
+    abscissa: str | None,
+    kind: FunctionKind,
+    count: int | None,
+    request: SignalRequest,
+    source: str,
+) -> tuple[list[_Signal], dict[str, str]]:
+    """Return the signals in variables, and descriptions of those without any.
+
+    - abscissa: name of the times, frequencies or rate, which are no signals
+    - count: of the times or frequencies, if known
+    """
+    # Of arrays of times, sensors and measurements: the number of measurements, if they agree.
+    counts = {v.shape[2] for v in variables.values() if v.shape is not None and len(v.shape) == 3}
+    blows = counts.pop() if kind is FunctionKind.TIME and len(counts) == 1 else None
     forces = {FORCE, request.names.get(FORCE, "").lower()}
-    for name, variable in by_name.items():
-        if (
-            name == named
-            or (named is None and name == rate_of)
-            or (name == FORCE and kind is not FunctionKind.TIME)
-        ):
+    signals: list[_Signal] = []
+    skipped: dict[str, str] = {}
+    for name, variable in variables.items():
+        if name == abscissa or (name == FORCE and kind is not FunctionKind.TIME):
             continue
-        in_variable = _signals(variable, kind, count, several if name.lower() in forces else None)
+        in_variable = _signals(variable, kind, count, blows if name.lower() in forces else None)
         if not in_variable:
             skipped[name] = variable.description
-        if (
-            request.sensors is not None
-            and name in request.sensors
-            and name not in {e.name for e in in_variable}
-        ):
+        names = [signal.name for signal in in_variable]
+        if name in (request.sensors or ()) and name not in names:
             text = f"expected a vector of numbers, found {variable.description}"
-            remedy = (
-                f"name its columns: {', '.join(e.name for e in in_variable[:3])}" if in_variable else REMEDY
-            )
+            remedy = f"name its columns: {', '.join(names[:3])}" if names else REMEDY
             raise MeasurementError(text, f"{source}: {name}", remedy)
-        all_signals += in_variable
-    rate = _rate(None if rate_of is None else by_name[rate_of], request, source) if named is None else None
-    if named is None and (rate is None or not all_signals):
-        _refuse_nothing(by_name, skipped, source)
-    signals = _called(all_signals, request, source)
-    forced = FORCE if kind is FunctionKind.TIME else None
-    requested = [
-        signal for signal in signals if signal.name == forced or request.wants(signal.response, signal.name)
-    ]
-    if requested or all(signal.measurement is None for signal in signals):
-        requested, source = _of_measurement(requested, request, source)
-    read = [
-        by_name[name]
-        for name in dict.fromkeys([*([named] if named else []), *(s.variable for s in requested)])
-    ]
-    total = sum(variable.size for variable in read)
+        signals += in_variable
+    return signals, skipped
+
+
+def _check_room(variables: Sequence[FileVariable], size: int | None, source: str) -> None:
+    """Refuse arrays that are too large, or much larger than the file of this size [bytes]."""
+    total = sum(variable.size for variable in variables)
     if total > MOST_VALUES:
         text = f"cannot read the arrays: they have {total:,} values, more than {MOST_VALUES:,}"
         raise MeasurementError(text, source, "split the record, or give a binary universal file")
-    bytes_of_all = sum(variable.size * variable.itemsize for variable in read)
+    bytes_of_all = sum(variable.size * variable.itemsize for variable in variables)
     if size is not None and bytes_of_all > ROOM + EXPANDED * size:
         text = f"cannot read the arrays: they have {bytes_of_all:,} bytes, and the file {size:,}"
         remedy = (
             f"save the signals that were measured: compressed, they have more than 1/{EXPANDED} of their size"
         )
         raise MeasurementError(text, source, remedy)
-    load = cache(lambda name: loaded(by_name[name].load, source, file_kind))
-    messages = [
-        f"{source}: {name}: skipped: {description} holds no signals" for name, description in skipped.items()
-    ]
-    abscissa = None if named is None else _abscissa(load(named), f"{source}: {named}")
-    if abscissa is not None and kind is FunctionKind.TIME and counts_samples(abscissa):
-        rate = _rate(None if rate_of is None else by_name[rate_of], request, source)
-        messages += [] if rate is None else [f"{source}: {named} counts samples, of {rate:g} Hz"]
-    if rate is not None:
-        abscissa = even_times((requested or signals)[0].length, rate)
-    assert abscissa is not None
-    functions = tuple(
-        _function(signal, by_name[signal.variable], load, abscissa, kind, source, request)
-        for signal in requested
-    )
-    return SignalFile(source, functions, (), tuple(messages))
-
-
-def _refuse_nothing(by_name: Mapping[str, FileVariable], skipped: Mapping[str, str], source: str) -> NoReturn:
-    labels = [f"{name} ({skipped[name]})" if name in skipped else name for name in by_name]
-    listing = listed(labels, MOST_NAMES) or "no variables"
-    text = f"expected times, frequencies or a sampling rate, found {listing}"
-    raise MeasurementError(text, source, f"{NAMES}; or {REMEDY}")
 
 
 def _naming(request: SignalRequest, *, of_abscissa: bool) -> SignalRequest:
@@ -198,16 +214,6 @@ def _called(signals: Sequence[_Signal], request: SignalRequest, source: str) -> 
                 signal._replace(name=response + signal.name[len(signal.response) :], response=response)
             )
     return renamed
-
-
-def _several(by_name: Mapping[str, FileVariable], kind: FunctionKind) -> int | None:
-    """Return the number of measurements in arrays of times, sensors and measurements; None if they do not agree."""
-    counts = {
-        variable.shape[2]
-        for variable in by_name.values()
-        if variable.shape is not None and len(variable.shape) == 3
-    }
-    return counts.pop() if kind is FunctionKind.TIME and len(counts) == 1 else None
 
 
 def _of_measurement(

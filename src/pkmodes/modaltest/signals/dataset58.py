@@ -102,7 +102,10 @@ def read_header(scanner: Scanner, lines: int = LINES) -> Header:
         if direction and direction not in DIRECTIONS:
             scanner.refuse(f"expected a direction from -6 to 6, found {direction}")
     is_complex, double = ORDINATES[ordinate]
-    axes = [_axis(scanner, line) for line in header[7:10]]
+    axes = []
+    for line in header[7:10]:
+        (data_type,) = _fields(scanner, line, "the data type of an axis", ((0, 10),), int)
+        axes.append(Axis(data_type, text_of(line)[47:].strip()))
     response, reference = (dofs[0], dofs[1]), (dofs[2], dofs[3])
     return Header(function, response, reference, is_complex, double, spacing == 1, count, start, step, *axes)
 
@@ -145,11 +148,6 @@ def _fields(
     if len(fields) != len(columns):
         scanner.refuse(f"expected {subject} in the header, found {shown(texts[1].strip())}")
     return fields
-
-
-def _axis(scanner: Scanner, line: bytes) -> Axis:
-    (data_type,) = _fields(scanner, line, "the data type of an axis", ((0, 10),), int)
-    return Axis(data_type, text_of(line)[47:].strip())
 
 
 @dataclass(frozen=True)
@@ -233,7 +231,16 @@ def read_points(scanner: Scanner, binary: Binary | None, path: Path) -> Points:
     Raises MeasurementError if it does not match what it declares.
     """
     if binary is None:
-        return _from_text(scanner)
+        header = read_header(scanner)
+        numbers_each = (0 if header.even else 1) + (2 if header.complex else 1)
+        values = read_numbers(scanner, header.count * numbers_each)
+        abscissa: Array | None = None
+        if not header.even:
+            table = values.reshape(header.count, numbers_each)
+            abscissa, values = table[:, 0].copy(), table[:, 1:].ravel()
+            check_abscissa(abscissa, scanner.where)
+        numbers = values.view(np.complex128) if header.complex else values
+        return Points(header, scanner.where, abscissa, numbers)
     header = read_header(scanner, binary.lines)
     point = _type(header, binary, scanner)
     offset = scanner.skip_bytes(header.count * point.itemsize)
@@ -243,20 +250,6 @@ def read_points(scanner: Scanner, binary: Binary | None, path: Path) -> Points:
     if abscissa is not None:
         check_abscissa(abscissa, scanner.where)
     return Points(header, scanner.where, abscissa, stored)
-
-
-def _from_text(scanner: Scanner) -> Points:
-    """Read a dataset 58 of text."""
-    header = read_header(scanner)
-    numbers_each = (0 if header.even else 1) + (2 if header.complex else 1)
-    numbers = read_numbers(scanner, header.count * numbers_each)
-    abscissa: Array | None = None
-    values = numbers
-    if not header.even:
-        table = numbers.reshape(header.count, numbers_each)
-        abscissa, values = table[:, 0].copy(), table[:, 1:].ravel()
-        check_abscissa(abscissa, scanner.where)
-    return Points(header, scanner.where, abscissa, values.view(np.complex128) if header.complex else values)
 
 
 def _type(header: Header, binary: Binary, scanner: Scanner) -> np.dtype[Any]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -32,7 +31,7 @@ KINDS = {
 }
 #: Function types that cannot be read, where a reason can be given.
 OTHERS = {
-    0: "general, which says nothing",
+    0: "general, which does not say what it is",
     5: "a transmissibility, whose poles are not those of the structure: the force must be measured",
     7: "an auto correlation",
     8: "a cross correlation",
@@ -81,11 +80,6 @@ def converted(values: Array | Complex, kind: FunctionKind) -> Array | Complex:
     return np.abs(values) if kind is FunctionKind.SPECTRUM else np.real(values).copy()
 
 
-def _loaded(stored: Stored, kind: FunctionKind) -> Array | Complex:
-    """Return the values of a function from its file, in double precision."""
-    return converted(stored.read("y"), kind)
-
-
 def function_of(
     points: Points, units: FileUnits, abscissas: Abscissas, request: SignalRequest
 ) -> Function | str | None:
@@ -119,19 +113,23 @@ def function_of(
     _check(points, kind)
     unit, reference_unit = _units(header, kind, units)
     assumed = not units.stated and header.ordinate.label.lower() in NO_UNIT
+    # An auto spectrum states its own sensor as its reference, which is no excitation.
+    own_sensor = kind is FunctionKind.SPECTRUM and header.reference == header.response
+    unnamed = kind is FunctionKind.TIME or own_sensor or header.reference == (0, 0)
     common: dict[str, Any] = {
         "kind": kind,
         "response": response,
-        "reference": _reference(header, kind),
+        "reference": "" if unnamed else dof_name(header.reference),
         "abscissa": abscissa,
         "unit": unit,
         "reference_unit": reference_unit,
         "force": force,
         "assumed": assumed,
     }
-    if isinstance(points.values, Stored):
-        return StoredFunction(load=partial(_loaded, points.values, kind), **common)
-    return Function(values=converted(points.values, kind), **common)
+    values = points.values
+    if isinstance(values, Stored):
+        return StoredFunction(load=lambda: converted(values.read("y"), kind), **common)
+    return Function(values=converted(values, kind), **common)
 
 
 def _check(points: Points, kind: FunctionKind) -> None:
@@ -150,16 +148,6 @@ def _check(points: Points, kind: FunctionKind) -> None:
     if kind is FunctionKind.COHERENCE:
         values = points.values.read("y") if isinstance(points.values, Stored) else points.values
         check_coherence(converted(values, kind), points.where)
-
-
-def _reference(header: Header, kind: FunctionKind) -> str:
-    """Return the name of the excitation; an auto spectrum states its own sensor there, which is no excitation."""
-    own_sensor = kind is FunctionKind.SPECTRUM and header.reference == header.response
-    return (
-        ""
-        if kind is FunctionKind.TIME or own_sensor or header.reference == (0, 0)
-        else dof_name(header.reference)
-    )
 
 
 def _units(header: Header, kind: FunctionKind, units: FileUnits) -> tuple[str | None, str | None]:

@@ -122,7 +122,9 @@ def _variable(item: Any, name: str, limit: int) -> FileVariable:
     if item.is_virtual or item.external:
         description = "an array whose values are in another file"
         return FileVariable(name, description, None, partial(no_numbers, name))
-    if of in NO_NUMBERS or item.shape is None or not _is_of_numbers(dtype):
+    # Real numbers, or complex ones as MATLAB stores them.
+    parts = [dtype[part] for part in PARTS] if dtype.names == PARTS else [dtype]
+    if of in NO_NUMBERS or item.shape is None or not all(part.kind in "iuf" for part in parts):
         return FileVariable(name, f"a {of}", None, partial(no_numbers, name))
     shape = tuple(map(int, item.shape[::-1]))  # MATLAB stores columns one after the other
     description = f"an array of {' x '.join(map(str, shape))} values"
@@ -139,13 +141,6 @@ def _class(item: Any) -> str:
         return "double"
     text = item.attrs["MATLAB_class"]
     return (text.decode("utf-8", "replace") if isinstance(text, bytes) else str(text))[:LONGEST_CLASS]
-
-
-def _is_of_numbers(dtype: Any) -> bool:
-    """Return whether numbers are real, or complex as MATLAB stores them."""
-    if dtype.names == PARTS:
-        return all(dtype[part].kind in "iuf" for part in PARTS)
-    return bool(dtype.kind in "iuf")
 
 
 def _values(item: Any, limit: int) -> Values:

@@ -35,15 +35,13 @@ def read_matlab(path: Path, request: SignalRequest) -> SignalFile:
     if HDF5 in head or head.startswith(b"MATLAB 7.3"):
         with hdf5_variables(path, source) as opened:
             return functions_of(opened, source, request, WHAT, path.stat().st_size)
+    length = path.stat().st_size
     with path.open("rb") as file:
-        return functions_of(_variables(file, path, head, source), source, request, WHAT, path.stat().st_size)
-
-
-def _variables(file: BinaryIO, path: Path, head: bytes, source: str) -> list[FileVariable]:
-    """Return all variables of a file; their values are read later."""
-    if b"\0" in head[:4]:  # version 4 has no text at its beginning
-        return loaded(lambda: _of_version_4(file, path), source, WHAT)
-    return loaded(lambda: at_most(variables(file, path.stat().st_size)), source, WHAT)
+        if b"\0" in head[:4]:  # version 4 has no text at its beginning
+            opened = loaded(lambda: _of_version_4(file, path), source, WHAT)
+        else:
+            opened = loaded(lambda: at_most(variables(file, length)), source, WHAT)
+        return functions_of(opened, source, request, WHAT, length)
 
 
 def _of_version_4(file: BinaryIO, path: Path) -> list[FileVariable]:
@@ -76,11 +74,11 @@ def _check_sizes(file: BinaryIO, length: int) -> None:
         head = file.read(HEAD_OF_4)
         order = "<" if int.from_bytes(head[:4], "little") < TYPES_OF_4 else ">"
         if len(head) < HEAD_OF_4:
-            raise DamagedError("expected the head of a variable")
+            raise DamagedError("expected the header of a variable")
         kind, rows, columns, is_complex, name = struct.unpack(f"{order}5i", head)
         bytes_each = BYTES_OF_4.get(kind // 10 % 10)
         if not 0 <= kind < TYPES_OF_4 or bytes_each is None or min(rows, columns, name) < 0:
-            raise DamagedError("expected the head of a variable")
+            raise DamagedError("expected the header of a variable")
         at += HEAD_OF_4 + name + rows * columns * bytes_each * (2 if is_complex else 1)
         if at > length:
             raise DamagedError(f"expected a variable of {rows} x {columns} values, found the end of the file")

@@ -96,14 +96,6 @@ def _mode(scanner: Scanner, analysis: int, form: tuple[int, int, int], pole: Pol
             f"{components} components of characteristic {characteristic} are not translations and rotations"
         )
     shape = _shape(scanner, components, data_type in COMPLEX)
-    frequency, damping = _frequency(scanner, analysis, pole)
-    if frequency == 0.0:
-        return "a mode of frequency 0 is a motion of the whole body"
-    return ModeShape(frequency, damping, shape)
-
-
-def _frequency(scanner: Scanner, analysis: int, pole: Pole) -> tuple[float, float | None]:
-    """Return the undamped frequency [Hz], and the damping ratio where there is one."""
     if analysis == NORMAL:
         frequency, damping = pole.frequency, pole.viscous or pole.structural / 2.0
     else:
@@ -111,7 +103,9 @@ def _frequency(scanner: Scanner, analysis: int, pole: Pole) -> tuple[float, floa
         frequency, damping = size / (2.0 * math.pi), -pole.eigenvalue.real / size if size else 0.0
     if frequency < 0.0:
         scanner.refuse(f"expected a frequency of 0 or above, found {frequency:g} Hz")
-    return frequency, damping or None
+    if frequency == 0.0:
+        return "a mode of frequency 0 is a rigid-body motion"
+    return ModeShape(frequency, damping or None, shape)
 
 
 def _shape(scanner: Scanner, components: int, is_complex: bool) -> dict[str, complex]:

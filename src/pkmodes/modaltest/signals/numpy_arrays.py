@@ -96,12 +96,12 @@ def _variable(name: str, shape: tuple[int, ...], dtype: Any, load: Callable[[], 
     numeric = dtype.kind in "iufc"
     description = f"an array of {' x '.join(map(str, shape))} values" if numeric else str(dtype)
     return FileVariable(
-        name, description, (shape or (1,)) if numeric else None, partial(_values, load), dtype.itemsize
+        name,
+        description,
+        (shape or (1,)) if numeric else None,
+        lambda: np.ravel(load(), order="F"),
+        dtype.itemsize,
     )
-
-
-def _values(load: Callable[[], Any]) -> Any:
-    return np.ravel(load(), order="F")
 
 
 def is_numpy(head: bytes) -> bool:

@@ -56,7 +56,12 @@ def read_signals(path: str | PathLike[str], request: SignalRequest = EVERYTHING)
     """
     place, member = _within(Path(path))
     source = fspath(place)
-    head = _head(place, source)
+    try:
+        check_regular(place, source, WHAT, REMEDY)
+        with place.open("rb") as file:
+            head = file.read(HEAD)
+    except (OSError, ValueError) as error:  # ValueError: a path with a null character
+        raise unreadable(error, source, WHAT) from None
     if not head:
         raise MeasurementError("expected measured signals, found an empty file", source, REMEDY)
     file_format = format_of(place, head)
@@ -86,13 +91,3 @@ def _within(path: Path) -> tuple[Path, str]:
     except OSError:  # such as a name that is too long; opening it says why
         file = None
     return (path, "") if file is None else (file, path.relative_to(file).as_posix())
-
-
-def _head(path: Path, source: str) -> bytes:
-    """Return the first bytes of a file."""
-    try:
-        check_regular(path, source, WHAT, REMEDY)
-        with path.open("rb") as file:
-            return file.read(HEAD)
-    except (OSError, ValueError) as error:  # ValueError: a path with a null character
-        raise unreadable(error, source, WHAT) from None

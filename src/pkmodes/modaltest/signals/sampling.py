@@ -140,7 +140,7 @@ def even_pieces(time: Array, where: str, bridged: float = 0.0) -> tuple[tuple[Pi
     ]
     of_bridged = _summed(time, breaks[short], usual, where)
     messages = [f"{of_bridged}: {missing} samples are interpolated"] if missing else []
-    return tuple(pieces), (*messages, *_said(time, splits, usual, where))
+    return tuple(pieces), (*messages, *_split_messages(time, splits, usual, where))
 
 
 def stated_pieces(time: Array, rate: float, where: str) -> tuple[tuple[Piece, ...], tuple[str, ...]]:
@@ -166,7 +166,7 @@ def stated_pieces(time: Array, rate: float, where: str) -> tuple[tuple[Piece, ..
     pieces = tuple(
         Piece(slice(low, high), 1.0 / rate) for low, high in pairwise(edges) if high - low >= FEWEST
     )
-    return pieces, _said(time, gaps, 1.0 / rate, where)
+    return pieces, _split_messages(time, gaps, 1.0 / rate, where)
 
 
 def _piece(time: Array, part: slice, gaps: NDArray[np.intp], steps: NDArray[np.intp]) -> Piece:
@@ -183,7 +183,7 @@ def _piece(time: Array, part: slice, gaps: NDArray[np.intp], steps: NDArray[np.i
     return Piece(part, float(time[part.stop - 1] - time[part.start]) / last, numbers)
 
 
-def _said(time: Array, breaks: NDArray[np.intp], usual: float, where: str) -> tuple[str, ...]:
+def _split_messages(time: Array, breaks: NDArray[np.intp], usual: float, where: str) -> tuple[str, ...]:
     """Return a message for each gap that splits the record, or one for all of many gaps."""
     if breaks.size <= MOST_NAMED:
         return tuple(

@@ -85,7 +85,13 @@ class Scanner:
             if not is_delimiter(line):
                 problem = f"expected a line -1 that opens a dataset, found {shown(text_of(line).strip())}"
                 self.refuse(problem)
-            yield self._opened(self.line("the number of a dataset"))
+            line = self.line("the number of a dataset")
+            number, flag, rest = line[:6].strip(), line[6:7], line[7:]
+            if not number.isdigit() or flag not in (b"", b" ", b"b", b"\r", b"\n"):
+                self.refuse(f"expected the number of a dataset, found {shown(text_of(line).strip())}")
+            name = f"{count} ({number.decode()}{flag.decode().strip()})"
+            self.where = f"{self.source}: dataset {name} at byte {start}"
+            yield Dataset(int(number), self.where, self._binary(rest) if flag == b"b" else None)
         if count == 0:
             self.refuse("expected datasets, found none")
 
@@ -133,14 +139,6 @@ class Scanner:
         if len(line) == LONGEST_LINE:
             self.refuse("expected lines of text, found binary data")
         return line or None
-
-    def _opened(self, line: bytes) -> Dataset:
-        number, flag, rest = line[:6].strip(), line[6:7], line[7:]
-        if not number.isdigit() or flag not in (b"", b" ", b"b", b"\r", b"\n"):
-            self.refuse(f"expected the number of a dataset, found {shown(text_of(line).strip())}")
-        self.where = self.where.replace(" at byte", f" ({number.decode()}{flag.decode().strip()}) at byte")
-        binary = self._binary(rest) if flag == b"b" else None
-        return Dataset(int(number), self.where, binary)
 
     def _binary(self, rest: bytes) -> Binary:
         fields = rest.split()

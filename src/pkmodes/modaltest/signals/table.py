@@ -82,7 +82,7 @@ def tabulated(content: bytes, source: str, request: SignalRequest) -> SignalFile
     text = split_table(frame.content, source, request.columns)
     frame_rate, losses = frame.rate, frame.losses
     del frame  # other copies of the table
-    remarks = []
+    remarks = list[str]()
     if request.rate is None:
         request = replace(request, rate=frame_rate)
     elif frame_rate not in (None, request.rate):
@@ -110,14 +110,14 @@ def tabulated(content: bytes, source: str, request: SignalRequest) -> SignalFile
     if rows < FEWEST:
         problem = f"expected at least {FEWEST} rows, found {rows}"
         raise MeasurementError(problem, source, "export the whole measurement")
-    counts = not clock and _counts_samples(layout, numbers)
-    rate, notes = _rate(text, request, frame_rate) if layout.abscissa is None or counts else (None, [])
-    remarks += notes
-    if rate is None:  # without any statement to the contrary, times that count samples are seconds
+    may_count = not (clock or layout.label) and layout.kind is FunctionKind.TIME
+    rate = None
+    if layout.abscissa is None or (may_count and counts_samples(numbers[layout.abscissa])):
+        rate = _rate(text, request, frame_rate, remarks)
+    if rate is not None:
+        abscissa = _times_by_rate(rate, layout, rows, text, remarks)
+    else:  # without any statement to the contrary, times that count samples are seconds
         abscissa = _abscissa(layout, numbers, text)
-    else:
-        abscissa, notes = _by_rate(rate, layout, rows, text)
-        remarks += notes
     for column in layout.columns:
         if column.kind is FunctionKind.COHERENCE:
             _check_coherence(column, numbers, text)
@@ -128,45 +128,38 @@ def tabulated(content: bytes, source: str, request: SignalRequest) -> SignalFile
     return SignalFile(source, functions, (), messages, stated)
 
 
-def _counts_samples(layout: TableLayout, numbers: dict[int, Numbers]) -> bool:
-    """Return whether so-called times may be sample numbers."""
-    if layout.abscissa is None or layout.kind is not FunctionKind.TIME or layout.label:
-        return False
-    return counts_samples(numbers[layout.abscissa])
-
-
 def _rate(
-    text: TableText, request: SignalRequest, frame_rate: float | None
-) -> tuple[float | None, list[str]]:
-    """Return the rate [Hz] of the record, or else of the file, and messages about it."""
+    text: TableText, request: SignalRequest, frame_rate: float | None, remarks: list[str]
+) -> float | None:
+    """Return the rate [Hz] of the record, or else of the file."""
     if request.rate is None:
-        return stated_rate(text.comments, text.source)
+        rate, notes = stated_rate(text.comments, text.source)
+        remarks += notes
+        return rate
     contradicting = [rate for rate, _ in rates_in(text.comments) if not same_rate(rate, request.rate)]
-    if not contradicting or request.rate == frame_rate:
-        return request.rate, []
-    return request.rate, [_other_rate(contradicting[0], request.rate)]
+    if contradicting and request.rate != frame_rate:
+        remarks.append(_other_rate(contradicting[0], request.rate))
+    return request.rate
 
 
-def _by_rate(rate: float, layout: TableLayout, rows: int, text: TableText) -> tuple[Array, list[str]]:
-    """Return the times of all rows by a rate [Hz], and messages about samples that a column counts."""
+def _times_by_rate(rate: float, layout: TableLayout, rows: int, text: TableText, remarks: list[str]) -> Array:
+    """Return the times of all rows by a rate [Hz]; a column that counts samples shows which are missing."""
     if layout.abscissa is not None:
-        name = shown(text.names[layout.abscissa])
-        return even_times(rows, rate), [f"its column {name} counts samples, of {rate:g} Hz"]
+        remarks.append(f"its column {shown(text.names[layout.abscissa])} counts samples, of {rate:g} Hz")
+        return even_times(rows, rate)
     place = counter_in(text.names, [place for column in layout.columns for place in column.places])
-    after = None if place is None else _counted(place, text)
-    if place is None or after is None or after[-1] == rows - 1:
-        return even_times(rows, rate), []
-    lost = f"its column {shown(text.names[place])} shows that {after[-1] - rows + 1:.0f} samples are missing"
-    return after / rate, [lost]
-
-
-def _counted(place: int, text: TableText) -> Array | None:
-    """Return the sample numbers in a column, from 0; None if it holds anything else."""
+    if place is None:
+        return even_times(rows, rate)
     try:
         (numbers,) = text.columns([place])
     except MeasurementError:  # no column of the campaign: it may hold anything
-        return None
-    return counted(np.asarray(numbers, np.float64))
+        return even_times(rows, rate)
+    after = counted(np.asarray(numbers, np.float64))
+    if after is None or after[-1] == rows - 1:
+        return even_times(rows, rate)
+    missing = after[-1] - rows + 1
+    remarks.append(f"its column {shown(text.names[place])} shows that {missing:.0f} samples are missing")
+    return after / rate
 
 
 def _abscissa(layout: TableLayout, numbers: dict[int, Numbers], text: TableText) -> Array:

@@ -102,11 +102,18 @@ def layout_of(
         problem = (
             f"expected a column of times or frequencies, found {listed([*map(shown, cells)], MOST_NAMES)}"
         )
-        remedy = 'say in the record which it is, names = { time = "NAME" } or { frequency = "NAME" }'
+        remedy = 'state in the record which it is, names = { time = "NAME" } or { frequency = "NAME" }'
         raise MeasurementError(problem, where, f'{remedy}, or give the rate there, rate = "3200 Hz"')
     names = {i: name for i, (name, _) in enumerate(heads) if i not in abscissas and name}
     labels = [label for _, label in heads]
-    columns = _spectral(names, labels, where, request) if frequencies else _signals(names, labels, request)
+    if frequencies:
+        columns = _spectral(names, labels, where, request)
+    else:
+        columns = [
+            FunctionColumn(FunctionKind.TIME, name, "", (i,), (labels[i],), name == FORCE)
+            for i, name in names.items()
+            if name == FORCE or request.wants(name)
+        ]
     _refuse_repeated(columns, cells, where)
     place, label = next(iter(abscissas.items()), (None, ""))
     return TableLayout(place, label, FunctionKind.FRF if frequencies else FunctionKind.TIME, tuple(columns))
@@ -136,16 +143,12 @@ def _own_heads(heads: Sequence[tuple[str, str]], where: str, request: SignalRequ
             not label
             and own_names.get(plain) in (TIME, FREQUENCIES[0])
             and after
-            and _unit_of_abscissa(after[2])
+            and (seconds_in(after[2]) is not None or hertz_in(after[2]) is not None)
         ):
             label = after[2]
         called = own_names.get(plain, plain)
         renamed.append((f"{match[1].lower()}{called}{match[3]}" if match else called, label))
     return renamed
-
-
-def _unit_of_abscissa(label: str) -> bool:
-    return seconds_in(label) is not None or hertz_in(label) is not None
 
 
 def _named(
@@ -160,15 +163,6 @@ def _named(
         elif split and split[1].lower() in names and factor_in(split[2]) is not None:
             labelled[i] = split[2]
     return labelled
-
-
-def _signals(names: Mapping[int, str], labels: Sequence[str], request: SignalRequest) -> list[FunctionColumn]:
-    """Return the columns of a table of signals."""
-    return [
-        FunctionColumn(FunctionKind.TIME, name, "", (i,), (labels[i],), name == FORCE)
-        for i, name in names.items()
-        if name == FORCE or request.wants(name)
-    ]
 
 
 def _spectral(

@@ -71,12 +71,12 @@ def _labview(content: bytes, source: str) -> Framed | None:
 
 def _plain_rows(part: bytes) -> bytes:
     """Return rows of LabVIEW without blanks at their ends, where comments would be, and with X_Value renamed time."""
-    return LINE_ENDS.sub(b"", NAMES.sub(_names, part) if X_VALUE in part else part)
 
+    def names(line: re.Match[bytes]) -> bytes:
+        signals = line[0].rstrip().removesuffix(COMMENT).rstrip(b"\t,; ")
+        return b"time" + signals.lstrip().removeprefix(X_VALUE)
 
-def _names(line: re.Match[bytes]) -> bytes:
-    names = line[0].rstrip().removesuffix(COMMENT).rstrip(b"\t,; ")
-    return b"time" + names.lstrip().removeprefix(X_VALUE)
+    return LINE_ENDS.sub(b"", NAMES.sub(names, part) if X_VALUE in part else part)
 
 
 def _reprap(content: bytes, source: str) -> Framed | None:

@@ -102,8 +102,11 @@ class TableText:
         rows = BLANK_LINES.sub(b"", part).replace(b'"', b"")
         if not rows.strip():
             return np.empty((len(places), 0))
-        if not self._has_even_rows(rows):
-            return None
+        characters = np.frombuffer(rows if rows.endswith(b"\n") else rows + b"\n", np.uint8)
+        separators = np.flatnonzero(characters == ord(self.separator))
+        before = np.searchsorted(separators, np.flatnonzero(characters == ord("\n")))
+        if not np.all(np.diff(before, prepend=0) == len(self.names) - 1):
+            return None  # a row has more or fewer cells than the header
         if self.separator != ",":
             rows = rows.replace(b",", b".")
         lines = io.TextIOWrapper(io.BytesIO(rows), "latin-1")
@@ -164,14 +167,6 @@ class TableText:
             if index == row:
                 return number
         raise IndexError(row)
-
-    def _has_even_rows(self, body: bytes) -> bool:
-        """Return whether each row has as many cells as the header."""
-        one_less = len(self.names) - 1
-        characters = np.frombuffer(body if body.endswith(b"\n") else body + b"\n", np.uint8)
-        separators = np.flatnonzero(characters == ord(self.separator))
-        before = np.searchsorted(separators, np.flatnonzero(characters == ord("\n")))
-        return bool(np.all(np.diff(before, prepend=0) == one_less))
 
     def _rows(self) -> Iterator[tuple[int, str]]:
         """Yield the rows with the numbers of their lines."""
@@ -287,10 +282,17 @@ def _comments(head: bytes) -> Iterator[tuple[int, str]]:
 
 def _with_units(table: TableText) -> TableText:
     """Return a table with the units from the row below its names added to them, if there is such a row."""
-    units = _units_in(_first_row(table.body), table.separator)
-    if units is None or len(units) != len(table.names):
+    row = _first_row(table.body)
+    cells = [cell.strip().strip('"').strip() for cell in row.split(table.separator)]
+    units = [cell[1:-1].strip() if cell[:1] + cell[-1:] in ("[]", "()") else cell for cell in cells]
+    if not any(units) or max(map(len, units)) > LONGEST_NAME or len(units) != len(table.names):
         return table
-    names = tuple(f"{name} [{unit}]" if unit else name for name, unit in zip(table.names, units, strict=True))
+    if not all(not unit or unit == "-" or unit_text(unit) for unit in units):
+        return table  # numbers, or anything else
+    names = tuple(
+        f"{name} [{unit}]" if unit not in ("", "-") else name
+        for name, unit in zip(table.names, units, strict=True)
+    )
     return replace(table.without_first_row(), names=names)
 
 
@@ -311,17 +313,6 @@ def _separated(header: str, row: str) -> tuple[str, tuple[str, ...]]:
     if (separator not in header or _are_numbers(words)) and len(words) == len(row.split()) > 1:
         return " ", tuple(words)
     return separator, tuple(cell.strip().strip('"').strip() for cell in header.split(separator))
-
-
-def _units_in(row: str, separator: str) -> list[str] | None:
-    """Return the units in the row below the names; None if it holds numbers or anything else."""
-    cells = [cell.strip().strip('"').strip() for cell in row.split(separator)]
-    units = [cell[1:-1].strip() if cell[:1] + cell[-1:] in ("[]", "()") else cell for cell in cells]
-    if not any(units) or max(map(len, units)) > LONGEST_NAME:
-        return None
-    if not all(not unit or unit == "-" or unit_text(unit) for unit in units):
-        return None
-    return ["" if unit == "-" else unit for unit in units]
 
 
 def _header_among(

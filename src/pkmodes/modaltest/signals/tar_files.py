@@ -81,7 +81,7 @@ def _head(block: bytes) -> tarfile.TarInfo:
     try:
         info = tarfile.TarInfo.frombuf(block, "utf-8", "surrogateescape")
     except tarfile.TarError:
-        raise tarfile.ReadError("expected the head of a file in it") from None
+        raise tarfile.ReadError("expected the header of a file in it") from None
     if info.size < 0:
         raise tarfile.ReadError(f"expected the size of a file in it, found {info.size}")
     if info.type == tarfile.GNUTYPE_SPARSE:

@@ -18,7 +18,6 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from os import fspath
 from pathlib import Path
-from typing import NoReturn
 
 import numpy as np
 
@@ -30,7 +29,6 @@ from pkmodes.modaltest.signals.functions import Function, ModeShape, SignalFile,
 from pkmodes.modaltest.signals.functions58 import Abscissas, function_of
 from pkmodes.modaltest.signals.mode_datasets import read_55, read_2414
 from pkmodes.modaltest.signals.scanning import (
-    Binary,
     Scanner,
     begins_with_a_dataset,
     is_delimiter,
@@ -112,7 +110,10 @@ def _read(path: Path, request: SignalRequest, units: FileUnits) -> tuple[SignalF
                 points = read_points(scanner, dataset.binary, path)
                 outcome = function_of(points, units, abscissas, request)
             elif dataset.binary is not None:
-                _skip(scanner, dataset.binary)
+                for number in range(dataset.binary.lines):
+                    scanner.line(f"line {number + 1} of the header")
+                scanner.skip_bytes(dataset.binary.bytes)
+                scanner.close()
             elif dataset.number in MODES:
                 outcome = MODES[dataset.number](scanner)
             elif dataset.number == UNITS:
@@ -134,7 +135,12 @@ def _read(path: Path, request: SignalRequest, units: FileUnits) -> tuple[SignalF
             elif outcome is not None:
                 skipped.setdefault(outcome, []).append(dataset.where)
     if functions and contradictions:  # shapes of modes have no unit
-        _refuse_units(*contradictions[0])
+        where, *systems = contradictions[0]
+        first, second = (
+            f"{system.length or 'another length'} and {system.force or 'another force'}" for system in systems
+        )
+        problem = f"expected one system of units, found {second} after {first}"
+        raise MeasurementError(problem, where, "write the functions in each system into a file of their own")
     messages = tuple(f"{places[0]}: skipped: {_counted(why, places)}" for why, places in skipped.items())
     whys = [_counted(why, places) for why, places in skipped.items()]
     whys += [f"dataset {number} holds {OTHERS.get(number, 'what is not read')}" for number in other_datasets]
@@ -176,24 +182,6 @@ def _different_axes(names: Sequence[str], axes: Mapping[str, str], source: str) 
 def _counted(why: str, places: Sequence[str]) -> str:
     """Return why datasets were skipped, and their number if there are several."""
     return why if len(places) == 1 else f"{why} ({len(places)} datasets)"
-
-
-def _skip(scanner: Scanner, binary: Binary) -> None:
-    """Skip a binary dataset."""
-    for number in range(binary.lines):
-        scanner.line(f"line {number + 1} of the header")
-    scanner.skip_bytes(binary.bytes)
-    scanner.close()
-
-
-def _refuse_units(where: str, before: FileUnits, after: FileUnits) -> NoReturn:
-    """Refuse a file of functions in two systems of units: units apply to the whole file, wherever they are stated."""
-    first, second = (
-        f"{units.length or 'another length'} and {units.force or 'another force'}"
-        for units in (before, after)
-    )
-    problem = f"expected one system of units, found {second} after {first}"
-    raise MeasurementError(problem, where, "write the functions in each system into a file of their own")
 
 
 def _units(scanner: Scanner) -> FileUnits:

@@ -64,7 +64,7 @@ def read_wav(path: Path, request: SignalRequest) -> SignalFile:
     rest = [name for name in signals if name not in (request.sensors or signals) and name not in own_names]
     if request.force and FORCE not in own_names.values() and len(rest) == 1:
         own_names[rest[0]] = FORCE
-        messages.append(f"{source}: channel {rest[0]}, which is that of no sensor, is taken for the force")
+        messages.append(f"{source}: channel {rest[0]}, which belongs to no sensor, is taken as the force")
     time = np.arange(len(samples)) / form.rate
     functions = []
     for name, stored in signals.items():
@@ -120,7 +120,7 @@ def _checked(file: BinaryIO, length: int, source: str) -> _Form:
             data.append(size)
         at += CHUNK + size + size % 2
     if form is None or len(data) != 1:
-        message = "expected one chunk of samples and one on their form"
+        message = "expected one chunk of samples and one with their format"
         raise MeasurementError(message, source, INCOMPLETE)
     if (problem := _problem(form, data[0])) is not None:
         raise MeasurementError(problem, source, INCOMPLETE)

@@ -11,8 +11,8 @@ from pkmodes.core.support.motors import motors_in_words
 from pkmodes.core.support.numbers import plain
 from pkmodes.core.support.ordering import listed
 from pkmodes.modaltest.campaign.campaign import Campaign
-from pkmodes.modaltest.campaign.found import mac
 from pkmodes.modaltest.campaign.inspection import Inspection
+from pkmodes.modaltest.campaign.mode_estimates import mac
 from pkmodes.modaltest.campaign.results import IdentifiedMode, RecordResult
 from pkmodes.pages.plots import fits, identified_modes
 from pkmodes.pages.report.blocks import (

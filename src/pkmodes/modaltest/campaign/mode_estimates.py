@@ -1,4 +1,4 @@
-"""A mode as found in one file or several; and the result of one file: its modes and the fit behind them."""
+"""A mode as estimated from one file, or over repeats and setups; and the modes of one file, with their fit."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ NAMELESS = ("", "force")
 
 
 @dataclass(frozen=True, eq=False)
-class Found:
-    """A mode found in files.
+class ModeEstimate:
+    """A mode of a record, from one file or as the mean over several.
 
     - frequency: undamped [Hz]
     - damping: damping ratio; NaN where unknown
@@ -34,6 +34,14 @@ class Found:
     - shift: how the frequency changes with the level within the file; over several files, the largest change
     - participation: by named reference: its product with the shape is the residue, an acceleration per force
     - sigma_size: standard deviation of the largest residue, relative; NaN where unknown
+    - scatter: standard deviation of the mean frequency from the scatter of the repeats, relative; NaN for a single
+      one
+    - damping_scatter: likewise of the damping ratio, relative
+    - shape_scatter: likewise of a component of the shape, relative to the largest
+    - variance: unbiased variance of the mean of ln f from the scatter; `scatter` is larger, as few repeats estimate
+      it badly
+    - between: how the frequency changes with the level of the files
+    - files: indices of those over which it is the mean; empty for a mode of one file
     """
 
     frequency: float
@@ -48,6 +56,12 @@ class Found:
     shift: LevelShift | None = None
     participation: Mapping[str, complex] = field(default_factory=dict)
     sigma_size: float = np.nan
+    scatter: float = np.nan
+    damping_scatter: float = np.nan
+    shape_scatter: float = np.nan
+    variance: float = np.nan
+    between: LevelShift | None = None
+    files: tuple[int, ...] = ()
 
 
 def mac(first: Mapping[str, complex], second: Mapping[str, complex]) -> float:
@@ -101,15 +115,15 @@ class FileModes:
     - forces: names of the forces at whose places the shapes are defined; empty if they are at the sensors
     """
 
-    modes: tuple[Found, ...]
+    modes: tuple[ModeEstimate, ...]
     messages: tuple[str, ...]
     names_in_file: frozenset[str] | None
-    added: tuple[Found | str, ...] = ()
+    added: tuple[ModeEstimate | str, ...] = ()
     fit: FileFit | None = None
     unnamed: tuple[str, ...] = ()
     forces: tuple[str, ...] = ()
 
-    def changed(self, change: Callable[[Found], Found]) -> FileModes:
+    def changed(self, change: Callable[[ModeEstimate], ModeEstimate]) -> FileModes:
         """Return it with `change` applied to each mode, including those the user requested."""
         added = tuple(
             candidate if isinstance(candidate, str) else change(candidate) for candidate in self.added
@@ -117,13 +131,13 @@ class FileModes:
         return replace(self, modes=tuple(map(change, self.modes)), added=added)
 
 
-def found_of(mode: Mode, names: Sequence[str], references: Sequence[str] = ()) -> Found:
+def estimate_of(mode: Mode, names: Sequence[str], references: Sequence[str] = ()) -> ModeEstimate:
     """Return a fitted mode with its shape by name, as accelerations, and its participations by reference."""
     shape = {
         name: complex(value) for name, value in zip(names, mode.shape, strict=True) if np.isfinite(value)
     }
     pairs = () if mode.participation is None else zip(references, mode.participation, strict=True)
-    return Found(
+    return ModeEstimate(
         mode.frequency,
         mode.damping,
         shape,
@@ -140,10 +154,10 @@ def modes_of_fit(
     fit: FileFit,
     messages: Sequence[str],
     names_in_file: frozenset[str],
-    convert: Callable[[Mode], Found] | None = None,
+    convert: Callable[[Mode], ModeEstimate] | None = None,
 ) -> FileModes:
-    """Return the modes of a file from its fit; `convert` turns a fitted mode into one of the file, as `found_of`."""
-    made = convert or (lambda mode: found_of(mode, fit.responses, fit.references))
+    """Return the modes of a file from its fit; `convert` makes each fitted mode one of the file, as `estimate_of`."""
+    made = convert or (lambda mode: estimate_of(mode, fit.responses, fit.references))
     return FileModes(
         tuple(made(mode) for mode in fit.estimate.modes),
         tuple(messages),
