@@ -103,7 +103,7 @@ benchmark: $(VENV)/.benchmark  ## the tables of times in the documentation, and 
 	$(BIN)/python benchmarks/identification.py --out docs/explanation/identification-compared.md
 	$(BIN)/python benchmarks/campaign.py
 
-figures: $(VENV)/.dev  ## the pictures of the README and docs/how-to/figures.md, and the tables of that page and docs/how-to/shapers.md
+figures: $(VENV)/.dev  ## the pictures of the README and docs/explanation/published-figures.md, and the tables of that page and docs/how-to/shapers.md
 	$(BIN)/python -m pkmodes figures $(IDENTIFIED) --out docs/figures/identified --format png --grid $(PLANE)
 	$(BIN)/python -m pkmodes figures $(ROBOT) --out docs/figures/declared \
 	    --format png --grid x=0.24:0.92:103,y=-0.12:0.12:37,z=-0.245

@@ -1,6 +1,6 @@
 """Times of maps of the published robot, in one run: ``python benchmarks/map.py``.
 
-The table is that of docs/how-to/maps.md.  Calls alternate, and each time is the best of three; the ratios compare
+The ratios are those of docs/how-to/maps.md.  Calls alternate, and each time is the best of three; the ratios compare
 with the modes alone at the same poses (frequencies, motions of the platform and joint positions, all cores).
 """
 

@@ -1,4 +1,4 @@
-"""What the paper writes about its figures, as docs/how-to/figures.md reports it."""
+"""What the paper writes about its figures, as docs/explanation/published-figures.md reports it."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def claims() -> Iterator[Any]:
 
 
 def test_the_table_of_the_page_is_what_the_study_finds(claims: Any) -> None:
-    page = (ROOT / "docs/how-to/figures.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs/explanation/published-figures.md").read_text(encoding="utf-8")
     (shown,) = re.findall(re.escape(claims.BEGIN) + r"\n(.*?)" + re.escape(claims.END), page, re.S)
     found = claims.table()
     for one, other in zip(shown.splitlines(), found.splitlines(), strict=True):
@@ -42,7 +42,7 @@ def test_the_table_of_the_page_is_what_the_study_finds(claims: Any) -> None:
 
 
 def test_the_sentences_of_the_page_have_the_numbers_of_the_study(claims: Any) -> None:
-    page = (ROOT / "docs/how-to/figures.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs/explanation/published-figures.md").read_text(encoding="utf-8")
     assert len(claims.PARTS) == 3
     for begin, part in claims.PARTS.items():
         (shown,) = re.findall(re.escape(begin) + r"\n(.*?)" + re.escape(claims.END), page, re.S)
@@ -85,7 +85,7 @@ def test_the_page_says_of_the_links_what_its_picture_shows(claims: Any) -> None:
 
 @pytest.mark.parametrize("name", ["identified", "declared"])
 def test_the_page_has_its_pictures(name: str) -> None:
-    page = (ROOT / "docs/how-to/figures.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs/explanation/published-figures.md").read_text(encoding="utf-8")
     pictures = re.findall(rf"\(\.\./(figures/{name}/\w+\.png)\)", page)
     assert len(pictures) >= 4
     for picture in pictures:

@@ -2,7 +2,7 @@
 
     python docs/studies/published_figures/claims.py
 
-writes the table in docs/how-to/figures.md, and the sentences with numbers below it (sentences.py).  "Upper" and
+writes the table in docs/explanation/published-figures.md, and the sentences with numbers below it (sentences.py).  "Upper" and
 "lower" are the ends of the rails with large and small x, as in docs/explanation/published-tables.md; the paper calls
 this direction y in section 5 and x in section 2.
 """
@@ -15,7 +15,7 @@ import sentences
 from answers import Check
 from working_area import CASES, ROOT, area_of
 
-PAGE = ROOT / "docs" / "how-to/figures.md"
+PAGE = ROOT / "docs" / "explanation/published-figures.md"
 BEGIN, END = "<!-- begin: written by docs/studies/published_figures/claims.py -->", "<!-- end -->"
 
 #: (figure, what the paper writes, check)

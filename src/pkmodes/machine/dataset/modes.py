@@ -21,7 +21,9 @@ if TYPE_CHECKING:
 
 
 def to_dataset(modes: Modes) -> xarray.Dataset:
-    """Return the vibration modes as a dataset, with the variables and attributes of a map (docs/how-to/maps.md).
+    """Return the vibration modes as a dataset, with the variables and attributes of a map.
+
+    docs/reference/map-dataset.md describes them.
 
     - modes: of a robot at poses
 
@@ -74,7 +76,7 @@ def to_table(modes: Modes) -> pandas.DataFrame:
 
     - modes: of a robot at poses
 
-    Returns one row for each mode at each pose, with the columns of a map in a table (docs/how-to/maps.md).
+    Returns one row for each mode at each pose, with the columns of a map in a table (docs/reference/map-dataset.md).
     Raises MissingExtraError if the libraries of the extra ``map`` are not installed.
 
     Examples

@@ -170,8 +170,8 @@ def map_of(
     Returns
     -------
     xarray.Dataset
-        Described in docs/how-to/maps.md.  Where `out` is NetCDF or Zarr, its values are read from the file when they
-        are needed.
+        Described in docs/reference/map-dataset.md.  Where `out` is NetCDF or Zarr, its values are read from the file
+        when they are needed.
 
     Raises
     ------
