@@ -61,6 +61,14 @@ def test_an_adequate_model_is_followed_by_what_it_cannot_see() -> None:
     assert caveats.unseen([], limited=False) == ""
 
 
+def test_the_reason_of_a_decision_is_followed_by_its_caveats_each_once() -> None:
+    far = caveats.Caveats(conspicuous="n is 4.0 sigma from its declared value", unseen="it cannot see b")
+    assert far.behind("why") == "why; n is 4.0 sigma from its declared value; it cannot see b"
+    refit = replace(far, refitted="n from 0 to 4 (+4.0 sigma)")
+    assert refit.behind("why") == "why: n from 0 to 4 (+4.0 sigma); it cannot see b"
+    assert caveats.Caveats().behind("why") == "why"
+
+
 def measured(n: float) -> Diagnosis:
     """The diagnosis of a structure whose uncertain value is n sigma from the declared one."""
     rng = np.random.default_rng(7)

@@ -79,7 +79,7 @@ def with_beyond(result: Diagnosis, evidence: TermEvidence | None, catalogue: Evi
     groups = [] if status is NOTHING else evidence.groups
     classes = _classes(evidence, groups)
     best = _best_of(catalogue)
-    beyond = Beyond(status.word, decision.says.text, count, classes, best, decision.rule.name)
+    beyond = Beyond(status.word, decision.reason, count, classes, best, decision.rule.name)
     if sum(map(len, groups)) > 1:
         remaining = [[(name_of_explanation(fit), fit) for fit in group] for group in groups]
         proposed, not_separated = next_measurement(evidence.store, None, remaining)

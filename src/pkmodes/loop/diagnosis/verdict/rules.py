@@ -16,7 +16,6 @@ import numpy as np
 
 from pkmodes.core.support.numbers import p_in_words, p_text, plain
 from pkmodes.loop.diagnosis.readings import table
-from pkmodes.loop.diagnosis.verdict import misfit
 from pkmodes.loop.diagnosis.verdict.amplitude import depends_on_amplitude
 from pkmodes.loop.diagnosis.verdict.classes import distinct_causes, more_general, parts_alone
 from pkmodes.loop.diagnosis.verdict.defaults import by_a_default
@@ -118,11 +117,10 @@ def nothing_missing(e: Evidence) -> Says:
     setting_aside = noise(e.final, e.fitter.data.lines)
     aside = f", with {setting_aside}" if setting_aside else ""
     p = f"({p_in_words(gate.p_value)}, and {p_text(gate.p_candidates)} for the best candidate)"
-    declared = misfit.p_declared(e.store, e.final)
-    if declared > gate.level:
+    if not e.refit_needed:
         return Says(f"the residual of the declared model is noise {p}{aside}")
     refit = "the residual is noise once the uncertain values are refitted"
-    return Says(f"{refit} {p}, not as declared ({p_in_words(declared)}){aside}")
+    return Says(f"{refit} {p}, not as declared ({p_in_words(e.p_declared)}){aside}")
 
 
 # Causes leave noise --------------------------------------------------------------------------------------------
