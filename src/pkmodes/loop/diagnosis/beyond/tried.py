@@ -119,12 +119,6 @@ class _Trial:
         return [self.values[k] for k in chosen]
 
 
-def _kinds(term: Candidate) -> Sequence[float]:
-    """Return the kind of each start: its value of the parameter with the fewest distinct values, the mass."""
-    columns = list(zip(*term.starts, strict=True))
-    return min(columns, key=lambda column: len({*column})) if len(columns) > 1 else ()
-
-
 def _ranked(
     fitter: Fitter, jobs: Sequence[tuple[Hypothesis, Sequence[Array]]]
 ) -> list[list[tuple[float, int]]]:
@@ -167,11 +161,15 @@ class _Explorer:
             if any(self._explains(fit) for fit in fits[: self.criteria.search.best_few]):
                 break
             attempted.append(errors)
-            extended = self._errors_beside(fits)
-            again = (
-                None if extended is None or extended in attempted else self.store.fit(extended, plain.values)
-            )
-            if extended is None or again is None or extended in attempted:
+            # The measurement errors beside which the best terms explain most.
+            options = [option for fit in fits[:BESIDE] for option in self.search.additions.noise(fit)]
+            best = min(options, key=self.store.criterion, default=None)
+            extended, again = errors, None
+            if best is not None and self.store.criterion(best) < self.store.criterion(fits[0]):
+                extended = replace(best.hypothesis, causes=())
+            if extended not in attempted:
+                again = self.store.fit(extended, plain.values)
+            if again is None:
                 fits = first
                 break
             errors, fits = extended, self._refitted(again)
@@ -213,9 +211,17 @@ class _Explorer:
         far = [entry for entry in best if entry.candidate.name not in near]
         self.progress(f"refitting with the {len(best)} most promising of {len(self.terms)} terms")
         fits = self.search.additions.refitted([(plain, entry) for entry in far])
-        jobs = [(plain.hypothesis.adding(entry.candidate), [self._moved(plain, entry)]) for entry in small]
+        jobs = []
+        for entry in small:
+            term = entry.candidate
+            estimate = self._with(plain, term, plain.values[list(self.fitter.indices(term))] + entry.step)
+            jobs.append((plain.hypothesis.adding(term), [estimate]))
         overlooked = [entry for entry in scores if entry not in best and entry.largest[0] > 0.0]
-        started = self._compared([*self._started(plain), *self._large(plain, overlooked)])
+        begun = [*self._started(plain), *self._large(plain, overlooked)]
+        started = [
+            (h, [values[k] for _, k in order[:COMPARED]])
+            for (h, values), order in zip(begun, _ranked(self.fitter, begun), strict=True)
+        ]
         rough = self.store.roughly([*jobs, *started])
         return self.store.finished([*fits, *self._again(plain, small, rough)])
 
@@ -235,12 +241,6 @@ class _Explorer:
         ]
         return [*kept, *self.store.roughly(again)]
 
-    def _moved(self, plain: Fit, entry: Score) -> Array:
-        """Return the values of a fit with the linear estimate of a term."""
-        return self._with(
-            plain, entry.candidate, plain.values[list(self.fitter.indices(entry.candidate))] + entry.step
-        )
-
     def _testable(self, plain: Fit, term: Candidate) -> bool:
         """Return whether data are left to test a term."""
         return self.store.degrees(plain) > len(term.parameters)
@@ -248,14 +248,13 @@ class _Explorer:
     def _started(self, plain: Fit) -> list[tuple[Hypothesis, list[Array]]]:
         """Return the most promising terms with their own starts, each with its best starts."""
         terms = [term for term in self.terms if term.starts and self._testable(plain, term)]
-        trials = [
-            _Trial(
-                plain.hypothesis.adding(term),
-                [self._with(plain, term, start) for start in term.starts],
-                _kinds(term),
-            )
-            for term in terms
-        ]
+        trials = []
+        for term in terms:
+            # The kind of a start is its value of the parameter with the fewest distinct values: the mass.
+            columns = list(zip(*term.starts, strict=True))
+            kinds = min(columns, key=lambda column: len({*column})) if len(columns) > 1 else ()
+            values = [self._with(plain, term, start) for start in term.starts]
+            trials.append(_Trial(plain.hypothesis.adding(term), values, kinds))
         if trials:
             self.progress(f"starting {len(trials)} terms with a frequency of their own")
         return self._promising(trials)[:STARTED]
@@ -278,16 +277,6 @@ class _Explorer:
         values[index] = np.clip(term_values, self.fitter.lower[index], self.fitter.upper[index])
         return values
 
-    def _compared(
-        self, jobs: Sequence[tuple[Hypothesis, list[Array]]]
-    ) -> list[tuple[Hypothesis, list[Array]]]:
-        """Return the best starts of each term at all setups."""
-        ranked = _ranked(self.fitter, jobs)
-        return [
-            (h, [starts[k] for _, k in order[:COMPARED]])
-            for (h, starts), order in zip(jobs, ranked, strict=True)
-        ]
-
     def _promising(self, trials: Sequence[_Trial]) -> list[tuple[Hypothesis, list[Array]]]:
         """Return terms with the best of their values, the most promising first, judged at a few setups."""
         count = len(self.fitter.data.labels)
@@ -306,12 +295,3 @@ class _Explorer:
         """Return whether a fit leaves noise."""
         level = self.criteria.gate.surely
         return not fit.at_bound and self.store.p_value(fit) > level and self.search.gate(fit).above(level)
-
-    def _errors_beside(self, fits: Sequence[Fit]) -> Hypothesis | None:
-        """Return the measurement errors beside which the best terms explain most; None if no errors help."""
-        criterion = self.store.criterion
-        options = [extended for fit in fits[:BESIDE] for extended in self.search.additions.noise(fit)]
-        best = min(options, key=criterion, default=None)
-        if best is None or criterion(best) >= criterion(fits[0]):
-            return None
-        return replace(best.hypothesis, causes=())

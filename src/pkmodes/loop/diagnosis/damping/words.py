@@ -31,20 +31,15 @@ def sentence(fitter: LossFitter, judged: DampingJudgement, findings: Sequence[Fi
     if judged.verdict is ADEQUATE:
         return judged.says.text or f"the damping is that of the model ({p_in_words(judged.base.p_value)})"
     if judged.verdict is EFFECT_FOUND:
-        causes = " and ".join(_cause(fitter, finding) for finding in findings)
-        return f"the damping is not that of the declared model; explanation: {causes}"
+        means = {loss.candidate: loss.sentence for loss in fitter.losses if loss.candidate}
+        causes = [" or ".join(f"{means[name]} ({name})" for name in finding.members) for finding in findings]
+        return f"the damping is not that of the declared model; explanation: {' and '.join(causes)}"
     if judged.verdict is AMBIGUOUS:
         remaining = "; ".join(loss_names(fitter, fit) for fit in judged.says.rivals)
         return f"of the damping, {len(judged.says.rivals)} different explanations remain: {remaining}"
     if judged.verdict is INSUFFICIENT_DATA:
         return f"the damping is not diagnosed: {judged.says.text}"
     return f"the damping is not that of the model: {judged.says.text}"
-
-
-def _cause(fitter: LossFitter, finding: Finding) -> str:
-    """Return a cause in words: every member of its class."""
-    means = {loss.candidate: loss.sentence for loss in fitter.losses if loss.candidate}
-    return " or ".join(f"{means[member]} ({member})" for member in finding.members)
 
 
 def common_ratio(ratio: float, sigma: float) -> str:

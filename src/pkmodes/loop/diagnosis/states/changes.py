@@ -127,21 +127,22 @@ class Trusted:
             criteria=of_changes(criteria or Criteria()),
             terms=terms,
         )
+        before = self.fitter.data
+        counterparts = tuple(
+            Counterpart(int(before.lines[row]), float(before.frequency[row]), float(before.sigma[row]))
+            if row >= 0
+            else None
+            for row in shared.counterpart.tolist()
+        )
         change = of_difference(
             result,
             (self.name, name),
             data,
             shared,
-            tuple(self._counterpart(int(row)) for row in shared.counterpart),
+            counterparts,
             self.model_error,
         )
         return replace(change, notes=(*change.notes, *self._notes(name, data, shared)))
-
-    def _counterpart(self, row: int) -> Counterpart | None:
-        data = self.fitter.data
-        if row < 0:
-            return None
-        return Counterpart(int(data.lines[row]), float(data.frequency[row]), float(data.sigma[row]))
 
     def _check(self, name: str, data: Measurements) -> None:
         """Refuse the trusted state itself, and one that was measured only with the motors in another state."""
