@@ -112,7 +112,7 @@ def term_candidates(structure: RobotStructure) -> TermCandidates:
     kept: list[tuple[Term, tuple[Parameter, ...]]] = []
     candidates = []
     for term in _different(structure.robot.mechanism.terms, machine):
-        parameters = _parameters(term, machine)
+        parameters = tuple(_parameter(term, named, machine) for named in term.parameters)
         starts = tuple(_STARTS[term.form](term, machine)) if term.form in _STARTS else ()
         names = tuple(p.name for p in parameters)
         kept.append((term, parameters))
@@ -163,10 +163,6 @@ def _different(terms: Sequence[Term], machine: _Machine) -> Iterator[Term]:
             if not between:
                 grounded.append(direction)
         yield term
-
-
-def _parameters(term: Term, machine: _Machine) -> tuple[Parameter, ...]:
-    return tuple(_parameter(term, named, machine) for named in term.parameters)
 
 
 def _parameter(term: Term, named: Named, machine: _Machine) -> Parameter:
