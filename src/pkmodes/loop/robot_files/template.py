@@ -246,19 +246,16 @@ def _effect(mechanism: Mechanism, effect: Effect, section: Mapping[str, Any]) ->
 
 def _common(mechanism: Mechanism, document: Mapping[str, Any]) -> Iterator[str]:
     """Yield the optional tables of every robot file, without one whose name the mechanism uses for its own."""
+    descriptions = LIMITS | {component.name: component.description for component in mechanism.pose}
+    limits = [f"{line}  # {descriptions[name]}" for name, line in limits_written(mechanism).items()]
     tables: dict[str, tuple[str, Iterable[str]]] = {
-        f"[{USABLE}]": (IN_USE, _usable(mechanism)),
+        f"[{USABLE}]": (IN_USE, limits),
         f"[{REPORT}]": (HEAD_OF_REPORTS, (f'{name} = "..."' for name in TITLES)),
         f"[[{COVARIANCE}]]": (TOGETHER, _covariance(mechanism, document)),
     }
     for head, (description, lines) in tables.items():
         if head.strip("[]") not in [table.name for table in mechanism.tables]:
             yield from ("", f"#{head}  # {description}", *(f"#{line}" for line in lines))
-
-
-def _usable(mechanism: Mechanism) -> Iterator[str]:
-    descriptions = LIMITS | {component.name: component.description for component in mechanism.pose}
-    return (f"{line}  # {descriptions[name]}" for name, line in limits_written(mechanism).items())
 
 
 def _covariance(mechanism: Mechanism, document: Mapping[str, Any]) -> list[str]:

@@ -81,7 +81,14 @@ def _resolved(robot: Robot, path: str, available: Mapping[str, Moves]) -> Parame
         item = items_of(robot.mechanism, group)[0]
         problem = f"{path} cannot vary: a {item.key.name} that is zero has no direction"
         raise PkmodesError(problem, robot.source, f"use elements such as {item.numbers[0].path}")
-    value = _value(robot, next(iter(weights))) if group is None else group_value(robot, group)
+    if group is not None:
+        value = group_value(robot, group)
+    else:
+        field, index = next(iter(weights))
+        if field in robot.parameters._fields:
+            value = float(np.asarray(getattr(robot.parameters, field))[index])
+        else:
+            value = robot.effects.get(field, robot.constants.get(field, 0.0))
     return ParameterPath(path, value, unit, weights)
 
 
@@ -108,17 +115,18 @@ def moved(robot: Robot, changes: Iterable[tuple[ParameterPath, float]]) -> Robot
     return replace(robot, parameters=robot.parameters._replace(**values), effects=effects)
 
 
-def _value(robot: Robot, slot: Slot) -> float:
-    field, index = slot
-    if field not in robot.parameters._fields:
-        return robot.effects.get(field, robot.constants.get(field, 0.0))
-    return float(np.asarray(getattr(robot.parameters, field))[index])
-
-
 def _available(robot: Robot) -> dict[str, Moves]:
     groups = {g.path: (g.unit, weights_of(robot, g)) for g in robot.mechanism.parameter_groups}
-    common = _common(robot)
-    return {**common, **_with_middles(robot, common), **groups, **_of_entries(robot), **_of_effects(robot)}
+    common, of_entries = _common(robot), dict[str, Moves]()
+    # The quantities of single entries, whether they override the shared value or take it.
+    entries = [item for item in items(robot.mechanism) if item.entry is not None]
+    for item in sorted(entries, key=lambda item: (item.entry, not item.shared)):
+        of_entries |= _single(item)
+    of_effects: dict[str, Moves] = {
+        path: (unit, {(path.removeprefix(f"{EFFECTS}."), ()): 1.0})
+        for path, unit in effect_parameters(robot.mechanism).items()
+    }
+    return {**common, **_with_middles(robot, common), **groups, **of_entries, **of_effects}
 
 
 def _with_middles(robot: Robot, moves: Mapping[str, Moves]) -> dict[str, Moves]:
@@ -148,23 +156,7 @@ def _common(robot: Robot) -> dict[str, Moves]:
     return moves
 
 
-def _of_entries(robot: Robot) -> dict[str, Moves]:
-    """Return the quantities of single entries, whether they override the shared value or take it."""
-    moves: dict[str, Moves] = {}
-    of_entries = [item for item in items(robot.mechanism) if item.entry is not None]
-    for item in sorted(of_entries, key=lambda item: (item.entry, not item.shared)):
-        moves |= _single(item)
-    return moves
-
-
 def _single(item: Item) -> dict[str, Moves]:
     return {
         number.path: (number.unit, {number.slot: 1.0}) for number in item.numbers if number.slot is not None
-    }
-
-
-def _of_effects(robot: Robot) -> dict[str, Moves]:
-    return {
-        path: (unit, {(path.removeprefix(f"{EFFECTS}."), ()): 1.0})
-        for path, unit in effect_parameters(robot.mechanism).items()
     }
