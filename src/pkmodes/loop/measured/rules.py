@@ -101,7 +101,7 @@ def checked_level_unit(unit: object, where: str) -> str:
     if not isinstance(unit, str) or not unit.isprintable() or set(unit) & {*"[]"}:
         raise MeasurementError(f"expected a unit, found {shown(unit)}", where, 'write for example "N"')
     if unit.casefold().startswith("db"):
-        problem = f"expected levels that are no logarithms, found the unit {shown(unit)}"
+        problem = f"expected levels that are not logarithmic, found the unit {shown(unit)}"
         raise MeasurementError(problem, where, "write the rms or the peak of the force or motion itself")
     return unit.strip()
 

@@ -33,7 +33,7 @@ DIGITS_OF_ELEMENTS = 12
 CLOSE, CLOSE_SIGMA = 1e-9, 1e-2  # tolerances for the digits written; standard deviations have three
 #: Digits of standard deviations in a table of correlations: small sums of large parts of a variance depend on them.
 SIGMA_DIGITS = 8
-CORRELATED = "how the errors of the fitted values belong together: frequencies and samples have these"
+CORRELATED = "correlations of the errors of the fitted values, used for frequencies and samples"
 BY_HAND = "change the robot file by hand"
 __all__ = ["Correction", "corrected_text", "save_corrected"]
 

@@ -130,9 +130,9 @@ def _rows(result: Diagnosis, data: Measurements, stage: DampingStage) -> tuple[R
             if rows[i].held_out:
                 remark = "held out"
             elif not informative[k]:
-                remark = "it says nothing of the losses"
+                remark = "it says nothing about the losses"
             elif stage.strange[k]:
-                remark = f"the shape is another one (MAC {rows[i].mac:.2f})"
+                remark = f"the shape is not that of its mode (MAC {rows[i].mac:.2f})"
             else:
                 remark = "the frequency is an outlier" if rows[i].outlier else "set aside"
         rows[i] = structs.replace(

@@ -97,14 +97,14 @@ def factor_hundred(*, above: bool) -> str:
 def unresolved(lines: Sequence[int]) -> str:
     """Return the note on rows whose damping says nothing about the losses."""
     return (
-        f"{_of_lines(lines)} takes no part: it is 0 without a standard deviation, or the measurements set what "
-        "dissipates there"
+        f"{_of_lines(lines)} is not used: it is 0 without a standard deviation, or the measurements set the "
+        "losses there"
     )
 
 
 def other_shape(lines: Sequence[int], least: float) -> str:
     """Return the note on rows whose shapes are not those of the modes with which they are paired."""
-    return f"{_of_lines(lines)} takes no part: the shape measured there is not that of its mode (MAC below {least:g})"
+    return f"{_of_lines(lines)} is not used: the shape measured there is not that of its mode (MAC below {least:g})"
 
 
 def _of_lines(lines: Sequence[int]) -> str:

@@ -165,13 +165,13 @@ class Trusted:
         differs, remaining = (f"{plain(100 * error, 2)} %" for error in (self.model_error, self.left))
         notes = [
             f"the declared model differs from {self.name} by {differs} (rms); its values are "
-            f"fitted to {self.name}, and the {remaining} that this leaves are taken off {name} too: "
+            f"fitted to {self.name}, and the remaining {remaining} is subtracted from {name} too: "
             "standard deviations are those of the difference"
         ]
         if compared < rows:
             notes.append(
                 f"{rows - compared} of {rows} rows of {name} have no counterpart at the same pose in {self.name}: "
-                "what the model's error is there is less certain, and their standard deviations are larger"
+                "the error of the model is less certain there, and their standard deviations are larger"
             )
         if not np.isnan(data.damping).all():
             notes.append("damping ratios of two states are not compared")

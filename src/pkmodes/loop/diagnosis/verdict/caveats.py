@@ -69,10 +69,9 @@ def unseen(undetectable: Sequence[str], limited: bool) -> str:
     - limited: whether other candidates have limits
     """
     if undetectable:
-        return f"it cannot see {listed(undetectable, MOST_NAMES)}" + (
-            ", nor what is below its limit" if limited else ""
-        )
-    return "it cannot see what is below its limit" if limited else ""
+        beside = ", nor other causes below their limits" if limited else ""
+        return f"these data cannot show {listed(undetectable, MOST_NAMES)}{beside}"
+    return "these data cannot show causes below their limits" if limited else ""
 
 
 def _taken_up(value: Corrected) -> bool:
