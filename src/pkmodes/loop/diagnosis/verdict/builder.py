@@ -111,12 +111,14 @@ class DiagnosisBuilder:
         proposed, not_separated = next_measurement(search.store, probable, undecided)
         if verdict.settled:
             needed = verdict is ADEQUATE and evidence.refit_needed
-            against = caveats.Caveats(
-                refitted=caveats.refitted(models.corrected) if needed else "",
-                conspicuous=caveats.conspicuous(models.corrected, needed=needed),
-                unseen=caveats.unseen(unseen, bool(bounded.limited)) if verdict is ADEQUATE else "",
+            decision = replace(
+                decision,
+                caveats=caveats.Caveats(
+                    refitted=caveats.refitted(models.corrected) if needed else "",
+                    conspicuous=caveats.conspicuous(models.corrected, needed=needed),
+                    unseen=caveats.unseen(unseen, bool(bounded.limited)) if verdict is ADEQUATE else "",
+                ),
             )
-            decision = replace(decision, caveats=against)
         return replace(
             self._result(decision, models),
             effects=findings,

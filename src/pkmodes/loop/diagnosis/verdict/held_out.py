@@ -69,8 +69,8 @@ def predicted(setups: AllSetups, search: Search, final: Fit, rivals: Sequence[Fi
                 "look there"
             )
         aside = (row for row in sorted(again.hypothesis.excluded) if setups.is_held[row])
-        other = "does not agree with the other held-out rows: check it"
-        return HeldOut(notes=tuple(f"{_row(setups.data, row)} {other}" for row in aside))
+        doubtful = "does not agree with the other held-out rows: check it"
+        return HeldOut(notes=tuple(f"{_row(setups.data, row)} {doubtful}" for row in aside))
     instead = better
     if instead is None and rivals is None:
         # The best single cause, remote ones included, that explains all setups.
