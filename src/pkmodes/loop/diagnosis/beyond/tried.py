@@ -8,19 +8,19 @@ noise, the best ones are tried beside outliers or a shared error, under the same
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import zip_longest
 
 import numpy as np
 
-from pkmodes.loop.diagnosis.beyond.directions import of_starts
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.problem import Array, Candidate, Structure
 from pkmodes.loop.diagnosis.search.additions import Progress
-from pkmodes.loop.diagnosis.search.score import Directions, Score, one_sided, score
+from pkmodes.loop.diagnosis.search.score import LEFT, Directions, Score, one_sided, score
 from pkmodes.loop.diagnosis.search.search import Search
 from pkmodes.loop.diagnosis.search.starts import SIZES, starts
 from pkmodes.loop.diagnosis.verdict.all_setups import AllSetups
@@ -68,7 +68,30 @@ class Tried:
         of_terms = score(fitter, self.plain, sized).directions
         started = [term for term in self.terms if term.starts]
         of_catalogue = self.search.scores(self.plain).directions
-        return (*of_terms, *of_starts(fitter, self.plain, started), *of_catalogue)
+        return (*of_terms, *_directions_of_starts(fitter, self.plain, started), *of_catalogue)
+
+
+def _directions_of_starts(
+    fitter: Fitter, plain: Fit, terms: Sequence[Candidate]
+) -> Iterator[tuple[Array, int]]:
+    """Yield the directions of terms that have their own starts: one, that of their size, at each start.
+
+    At size 0 the other parameters have no effect, but they determine the effect of a small size: a resonator pushes
+    the modes on both sides of its frequency apart.
+    """
+    for fixed_values in zip_longest(*(dict.fromkeys(start[1:] for start in term.starts) for term in terms)):
+        present = [
+            (term, fixed) for term, fixed in zip(terms, fixed_values, strict=True) if fixed is not None
+        ]
+        values = plain.values.copy()
+        for term, fixed in present:
+            values[list(fitter.indices(term))[1:]] = fixed
+        by = [fitter.indices(term)[0] for term, _ in present]
+        raw = np.nan_to_num(fitter.signatures(replace(plain, values=values), by)[1])
+        remainder = raw - plain.basis @ (plain.basis.T @ raw)
+        size = np.linalg.norm(remainder, axis=0)
+        for k in np.flatnonzero(size > LEFT * np.linalg.norm(raw, axis=0)):
+            yield remainder[:, [k]] / size[k], 1
 
 
 def tried(
