@@ -158,8 +158,8 @@ def test_the_change_of_the_frequencies_is_that_of_the_describing_function(
 @pytest.mark.parametrize(
     ("law", "words"),
     [
-        (HARDENS, "they rise with the level, as where a gap closes"),
-        (SLIPS, "they fall with the level, as where friction slips"),
+        (HARDENS, "they rise with the level, as when a gap closes"),
+        (SLIPS, "they fall with the level, as when friction slips"),
     ],
 )
 def test_a_diagnosis_says_depends_on_amplitude(law: Law, words: str) -> None:
@@ -171,7 +171,7 @@ def test_a_diagnosis_says_depends_on_amplitude(law: Law, words: str) -> None:
     assert found.reason.startswith("the residual depends on amplitude")
     assert "from a level of 1 to 10 N" in found.reason
     assert words in found.reason
-    assert "no level was measured again, so how well setups repeat is not known" in found.reason
+    assert "no level was measured again, so the repeatability of setups is unknown" in found.reason
     assert sum("amplitude" in note for note in found.notes) == 1
     document = found.as_json()
     jsonschema.Draft202012Validator(schema_of(DiagnoseDocument, "diagnose")).validate(document)

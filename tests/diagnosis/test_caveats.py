@@ -53,12 +53,22 @@ def test_a_conspicuous_refit_is_in_the_headline(value: Corrected, headline: str)
 
 
 def test_an_adequate_model_is_followed_by_what_it_cannot_see() -> None:
-    assert caveats.unseen(["a", "b"], limited=False) == "it cannot see a, b"
+    assert caveats.unseen(["a", "b"], limited=False) == "these data cannot show a, b"
     assert caveats.unseen([*"abcdef"], limited=True) == (
-        "it cannot see a, b, c, d and 2 more, nor what is below its limit"
+        "these data cannot show a, b, c, d and 2 more, nor other causes below their limits"
     )
-    assert caveats.unseen([], limited=True) == "it cannot see what is below its limit"
+    assert caveats.unseen([], limited=True) == "these data cannot show causes below their limits"
     assert caveats.unseen([], limited=False) == ""
+
+
+def test_the_reason_of_a_decision_is_followed_by_its_caveats_each_once() -> None:
+    far = caveats.Caveats(
+        conspicuous="n is 4.0 sigma from its declared value", unseen="these data cannot show b"
+    )
+    assert far.behind("why") == "why; n is 4.0 sigma from its declared value; these data cannot show b"
+    refit = replace(far, refitted="n from 0 to 4 (+4.0 sigma)")
+    assert refit.behind("why") == "why: n from 0 to 4 (+4.0 sigma); these data cannot show b"
+    assert caveats.Caveats().behind("why") == "why"
 
 
 def measured(n: float) -> Diagnosis:
@@ -78,7 +88,9 @@ def test_the_residual_of_the_declared_model_is_noise_only_where_it_is() -> None:
     assert refit.before.chi2_per_dof > 10.0
     assert refit.reason.startswith("the residual is noise once the uncertain values are refitted (p = ")
     assert ", not as declared (p < 1e-6): n from 0 to 2" in refit.reason
-    assert " (+2.0 sigma); it cannot see nothing, nor what is below its limit" in refit.reason
+    assert (
+        " (+2.0 sigma); these data cannot show nothing, nor other causes below their limits" in refit.reason
+    )
 
 
 def test_a_value_three_sigma_from_its_declaration_is_in_reason_and_headline() -> None:

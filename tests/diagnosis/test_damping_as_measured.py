@@ -146,9 +146,9 @@ def test_a_ratio_of_another_shape_is_no_evidence() -> None:
     assert mac is not None
     assert mac < 0.7
     assert found.rows[row].damping_used is False
-    assert found.rows[row].damping_remark == f"the shape is another one (MAC {mac:.2f})"
+    assert found.rows[row].damping_remark == f"the shape is not that of its mode (MAC {mac:.2f})"
     (note,) = (note for note in found.damping.notes if "MAC" in note)
-    assert note.startswith(f"the damping of line {found.rows[row].line} takes no part")
+    assert note.startswith(f"the damping of line {found.rows[row].line} is not used")
     assert [cause.name for cause in found.damping.effects] == ["rail_friction"]
 
 

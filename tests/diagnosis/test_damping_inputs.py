@@ -46,7 +46,7 @@ def test_zeros_without_a_sigma_in_some_rows_are_left_out_and_said() -> None:
     found = updating.diagnose(ROBOT, with_damping(np.where(zeros, 0.0, RAILS["damping"])))
     rails_named(found)
     assert not any(row.damping_used for row, zero in zip(found.rows, zeros, strict=True) if zero)
-    assert any("lines 1, 8, 15, 22, 29, 36, 43 takes no part" in note for note in found.damping.notes)
+    assert any("lines 1, 8, 15, 22, 29, 36, 43 is not used" in note for note in found.damping.notes)
 
 
 @pytest.mark.parametrize("sigma", [None, 1e-3])

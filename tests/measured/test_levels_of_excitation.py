@@ -92,7 +92,7 @@ def test_levels_of_a_script_are_checked_alike() -> None:
         ({"level": [1.0, 2.0]}, "expected an array of shape (3,), found (2,)"),
         ({"level": ["low", "low", "high"]}, "expected numbers"),
         ({"level": np.inf}, "a level of excitation above 0, found inf"),
-        ({"level": 1.0, "level_unit": "dB"}, "no logarithms"),
+        ({"level": 1.0, "level_unit": "dB"}, "not logarithmic"),
         ({"level": 1.0, "level_unit": "[N]"}, "expected a unit"),
         ({"level": 1.0, "level_unit": 3}, "expected a unit, found 3"),
         ({"levels": 1.0}, 'did you mean "level"?'),

@@ -66,7 +66,7 @@ def said(verdict: str, *entries: tuple[str, str]) -> str:
             "adequate",
             (("effect_found", "payload belt_mass"), ENOUGH, ENOUGH),
             "stability: adequate with sigma doubled and priors twice as wide; the best explanation, which is not "
-            "claimed, is payload and belt_mass with sigma halved (smaller errors give noise a meaning)",
+            "claimed, is payload and belt_mass with sigma halved (smaller errors make noise look significant)",
         ),
         (
             "unexplained",

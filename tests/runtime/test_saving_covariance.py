@@ -58,7 +58,7 @@ def test_a_new_table_is_added_at_the_end_and_reads_back(tmp_path: Path) -> None:
     assert len(gone) == 2
     assert after.startswith(before[: before.index('mass = { value = "1.5 kg"')])
     assert [line for line in new[2:] if line.strip()] == [
-        "# how the errors of the fitted values belong together: frequencies and samples have these\n",
+        "# correlations of the errors of the fitted values, used for frequencies and samples\n",
         "[[covariance]]\n",
         'paths = ["platform.mass", "effects.payload.mass"]\n',
         "sigma = [0.012345679, 0.02]\n",

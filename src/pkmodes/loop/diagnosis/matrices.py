@@ -237,8 +237,9 @@ class MatrixStructure:
 
     def _check(self, kind: type[UnusableError]) -> None:
         """Refuse matrices without modes at the declared values."""
+        declared = np.array([p.value for p in self.parameters])
         for setup in self.setups:
-            pair = self._supplied.at(self._declared, setup, finite=True)
+            pair = self._supplied.at(declared, setup, finite=True)
             try:
                 setup_modes(pair, self.rigid)
             except UnusableError as error:
@@ -246,10 +247,6 @@ class MatrixStructure:
                     continue
                 problem = f"the model cannot be evaluated with its declared values: {error.what}"
                 raise PkmodesError(problem, f"{error.where} for setup {shown(setup)}", error.remedy) from None
-
-    @property
-    def _declared(self) -> Array:
-        return np.array([p.value for p in self.parameters])
 
     def _measured(self, shapes: Array) -> Array:
         """Return shapes (..., n) at the channels."""
@@ -260,19 +257,16 @@ class MatrixStructure:
         key = np.asarray(values, dtype=float).tobytes()
         if key in self._solutions:
             return self._solutions[key]
-        solutions = [self._solve(values, setup) for setup in self.setups]
+        solutions: list[_Solved | None] = []
+        for setup in self.setups:
+            pair = self._supplied.at(values, setup)
+            try:  # matrices without modes are not an error here: a fit may try any value within the bounds
+                solutions.append(None if pair is None else _Solved(pair, setup_modes(pair, self.rigid)))
+            except UnusableError:
+                solutions.append(None)
         return self._solutions.keep(
             key, solutions, sum(solution.modes.size for solution in solutions if solution is not None)
         )
-
-    def _solve(self, values: Array, setup: str) -> _Solved | None:
-        pair = self._supplied.at(values, setup)
-        if pair is None:
-            return None
-        try:  # matrices without modes are not an error here: a fit may try any value within the bounds
-            return _Solved(pair, setup_modes(pair, self.rigid))
-        except UnusableError:
-            return None
 
 
 def at_measured(structure: Structure, labels: Sequence[str]) -> Structure:

@@ -57,7 +57,9 @@ def diagnosed(
     structure = checked(structure, data)
     if (count := len(data.frequency)) > MOST:
         problem = f"expected at most {MOST:,} measured modes to diagnose, found {count:,}"
-        remedy = f"keep one pose in {-(-count // MOST)}: the others tell hardly more; compare takes them all"
+        remedy = (
+            f"keep one pose in {-(-count // MOST)}: the others add little information; compare takes them all"
+        )
         raise PkmodesError(problem, data.source, remedy)
     first = _of_frequencies(structure, data, holdout, progress, criteria, terms)
     return with_damping(structure, data, first, criteria)

@@ -51,7 +51,9 @@ def compare_measurements(first: Measurements, second: Measurements) -> Measureme
     did another thing there.
     """
     places = list(_common(first, second))
-    _check_different(first, second)
+    if _content(first) == _content(second):
+        problem = f"expected two measurements, found the same rows as in {first.source}"
+        raise MeasurementError(problem, second.source, "give the file of the second campaign")
     rows: list[Rows] = []
     for pose, second_pose in places:
         rows += paired_rows(
@@ -79,16 +81,6 @@ def compare_measurements(first: Measurements, second: Measurements) -> Measureme
         strain_energy=energies,
         notes=[*notes_on_poses(first, second, places), *notes_on_shapes(pairs, energies)],
     )
-
-
-def _check_different(first: Measurements, second: Measurements) -> None:
-    """Refuse two tables with the same rows, in any order."""
-    if _content(first) == _content(second):
-        raise MeasurementError(
-            f"expected two measurements, found the same rows as in {first.source}",
-            second.source,
-            "give the file of the second campaign",
-        )
 
 
 def _content(data: Measurements) -> list[str]:

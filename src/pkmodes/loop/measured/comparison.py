@@ -47,7 +47,7 @@ class ModePair(Document, frozen=True):
     beyond_common: Annotated[
         float | None, Meta(description="Relative change beyond that of `common`; null without one.")
     ]
-    beyond_common_sigmas: Annotated[float | None, Meta(description="It in standard deviations.")]
+    beyond_common_sigmas: Annotated[float | None, Meta(description="The same in standard deviations.")]
     own_change: Annotated[
         bool,
         Meta(
@@ -80,7 +80,7 @@ class MeasurementsCompared(Document, frozen=True):
     median_relative: Annotated[
         float | None, Meta(description="Median of second / first - 1; null without pairs.")
     ]
-    rms_relative: Annotated[Size | None, Meta(description="Root mean square of it.")]
+    rms_relative: Annotated[Size | None, Meta(description="Root mean square of second / first - 1.")]
     chi2: Annotated[Size, Meta(description="Sum of the squares of sigmas.")]
     p_value: Annotated[
         Probability | None,

@@ -117,7 +117,8 @@ def read_header(
             problem = f"the column {shown(name)} is repeated, first as column {names.index(name) + 1}"
             _refuse(problem, place, "remove one of them")
         factor = None if unit is None else _factor(name, unit, place, channels, units)
-        columns.append(HeaderColumn(name, cell, unit or "", factor, _plain(name, units)))
+        usual = units.get(name, "SI units")  # the unit where the header gives none, for messages
+        columns.append(HeaderColumn(name, cell, unit or "", factor, "" if usual == "1" else usual))
     for name in required:
         if name not in names:
             _refuse(f'the column "{name}" is missing', where, help_text)
@@ -128,12 +129,6 @@ def read_header(
             problem = f'found the column "{name}" without "{missing}"'
             _refuse(problem, where, f"give {joined(components)}, or no position column at all")
     return columns
-
-
-def _plain(name: str, units: Mapping[str, str]) -> str:
-    """Return the unit of a column whose header gives none, for messages; empty for ratios."""
-    unit = units.get(name, "SI units")
-    return "" if unit == "1" else unit
 
 
 def _refuse(what: str, where: str, remedy: str) -> NoReturn:

@@ -52,7 +52,9 @@ class BrokenRuleError(MeasurementError):
     """A violated rule; the reader of a file can replace the numbers in its message by the original cells."""
 
     def __init__(self, problem: Problem, where: str) -> None:
-        super().__init__(message(problem, _plainly), where, problem.remedy)
+        super().__init__(
+            message(problem, lambda number: format(number.value, number.digits)), where, problem.remedy
+        )
         self.problem = problem
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -63,10 +65,6 @@ def message(problem: Problem, show: Callable[[Quoted], str]) -> str:
     """Return the message of a problem, with its numbers formatted by `show`."""
     parts = (problem.what,) if isinstance(problem.what, str) else problem.what
     return "".join(part if isinstance(part, str) else show(part) for part in parts)
-
-
-def _plainly(number: Quoted) -> str:
-    return format(number.value, number.digits)
 
 
 def refuse(problems: Sequence[Problem], source: str, lines: Integers) -> None:
@@ -103,7 +101,7 @@ def checked_level_unit(unit: object, where: str) -> str:
     if not isinstance(unit, str) or not unit.isprintable() or set(unit) & {*"[]"}:
         raise MeasurementError(f"expected a unit, found {shown(unit)}", where, 'write for example "N"')
     if unit.casefold().startswith("db"):
-        problem = f"expected levels that are no logarithms, found the unit {shown(unit)}"
+        problem = f"expected levels that are not logarithmic, found the unit {shown(unit)}"
         raise MeasurementError(problem, where, "write the rms or the peak of the force or motion itself")
     return unit.strip()
 

@@ -33,7 +33,9 @@ class StrainEnergyChange(Document, frozen=True):
 
     pose: Annotated[str, Meta(description="Label of the pose in the first file.")]
     channels: Annotated[list[str], Meta(description="The two neighbours.")]
-    lines: Annotated[list[Number], Meta(description="Modes that it is of: lines of the first file.")]
+    lines: Annotated[
+        list[Number], Meta(description="Modes from which it is computed: lines of the first file.")
+    ]
     first: Annotated[
         Size, Meta(description="Mean share of the strain energy of the series in the first file.")
     ]

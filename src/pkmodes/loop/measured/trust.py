@@ -20,11 +20,11 @@ LEAST_MAC = 0.9
 NO_PLACE: frozenset[Caution] = frozenset({"close_modes", "low_mac"})
 #: Meanings of the cautions.
 SENTENCES: dict[Caution, str] = {
-    "no_sigma_shape": "not both files give sigma_shape, so nobody knows whether the shape changed by more than its "
+    "no_sigma_shape": "not both files give sigma_shape, so it is unknown whether the shape changed by more than its "
     "errors.",
-    "close_modes": f"another mode is within {100.0 * CLOSE:.0f} %; the two turn into each other under any change, so "
-    "their shapes are no sign of its place.",
-    "low_mac": f"the MAC is below {LEAST_MAC}; it may be another mode, and its shape is no sign of a place.",
+    "close_modes": f"another mode is within {100.0 * CLOSE:.0f} %; any change mixes the two, so their shapes do not "
+    "show its place.",
+    "low_mac": f"the MAC is below {LEAST_MAC}; it may be another mode, and its shape does not show a place.",
     "same_shape": "the frequency changed, but not the shape by more than its errors: stiffness or mass changed in "
     "proportion everywhere, or by too little for these errors to show where.",
 }
@@ -69,7 +69,8 @@ def notes_on_shapes(pairs: Sequence[ModePair], energies: Sequence[StrainEnergyCh
     notes = []
     if pairs and all(pair.shape is None for pair in pairs):
         notes.append(
-            f"No mode has a shape at {FEWEST_CHANNELS} or more channels of both files: shapes do not say where."
+            f"No mode has a shape at {FEWEST_CHANNELS} or more channels of both files: shapes do not show where "
+            "anything changed."
         )
     elif lines := _lines(pairs, "few_channels"):
         notes.append(f"{lines}: no shape at {FEWEST_CHANNELS} or more channels of both files.")
@@ -105,12 +106,14 @@ def notes_on_poses(first: Measurements, second: Measurements, places: Sequence[t
     loaded = [first.labels[i] for i, j in places if first.load(i) != second.load(j)]
     if loaded:
         notes.append(
-            f"Pose {loaded[0]}{_and_others(loaded)}: columns set: differ; the changes are also those of another load."
+            f"Pose {loaded[0]}{_and_others(loaded)}: columns set: differ; the changes include the effect of the "
+            "other load."
         )
     moved = [first.labels[i] for i, j in places if _elsewhere(first, second, i, j)]
     if moved:
         notes.append(
-            f"Pose {moved[0]}{_and_others(moved)}: the positions differ; the changes are also those of another pose."
+            f"Pose {moved[0]}{_and_others(moved)}: the positions differ; the changes include the effect of the "
+            "other position."
         )
     return notes
 

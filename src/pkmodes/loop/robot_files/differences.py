@@ -12,7 +12,6 @@ from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.robot.covariance import COVARIANCE
 from pkmodes.core.robot.declaration import Declaration
 from pkmodes.core.robot.layout import by_path, takers
-from pkmodes.core.robot.units import Quantity
 from pkmodes.core.robot.usable import numbers_of
 from pkmodes.core.support.documents import Document
 
@@ -80,59 +79,47 @@ def differences(first: Declaration, second: Declaration) -> Differences:
     Raises PkmodesError if their mechanisms differ.
     """
     check_one_mechanism(first, second)
-    paths = [
-        path
-        for path in dict.fromkeys([*first.quantities, *second.quantities])
-        if _compared(path, first, second)
+    both, items, compared = (first, second), by_path(first.mechanism), list[ValueDifference]()
+    for path in dict.fromkeys([*first.quantities, *second.quantities]):
+        # A shared value is not compared by itself where the other robot's axes have their own.
+        overrides = [item.path for item in takers(first.mechanism).get(path, ())]
+        overridden = any(name in robot.quantities for robot in both for name in overrides)
+        if overridden and not all(path in robot.quantities for robot in both):
+            continue
+        item = items.get(path)
+        shared = "" if item is None or not item.shared else path.replace(item.path, item.shared, 1)
+        quantities = [robot.quantities.get(path, robot.quantities.get(shared)) for robot in both]
+        unit = next(quantity.unit for quantity in quantities if quantity is not None)
+        before, after = (None if quantity is None else quantity.value for quantity in quantities)
+        sigma, later_sigma = (None if quantity is None else quantity.sigma for quantity in quantities)
+        relative = _relative(before, after)
+        compared.append(ValueDifference(path, unit, before, after, sigma, later_sigma, relative))
+    limits = [numbers_of(robot.mechanism, robot.usable) for robot in both]
+    for path in dict.fromkeys([*limits[0], *limits[1]]):
+        unit = (limits[0].get(path) or limits[1][path])[1]
+        before, after = (numbers[path][0] if path in numbers else None for numbers in limits)
+        compared.append(ValueDifference(path, unit, before, after, None, None, _relative(before, after)))
+    choices = [
+        ChoiceDifference(path, str(choice), str(second.declared[path]))
+        for path, choice in first.declared.items()
+        if path not in first.quantities and path in second.declared and choice != second.declared[path]
     ]
-    of_values = [_difference(path, first, second) for path in paths]
-    compared = [*of_values, *_usable(first, second)]
-    ours, theirs = _effects(first), _effects(second)
+    ours, theirs = (list(dict.fromkeys(path.split(".")[0] for path in robot.effects)) for robot in both)
     return Differences(
         tuple(
             difference
             for difference in compared
             if (difference.first, difference.first_sigma) != (difference.second, difference.second_sigma)
         ),
-        (*_choices(first, second), *_correlations(first, second)),
+        (*choices, *_correlations(first, second)),
         tuple(name for name in theirs if name not in ours),
         tuple(name for name in ours if name not in theirs),
         len(compared),
     )
 
 
-def _compared(path: str, first: Declaration, second: Declaration) -> bool:
-    """Return whether a value is compared by itself: not a shared one where the other robot's axes have their own."""
-    if path in first.quantities and path in second.quantities:
-        return True
-    overrides = [item.path for item in takers(first.mechanism).get(path, ())]
-    return not any(name in robot.quantities for robot in (first, second) for name in overrides)
-
-
-def _difference(path: str, first: Declaration, second: Declaration) -> ValueDifference:
-    ours, theirs = (_quantity(path, robot) for robot in (first, second))
-    unit = next(quantity.unit for quantity in (ours, theirs) if quantity is not None)
-    before, after = (None if quantity is None else quantity.value for quantity in (ours, theirs))
-    sigma_before, sigma_after = (None if quantity is None else quantity.sigma for quantity in (ours, theirs))
-    return ValueDifference(path, unit, before, after, sigma_before, sigma_after, _relative(before, after))
-
-
 def _relative(first: float | None, second: float | None) -> float | None:
     return second / first - 1.0 if first and second is not None else None
-
-
-def _quantity(path: str, robot: Declaration) -> Quantity | None:
-    item = by_path(robot.mechanism).get(path)
-    shared = "" if item is None or not item.shared else path.replace(item.path, item.shared, 1)
-    return robot.quantities.get(path, robot.quantities.get(shared))
-
-
-def _usable(first: Declaration, second: Declaration) -> Iterator[ValueDifference]:
-    ours, theirs = (numbers_of(robot.mechanism, robot.usable) for robot in (first, second))
-    for path in dict.fromkeys([*ours, *theirs]):
-        unit = (ours.get(path) or theirs[path])[1]
-        before, after = (of[path][0] if path in of else None for of in (ours, theirs))
-        yield ValueDifference(path, unit, before, after, None, None, _relative(before, after))
 
 
 def _correlations(first: Declaration, second: Declaration) -> Iterator[ChoiceDifference]:
@@ -171,14 +158,3 @@ def _between(pairs: Mapping[frozenset[str], float]) -> str:
     """Return a table of correlations in words."""
     count = len({path for pair in pairs for path in pair})
     return f"correlations of {count} values" if count else "no correlations"
-
-
-def _effects(robot: Declaration) -> list[str]:
-    return list(dict.fromkeys(path.split(".")[0] for path in robot.effects))
-
-
-def _choices(first: Declaration, second: Declaration) -> Iterator[ChoiceDifference]:
-    ours, theirs = first.declared, second.declared
-    for path in ours:
-        if path not in first.quantities and path in theirs and ours[path] != theirs[path]:
-            yield ChoiceDifference(path, str(ours[path]), str(theirs[path]))

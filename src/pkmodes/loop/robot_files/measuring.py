@@ -75,7 +75,7 @@ BY_PATH = {
         "measure along the run, from the tool head to the motor pulley, with a tape"
     ),
     "effects.servo_stiffness.stiffness": MeasuringMethod(
-        "docs/how-to/stepper-printer.md has it for a stepper motor"
+        "for a stepper motor, see docs/how-to/stepper-printer.md"
     ),
     "effects.gearbox_inertia.inertia": MeasuringMethod("data sheet of the gearbox, at its output"),
     "effects.gantry_racking.compliance": MeasuringMethod(

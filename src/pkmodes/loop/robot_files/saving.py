@@ -26,7 +26,6 @@ from pkmodes.core.robot.units import Quantity
 from pkmodes.core.support.covariance import joined_covariance, sigmas_by_path
 from pkmodes.core.support.writing import write_file
 from pkmodes.loop.robot_files.editing import Keys, TomlText, ValueNotation
-from pkmodes_description import ParameterGroup
 
 DIGITS = 10
 #: Elements of a group are written with more digits, because their rounding errors add up.
@@ -34,7 +33,7 @@ DIGITS_OF_ELEMENTS = 12
 CLOSE, CLOSE_SIGMA = 1e-9, 1e-2  # tolerances for the digits written; standard deviations have three
 #: Digits of standard deviations in a table of correlations: small sums of large parts of a variance depend on them.
 SIGMA_DIGITS = 8
-CORRELATED = "how the errors of the fitted values belong together: frequencies and samples have these"
+CORRELATED = "correlations of the errors of the fitted values, used for frequencies and samples"
 BY_HAND = "change the robot file by hand"
 __all__ = ["Correction", "corrected_text", "save_corrected"]
 
@@ -65,52 +64,44 @@ def _edits_of(changes: Mapping[str, Correction], robot: Declaration) -> dict[str
     vector has no direction along which its radius could change.
     """
     edits: dict[str, Correction] = {}
+    groups = groups_by_path(robot.mechanism)
     for path, correction in changes.items():
-        _check_numbers(path, correction, robot)
-        for element, edit in _elements(path, correction, robot).items():
+        value, sigma = correction.value, correction.sigma
+        if not math.isfinite(value) or not (sigma is None or (math.isfinite(sigma) and sigma >= 0.0)):
+            _refuse(
+                f"expected a finite value and a standard deviation of at least 0, found {value:g} and {sigma}",
+                f"{robot.source}: {path}",
+                "use finite numbers",
+            )
+        if path in groups:
+            # The standard deviation of a group goes into the comment.
+            deviation = "" if sigma is None else f"sigma of {path} {sigma:.3g} {groups[path].unit}"
+            note = "; ".join(part for part in (correction.note, deviation) if part)
+            try:
+                values = elements_of(robot, groups[path], value)
+            except PkmodesError as error:
+                _refuse(error.what, error.where, error.remedy)
+            changed = {
+                element: Correction(number, None, note, DIGITS_OF_ELEMENTS)
+                for element, number in values.items()
+            }
+        elif path in changeable(robot):
+            changed = {path: replace(correction, value=float(value))}
+        else:
+            remedy = nearest_name(path, changeable(robot), "see docs/reference/robot-file.md for the values")
+            _refuse(f"there is no value {shown(path)} to change", robot.source, remedy)
+        for element in changed:
             if element in edits:
                 _refuse(
                     "the value would be changed twice", f"{robot.source}: {element}", "change it only once"
                 )
-            edits[element] = edit
+        edits |= changed
     return edits
 
 
 def _refuse(what: str, where: str, remedy: str) -> NoReturn:
     """Raise the error of a robot that cannot be saved."""
     raise OutputError(what, where, remedy) from None
-
-
-def _check_numbers(path: str, correction: Correction, robot: Declaration) -> None:
-    sigma = correction.sigma
-    if not math.isfinite(correction.value) or not (sigma is None or (math.isfinite(sigma) and sigma >= 0.0)):
-        _refuse(
-            f"expected a finite value and a standard deviation of at least 0, found {correction.value:g} and {sigma}",
-            f"{robot.source}: {path}",
-            "use finite numbers",
-        )
-
-
-def _elements(path: str, correction: Correction, robot: Declaration) -> dict[str, Correction]:
-    """Return the values of the file that a correction changes."""
-    if path in (groups := groups_by_path(robot.mechanism)):
-        return _of_group(groups[path], correction, robot)
-    if path not in changeable(robot):
-        remedy = nearest_name(path, changeable(robot), "see docs/reference/robot-file.md for the values")
-        _refuse(f"there is no value {shown(path)} to change", robot.source, remedy)
-    return {path: replace(correction, value=float(correction.value))}
-
-
-def _of_group(group: ParameterGroup, correction: Correction, robot: Declaration) -> dict[str, Correction]:
-    """Return the corrections of a group's elements; the group's standard deviation goes into the comment."""
-    sigma = correction.sigma
-    deviation = "" if sigma is None else f"sigma of {group.path} {sigma:.3g} {group.unit}"
-    note = "; ".join(part for part in (correction.note, deviation) if part)
-    try:
-        elements = elements_of(robot, group, correction.value)
-    except PkmodesError as error:
-        _refuse(error.what, error.where, error.remedy)
-    return {path: Correction(value, None, note, DIGITS_OF_ELEMENTS) for path, value in elements.items()}
 
 
 def save_corrected(
@@ -162,7 +153,11 @@ def corrected_text(
         keys = _keys(robot.mechanism, path)
         if document.find(keys) is not None:
             _rewrite(document, keys, edit, robot.quantities[path])
-        elif _is_appended(document, keys):
+        elif (
+            document.find(keys[:-1]) is None
+            and not any(isinstance(key, int) for key in keys)  # the table of an entry cannot be at the end
+            and not document.is_inline(keys[:1])
+        ):
             appended.setdefault(path.rpartition(".")[0], {})[path] = edit
         else:
             document.insert(keys, _new_value(document, robot.mechanism, path, units[path], edit))
@@ -225,15 +220,6 @@ def _keys(mechanism: Mechanism, path: str) -> Keys:
     return next(number.place for number in item.numbers if number.path == path)
 
 
-def _is_appended(document: TomlText, keys: Keys) -> bool:
-    """Return whether a value needs a new table at the end of the file, which a table of an entry cannot be."""
-    return (
-        not any(isinstance(key, int) for key in keys)
-        and document.find(keys[:-1]) is None
-        and not document.is_inline(keys[:1])
-    )
-
-
 def _rewrite(document: TomlText, keys: Keys, edit: Correction, before: Quantity) -> None:
     """Change an existing value, keeping its notation."""
     written = document.find(keys)
@@ -294,20 +280,16 @@ def _check(text: str, robot: Robot, edits: Mapping[str, Correction], tables: Seq
         if not same or not _close(sigma, sigmas.get(path), CLOSE_SIGMA):
             problem = f"expected {intended} with sigma {sigmas.get(path)}, found {value} with {sigma}"
             _refuse(f"the corrected value does not read back: {problem}", f"{robot.source}: {path}", BY_HAND)
-
-    if not _alike(after.covariance, tables):
-        problem = "the correlations do not read back"
-        _refuse(problem, f"{robot.source}: {COVARIANCE}", BY_HAND)
-
-
-def _alike(actual: Sequence[Covariance], expected: Sequence[Covariance]) -> bool:
-    """Return whether tables are the same, to the digits written."""
-    return [table.paths for table in actual] == [table.paths for table in expected] and all(
+    # Tables are the same to the digits written.
+    same = [table.paths for table in after.covariance] == [table.paths for table in tables] and all(
         np.allclose(first.correlation, second.correlation, rtol=0.0, atol=CLOSE)
         and (first.sigmas is None) == (second.sigmas is None)
         and np.allclose(first.sigmas or (), second.sigmas or (), rtol=10.0 ** (1 - SIGMA_DIGITS), atol=0.0)
-        for first, second in zip(actual, expected, strict=True)
+        for first, second in zip(after.covariance, tables, strict=True)
     )
+    if not same:
+        problem = "the correlations do not read back"
+        _refuse(problem, f"{robot.source}: {COVARIANCE}", BY_HAND)
 
 
 def _close(value: object, expected: object, tolerance: float) -> bool:

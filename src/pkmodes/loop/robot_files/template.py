@@ -32,8 +32,8 @@ from pkmodes_description import Effect, Key, Table
 WIDTH = 110
 #: Notes on the notation, before the first key.
 NOTATION = (
-    "Replace the values of the example by your own, a table at a time.  How to find a value stands after the "
-    "brackets of its comment.",
+    "Replace the values of the example by your own, a table at a time.  The comment of a value "
+    "says, after the brackets, how to find it.",
     "A line that begins with # and no space is optional: remove the # to use it.  The value there is the default, or "
     "an example where there is none.",
     'A quantity is text with any unit of its kind, such as "400 mm", or a number in the SI unit that its comment has '
@@ -50,7 +50,7 @@ LIMITS = {
     SINGULAR_ANGLE: "least angle of every rod to its singular direction",
 }
 HEAD_OF_REPORTS = "what the head of every report says; nothing is computed from it"
-TOGETHER = "values of this file whose errors belong together; without it they are independent"
+TOGETHER = "values of this file with correlated errors; without this table they are independent"
 OF_EFFECTS = (
     "Effects: physical causes beyond the model above; 0 is none.  They need not be known: pkmodes diagnose finds "
     "which of them measured modes show, and how large they are."
@@ -246,19 +246,16 @@ def _effect(mechanism: Mechanism, effect: Effect, section: Mapping[str, Any]) ->
 
 def _common(mechanism: Mechanism, document: Mapping[str, Any]) -> Iterator[str]:
     """Yield the optional tables of every robot file, without one whose name the mechanism uses for its own."""
+    descriptions = LIMITS | {component.name: component.description for component in mechanism.pose}
+    limits = [f"{line}  # {descriptions[name]}" for name, line in limits_written(mechanism).items()]
     tables: dict[str, tuple[str, Iterable[str]]] = {
-        f"[{USABLE}]": (IN_USE, _usable(mechanism)),
+        f"[{USABLE}]": (IN_USE, limits),
         f"[{REPORT}]": (HEAD_OF_REPORTS, (f'{name} = "..."' for name in TITLES)),
         f"[[{COVARIANCE}]]": (TOGETHER, _covariance(mechanism, document)),
     }
     for head, (description, lines) in tables.items():
         if head.strip("[]") not in [table.name for table in mechanism.tables]:
             yield from ("", f"#{head}  # {description}", *(f"#{line}" for line in lines))
-
-
-def _usable(mechanism: Mechanism) -> Iterator[str]:
-    descriptions = LIMITS | {component.name: component.description for component in mechanism.pose}
-    return (f"{line}  # {descriptions[name]}" for name, line in limits_written(mechanism).items())
 
 
 def _covariance(mechanism: Mechanism, document: Mapping[str, Any]) -> list[str]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from functools import cache, cached_property
 from typing import Any
 
@@ -60,17 +60,14 @@ def geometry_of(mechanism: Mechanism) -> frozenset[str]:
     """Return the generated parameters and effects that change the platform's motion with the coordinates."""
     fields = {field for field, *_ in mechanism.extended.GEOMETRY_SENSITIVITIES}
     fields |= {field for field, counterpart in mechanism.differences.items() if counterpart in fields}
-    return frozenset(fields | set(_motion_moves(mechanism)))
-
-
-def _motion_moves(mechanism: Mechanism) -> Iterator[str]:
-    """Yield the effect parameters, dotted, that change that motion of the sample robot at a regular pose."""
+    # Effect parameters that change that motion of the sample robot at a regular pose.
     plain, extended, p = sample(mechanism), mechanism.extended, sample_pose(mechanism)
     for field, dotted in effect_fields(mechanism).items():
         moved = extended.Effects(**{field: STEP * 1j})
         motion = Generated(extended, plain, moved).extended_platform_motion(p)
         if np.imag(motion).any():
-            yield dotted
+            fields.add(dotted)
+    return frozenset(fields)
 
 
 class MatrixDerivatives:
@@ -238,7 +235,9 @@ class MatrixDerivatives:
 
         Returns (N, m, T).
         """
-        phi = self._embedded(shapes)
+        phi = np.zeros((*shapes.shape[:-1], self.size))
+        phi[..., self.free] = shapes
+        phi = self.system.of_model(phi)
         parts = []
         for matrix in (0, 1):
             # The entries that change along any path.
@@ -287,8 +286,12 @@ class MatrixDerivatives:
     ) -> tuple[Array, Array]:
         """Insert the changes by compliances of locked joints into the results of `changes`."""
         if self.locked:
+            # -B^T B phi at each mode's eigenvalue, plus the springs of the path's joints that are not locked, and
+            # the change of the modal mass due to the motion of the joint.
+            _, of_locked, norm_of_locked = self._released(eigenvalues, shapes)
+            springs = self.locked_joints.springs[:, self.free]
+            of_locked = springs[:, None] * shapes[:, None] + of_locked
             locked = list(self.locked)
-            of_locked, norm_of_locked = self._locked_changes(eigenvalues, shapes)
             change[:, locked], norm[:, locked] = of_locked[poses], norm_of_locked[poses]
         return change, norm
 
@@ -302,18 +305,6 @@ class MatrixDerivatives:
         motions = np.zeros((len(shapes), len(self.locked), shapes.shape[1], self.size))
         motions[..., locked.joints] = -force[:, None] * locked.weights[:, None]
         return motions
-
-    def _locked_changes(self, eigenvalues: Array, shapes: Array) -> tuple[Array, Array]:
-        """Return the replacements of (dK - lambda dM) phi and phi^T dM phi along the L paths in `locked`.
-
-        Returns, in this order:
-        - change: -B^T B phi at each mode's eigenvalue, plus the springs of the path's joints that are not locked,
-          (N, L, m, n)
-        - norm: change of the modal mass due to the motion of the joint, (N, L, m)
-        """
-        _, change, norm = self._released(eigenvalues, shapes)
-        springs = self.locked_joints.springs[:, self.free]
-        return springs[:, None] * shapes[:, None] + change, norm
 
     def _released(self, eigenvalues: Array, shapes: Array) -> tuple[Array, Array, Array]:
         matrices, locked = (self.mass, self.stiffness), self.locked_joints
@@ -350,9 +341,3 @@ class MatrixDerivatives:
         """Reshape (N, m, ...) to (B, N m / B, ...), one block for each robot."""
         robots, poses = self._each
         return values.reshape(robots, poses * values.shape[1], values.shape[-1])
-
-    def _embedded(self, shapes: Array) -> Array:
-        """Return shapes in all coordinates of the generated model, (N, m, e)."""
-        phi = np.zeros((*shapes.shape[:-1], self.size))
-        phi[..., self.free] = shapes
-        return self.system.of_model(phi)

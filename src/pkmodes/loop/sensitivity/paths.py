@@ -81,7 +81,14 @@ def _resolved(robot: Robot, path: str, available: Mapping[str, Moves]) -> Parame
         item = items_of(robot.mechanism, group)[0]
         problem = f"{path} cannot vary: a {item.key.name} that is zero has no direction"
         raise PkmodesError(problem, robot.source, f"use elements such as {item.numbers[0].path}")
-    value = _value(robot, next(iter(weights))) if group is None else group_value(robot, group)
+    if group is not None:
+        value = group_value(robot, group)
+    else:
+        field, index = next(iter(weights))
+        if field in robot.parameters._fields:
+            value = float(np.asarray(getattr(robot.parameters, field))[index])
+        else:
+            value = robot.effects.get(field, robot.constants.get(field, 0.0))
     return ParameterPath(path, value, unit, weights)
 
 
@@ -108,63 +115,38 @@ def moved(robot: Robot, changes: Iterable[tuple[ParameterPath, float]]) -> Robot
     return replace(robot, parameters=robot.parameters._replace(**values), effects=effects)
 
 
-def _value(robot: Robot, slot: Slot) -> float:
-    field, index = slot
-    if field not in robot.parameters._fields:
-        return robot.effects.get(field, robot.constants.get(field, 0.0))
-    return float(np.asarray(getattr(robot.parameters, field))[index])
-
-
 def _available(robot: Robot) -> dict[str, Moves]:
-    groups = {g.path: (g.unit, weights_of(robot, g)) for g in robot.mechanism.parameter_groups}
-    common = _common(robot)
-    return {**common, **_with_middles(robot, common), **groups, **_of_entries(robot), **_of_effects(robot)}
-
-
-def _with_middles(robot: Robot, moves: Mapping[str, Moves]) -> dict[str, Moves]:
-    """Return the ends of pairs whose middle is the value of a key that the file does not give: it moves with them."""
-    changed: dict[str, Moves] = {}
-    for borrowed, table_path in lent(robot.mechanism).items():
-        pair = by_path(robot.mechanism)[table_path].key.middle_of
-        if pair and not {table_path, borrowed} & robot.quantities.keys():
-            for end in by_path(robot.mechanism)[pair].numbers:
-                unit, weights = {**moves, **changed}[end.path]
-                changed[end.path] = unit, {**weights, (borrowed.removeprefix(f"{EFFECTS}."), ()): 0.5}
-    return changed
-
-
-def _common(robot: Robot) -> dict[str, Moves]:
-    """Return the quantities of the robot as a whole, and those that several entries share."""
-    moves: dict[str, Moves] = {}
-    shared = takers(robot.mechanism)
-    for item in items(robot.mechanism):
+    """Return all quantities that can vary: of the robot as a whole and shared ones, groups, entries, and effects."""
+    mechanism, available = robot.mechanism, dict[str, Moves]()
+    items_by_path, shared = by_path(mechanism), takers(mechanism)
+    for item in items(mechanism):
         if item.path in shared:
             following = [taker for taker in shared[item.path] if taker.path not in robot.quantities]
             slots = [number.slot for taker in following for number in taker.numbers]
             if slots and (item.path in robot.quantities or item.key.default is not None):
-                moves[item.path] = (item.numbers[0].unit, {slot: 1.0 for slot in slots if slot is not None})
+                weights = {slot: 1.0 for slot in slots if slot is not None}
+                available[item.path] = item.numbers[0].unit, weights
         elif item.entry is None:
-            moves |= _single(item)
-    return moves
-
-
-def _of_entries(robot: Robot) -> dict[str, Moves]:
-    """Return the quantities of single entries, whether they override the shared value or take it."""
-    moves: dict[str, Moves] = {}
-    of_entries = [item for item in items(robot.mechanism) if item.entry is not None]
-    for item in sorted(of_entries, key=lambda item: (item.entry, not item.shared)):
-        moves |= _single(item)
-    return moves
+            available |= _single(item)
+    # The ends of a pair whose middle is the value of a key that the file does not give: it moves with them.
+    for borrowed, table_path in lent(mechanism).items():
+        pair = items_by_path[table_path].key.middle_of
+        if pair and not {table_path, borrowed} & robot.quantities.keys():
+            for end in items_by_path[pair].numbers:
+                unit, weights_of_end = available[end.path]
+                middle = (borrowed.removeprefix(f"{EFFECTS}."), ())
+                available[end.path] = unit, {**weights_of_end, middle: 0.5}
+    available |= {group.path: (group.unit, weights_of(robot, group)) for group in mechanism.parameter_groups}
+    # The quantities of single entries, whether they override the shared value or take it.
+    entries = [item for item in items(mechanism) if item.entry is not None]
+    for item in sorted(entries, key=lambda item: (item.entry, not item.shared)):
+        available |= _single(item)
+    for path, unit in effect_parameters(mechanism).items():
+        available[path] = unit, {(path.removeprefix(f"{EFFECTS}."), ()): 1.0}
+    return available
 
 
 def _single(item: Item) -> dict[str, Moves]:
     return {
         number.path: (number.unit, {number.slot: 1.0}) for number in item.numbers if number.slot is not None
-    }
-
-
-def _of_effects(robot: Robot) -> dict[str, Moves]:
-    return {
-        path: (unit, {(path.removeprefix(f"{EFFECTS}."), ()): 1.0})
-        for path, unit in effect_parameters(robot.mechanism).items()
     }

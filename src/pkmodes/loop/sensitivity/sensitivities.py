@@ -298,18 +298,15 @@ def _at(
     if not MATRICES.issuperset(requested):
         derivatives, fields = _of_modes(resolved, p, close, requested, solvers.solved)
     if not MATRICES.isdisjoint(requested):
-        if derivatives is None or isinstance(resolved.extended, MotorsHeld):
-            derivatives = _of_matrices(resolved, p, solvers.free)
+        if derivatives is None or isinstance(
+            resolved.extended, MotorsHeld
+        ):  # M and K are those with free motors
+            terms = resolved.terms_of_listed
+            derivatives = derivatives_of(
+                solvers.free, resolved.listed, p, [resolved.paths], None, terms, RATES_OF_MATRICES
+            )
         fields["mass_matrix"], fields["stiffness_matrix"] = derivatives.dense()
     return {name: fields[name] for name in requested}
-
-
-def _of_matrices(resolved: ResolvedPaths, p: Array, solver: Solver) -> MatrixDerivatives:
-    """Return the derivatives of M and K with free motors."""
-    system = resolved.listed
-    return derivatives_of(
-        solver, system, p, [resolved.paths], None, resolved.terms_of_listed, RATES_OF_MATRICES
-    )
 
 
 def _of_modes(

@@ -78,10 +78,8 @@ def _independent(model: Model, names: list[str], drives: str) -> tuple[Sequence[
         return names, root
     resolved = ResolvedPaths(robot, names, drives)
     if resolved.locked.paths:
-        return (
-            names,
-            root,
-        )  # derivatives of a group allow no line that both releases a locked joint and changes other values
+        # Derivatives of a group allow no line that both releases a locked joint and changes other values.
+        return names, root
     lines: list[ParameterPath] = []
     for column in root.T:
         weights: dict[Slot, float] = {}

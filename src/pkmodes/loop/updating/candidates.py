@@ -260,25 +260,22 @@ def _effects(robot: Robot, loads: LoadCases) -> dict[str, Candidate]:
             declared = any(path in robot.quantities for path in _excluding(effect, form))
             if suspected and not absent and not declared:
                 whole = "" if name == effect.name else effect.name
-                sentence = _sentence(effect, name, form)
+                sentence = effect.sentence if not whole else f"{effect.sentence}: {form[0].description}"
                 joints = joints_of(robot.mechanism, paths, form, PREFIX)
                 candidates[name] = Candidate(name, tuple(paths), sentence, part_of=whole, joints=joints)
     return candidates
 
 
-def _sentence(effect: Effect, name: str, form: Sequence[EffectParameter]) -> str:
-    """Return what an effect means for the machine, or a parameter of it that may be suspected alone."""
-    return effect.sentence if name == effect.name else f"{effect.sentence}: {form[0].description}"
-
-
 def _suspected(robot: Robot) -> dict[str, Candidate]:
     """Return the candidates of values without a standard deviation; wholes in place of their elements."""
     parts = {element for whole in robot.mechanism.parameter_groups for element in _elements(robot, whole)}
-    suspected = [
-        path
-        for path in _varying(robot)
-        if robot.quantities[path].sigma is None and path not in parts and _may_be_wrong(robot, path)
-    ]
+    suspected, items_by_path = [], by_path(robot.mechanism)
+    for path in _varying(robot):
+        item, quantity = items_by_path.get(path), robot.quantities[path]
+        if item is None or not item.key.suspected or quantity.sigma is not None or path in parts:
+            continue
+        if item.key is not GRAVITY or quantity.value != 0.0:  # a gravity component of 0 is exact
+            suspected.append(path)
     for whole in robot.mechanism.parameter_groups:
         free = all(robot.quantities[element].sigma is None for element in _elements(robot, whole))
         if free and weights_of(robot, whole):
@@ -294,13 +291,6 @@ def _wrong(robot: Robot, path: str) -> str:
     """Return the sentence of a suspected value, in the words of the mechanism's description."""
     words = meaning_of(robot.mechanism, path).partition(",")[0]
     return f"the declared {words or f'value of {path}'} is wrong"
-
-
-def _may_be_wrong(robot: Robot, path: str) -> bool:
-    item = by_path(robot.mechanism).get(path)
-    if item is None or not item.key.suspected:
-        return False
-    return item.key is not GRAVITY or robot.quantities[path].value != 0.0  # a gravity component of 0 is exact
 
 
 def _of_one_entry(robot: Robot) -> list[Candidate]:
@@ -368,7 +358,8 @@ def _parameter(robot: Robot, move: ParameterPath, prior: Prior) -> Parameter:
         if sigma is None and move.value > 0.0:
             lower, upper = move.value / FACTOR, move.value * FACTOR
     elif sigma is None:
-        farthest = _farthest(robot, item)
+        # That of a factor of three of the vector, of which it is an element.
+        farthest = (FACTOR - 1.0) * _largest(robot, item) or np.inf
         lower, upper = move.value - farthest, move.value + farthest
     unit = move.unit.replace(" ", "*")
     if sigma is None and not move.path.startswith(EFFECTS):
@@ -376,11 +367,6 @@ def _parameter(robot: Robot, move: ParameterPath, prior: Prior) -> Parameter:
     return Parameter(
         move.path, move.value, unit, sigma, lower, upper, usual=believed, correlated=prior.correlated
     )
-
-
-def _farthest(robot: Robot, item: Item) -> float:
-    """Return the largest plausible deviation of an element of a vector: that of a factor of three of the vector."""
-    return (FACTOR - 1.0) * _largest(robot, item) or np.inf
 
 
 def _largest(robot: Robot, item: Item) -> float:

@@ -102,7 +102,11 @@ def changed(
         if progress is not None and len(campaigns) > 1:
             progress(f"comparing {name} with {names[0]}")
         measured_structure = _extended(measured.structure(candidates, priors), wrong)
-        structure = with_known(_with_values(measured_structure, common.values), common.values)
+        # Values of the trusted state that are in no candidate.
+        there = {p.name for p in measured_structure.parameters}
+        kept = {path: resolve(baseline, path) for path in common.values if path not in there}
+        parameters = [Parameter(path, move.value, move.unit) for path, move in kept.items()]
+        structure = with_known(_extended(measured_structure, (parameters, kept)), common.values)
         ask = partial(
             common.changed_to,
             name,
@@ -156,14 +160,6 @@ def exchanged(structure: RobotStructure) -> Iterator[Candidate]:
     for candidate in structure.candidates:
         if not in_use(robot, candidate) and candidate.name not in same:
             yield replace(of_one_machine(candidate), odds=EXCHANGED)
-
-
-def _with_values(structure: RobotStructure, values: Mapping[str, float]) -> RobotStructure:
-    """Return a structure with the values of the trusted state that are in no candidate."""
-    robot, there = structure.robot, {p.name for p in structure.parameters}
-    moves = {name: resolve(robot, name) for name in values if name not in there}
-    parameters = [Parameter(name, path.value, path.unit) for name, path in moves.items()]
-    return structure.extended(parameters, moves, structure.candidates)
 
 
 def _extended(

@@ -47,7 +47,8 @@ def corrections(robot: Robot, diagnosis: Diagnosis) -> Mapping[str, Correction]:
             note += f"; sigma includes what {done} could have done (fit alone: {value.sigma:.2g}{unit})"
         if value.unseen is not None and value.unseen.unbounded:
             note += (
-                f"; sigma leaves out what an unseen {value.unseen.unbounded} could have done: it has no bound"
+                f"; sigma leaves out what an unseen {value.unseen.unbounded} could have done, which these data do "
+                "not bound"
             )
         if value.name in robot.quantities or not value.name.startswith(("effects.", DAMPING_RATIO)):
             # No generated number depends on the damping ratio, so that it has no parameter path.

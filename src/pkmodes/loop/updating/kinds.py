@@ -50,14 +50,10 @@ ENTRY = re.compile(r"^parameter:(\w+)\.(\d+)\.")
 
 def with_kinds(candidates: Iterable[Candidate]) -> list[Candidate]:
     """Return candidates with the words for what they share."""
-    return [_with_kind(candidate) for candidate in candidates]
-
-
-def _with_kind(candidate: Candidate) -> Candidate:
-    name = ENTRY.sub("parameter:", candidate.name)
-    kind = next((kind for kind, parts in KINDS.items() if name in parts), "")
-    if not kind:
-        return candidate
-    entry = ENTRY.match(candidate.name)
-    of = f" of {entry[1].replace('_', ' ')} {entry[2]}" if entry else ""
-    return replace(candidate, kind=kind, part=KINDS[kind][name] + of)
+    described = []
+    for candidate in candidates:
+        name, entry = ENTRY.sub("parameter:", candidate.name), ENTRY.match(candidate.name)
+        of = f" of {entry[1].replace('_', ' ')} {entry[2]}" if entry else ""
+        kind = next((kind for kind, parts in KINDS.items() if name in parts), "")
+        described.append(replace(candidate, kind=kind, part=KINDS[kind][name] + of) if kind else candidate)
+    return described

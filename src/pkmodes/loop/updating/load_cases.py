@@ -164,7 +164,12 @@ def load_cases(robot: Robot, data: Measurements) -> LoadCases:
             try:
                 cases[key] = LoadCase.of(robot, values, drives)
             except PkmodesError as error:
-                raise MeasurementError(error.what, _place(data, pose, error), error.remedy) from None
+                # All set columns are named if the error concerns several together.
+                path = error.where.rpartition(": ")[2]
+                refused = {path: values[path]} if path in values else values
+                line = data.lines[int(np.argmax(data.pose == pose))]
+                where = f"{data.source}: line {line}, {of_columns(refused)}"
+                raise MeasurementError(error.what, where, error.remedy) from None
         of.append(list(cases).index(key))
     return LoadCases(data.settings, tuple(cases.values()), np.array(of, dtype=np.intp))
 
@@ -175,33 +180,15 @@ def of_columns(values: dict[str, float]) -> str:
     return f"column{'s' if len(names) > 1 else ''} {' and '.join(names)}"
 
 
-def _place(data: Measurements, pose: int, error: PkmodesError) -> str:
-    """Return line and column of a refused value; all set columns if the error concerns several together."""
-    values, path = data.load(pose), error.where.rpartition(": ")[2]
-    line = data.lines[int(np.argmax(data.pose == pose))]
-    refused = {path: values[path]} if path in values else values
-    return f"{data.source}: line {line}, {of_columns(refused)}"
-
-
 def payloads(robot: Robot, points: Array) -> list[dict[str, float]]:
     """Return payloads as values to set, added to the declared one; empty if the mechanism has no payload effect.
 
     - points: poses that can be evaluated, (P, d)
     """
-    platform = _platform_mass(robot, points)
-    if platform is None:
-        return []
-    there = robot.effects.get(PAYLOAD_MASS.removeprefix(f"{EFFECTS}."), 0.0)
-    return [
-        {PAYLOAD_MASS: there + float(f"{fraction * platform.value:.{DIGITS}g}")} for fraction in FRACTIONS
-    ]
-
-
-def _platform_mass(robot: Robot, points: Array) -> ParameterPath | None:
-    """Return the path of the mass that acts like a payload; None if there is none."""
     mechanism = robot.mechanism
     if PAYLOAD not in mechanism.effects or not len(points):
-        return None
+        return []
+    there = robot.effects.get(PAYLOAD_MASS.removeprefix(f"{EFFECTS}."), 0.0)
     names = [
         item.path for item in items(mechanism) if item.key.dimension == "mass" and item.index is not None
     ]
@@ -209,6 +196,7 @@ def _platform_mass(robot: Robot, points: Array) -> ParameterPath | None:
     dM, dK = MatrixDerivatives(ExtendedSystem.of(robot), points[:1], [paths]).dense()
     for place, path in enumerate(paths[1:], start=1):
         alike = (np.allclose(d[0, place], d[0, 0], atol=1e-9 * np.abs(d[0, 0]).max()) for d in (dM, dK))
-        if all(alike):
-            return path
-    return None
+        if all(alike):  # the mass acts like a payload
+            added = [float(f"{fraction * path.value:.{DIGITS}g}") for fraction in FRACTIONS]
+            return [{PAYLOAD_MASS: there + mass} for mass in added]
+    return []

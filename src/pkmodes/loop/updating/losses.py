@@ -129,22 +129,20 @@ def rates_of_losses(at: Solved, losses: Sequence[Loss]) -> Array:
     for b, robot in enumerate(at.robots):
         part = slice(b * count, (b + 1) * count)
         modes = at.eigenvalues[part], at.channels[part, :, :size]
+        catalogue = robot.mechanism.effects
+        conservative = {
+            name: value
+            for name, value in robot.effects.items()
+            if not catalogue[name.partition(".")[0]].dissipates
+        }
         for j, loss in enumerate(losses):
             if not loss.effect:
                 rates[part, rigid:, j] = 1.0
                 continue
-            lossy = _with_one(robot, loss.parameter.name)
+            # This effect dissipates, and no other.
+            lossy = replace(
+                robot, effects={**conservative, loss.parameter.name.removeprefix(f"{EFFECTS}."): PART}
+            )
             viscous, lost = Dissipation(lossy, ExtendedSystem.of(lossy)).of_model(at.points[part])
             rates[part, :, j] = damping_ratios(*modes, viscous, lost, 0.0, rigid) / PART
     return rates
-
-
-def _with_one(robot: Robot, path: str) -> Robot:
-    """Return a robot in which one effect dissipates and no other."""
-    catalogue = robot.mechanism.effects
-    kept = {
-        name: value
-        for name, value in robot.effects.items()
-        if not catalogue[name.partition(".")[0]].dissipates
-    }
-    return replace(robot, effects={**kept, path.removeprefix(f"{EFFECTS}."): PART})

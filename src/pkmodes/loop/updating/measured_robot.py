@@ -104,7 +104,15 @@ class MeasuredRobot:
         not measured.
         """
         candidates = None if is_all(candidates) else candidates
-        losses = self._losses(candidates)
+        losses: tuple[Loss, ...] = ()
+        if not np.isnan(self.data.damping).all():
+            losses = losses_of(self.robot, candidates)
+        elif candidates is not None and not isinstance(candidates, str):
+            for name in candidates:
+                if is_loss(self.robot, name):
+                    problem = f"no damping was measured, and {name} changes nothing else"
+                    remedy = "leave it out, or add a column damping to the measurements"
+                    raise PkmodesError(problem, "candidates", remedy)
         parameters, causes, moves = suspects(self.robot, without_losses(self.robot, candidates), self.loads)
         parameters = of_frame(parameters, self.data)
         cause_names = {cause.name for cause in causes}
@@ -112,19 +120,6 @@ class MeasuredRobot:
         stated = {n: prior for n, prior in self.data.priors.items() if candidates is None or n in cause_names}
         causes = _with_priors(self.robot, parameters, causes, joined_with(stated, priors or {}, "priors"))
         return ExtensibleRobot(self.robot, self.data.points, parameters, causes, moves, self.loads, losses)
-
-    def _losses(self, chosen: Sequence[str] | None) -> tuple[Loss, ...]:
-        """Return the losses to be diagnosed: none where no damping was measured."""
-        if not np.isnan(self.data.damping).all():
-            return losses_of(self.robot, chosen)
-        requested = [] if chosen is None or isinstance(chosen, str) else chosen
-        for name in requested:
-            if is_loss(self.robot, name):
-                problem = f"no damping was measured, and {name} changes nothing else"
-                raise PkmodesError(
-                    problem, "candidates", "leave it out, or add a column damping to the measurements"
-                )
-        return ()
 
 
 def columns_of_others(excluded: Mechanism) -> dict[str, frozenset[str]]:
@@ -169,25 +164,19 @@ def _with_priors(
     claimable = [candidate.name for candidate in candidates if candidate.claimable]
     for name, (prior, where) in priors.items():
         if name not in claimable:
-            _refuse(robot, name, claimable, where)
+            path = str(name).removeprefix("parameter:")
+            quantity = robot.quantities.get(path)
+            if quantity is not None and quantity.sigma is not None:
+                state = "refitted anyway, within its sigma" if quantity.sigma else "known exactly"
+                problem = f"{path} is not a candidate: the robot file gives a sigma, so it is {state}"
+                raise PkmodesError(problem, where, "leave it out, or remove the sigma from the robot file")
+            problem = f"there is no candidate {shown(name)} for a prior"
+            raise PkmodesError(problem, where, nearest_name(name, claimable))
         sigmas = tuple(
             _deviation(prior, by_name[parameter], where) for parameter in with_sigma[name].parameters
         )
         with_sigma[name] = replace(with_sigma[name], sigma=sigmas)
     return list(with_sigma.values())
-
-
-def _refuse(robot: Robot, name: object, claimable: Sequence[str], where: str) -> NoReturn:
-    """Raise an error that says why there is no such candidate."""
-    path = str(name).removeprefix("parameter:")
-    quantity = robot.quantities.get(path)
-    if quantity is not None and quantity.sigma is not None:
-        state = "refitted anyway, within its sigma" if quantity.sigma else "known exactly"
-        problem = f"{path} is not a candidate: the robot file gives a sigma, so it is {state}"
-        raise PkmodesError(problem, where, "leave it out, or remove the sigma from the robot file")
-    raise PkmodesError(
-        f"there is no candidate {shown(name)} for a prior", where, nearest_name(name, claimable)
-    )
 
 
 def _deviation(prior: float | str, parameter: Parameter, where: str) -> float:

@@ -210,7 +210,10 @@ def _channel_rates(
         for t, path in enumerate(robot_paths):
             # The Jacobian of the platform also changes with the geometry and the pose.
             if any(field in geometry or field == POSE for field, _ in path.weights):
-                rate = _motion_rate(at.system, robot, at.points[part], path)[..., derivatives.free]
+                numbers = robot.parameters, ExtendedSystem.of(robot).effects
+                parameters, effects, shift = stepped_along(mechanism, *numbers, path)
+                stepped = at.system.motion_of_all(at.points[part] + STEP * 1j * shift, parameters, effects)
+                rate = (stepped.imag / STEP)[..., derivatives.free]
                 rates[part, :, -components:, t] += at.shapes[part] @ np.swapaxes(rate, -1, -2)
     return rates
 
@@ -231,14 +234,6 @@ def _alike(
         )
         for members in groups.values()
     ]
-
-
-def _motion_rate(system: ExtendedSystem, robot: Robot, points: Array, path: ParameterPath) -> Array:
-    """Differentiate the platform's Jacobian along a path by complex step, (P, components, e)."""
-    numbers = robot.parameters, ExtendedSystem.of(robot).effects
-    parameters, effects, shift = stepped_along(robot.mechanism, *numbers, path)
-    rate: Array = system.motion_of_all(points + STEP * 1j * shift, parameters, effects).imag / STEP
-    return rate
 
 
 def stepped_along(

@@ -300,10 +300,6 @@ class RobotStructure:
         named = zip(self.parameters, values, strict=True)
         return {p.name: float(value) for p, value in named if p.name not in self._moves}
 
-    def _where(self, values: Array) -> Array:
-        """Return the poses with respect to the robot."""
-        return frame.true_points(self._mechanism, self.points, self._frame(values))
-
     def machines(self, values: Array) -> Machines:
         """Return the robot of each load case with these values of the parameters."""
         changed = [
@@ -317,7 +313,8 @@ class RobotStructure:
             for case, free_paths in zip(cases, self._free_paths, strict=True)
         ]
         systems = [case.system(robot) for case, robot in zip(cases, robots, strict=True)]
-        return Machines(robots, systems, self._where(values))
+        where = frame.true_points(self._mechanism, self.points, self._frame(values))
+        return Machines(robots, systems, where)
 
     def _at_values(self, values: Array) -> list[_SolvedSetups]:
         """Return the modes for one set of values; robots that can be are evaluated together."""

@@ -106,8 +106,32 @@ class RobotWithTerms:
     @np.errstate(over="ignore", invalid="ignore", divide="ignore")  # a fit may try impossible values
     def predict(self, values: Array, by: Sequence[int], *, shape_rates: bool = False) -> Prediction:
         """Return the modes at all poses, with derivatives with respect to some of the parameters."""
-        values = np.asarray(values, dtype=float)
-        return self._predicted(values, list(by), shape_rates)
+        values, by = np.asarray(values, dtype=float), list(by)
+        present, robot_values = self._present(values), values[: self._robot_count]
+        of_robot = [i for i in by if i < self._robot_count]
+        of_terms = [i for i in by if i >= self._robot_count]
+        if present is None and not of_terms:
+            return self.robot.predict(robot_values, of_robot, shape_rates=shape_rates)
+        if present is None:
+            sites = self._at(robot_values)
+            absent = [
+                TermRates(site, modes, None) for site in sites if (modes := without_term(site)) is not None
+            ]
+            if not sites or len(absent) < len(sites):
+                return self._nothing(len(by))
+            of_absent = [(at.site.setups, self._by_terms(at, values, of_terms, shape_rates)) for at in absent]
+            prediction = self.robot.predict(robot_values, of_robot, shape_rates=shape_rates)
+            return _in_order(
+                prediction, joined_modes(of_absent, len(self.robot.points)), by, self._robot_count
+            )
+        parts = []
+        for site, modes in self._modes(values, present):
+            if modes is not None:
+                at = TermRates(site, modes, present)
+                prediction = at.of_robot(self._moves(values, of_robot, site), shape_rates)
+                term_prediction = self._by_terms(at, values, of_terms, shape_rates)
+                parts.append((site.setups, _in_order(prediction, term_prediction, by, self._robot_count)))
+        return joined_modes(parts, len(self.robot.points)) if parts else self._nothing(len(by))
 
     @np.errstate(over="ignore", invalid="ignore", divide="ignore")
     def position_rates(self, values: Array, *, shape_rates: bool = False) -> Prediction:
@@ -193,33 +217,6 @@ class RobotWithTerms:
             if values[index[0]] != self.parameters[index[0]].value:
                 return PresentTerm(place, values[index])
         return None
-
-    def _predicted(self, values: Array, by: list[int], shape_rates: bool) -> Prediction:
-        present, robot_values = self._present(values), values[: self._robot_count]
-        of_robot = [i for i in by if i < self._robot_count]
-        of_terms = [i for i in by if i >= self._robot_count]
-        if present is None and not of_terms:
-            return self.robot.predict(robot_values, of_robot, shape_rates=shape_rates)
-        if present is None:
-            sites = self._at(robot_values)
-            absent = [
-                TermRates(site, modes, None) for site in sites if (modes := without_term(site)) is not None
-            ]
-            if not sites or len(absent) < len(sites):
-                return self._nothing(len(by))
-            of_absent = [(at.site.setups, self._by_terms(at, values, of_terms, shape_rates)) for at in absent]
-            prediction = self.robot.predict(robot_values, of_robot, shape_rates=shape_rates)
-            return _in_order(
-                prediction, joined_modes(of_absent, len(self.robot.points)), by, self._robot_count
-            )
-        parts = []
-        for site, modes in self._modes(values, present):
-            if modes is not None:
-                at = TermRates(site, modes, present)
-                prediction = at.of_robot(self._moves(values, of_robot, site), shape_rates)
-                term_prediction = self._by_terms(at, values, of_terms, shape_rates)
-                parts.append((site.setups, _in_order(prediction, term_prediction, by, self._robot_count)))
-        return joined_modes(parts, len(self.robot.points)) if parts else self._nothing(len(by))
 
     def _by_terms(self, at: TermRates, values: Array, by: Sequence[int], shape_rates: bool) -> Prediction:
         """Return the modes of a site with derivatives with respect to parameters of terms."""

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from pkmodes.core.robot.layout import Item, by_path, items, takers
+from pkmodes.core.robot.layout import by_path, items, takers
 from pkmodes.core.robot.parameter_groups import groups_by_path
 from pkmodes.core.robot.robot import Robot
 from pkmodes.loop.diagnosis.problem import Candidate, Parameter
@@ -39,7 +39,11 @@ def axis_deviations(robot: Robot) -> tuple[list[Parameter], dict[str, ParameterP
     all_paths, parameters, moves = set(paths(robot)), [], {}
     shared = takers(robot.mechanism)
     for item in items(robot.mechanism):
-        if item.path in shared or item.path not in all_paths or not _may_be_wrong(item):
+        key, dimension = item.key, item.key.dimension
+        may_be_wrong = dimension in UNCERTAIN or dimension.endswith(STIFFNESS)
+        if not (may_be_wrong and key.kind == "quantity" and key.field):
+            continue
+        if item.path in shared or item.path not in all_paths:
             continue
         quantities = [robot.quantities[path] for path in (item.path, item.shared) if path in robot.quantities]
         path = resolve(robot, item.path)
@@ -50,15 +54,6 @@ def axis_deviations(robot: Robot) -> tuple[list[Parameter], dict[str, ParameterP
         parameters.append(Parameter(name, 0.0, path.unit, WRONG * path.value, lower=lower, upper=path.value))
         moves[name] = ParameterPath(name, 0.0, path.unit, path.weights)
     return parameters, moves
-
-
-def _may_be_wrong(item: Item) -> bool:
-    dimension = item.key.dimension
-    return (
-        item.key.kind == "quantity"
-        and bool(item.key.field)
-        and (dimension in UNCERTAIN or dimension.endswith(STIFFNESS))
-    )
 
 
 def in_use(robot: Robot, candidate: Candidate) -> bool:

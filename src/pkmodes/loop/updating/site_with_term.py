@@ -94,18 +94,17 @@ def matrices_with(site: Site, present: PresentTerm, held: int) -> TermMatrices:
     """Return M and K of a site with a term, which holds some of the rigid motions (`held_motions`)."""
     system = site.system
     change = change_of(present.place.term, present.values, site.around)
-    M, K = (_padded(matrix, added) for matrix, added in zip(site.matrices, change, strict=True))
-    term_coordinates = np.arange(site.matrices[0].shape[-1], M.shape[-1])
+    e = site.matrices[0].shape[-1]
+    M, K = (
+        np.array(np.broadcast_to(added, (len(matrix), *added.shape[1:])), dtype=float)
+        for matrix, added in zip(site.matrices, change, strict=True)
+    )
+    M[:, :e, :e] += site.matrices[0]
+    K[:, :e, :e] += site.matrices[1]
+    term_coordinates = np.arange(e, M.shape[-1])
     free = np.concatenate([system.free, term_coordinates]).astype(np.intp)
     massless = np.concatenate([system.massless, ~change.M[:, term_coordinates].any(axis=(0, 2))])
     return TermMatrices(M, K, free, massless, system.rigid_modes - held)
-
-
-def _padded(matrix: Array, change: Array) -> Array:
-    """Return the sum of matrices (N, e, e) and (N, e + a, e + a)."""
-    total = np.array(np.broadcast_to(change, (len(matrix), *change.shape[1:])), dtype=float)
-    total[:, : matrix.shape[-1], : matrix.shape[-1]] += matrix
-    return total
 
 
 def held_motions(site: Site, term: Term) -> int | None:

@@ -108,11 +108,19 @@ class TermCandidates(NamedTuple):
 
 def term_candidates(structure: RobotStructure) -> TermCandidates:
     """Return the terms of a robot at its poses that change something there, each once."""
-    machine = _machine(structure)
+    declared = np.array([p.value for p in structure.parameters])
+    machines = structure.machines(declared)
+    case = int(np.argmax(np.bincount(structure.loads.of)))
+    row = int(np.flatnonzero(structure.loads.of == case)[0])
+    system, point = machines.systems[case], machines.where[row : row + 1]
+    matrices = system.all_coordinates(point)
+    M, K = (system.free_part(a) for a in matrices)
+    eigenvalues, shapes = condensed_eigh(M, K, system.first, system.rigid_modes, system.massless)
+    machine = _Machine(system, Surroundings(system, point), matrices[0][0], eigenvalues[0], shapes[0])
     kept: list[tuple[Term, tuple[Parameter, ...]]] = []
     candidates = []
     for term in _different(structure.robot.mechanism.terms, machine):
-        parameters = _parameters(term, machine)
+        parameters = tuple(_parameter(term, named, machine) for named in term.parameters)
         starts = tuple(_STARTS[term.form](term, machine)) if term.form in _STARTS else ()
         names = tuple(p.name for p in parameters)
         kept.append((term, parameters))
@@ -122,18 +130,6 @@ def term_candidates(structure: RobotStructure) -> TermCandidates:
     return TermCandidates(
         kept, candidates, [_of_robot(structure, candidate) for candidate in structure.candidates]
     )
-
-
-def _machine(structure: RobotStructure) -> _Machine:
-    declared = np.array([p.value for p in structure.parameters])
-    machines = structure.machines(declared)
-    case = int(np.argmax(np.bincount(structure.loads.of)))
-    row = int(np.flatnonzero(structure.loads.of == case)[0])
-    system, point = machines.systems[case], machines.where[row : row + 1]
-    matrices = system.all_coordinates(point)
-    M, K = (system.free_part(a) for a in matrices)
-    eigenvalues, shapes = condensed_eigh(M, K, system.first, system.rigid_modes, system.massless)
-    return _Machine(system, Surroundings(system, point), matrices[0][0], eigenvalues[0], shapes[0])
 
 
 def _different(terms: Sequence[Term], machine: _Machine) -> Iterator[Term]:
@@ -163,10 +159,6 @@ def _different(terms: Sequence[Term], machine: _Machine) -> Iterator[Term]:
             if not between:
                 grounded.append(direction)
         yield term
-
-
-def _parameters(term: Term, machine: _Machine) -> tuple[Parameter, ...]:
-    return tuple(_parameter(term, named, machine) for named in term.parameters)
 
 
 def _parameter(term: Term, named: Named, machine: _Machine) -> Parameter:

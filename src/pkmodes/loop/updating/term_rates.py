@@ -32,7 +32,6 @@ from pkmodes.loop.updating.term_changes import (
     change_of,
     changes_along,
 )
-from pkmodes_description import Term
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
@@ -140,9 +139,13 @@ class TermRates:
             stepped = values.astype(complex)
             stepped[k] += STEP * 1j
             return self._linear(*self._free(change_of(place.term, stepped, self.site.around).rates()))
-        if k == 0:
-            return self._absent(place.term, values)
-        return _Rates(np.zeros_like(self.modes.shapes), np.zeros_like(self.modes.eigenvalues))
+        if k > 0:  # the term is absent whatever this parameter is
+            return _Rates(np.zeros_like(self.modes.shapes), np.zeros_like(self.modes.eigenvalues))
+        motions, e = self._motions, self.site.matrices[0].shape[-1]
+        rates = at_null(place.term, values, self.site.around, self.modes.eigenvalues, motions[..., :e])
+        change = np.zeros_like(motions)
+        change[..., :e] = rates.change
+        return _Rates(change[..., self.modes.matrices.free], rates.norm, rates.motion)
 
     def _free(self, change: TermContribution) -> TermContribution:
         free = self.modes.matrices.free
@@ -168,14 +171,6 @@ class TermRates:
         deflection = np.zeros_like(self._motions) if rates.deflection is None else rates.deflection
         deflection[..., joints] -= weights * force
         return _Rates(rates.change + change[:, 0], rates.norm + norm[:, 0], rates.motion, deflection)
-
-    def _absent(self, term: Term, values: Array) -> _Rates:
-        motions = self._motions
-        e = self.site.matrices[0].shape[-1]
-        rates = at_null(term, values, self.site.around, self.modes.eigenvalues, motions[..., :e])
-        change = np.zeros_like(motions)
-        change[..., :e] = rates.change
-        return _Rates(change[..., self.modes.matrices.free], rates.norm, rates.motion)
 
     def _shape_rates(self, change: Array, rates: Sequence[_Rates]) -> Array:
         """Return the derivatives of the channels, (N, m, C, T)."""

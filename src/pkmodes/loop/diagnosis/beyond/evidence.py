@@ -102,7 +102,11 @@ class TermEvidence(Evidence):
             sentence=group[0].causes[-1].sentence,
             covariances=covariances,
             about={
-                name: replace(member(fitter, fit, self.claim.plausible), name=name, sentence=_sentence(fit))
+                name: replace(
+                    member(fitter, fit, self.claim.plausible),
+                    name=name,
+                    sentence=" and ".join(cause.sentence or cause.name for cause in fit.causes),
+                )
                 for name, fit in zip(labels, group, strict=True)
             },
         )
@@ -160,10 +164,6 @@ def best_first(store: FitStore, fits: Sequence[Fit]) -> list[Fit]:
     """Return explanations by their criteria, equally good ones by their names."""
     by_name = sorted(fits, key=name_of_explanation)
     return sorted(by_name, key=lambda fit: float(np.round(store.criterion(fit) / EQUAL)))
-
-
-def _sentence(fit: Fit) -> str:
-    return " and ".join(cause.sentence or cause.name for cause in fit.causes)
 
 
 def _ordered(search: Search, group: Sequence[Fit]) -> list[Fit]:

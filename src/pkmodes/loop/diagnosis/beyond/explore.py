@@ -78,8 +78,11 @@ def with_beyond(result: Diagnosis, evidence: TermEvidence | None, catalogue: Evi
     status, count = decision.verdict, len(evidence.tried.terms)
     groups = [] if status is NOTHING else evidence.groups
     classes = _classes(evidence, groups)
-    best = _best_of(catalogue)
-    beyond = Beyond(status.word, decision.says.text, count, classes, best, decision.rule.name)
+    # The best explanation of the catalogue, claimed or not, with its errors.
+    fits = [fit for fit in catalogue.store.tried() if fit.causes and not fit.hypothesis.remote]
+    best = min(fits, key=catalogue.store.criterion, default=None)
+    named = None if best is None else (name_of_explanation(best), error_of(catalogue, best))
+    beyond = Beyond(status.word, decision.reason, count, classes, named, decision.rule.name)
     if sum(map(len, groups)) > 1:
         remaining = [[(name_of_explanation(fit), fit) for fit in group] for group in groups]
         proposed, not_separated = next_measurement(evidence.store, None, remaining)
@@ -108,13 +111,6 @@ def _classes(evidence: TermEvidence, groups: Sequence[Sequence[Fit]]) -> tuple[T
         )
         for k, group in enumerate(groups)
     )
-
-
-def _best_of(catalogue: Evidence) -> tuple[str, Error] | None:
-    """Return the best explanation of the catalogue, claimed or not, with its errors."""
-    fits = [fit for fit in catalogue.store.tried() if fit.causes and not fit.hypothesis.remote]
-    best = min(fits, key=catalogue.store.criterion, default=None)
-    return None if best is None else (name_of_explanation(best), error_of(catalogue, best))
 
 
 def error_of(evidence: Evidence, fit: Fit) -> Error:

@@ -8,19 +8,19 @@ noise, the best ones are tried beside outliers or a shared error, under the same
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import zip_longest
 
 import numpy as np
 
-from pkmodes.loop.diagnosis.beyond.directions import of_starts
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.problem import Array, Candidate, Structure
 from pkmodes.loop.diagnosis.search.additions import Progress
-from pkmodes.loop.diagnosis.search.score import Directions, Score, one_sided, score
+from pkmodes.loop.diagnosis.search.score import LEFT, Directions, Score, one_sided, score
 from pkmodes.loop.diagnosis.search.search import Search
 from pkmodes.loop.diagnosis.search.starts import SIZES, starts
 from pkmodes.loop.diagnosis.verdict.all_setups import AllSetups
@@ -68,7 +68,30 @@ class Tried:
         of_terms = score(fitter, self.plain, sized).directions
         started = [term for term in self.terms if term.starts]
         of_catalogue = self.search.scores(self.plain).directions
-        return (*of_terms, *of_starts(fitter, self.plain, started), *of_catalogue)
+        return (*of_terms, *_directions_of_starts(fitter, self.plain, started), *of_catalogue)
+
+
+def _directions_of_starts(
+    fitter: Fitter, plain: Fit, terms: Sequence[Candidate]
+) -> Iterator[tuple[Array, int]]:
+    """Yield the directions of terms that have their own starts: one, that of their size, at each start.
+
+    At size 0 the other parameters have no effect, but they determine the effect of a small size: a resonator pushes
+    the modes on both sides of its frequency apart.
+    """
+    for fixed_values in zip_longest(*(dict.fromkeys(start[1:] for start in term.starts) for term in terms)):
+        present = [
+            (term, fixed) for term, fixed in zip(terms, fixed_values, strict=True) if fixed is not None
+        ]
+        values = plain.values.copy()
+        for term, fixed in present:
+            values[list(fitter.indices(term))[1:]] = fixed
+        by = [fitter.indices(term)[0] for term, _ in present]
+        raw = np.nan_to_num(fitter.signatures(replace(plain, values=values), by)[1])
+        remainder = raw - plain.basis @ (plain.basis.T @ raw)
+        size = np.linalg.norm(remainder, axis=0)
+        for k in np.flatnonzero(size > LEFT * np.linalg.norm(raw, axis=0)):
+            yield remainder[:, [k]] / size[k], 1
 
 
 def tried(
@@ -119,12 +142,6 @@ class _Trial:
         return [self.values[k] for k in chosen]
 
 
-def _kinds(term: Candidate) -> Sequence[float]:
-    """Return the kind of each start: its value of the parameter with the fewest distinct values, the mass."""
-    columns = list(zip(*term.starts, strict=True))
-    return min(columns, key=lambda column: len({*column})) if len(columns) > 1 else ()
-
-
 def _ranked(
     fitter: Fitter, jobs: Sequence[tuple[Hypothesis, Sequence[Array]]]
 ) -> list[list[tuple[float, int]]]:
@@ -167,11 +184,15 @@ class _Explorer:
             if any(self._explains(fit) for fit in fits[: self.criteria.search.best_few]):
                 break
             attempted.append(errors)
-            extended = self._errors_beside(fits)
-            again = (
-                None if extended is None or extended in attempted else self.store.fit(extended, plain.values)
-            )
-            if extended is None or again is None or extended in attempted:
+            # The measurement errors beside which the best terms explain most.
+            options = [option for fit in fits[:BESIDE] for option in self.search.additions.noise(fit)]
+            best = min(options, key=self.store.criterion, default=None)
+            extended, again = errors, None
+            if best is not None and self.store.criterion(best) < self.store.criterion(fits[0]):
+                extended = replace(best.hypothesis, causes=())
+            if extended not in attempted:
+                again = self.store.fit(extended, plain.values)
+            if again is None:
                 fits = first
                 break
             errors, fits = extended, self._refitted(again)
@@ -213,9 +234,17 @@ class _Explorer:
         far = [entry for entry in best if entry.candidate.name not in near]
         self.progress(f"refitting with the {len(best)} most promising of {len(self.terms)} terms")
         fits = self.search.additions.refitted([(plain, entry) for entry in far])
-        jobs = [(plain.hypothesis.adding(entry.candidate), [self._moved(plain, entry)]) for entry in small]
+        jobs = []
+        for entry in small:
+            term = entry.candidate
+            estimate = self._with(plain, term, plain.values[list(self.fitter.indices(term))] + entry.step)
+            jobs.append((plain.hypothesis.adding(term), [estimate]))
         overlooked = [entry for entry in scores if entry not in best and entry.largest[0] > 0.0]
-        started = self._compared([*self._started(plain), *self._large(plain, overlooked)])
+        begun = [*self._started(plain), *self._large(plain, overlooked)]
+        started = [
+            (h, [values[k] for _, k in order[:COMPARED]])
+            for (h, values), order in zip(begun, _ranked(self.fitter, begun), strict=True)
+        ]
         rough = self.store.roughly([*jobs, *started])
         return self.store.finished([*fits, *self._again(plain, small, rough)])
 
@@ -235,12 +264,6 @@ class _Explorer:
         ]
         return [*kept, *self.store.roughly(again)]
 
-    def _moved(self, plain: Fit, entry: Score) -> Array:
-        """Return the values of a fit with the linear estimate of a term."""
-        return self._with(
-            plain, entry.candidate, plain.values[list(self.fitter.indices(entry.candidate))] + entry.step
-        )
-
     def _testable(self, plain: Fit, term: Candidate) -> bool:
         """Return whether data are left to test a term."""
         return self.store.degrees(plain) > len(term.parameters)
@@ -248,14 +271,13 @@ class _Explorer:
     def _started(self, plain: Fit) -> list[tuple[Hypothesis, list[Array]]]:
         """Return the most promising terms with their own starts, each with its best starts."""
         terms = [term for term in self.terms if term.starts and self._testable(plain, term)]
-        trials = [
-            _Trial(
-                plain.hypothesis.adding(term),
-                [self._with(plain, term, start) for start in term.starts],
-                _kinds(term),
-            )
-            for term in terms
-        ]
+        trials = []
+        for term in terms:
+            # The kind of a start is its value of the parameter with the fewest distinct values: the mass.
+            columns = list(zip(*term.starts, strict=True))
+            kinds = min(columns, key=lambda column: len({*column})) if len(columns) > 1 else ()
+            values = [self._with(plain, term, start) for start in term.starts]
+            trials.append(_Trial(plain.hypothesis.adding(term), values, kinds))
         if trials:
             self.progress(f"starting {len(trials)} terms with a frequency of their own")
         return self._promising(trials)[:STARTED]
@@ -278,16 +300,6 @@ class _Explorer:
         values[index] = np.clip(term_values, self.fitter.lower[index], self.fitter.upper[index])
         return values
 
-    def _compared(
-        self, jobs: Sequence[tuple[Hypothesis, list[Array]]]
-    ) -> list[tuple[Hypothesis, list[Array]]]:
-        """Return the best starts of each term at all setups."""
-        ranked = _ranked(self.fitter, jobs)
-        return [
-            (h, [starts[k] for _, k in order[:COMPARED]])
-            for (h, starts), order in zip(jobs, ranked, strict=True)
-        ]
-
     def _promising(self, trials: Sequence[_Trial]) -> list[tuple[Hypothesis, list[Array]]]:
         """Return terms with the best of their values, the most promising first, judged at a few setups."""
         count = len(self.fitter.data.labels)
@@ -306,12 +318,3 @@ class _Explorer:
         """Return whether a fit leaves noise."""
         level = self.criteria.gate.surely
         return not fit.at_bound and self.store.p_value(fit) > level and self.search.gate(fit).above(level)
-
-    def _errors_beside(self, fits: Sequence[Fit]) -> Hypothesis | None:
-        """Return the measurement errors beside which the best terms explain most; None if no errors help."""
-        criterion = self.store.criterion
-        options = [extended for fit in fits[:BESIDE] for extended in self.search.additions.noise(fit)]
-        best = min(options, key=criterion, default=None)
-        if best is None or criterion(best) >= criterion(fits[0]):
-            return None
-        return replace(best.hypothesis, causes=())

@@ -13,13 +13,13 @@ import numpy as np
 
 from pkmodes.loop.diagnosis.criteria import Criteria
 from pkmodes.loop.diagnosis.damping import words
-from pkmodes.loop.diagnosis.damping.evidence import DampingJudgement, LossEvidence
+from pkmodes.loop.diagnosis.damping.evidence import LossEvidence
 from pkmodes.loop.diagnosis.damping.fit import LossFitter
 from pkmodes.loop.diagnosis.damping.observations import observed, usable
 from pkmodes.loop.diagnosis.damping.outcome import undiagnosed, with_outcome
 from pkmodes.loop.diagnosis.damping.rules import DOUBTS, LOSSES, ROUGH_DOUBTS, ROUGHLY, judge
 from pkmodes.loop.diagnosis.damping.stage import DampingStage
-from pkmodes.loop.diagnosis.problem import Array, Damped, Parameter, Structure
+from pkmodes.loop.diagnosis.problem import Array, Damped, Structure
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes.loop.diagnosis.verdict.stability import CHANGES
 from pkmodes.loop.measured.measurements import Measurements
@@ -65,36 +65,29 @@ def with_damping(
     if judged.final.outlier is not None:
         i = int(rows.index[judged.final.outlier])
         notes.append(words.set_aside(int(data.lines[i]), data.labels[data.pose[i]], float(data.damping[i])))
-    notes += [text] if (text := _hundred(fitter, judged)) else []
+    above = rows.above
+    if above.any() and rows.ratios(fitter.declared)[above].all():
+        away = float(np.median((rows.logarithms - rows.predicted(fitter.declared))[above]))
+        if abs(abs(away) - HUNDRED) < CLOSE:
+            notes.append(words.factor_hundred(above=away > 0.0))
     return with_outcome(
         result, data, DampingStage(fitter, all_rows, held & good, strange, judged, trials, tuple(notes))
     )
 
 
 def _states(structure: Structure, result: Diagnosis) -> list[Array]:
-    """Return the values of the final model, and with each fitted value moved by its standard deviation."""
+    """Return the values of the final model, and with each fitted value moved by its standard deviation.
+
+    It moves within its bounds, to the side where it can move farther.
+    """
     index = {p.name: i for i, p in enumerate(structure.parameters)}
     final = np.array([p.value for p in structure.parameters])
     for value in result.corrected:
         final[index[value.name]] = value.value
     states = [final]
     for value in result.corrected:
-        moved = final.copy()
-        moved[index[value.name]] = _moved(structure.parameters[index[value.name]], value.value, value.sigma)
+        p, moved = structure.parameters[index[value.name]], final.copy()
+        up, down = min(p.upper, value.value + value.sigma), max(p.lower, value.value - value.sigma)
+        moved[index[value.name]] = up if up - value.value >= value.value - down else down
         states.append(moved)
     return [v for v in states if np.isfinite(structure.predict(v, ()).eigenvalues).all()]
-
-
-def _moved(p: Parameter, value: float, sigma: float) -> float:
-    """Return a value moved by a standard deviation within its bounds, to the side where it can move farther."""
-    up, down = min(p.upper, value + sigma), max(p.lower, value - sigma)
-    return up if up - value >= value - down else down
-
-
-def _hundred(fitter: LossFitter, judged: DampingJudgement) -> str:
-    """Return a note if measured ratios are about a hundred times those of the declared model, or a hundredth."""
-    rows, above = fitter.observations, fitter.observations.above
-    if not above.any() or not rows.ratios(fitter.declared)[above].all():
-        return ""
-    away = float(np.median((rows.logarithms - rows.predicted(fitter.declared))[above]))
-    return words.factor_hundred(above=away > 0.0) if abs(abs(away) - HUNDRED) < CLOSE else ""

@@ -46,7 +46,13 @@ def explanation_of(fitter: LossFitter) -> LossExplanation | None:
     singles = [fitter.fit((j,)) for j in fitter.candidates]
     sizes = (1, 2) if int(fitter.observations.above.sum()) >= c.claim.rows_for_two else (1,)
     for size in sizes:
-        fits = singles if size == 1 else _pairs(fitter)
+        fits = singles
+        if size == 2:  # pairs in which each loss is needed beside the other
+            fits = [
+                fit
+                for fit in map(fitter.fit, combinations(fitter.candidates, 2))
+                if all(p_of_one_more(fitter, fitter.fit((j,)), fit) <= c.claim.claimed for j in fit.causes)
+            ]
         passing = [fit for fit in fits if _explains(fitter, fit, c.gate.level)]
         if passing:
             return _among_rivals(fitter, fits, min(passing, key=lambda fit: fit.criterion))
@@ -59,7 +65,7 @@ def _among_rivals(fitter: LossFitter, fits: Sequence[LossFit], best: LossFit) ->
     near = [fit for fit in fits if fit.criterion < best.criterion + c.search.survives]
     survivors = [fit for fit in near if fit is best or _explains(fitter, fit, c.gate.surely)]
     alike = [fit for fit in survivors if fitter.difference(best, fit) < c.claim.told_apart]
-    alike.sort(key=lambda fit: (not _is_effect(fitter, fit), fit.criterion))
+    alike.sort(key=lambda fit: (not all(fitter.losses[j].effect for j in fit.causes), fit.criterion))
     # An effect names the class among explanations that no measurement separates, and in any class whose best member
     # is not a cause.
     claimable = all(fitter.losses[j].claimable for j in best.causes)
@@ -71,7 +77,8 @@ def _among_rivals(fitter: LossFitter, fits: Sequence[LossFit], best: LossFit) ->
     )
     rivals = [fit for fit in survivors if not any(fit is member for place in places for member in place)]
     rivals.sort(key=lambda fit: fit.criterion)
-    p_values = tuple(_p_of_place(fitter, best, cause) for cause in best.causes)
+    rests = [tuple(j for j in best.causes if j != cause) for cause in best.causes]
+    p_values = tuple(p_of_one_more(fitter, fitter.fit(rest), best) for rest in rests)
     return LossExplanation(best, places, tuple(rivals), p_values)
 
 
@@ -82,24 +89,9 @@ def _explains(fitter: LossFitter, fit: LossFit, level: float) -> bool:
     return fit.p_value > level and not causes and not at_bound
 
 
-def _pairs(fitter: LossFitter) -> list[LossFit]:
-    """Return the fits of pairs in which each loss is needed beside the other."""
-    pairs, claimed = combinations(fitter.candidates, 2), fitter.criteria.claim.claimed
-    return [
-        fit
-        for fit in map(fitter.fit, pairs)
-        if all(p_of_one_more(fitter, fitter.fit((j,)), fit) <= claimed for j in fit.causes)
-    ]
-
-
 def p_of_loss(fitter: LossFitter, loss: int) -> float:
     """Return the p-value of one loss beside the declared ones, for this candidate alone."""
     return p_of_one_more(fitter, fitter.fit(), fitter.fit((loss,))) / max(len(fitter.candidates), 1)
-
-
-def _p_of_place(fitter: LossFitter, fit: LossFit, cause: int) -> float:
-    rest = tuple(j for j in fit.causes if j != cause)
-    return p_of_one_more(fitter, fitter.fit(rest), fit)
 
 
 def p_of_one_more(fitter: LossFitter, smaller: LossFit, larger: LossFit) -> float:
@@ -113,10 +105,6 @@ def p_of_one_more(fitter: LossFitter, smaller: LossFit, larger: LossFit) -> floa
     gain = max(smaller.chi2 + smaller.price - larger.chi2 - larger.price, 0.0)
     one_sided = 1.0 if fitter.declared[added] else 0.5
     return min(1.0, one_sided * float(stats.chi2.sf(gain, 1)) * number)
-
-
-def _is_effect(fitter: LossFitter, fit: LossFit) -> bool:
-    return all(fitter.losses[j].effect for j in fit.causes)
 
 
 def nearest_loss(fitter: LossFitter) -> str:

@@ -121,20 +121,18 @@ class LossFitter:
         - causes: losses that are fitted freely
         - fixed: values of some losses, which are not fitted
         """
-        key = tuple(causes), tuple((fixed or {}).items())
-        if key not in self._fits:
-            self._fits[key] = self._robust(tuple(causes), fixed or {})
-        return self._fits[key]
-
-    def _robust(self, causes: tuple[int, ...], fixed: dict[int, float]) -> LossFit:
-        c = self.criteria
+        causes, fixed, c = tuple(causes), fixed or {}, self.criteria
+        key = causes, tuple(fixed.items())
+        if key in self._fits:
+            return self._fits[key]
         fit = self._fitted(causes, fixed, None)
-        if fit.p_value > c.gate.level or fit.count < c.search.rows_to_set_aside:
-            return fit
-        worst = int(np.abs(fit.white[: fit.count]).argmax())
-        without = self._fitted(causes, fixed, worst)
-        gross = abs(self.observations.residual(without.values)[worst]) > c.damping.outlier
-        return without if gross and without.p_value > c.gate.level else fit
+        if fit.p_value <= c.gate.level and fit.count >= c.search.rows_to_set_aside:
+            worst = int(np.abs(fit.white[: fit.count]).argmax())
+            without = self._fitted(causes, fixed, worst)
+            gross = abs(self.observations.residual(without.values)[worst]) > c.damping.outlier
+            fit = without if gross and without.p_value > c.gate.level else fit
+        self._fits[key] = fit
+        return fit
 
     def _fitted(self, causes: tuple[int, ...], fixed: dict[int, float], outlier: int | None) -> LossFit:
         rows, count = self.observations, len(self.observations.ratio)

@@ -66,10 +66,6 @@ def undiagnosed(losses: Sequence[Loss], reason: str, notes: Sequence[str] = ()) 
 
 def with_outcome(result: Diagnosis, data: Measurements, stage: DampingStage) -> Diagnosis:
     """Return a diagnosis with the result for its damping, and every measured ratio beside that of the model."""
-    return replace(result, rows=_rows(result, data, stage), damping=_outcome(stage))
-
-
-def _outcome(stage: DampingStage) -> Damping:
     fitter, judged = stage.fitter, stage.judged
     effects = findings(fitter, judged)
     above, used, held = stage.all_rows.above, stage.used, stage.held
@@ -88,7 +84,7 @@ def _outcome(stage: DampingStage) -> Damping:
     tests, limits = tested(stage, effects)
     corrected = _corrected(stage)
     nuisances = {fitter.losses[j].parameter.name for j in fitter.nuisances}
-    return Damping(
+    damping = Damping(
         verdict=judged.verdict.word,
         reason=words.sentence(fitter, judged, effects),
         effects=effects,
@@ -107,6 +103,7 @@ def _outcome(stage: DampingStage) -> Damping:
         corrected=corrected,
         correlation=tuple(map(tuple, stage.final.correlation.tolist())),
     )
+    return replace(result, rows=_rows(result, data, stage), damping=damping)
 
 
 def _rows(result: Diagnosis, data: Measurements, stage: DampingStage) -> tuple[Row, ...]:
@@ -128,28 +125,25 @@ def _rows(result: Diagnosis, data: Measurements, stage: DampingStage) -> tuple[R
         old, new, width = (
             float(value[k]) if np.isfinite(value[k]) else None for value in (before, after, sigma_used)
         )
+        remark: str | None = None
+        if not used[k]:
+            if rows[i].held_out:
+                remark = "held out"
+            elif not informative[k]:
+                remark = "it says nothing about the losses"
+            elif stage.strange[k]:
+                remark = f"the shape is not that of its mode (MAC {rows[i].mac:.2f})"
+            else:
+                remark = "the frequency is an outlier" if rows[i].outlier else "set aside"
         rows[i] = structs.replace(
             rows[i],
             damping_before=old,
             damping_after=new,
             damping_used=bool(used[k]),
             sigma_damping_used=width,
-            damping_remark=None
-            if used[k]
-            else _remark(rows[i], bool(informative[k]), bool(stage.strange[k])),
+            damping_remark=remark,
         )
     return tuple(rows)
-
-
-def _remark(row: Row, informative: bool, strange: bool) -> str:
-    """Return why the ratio of a row takes no part."""
-    if row.held_out:
-        return "held out"
-    if not informative:
-        return "it says nothing of the losses"
-    if strange:
-        return f"the shape is another one (MAC {row.mac:.2f})"
-    return "the frequency is an outlier" if row.outlier else "set aside"
 
 
 def _stability(stage: DampingStage) -> tuple[Stability, ...]:

@@ -31,20 +31,15 @@ def sentence(fitter: LossFitter, judged: DampingJudgement, findings: Sequence[Fi
     if judged.verdict is ADEQUATE:
         return judged.says.text or f"the damping is that of the model ({p_in_words(judged.base.p_value)})"
     if judged.verdict is EFFECT_FOUND:
-        causes = " and ".join(_cause(fitter, finding) for finding in findings)
-        return f"the damping is not that of the declared model; explanation: {causes}"
+        means = {loss.candidate: loss.sentence for loss in fitter.losses if loss.candidate}
+        causes = [" or ".join(f"{means[name]} ({name})" for name in finding.members) for finding in findings]
+        return f"the damping is not that of the declared model; explanation: {' and '.join(causes)}"
     if judged.verdict is AMBIGUOUS:
         remaining = "; ".join(loss_names(fitter, fit) for fit in judged.says.rivals)
         return f"of the damping, {len(judged.says.rivals)} different explanations remain: {remaining}"
     if judged.verdict is INSUFFICIENT_DATA:
         return f"the damping is not diagnosed: {judged.says.text}"
     return f"the damping is not that of the model: {judged.says.text}"
-
-
-def _cause(fitter: LossFitter, finding: Finding) -> str:
-    """Return a cause in words: every member of its class."""
-    means = {loss.candidate: loss.sentence for loss in fitter.losses if loss.candidate}
-    return " or ".join(f"{means[member]} ({member})" for member in finding.members)
 
 
 def common_ratio(ratio: float, sigma: float) -> str:
@@ -102,14 +97,14 @@ def factor_hundred(*, above: bool) -> str:
 def unresolved(lines: Sequence[int]) -> str:
     """Return the note on rows whose damping says nothing about the losses."""
     return (
-        f"{_of_lines(lines)} takes no part: it is 0 without a standard deviation, or the measurements set what "
-        "dissipates there"
+        f"{_of_lines(lines)} is not used: it is 0 without a standard deviation, or the measurements set the "
+        "losses there"
     )
 
 
 def other_shape(lines: Sequence[int], least: float) -> str:
     """Return the note on rows whose shapes are not those of the modes with which they are paired."""
-    return f"{_of_lines(lines)} takes no part: the shape measured there is not that of its mode (MAC below {least:g})"
+    return f"{_of_lines(lines)} is not used: the shape measured there is not that of its mode (MAC below {least:g})"
 
 
 def _of_lines(lines: Sequence[int]) -> str:

@@ -209,14 +209,11 @@ class Observations:
             rates = np.zeros((*residuals.shape, 0))
             if any(by):
                 rates = rows.of_each(rows.rates(batch.prediction, pairing, used_rows))
+            together = batch.prediction
+            size = len(together.eigenvalues) // len(batch.sets)
             for k, number in enumerate(batch.sets.tolist()):
-                prediction = _part(batch.prediction, k, len(batch.sets))
+                part = slice(k * size, (k + 1) * size)
+                prediction = Prediction(
+                    together.eigenvalues[part], together.rates[part], together.shapes[part], together.rigid
+                )
                 yield Beside(number, residuals[k], rates[k, :, : len(by[number])], prediction)
-
-
-def _part(prediction: Prediction, k: int, count: int) -> Prediction:
-    """Return one of several predictions that were evaluated together, without derivatives of the shapes."""
-    size = len(prediction.eigenvalues) // count
-    block = slice(k * size, (k + 1) * size)
-    values, rates, shapes = prediction.eigenvalues, prediction.rates, prediction.shapes
-    return Prediction(values[block], rates[block], shapes[block], prediction.rigid)

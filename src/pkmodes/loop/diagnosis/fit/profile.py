@@ -149,19 +149,15 @@ class Profiles:
         points: list[ProfilePoint | None] = [None] * len(requests)
         fitter, by = self.fitter, [request.free for request in requests]
         values, used = np.array([request.values for request in requests]), [self._used] * len(requests)
+        priors, whitened = fitter.priors, self._whitening.whitened
         for evaluation in fitter.observations.beside_many(fitter.structure, values, by, used):
-            points[evaluation.number] = self._point(
-                requests[evaluation.number], evaluation.residual, evaluation.rates
+            request = requests[evaluation.number]
+            white = np.concatenate([whitened(evaluation.residual), priors.residual(request.values)])
+            jacobian = np.vstack([-whitened(evaluation.rates), priors.rates(request.values, request.free)])
+            points[evaluation.number] = ProfilePoint(
+                request.values, *without_priors(fitter, white, jacobian, request.without_prior)
             )
         return points
-
-    def _point(self, request: ModelRequest, residual: Array, rates: Array) -> ProfilePoint:
-        priors, whitened = self.fitter.priors, self._whitening.whitened
-        white = np.concatenate([whitened(residual), priors.residual(request.values)])
-        jacobian = np.vstack([-whitened(rates), priors.rates(request.values, request.free)])
-        return ProfilePoint(
-            request.values, *without_priors(self.fitter, white, jacobian, request.without_prior)
-        )
 
     def linear(self, side: Side) -> End:
         """Return an end of the model linearised at the least sum of squares."""

@@ -75,10 +75,8 @@ class ShapeRows:
         by_row = np.where(self.stated, shape_errors(data, criteria), scatter)
         self.sigma = np.broadcast_to(by_row[:, None], data.shapes.shape)
         self._close = criteria.pairing.close
-        self._crowd(neighbours(data, criteria))
-
-    def _crowd(self, mates: NDArray[np.intp]) -> None:
-        """Set up the rows that are compared with the modes of several rows at once."""
+        # Rows that are compared with the modes of several rows at once.
+        mates = neighbours(data, criteria)
         several = (mates >= 0).sum(axis=1)
         # As many modes as components explain any shape: such a row carries no information.
         silent = (several > 1) & ~(self.known & (several <= self.count))

@@ -223,14 +223,13 @@ class FitStore:
         added: list[int] = []
         for cause in fit.causes:
             first, *further = self.fitter.indices(cause)
-            added += [first, *(i for i in further if not (cause.form and self._absent(fit, i)))]
+            added.append(first)
+            for i in further:
+                zero = self.fitter.parameters[i].value == 0.0
+                absent = zero and abs(float(fit.values[i])) <= ABSENT * fit.sigma_of(i)
+                if not (cause.form and absent):
+                    added.append(i)
         return added
-
-    def _absent(self, fit: Fit, i: int) -> bool:
-        """Return whether a parameter that is 0 without its cause is 0 with it."""
-        return self.fitter.parameters[i].value == 0.0 and abs(float(fit.values[i])) <= ABSENT * fit.sigma_of(
-            i
-        )
 
 
 def _odds(candidate: Candidate) -> float:

@@ -87,7 +87,7 @@ def probabilities(
         (
             (capped_deviance(fitter, fit), k, fit)
             for k, fit in enumerate(search.store.tried())
-            if _weighable(fit)
+            if not fit.at_bound and len(fit.causes) <= 2
         ),
         key=lambda entry: entry[:2],
     )
@@ -106,11 +106,6 @@ def probabilities(
     beyond = _outside(search, first, priors, models)
     doubt = ACCEPTED if accepted else REFUSED if outcome.last.passed else NONE
     return _normalised(fitter, _together(search, first, explained), beyond, doubt)
-
-
-def _weighable(fit: Fit) -> bool:
-    """Return whether a fit is an explanation: its sizes are possible, and its causes are at most two."""
-    return not fit.at_bound and len(fit.causes) <= 2
 
 
 def _names(fit: Fit, *added: str) -> tuple[str, ...]:

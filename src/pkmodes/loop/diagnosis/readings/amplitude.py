@@ -16,9 +16,9 @@ from pkmodes.loop.measured.measurements import Measurements
 
 #: How the frequencies change and what may cause it, by the sign of the change.
 WORDS = {
-    -1: ("they fall with the level", "as where friction slips or a contact opens"),
-    0: ("some fall and others rise with the level", "as where contacts open and close"),
-    1: ("they rise with the level", "as where a gap closes or a spring hardens"),
+    -1: ("they fall with the level", "as when friction slips or a contact opens"),
+    0: ("some fall and others rise with the level", "as when contacts open and close"),
+    1: ("they rise with the level", "as when a gap closes or a spring hardens"),
 }
 
 
@@ -52,8 +52,8 @@ def dependence_in_words(trend: AmplitudeDependence, data: Measurements) -> str:
     basis = "with the scatter of setups at one level"
     if not trend.repeated:
         basis = (
-            f"even with errors {times(UNKNOWN)} as large as stated, but no level was measured again, so how well "
-            "setups repeat is not known"
+            f"even with errors {times(UNKNOWN)} as large as stated, but no level was measured again, so the "
+            "repeatability of setups is unknown"
         )
     return (
         f"from a level of {plain(trend.low, 3)} to {plain(trend.high, 3)}{unit} frequencies at the same position "

@@ -18,7 +18,7 @@ from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.loop.diagnosis.fit.observations import SHAPE
 from pkmodes.loop.diagnosis.fit.store import FitStore
-from pkmodes.loop.diagnosis.problem import Instrumented, Sensor
+from pkmodes.loop.diagnosis.problem import Instrumented
 from pkmodes.loop.diagnosis.readings.comparison import Apart
 from pkmodes.loop.diagnosis.readings.misfits import WiringMisfit, misfits, promising
 from pkmodes.loop.diagnosis.readings.wirings import (
@@ -107,7 +107,12 @@ def rewired(fitter: Fitter, fit: Fit) -> Rewired | None:
     certain = (
         best.per_value[1] < c.rewired_noise and best.difference < fitter.criteria.shapes.most_scatter / 2.0
     )
-    mistakes = [_mistakes(tried[wiring], columns, sensors) for wiring in remaining]
+    mistakes = []
+    for wiring in remaining:
+        # The simplest of several mistakes that shapes cannot tell apart, and turned sensors.
+        same = sorted(tried[wiring], key=lambda mistake: simplicity(mistake, columns))
+        first, *alternatives = (wiring_in_words(mistake, columns, sensors) for mistake in same)
+        mistakes.append([first, *(text for text in alternatives if " is turned by " in text)])
     simplest = min(tried[order[0]], key=lambda wiring: simplicity(wiring, columns))
     change = remedy(simplest, columns) + hint(simplest, columns, sensors)
     if not (certain and best.per_value[0] < c.rewired_noise):
@@ -124,13 +129,6 @@ def _doubtful(fitter: Fitter, fit: Fit) -> bool:
         for s, limit in ((True, c.rewired_misfit), (False, visible))
     )
     return any(degrees >= 1.0 and squares / degrees > limit for (squares, degrees), limit in parts)
-
-
-def _mistakes(same: Sequence[Wiring], columns: Sequence[str], sensors: Sequence[Sensor]) -> list[str]:
-    """Return what is wrong: the simplest of several mistakes that shapes cannot tell apart, and turned sensors."""
-    in_order = sorted(same, key=lambda wiring: simplicity(wiring, columns))
-    first, *alternatives = (wiring_in_words(wiring, columns, sensors) for wiring in in_order)
-    return [first, *(text for text in alternatives if " is turned by " in text)]
 
 
 def _sentence(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from operator import itemgetter
 
 import numpy as np
 
@@ -168,7 +169,7 @@ class Additions:
                     expected = store.criterion(single) - entry.gain + store.price(entry.candidate)
                     pair, promise = key(single.hypothesis.adding(entry.candidate)), (expected, single, entry)
                     if entry.gain > 0.0 or self.few:
-                        promised[pair] = min(promised.get(pair, promise), promise, key=_first)
+                        promised[pair] = min(promised.get(pair, promise), promise, key=itemgetter(0))
                     if single is singles[0] and one_sided(self.fitter, entry.candidate):
                         absent[pair] = promise
         count = len(promised) if self.few else c.search.pairs
@@ -202,7 +203,3 @@ class Additions:
                 seeded.append((hypothesis, [seed]))
         begun = zip((hypothesis for _, _, hypothesis in new), starts(self.fitter, new), strict=True)
         return [fit for fit in fitted if fit is not None] + store.roughly([*seeded, *begun])
-
-
-def _first(promise: tuple[float, Fit, Score]) -> float:
-    return promise[0]

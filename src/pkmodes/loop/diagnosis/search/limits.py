@@ -109,7 +109,10 @@ def bounds(
     least = [(entry.linear, 0.0) for entry in beside] if linear else _least(store, profiles, beside, fit)
     sides, owners = [], []
     for entry, (point, gain) in zip(beside, least, strict=True):
-        ratio = 1.0 if noise else _ratio(store, fit, entry, point)
+        ratio = 1.0
+        if not noise:  # chi2 per degree of freedom that the candidate leaves
+            free = sum(fitter.priors.of(i) is None for i in entry.free if i not in fit.free)
+            ratio = max(1.0, point.squares / max(store.degrees(fit) - free, 1))
         for i in fitter.indices(entry.candidate):
             for sign in (1, -1):
                 side = _side(fitter, entry, point, i, sign, ratio * ONE_SIDED**2 - gain)
@@ -219,12 +222,6 @@ def _least(
         if point is not None and point.squares < least[k][0].squares:
             least[k] = point, 0.0
     return least
-
-
-def _ratio(store: FitStore, fit: Fit, beside: _Beside, least: ProfilePoint) -> float:
-    """Return chi2 per degree of freedom that a candidate leaves, at least 1."""
-    free = sum(store.fitter.priors.of(i) is None for i in beside.free if i not in fit.free)
-    return max(1.0, least.squares / max(store.degrees(fit) - free, 1))
 
 
 def _side(

@@ -16,7 +16,7 @@ from dataclasses import dataclass, replace
 
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.loop.diagnosis.fit.store import FitStore
-from pkmodes.loop.diagnosis.problem import Array, Candidate
+from pkmodes.loop.diagnosis.problem import Candidate
 from pkmodes.loop.diagnosis.search.additions import Additions, Progress
 from pkmodes.loop.diagnosis.search.gate import Gate, gate
 from pkmodes.loop.diagnosis.search.score import Scores, score
@@ -174,21 +174,15 @@ class Search:
         """
         store, c = self.store, self.criteria
         starts = [option.values for option in options if store.criterion(option) < store.criterion(fit)]
-        fits = [store.again(fit.hypothesis, values) for values in (*starts, *self._without_worst(fit))]
+        # Also from fits without the worst rows, for several numbers of rows.
+        rows, h = store.fitter.worst_rows(fit)[0].tolist(), fit.hypothesis
+        counts = [count for count in (1, 2, 4, 8) if count <= int(c.search.misled * len(rows))]
+        fewer = [replace(h, excluded=h.excluded | set(rows[:count])) for count in counts]
+        starts += [rough.values for rough in store.fitter.roughly([(less, fit.values) for less in fewer])]
+        fits = [store.again(h, values) for values in starts]
         best = min((f for f in fits if f is not None), key=lambda f: f.deviance, default=fit)
         better = best.deviance < fit.deviance - c.search.worth and store.p_value(best) > c.gate.surely
         return best if better else None
-
-    def _without_worst(self, fit: Fit) -> list[Array]:
-        """Return the values of fits without the worst rows, for several numbers of rows."""
-        fitter, h = self.store.fitter, fit.hypothesis
-        rows = fitter.worst_rows(fit)[0].tolist()
-        limit = int(self.criteria.search.misled * len(rows))
-        counts = [count for count in (1, 2, 4, 8) if count <= limit]
-        fewer = [replace(h, excluded=h.excluded | set(rows[:count])) for count in counts]
-        return [
-            descent.values for descent in fitter.roughly([(hypothesis, fit.values) for hypothesis in fewer])
-        ]
 
     def _hopeful(self, fit: Fit) -> bool:
         """Return whether a second cause may suffice: the first explains much, or little is left."""

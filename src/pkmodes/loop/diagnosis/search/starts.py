@@ -73,7 +73,10 @@ def _search(fitter: Fitter, fit: Fit, entry: Score, hypothesis: Hypothesis) -> T
     sized = bool(sign) and entry.largest[0] > 0.0
     if sized:
         unit[0] = sign / entry.largest[0]
-        if _adds_modes(fitter, fit, index[0], float(SIZES[0] * unit[0])):
+        values = fit.values.copy()
+        values[index[0]] += float(SIZES[0] * unit[0])
+        count = fitter.structure.predict(values, ()).eigenvalues.shape[1]
+        if count > fit.prediction.eigenvalues.shape[1]:  # the cause adds modes
             sizes = CLOSE_SIZES
     ranked: list[tuple[float, Array]] = []
     for origin in _origins(fitter, fit, sign):
@@ -113,13 +116,6 @@ def _origins(fitter: Fitter, fit: Fit, sign: int) -> list[Array]:
                     fit.values[index] - fitter.declared[index]
                 )
     return [fit.values] if np.array_equal(undistorted, fit.values) else [fit.values, undistorted]
-
-
-def _adds_modes(fitter: Fitter, fit: Fit, index: int, step: float) -> bool:
-    values = fit.values.copy()
-    values[index] += step
-    count = fitter.structure.predict(values, ()).eigenvalues.shape[1]
-    return bool(count > fit.prediction.eigenvalues.shape[1])
 
 
 def _least(

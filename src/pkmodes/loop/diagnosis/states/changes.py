@@ -127,21 +127,22 @@ class Trusted:
             criteria=of_changes(criteria or Criteria()),
             terms=terms,
         )
+        before = self.fitter.data
+        counterparts = tuple(
+            Counterpart(int(before.lines[row]), float(before.frequency[row]), float(before.sigma[row]))
+            if row >= 0
+            else None
+            for row in shared.counterpart.tolist()
+        )
         change = of_difference(
             result,
             (self.name, name),
             data,
             shared,
-            tuple(self._counterpart(int(row)) for row in shared.counterpart),
+            counterparts,
             self.model_error,
         )
         return replace(change, notes=(*change.notes, *self._notes(name, data, shared)))
-
-    def _counterpart(self, row: int) -> Counterpart | None:
-        data = self.fitter.data
-        if row < 0:
-            return None
-        return Counterpart(int(data.lines[row]), float(data.frequency[row]), float(data.sigma[row]))
 
     def _check(self, name: str, data: Measurements) -> None:
         """Refuse the trusted state itself, and one that was measured only with the motors in another state."""
@@ -164,13 +165,13 @@ class Trusted:
         differs, remaining = (f"{plain(100 * error, 2)} %" for error in (self.model_error, self.left))
         notes = [
             f"the declared model differs from {self.name} by {differs} (rms); its values are "
-            f"fitted to {self.name}, and the {remaining} that this leaves are taken off {name} too: "
+            f"fitted to {self.name}, and the remaining {remaining} is subtracted from {name} too: "
             "standard deviations are those of the difference"
         ]
         if compared < rows:
             notes.append(
                 f"{rows - compared} of {rows} rows of {name} have no counterpart at the same pose in {self.name}: "
-                "what the model's error is there is less certain, and their standard deviations are larger"
+                "the error of the model is less certain there, and their standard deviations are larger"
             )
         if not np.isnan(data.damping).all():
             notes.append("damping ratios of two states are not compared")

@@ -19,7 +19,7 @@ from pkmodes.loop.diagnosis.verdict.document import (
 )
 from pkmodes.loop.diagnosis.verdict.rows import Row
 
-InState = Annotated[str, Meta(description="The state in which it is so.")]
+InState = Annotated[str, Meta(description="The state to which it applies.")]
 
 
 class ChangedCause(CauseDocument, frozen=True, kw_only=True):
@@ -59,7 +59,9 @@ class ChangedRow(Row, frozen=True, kw_only=True, omit_defaults=True):
         Size | None,
         Meta(description="Its frequency in the trusted state at the same pose [Hz]; null where it has none."),
     ] = field(name="trusted_hz")
-    trusted_line: Annotated[Number | None, Meta(description="The line of that; null where there is none.")]
+    trusted_line: Annotated[
+        Number | None, Meta(description="Its line in the file of the trusted state; null where it has none.")
+    ]
 
 
 class ChangedState(DiagnoseDocument, frozen=True, kw_only=True):
@@ -72,8 +74,8 @@ class ChangedState(DiagnoseDocument, frozen=True, kw_only=True):
     model_error: Annotated[
         Size,
         Meta(
-            description="Root mean square of the relative error of the model in the trusted state, which is taken "
-            "off the others."
+            description="Root mean square of the relative error of the model in the trusted state, which is "
+            "subtracted from the others."
         ),
     ]
     effects: Annotated[  # type: ignore[assignment]

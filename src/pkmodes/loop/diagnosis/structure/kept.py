@@ -13,15 +13,11 @@ MEMORY = 64 * 2**20
 T = TypeVar("T")
 
 
-def _size(entry: tuple[object, int]) -> int:
-    return entry[1]
-
-
 class Kept(Generic[T]):
     """A least-recently-used cache of values, each stored with its size."""
 
     def __init__(self, memory: int = MEMORY) -> None:
-        self._values: LRUCache[Hashable, tuple[T, int]] = LRUCache(memory, getsizeof=_size)
+        self._values: LRUCache[Hashable, tuple[T, int]] = LRUCache(memory, getsizeof=lambda entry: entry[1])
 
     def __contains__(self, key: Hashable) -> bool:
         return key in self._values

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.readings.amplitude import dependence_in_words
 from pkmodes.loop.diagnosis.verdict import misfit
 from pkmodes.loop.diagnosis.verdict.evidence import Evidence, Says
@@ -30,15 +29,14 @@ def _beside(e: Evidence) -> float:
     """Return the chi2 with which a dependence is compared; infinite if the data show nothing else."""
     final, declared = e.final, e.outcome.nuisances
     if not e.outcome.last.passed:
-        unexplained = misfit.of_frequencies(e.store, _best(e)).squares
+        # The best explanation without errors of the measurement and without remote causes.
+        fits = [
+            fit for fit in e.store.tried() if not ((h := fit.hypothesis).remote or h.excluded or h.scatter)
+        ]
+        best = min(fits, key=e.store.criterion, default=declared)
+        unexplained = misfit.of_frequencies(e.store, best).squares
         return max(unexplained, misfit.of_frequencies(e.store, declared).squares - unexplained)
     if final.causes:
         return declared.deviance - final.deviance
     errors = final.hypothesis.excluded or final.hypothesis.scatter
     return misfit.of_frequencies(e.store, declared).squares if errors else math.inf
-
-
-def _best(e: Evidence) -> Fit:
-    """Return the best explanation without errors of the measurement and without remote causes."""
-    fits = [fit for fit in e.store.tried() if not ((h := fit.hypothesis).remote or h.excluded or h.scatter)]
-    return min(fits, key=e.store.criterion, default=e.outcome.nuisances)

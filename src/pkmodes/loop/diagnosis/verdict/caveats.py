@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from pkmodes.core.support.numbers import plain
 from pkmodes.core.support.ordering import listed
@@ -14,6 +15,29 @@ from pkmodes.loop.diagnosis.verdict.findings import Corrected
 FAR = Criteria.reasons.far
 #: Largest numbers of values and of candidates named in a sentence.
 MOST_VALUES, MOST_NAMES = 3, 4
+
+
+@dataclass(frozen=True)
+class Caveats:
+    """What a decision says against itself; each is empty where there is nothing to say.
+
+    - refitted: which values were refitted, where the residual is noise only because of that
+    - conspicuous: which refitted values are also in the headline
+    - unseen: what an adequate model may still lack
+    """
+
+    refitted: str = ""
+    conspicuous: str = ""
+    unseen: str = ""
+
+    def behind(self, reason: str) -> str:
+        """Return a reason followed by the caveats; the refitted values include the conspicuous ones."""
+        clauses = (
+            f"{reason}: {self.refitted}" if self.refitted else reason,
+            "" if self.refitted else self.conspicuous,
+            self.unseen,
+        )
+        return "; ".join(clause for clause in clauses if clause)
 
 
 def refitted(values: Sequence[Corrected]) -> str:
@@ -45,10 +69,9 @@ def unseen(undetectable: Sequence[str], limited: bool) -> str:
     - limited: whether other candidates have limits
     """
     if undetectable:
-        return f"it cannot see {listed(undetectable, MOST_NAMES)}" + (
-            ", nor what is below its limit" if limited else ""
-        )
-    return "it cannot see what is below its limit" if limited else ""
+        beside = ", nor other causes below their limits" if limited else ""
+        return f"these data cannot show {listed(undetectable, MOST_NAMES)}{beside}"
+    return "these data cannot show causes below their limits" if limited else ""
 
 
 def _taken_up(value: Corrected) -> bool:

@@ -78,41 +78,31 @@ class Claim:
 
         - single_joints: the one joint that explains the data as well, of each candidate that has one
         """
-        places = enumerate(self.grouped)
-        return tuple(self._finding(fitter, place, groups[0], single_joints) for place, groups in places)
-
-    def _finding(
-        self, fitter: Fitter, place: int, members: list[Fit], single_joints: Mapping[str, JointAlone]
-    ) -> Finding:
-        cause = self.final.causes[place]
-        index = {name_of_last_cause(fit): fitter.indices(fit.causes[-1]) for fit in members}
-        alternatives = {
-            name_of_last_cause(fit): fitted_values(fitter, fit, index[name_of_last_cause(fit)])
-            for fit in members
-        }
-        covariances = {
-            name_of_last_cause(fit): tuple(
-                map(tuple, fit.covariance_of(index[name_of_last_cause(fit)]).tolist())
+        findings = []
+        for cause, p_value, groups in zip(self.final.causes, self.p_values, self.grouped, strict=True):
+            fits = {name_of_last_cause(fit): fit for fit in groups[0]}
+            index = {name: fitter.indices(fit.causes[-1]) for name, fit in fits.items()}
+            values = {name: fitted_values(fitter, fit, index[name]) for name, fit in fits.items()}
+            names = [cause.name, *(name for name in fits if name != cause.name)]
+            joint = single_joints.get(cause.name)
+            finding = Finding(
+                name=cause.name,
+                members=tuple(names),
+                parameters=values[cause.name],
+                alternatives={name: values[name] for name in names},
+                p_value=p_value,
+                sentence=cause.sentence if joint is None else joint.sentence,
+                covariances={
+                    name: tuple(map(tuple, fits[name].covariance_of(index[name]).tolist())) for name in names
+                },
+                about={
+                    name: member(fitter, fit, self.plausible, single_joints.get(name))
+                    for name, fit in fits.items()
+                },
+                alone=joint,
             )
-            for fit in members
-        }
-        names = [cause.name, *(name for name in alternatives if name != cause.name)]
-        return Finding(
-            name=cause.name,
-            members=tuple(names),
-            parameters=alternatives[cause.name],
-            alternatives={name: alternatives[name] for name in names},
-            p_value=self.p_values[place],
-            sentence=single_joints[cause.name].sentence if cause.name in single_joints else cause.sentence,
-            covariances={name: covariances[name] for name in names},
-            about={
-                name_of_last_cause(fit): member(
-                    fitter, fit, self.plausible, single_joints.get(name_of_last_cause(fit))
-                )
-                for fit in members
-            },
-            alone=single_joints.get(cause.name),
-        )
+            findings.append(finding)
+        return tuple(findings)
 
 
 def claim_of(search: Search, outcome: Outcome) -> Claim:
@@ -129,14 +119,16 @@ def claim_of(search: Search, outcome: Outcome) -> Claim:
         if not final.causes[-1].remote:  # remote causes that are not nameable are not listed in a class
             named = [fit for fit in grouped[0][0] if fit.causes[-1].nameable]
             grouped = ([named, *grouped[0][1:]], *grouped[1:])
-    plausible, alike = _plausible(search, outcome.nuisances, grouped), grouped
+    alike = grouped
+    members = dict.fromkeys(fit.causes[-1] for groups in grouped if groups for fit in groups[0])
+    plausible = plausible_sizes(search.store.fitter, outcome.nuisances, list(members))
     final, grouped, left_out = _possible(search, final, grouped, plausible)
     final, grouped = _plausible_first(search, final, grouped)
     return Claim(
         final,
         search.gate(final),
         grouped,
-        tuple(other_pairs(search, final, _pairs_like(search, final), alike)),
+        tuple(other_pairs(search, final, alike)),
         tuple(_p_value(search, final, place) for place in range(len(final.causes))),
         all(
             any(fit.causes[-1] == cause for fit in fits)
@@ -170,12 +162,6 @@ def name_of_last_cause(fit: Fit) -> str:
 
 def _names(fit: Fit) -> str:
     return " + ".join(cause.name for cause in fit.causes)
-
-
-def _plausible(search: Search, plain: Fit, grouped: Sequence[Sequence[Sequence[Fit]]]) -> dict[int, float]:
-    """Return the largest plausible deviations of the values of the members of all classes that would be claimed."""
-    members = dict.fromkeys(fit.causes[-1] for groups in grouped if groups for fit in groups[0])
-    return plausible_sizes(search.store.fitter, plain, list(members))
 
 
 def _possible(
@@ -225,17 +211,6 @@ def _preferred(search: Search, final: Fit) -> tuple[Fit, list[list[Fit]]]:
             return final, places
         final = better
     return final, [[] for _ in final.causes]  # the preferences do not converge: nothing is claimed
-
-
-def _pairs_like(search: Search, final: Fit) -> list[Fit]:
-    """Return all fits that differ from the final one only in their two causes; empty if that has fewer."""
-    h = final.hypothesis
-    return [
-        fit
-        for fit in search.store.tried()
-        if len(fit.causes) == len(final.causes) == search.criteria.search.most_causes
-        and (fit.hypothesis.excluded, fit.hypothesis.scatter) == (h.excluded, h.scatter)
-    ]
 
 
 def _p_value(search: Search, final: Fit, place: int) -> float:

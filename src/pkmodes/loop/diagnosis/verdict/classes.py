@@ -89,9 +89,7 @@ def measured(search: Search, fit: Fit) -> bool:
     return p_unmeasured(store.fitter, declared, fit) > search.criteria.gate.surely
 
 
-def other_pairs(
-    search: Search, final: Fit, pairs: Sequence[Fit], grouped: Sequence[Sequence[Sequence[Fit]]]
-) -> list[Fit]:
+def other_pairs(search: Search, final: Fit, grouped: Sequence[Sequence[Sequence[Fit]]]) -> list[Fit]:
     """Return the survivors beside a pair of causes: pairs outside its classes, and single remote causes.
 
     Both causes may differ at once, as between a structure and its mirror image.  If there are many pairs within its
@@ -99,7 +97,13 @@ def other_pairs(
     """
     if len(final.causes) < 2:
         return []
-    store, c = search.store, search.criteria
+    store, c, h = search.store, search.criteria, final.hypothesis
+    pairs = [
+        fit
+        for fit in store.tried()
+        if len(fit.causes) == len(final.causes) == c.search.most_causes
+        and (fit.hypothesis.excluded, fit.hypothesis.scatter) == (h.excluded, h.scatter)
+    ]
     members = [{fit.causes[-1].name for fit in groups[0]} for groups in grouped if groups]
     many = int(np.prod([len(names) for names in members])) > c.claim.most_pairs
     beside = []

@@ -44,8 +44,8 @@ def stiffness_of_frequency(e: Evidence) -> str:
         return ""
     return (
         f"{e.explains} the residual, but a {law.name} that {'rises' if law.rises else 'falls'} with the "
-        f"frequency, which is no candidate, would do so {'with one value' if pair else 'significantly better'}: look "
-        "there"
+        f"frequency, which is not a candidate, would do so {'with one value' if pair else 'significantly better'}: "
+        "look there"
     )
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, Generic, Protocol, TypeVar
 
@@ -16,8 +16,9 @@ from pkmodes.loop.diagnosis.problem import Assumption, Candidate
 from pkmodes.loop.diagnosis.readings.amplitude import dependence
 from pkmodes.loop.diagnosis.search.limits import ONE_SIDED, moved_by_defaults
 from pkmodes.loop.diagnosis.search.search import Outcome, Search
-from pkmodes.loop.diagnosis.verdict import reasons
+from pkmodes.loop.diagnosis.verdict import misfit, reasons
 from pkmodes.loop.diagnosis.verdict.all_setups import AllSetups
+from pkmodes.loop.diagnosis.verdict.caveats import Caveats
 from pkmodes.loop.diagnosis.verdict.claim import Claim, claim_of, name_of_last_cause
 from pkmodes.loop.diagnosis.verdict.findings import NOTICEABLE
 from pkmodes.loop.diagnosis.verdict.held_out import HeldOut, predicted
@@ -164,6 +165,16 @@ class Evidence:
         return {name: joint for name, joint in by_name.items() if joint is not None}
 
     @cached_property
+    def p_declared(self) -> float:
+        """The p-value of the frequencies of the model as declared, over the rows that the final fit used."""
+        return misfit.p_declared(self.store, self.final)
+
+    @property
+    def refit_needed(self) -> bool:
+        """Whether the residual of the model as declared is more than noise."""
+        return self.p_declared <= self.outcome.last.level
+
+    @cached_property
     def term_instead(self) -> Fit | None:
         """The fit with one term, beyond the catalogue, that explains the data in place of the causes."""
         return None if self._term_instead is None else self._term_instead(self)
@@ -290,15 +301,21 @@ class Rule(Generic[T, A]):
 
 @dataclass(frozen=True)
 class Decision(Generic[T, A]):
-    """The rule that gave the verdict, and its answer."""
+    """The rule that gave the verdict, its answer, and what the decision says against itself."""
 
     rule: Rule[T, A]
     says: A
+    caveats: Caveats = field(default_factory=Caveats)
 
     @property
     def verdict(self) -> Verdict:
         """The verdict."""
         return self.rule.verdict
+
+    @property
+    def reason(self) -> str:
+        """The answer with the caveats."""
+        return self.caveats.behind(self.says.text)
 
 
 def first(rules: Sequence[Rule[T, A]], evidence: T) -> Decision[T, A] | None:

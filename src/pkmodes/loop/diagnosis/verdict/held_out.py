@@ -69,8 +69,16 @@ def predicted(setups: AllSetups, search: Search, final: Fit, rivals: Sequence[Fi
                 "look there"
             )
         aside = (row for row in sorted(again.hypothesis.excluded) if setups.is_held[row])
-        return HeldOut(notes=tuple(_check(setups.data, row) for row in aside))
-    instead = better or (_explaining(full_search, again) if rivals is None else None)
+        doubtful = "does not agree with the other held-out rows: check it"
+        return HeldOut(notes=tuple(f"{_row(setups.data, row)} {doubtful}" for row in aside))
+    instead = better
+    if instead is None and rivals is None:
+        # The best single cause, remote ones included, that explains all setups.
+        single = [*full_search.additions.singles(), *full_search.alone()]
+        single = [
+            fit for fit in sorted(single, key=full_search.store.criterion) if fit.causes != again.causes
+        ]
+        instead = next((fit for fit in single if full_search.gate(fit).passed), None)
     hint = f"; {names(instead.causes)} would explain all poses: look there" if instead else ""
     return HeldOut(f"{fitted}, but not the held-out ones ({p_in_words(p_value)}){hint}")
 
@@ -118,7 +126,10 @@ def _fitted_to_all(setups: AllSetups, search: Search, final: Fit) -> tuple[Searc
     The scatter of shapes without stated errors may be larger at the held-out setups.
     """
     fitter = search.store.fitter
-    hypothesis = _in_all(setups, fitter, final.hypothesis)
+    # Excluded rows have other indices among all rows.
+    lines = fitter.data.lines[sorted(final.hypothesis.excluded)]
+    excluded = frozenset(np.flatnonzero(np.isin(setups.data.lines, lines)).tolist())
+    hypothesis = replace(final.hypothesis, excluded=excluded)
 
     def fitted(scatter: float) -> tuple[FitStore, Fit | None]:
         store = FitStore(Fitter(setups.structure, setups.data, fitter.criteria, scatter))
@@ -129,12 +140,6 @@ def _fitted_to_all(setups: AllSetups, search: Search, final: Fit) -> tuple[Searc
     if scatter is not None and scatter > fitter.shape_scatter:
         store, again = fitted(scatter)
     return Search(store, setups.structure.candidates), again
-
-
-def _in_all(setups: AllSetups, fitter: Fitter, hypothesis: Hypothesis) -> Hypothesis:
-    """Return a hypothesis with the indices of its excluded rows among all rows."""
-    lines = fitter.data.lines[sorted(hypothesis.excluded)]
-    return replace(hypothesis, excluded=frozenset(np.flatnonzero(np.isin(setups.data.lines, lines)).tolist()))
 
 
 def _without_one_row(
@@ -154,10 +159,6 @@ def _without_one_row(
     without = store.fit(replace(h, excluded=h.excluded | {row}), again.values)
     p_without = 0.0 if without is None else p_held_out(setups, fitter, without.hypothesis, final)
     return (without, p_without) if without is not None and p_without > c.gate.surely else (again, p_value)
-
-
-def _check(data: Measurements, row: int) -> str:
-    return f"{_row(data, row)} does not agree with the other held-out rows: check it"
 
 
 def _better(search: Search, again: Fit) -> Fit | None:
@@ -194,12 +195,6 @@ def _best_of(search: Search, again: Fit, rivals: Sequence[Fit]) -> Fit | None:
         ),
         None,
     )
-
-
-def _explaining(search: Search, again: Fit) -> Fit | None:
-    """Return the best single cause, remote ones included, that explains all setups; None if none does."""
-    fits = sorted([*search.additions.singles(), *search.alone()], key=search.store.criterion)
-    return next((fit for fit in fits if fit.causes != again.causes and search.gate(fit).passed), None)
 
 
 def held_out_remarks(

@@ -92,7 +92,11 @@ def beside(
     for bound in bounded:
         p = fitter.parameters[bound.index]
         name, limit = limit_key(p), Limit(bound.candidate.name, bound.size, p.unit, bound.change)
-        by_name[name] = max(by_name.get(name, limit), limit, key=_size)
+        by_name[name] = max(
+            by_name.get(name, limit),
+            limit,
+            key=lambda limit: math.inf if limit.value is None else limit.value,
+        )
     unseen = {}
     if noise and len(fits) == 1:
         unseen = _unseen(fits[0], bounded, moved_by_defaults(store, fits[0]))
@@ -109,10 +113,6 @@ def beside(
 def limit_key(p: Parameter) -> str:
     """Return the key of a parameter among the limits: of an effect its name and parameter, else the path."""
     return p.name.removeprefix("effects.")
-
-
-def _size(limit: Limit) -> float:
-    return float("inf") if limit.value is None else limit.value
 
 
 def _unseen(

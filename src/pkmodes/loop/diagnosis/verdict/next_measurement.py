@@ -12,7 +12,7 @@ from pkmodes.core.support.numbers import plain
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.posterior.document import Probabilities
-from pkmodes.loop.diagnosis.problem import Array, Driven, Structure, Surrounded
+from pkmodes.loop.diagnosis.problem import Array, Driven, Surrounded
 from pkmodes.loop.diagnosis.verdict.elsewhere import Elsewhere, MeasuringCondition, apart, elsewhere, ways
 from pkmodes.loop.diagnosis.verdict.explanations import Explanation, Named, explanations
 from pkmodes.loop.diagnosis.verdict.findings import NextMeasurement
@@ -52,14 +52,19 @@ def next_measurement(
     fitter, rivals = store.fitter, explanations(store, probabilities, classes)
     if len(rivals) < 2:
         return None, ""
-    other_setups, where = fitter.structure.elsewhere(POSES), _surroundings(fitter.structure)
+    declared, other_setups = fitter.structure, fitter.structure.elsewhere(POSES)
+    where = declared.surroundings if isinstance(declared, Surrounded) else "other setups"
     if other_setups is None:
         return None, UNKNOWN
     points, structure = other_setups
     if not len(points):
         return None, f"there are no {where}"
     best, claim = None, fitter.criteria.claim
-    tried = list(ways(structure, points, held=_may_be_held(fitter.structure, classes)))
+    # A cause is certain if it is in all remaining explanations.
+    causes = [{cause.name for cause in fit.causes} for group in classes for _, fit in group]
+    certain = set.intersection(*causes) if causes else set[str]()
+    held = not isinstance(declared, Driven) or declared.may_be_held(certain)
+    tried = list(ways(structure, points, held=held))
     proposals = [_proposed(fitter, rivals, points, way) for way in tried]
     for proposal in proposals:
         if proposal.sigmas >= claim.worth_measuring and (
@@ -71,13 +76,6 @@ def next_measurement(
     if best is not None:
         return best.measurement, ""
     return None, _nowhere(f"{len(points)} {where}", tried, proposals, claim.worth_measuring)
-
-
-def _may_be_held(structure: Structure, classes: Sequence[Named]) -> bool:
-    """Return whether held motors may be proposed; a cause is certain if it is in all remaining explanations."""
-    causes = [{cause.name for cause in fit.causes} for group in classes for _, fit in group]
-    certain = set.intersection(*causes) if causes else set[str]()
-    return not isinstance(structure, Driven) or structure.may_be_held(certain)
 
 
 def _proposed(
@@ -139,8 +137,3 @@ def _nowhere(
         f"none of {where} separates the remaining explanations by {least:g} standard deviations or more{ways}: "
         f"{' and '.join(best.measurement.separates)} differ by {plain(best.sigmas, 2)} at most"
     )
-
-
-def _surroundings(structure: Structure) -> str:
-    """Return what the poses to choose from are."""
-    return structure.surroundings if isinstance(structure, Surrounded) else "other setups"

@@ -50,7 +50,9 @@ def _shapes(store: FitStore, fit: Fit) -> Iterator[str]:
     data, c = store.fitter.data, store.fitter.criteria
     alike = all_alike(data, c.readings.same_shape)
     if alike:
-        yield f"all shapes of {_poses(alike)} are the same: shapes of different modes must differ"
+        listed = ", ".join(alike[:5]) + (", ..." if len(alike) > 5 else "")
+        poses = f"pose{'' if len(alike) == 1 else 's'} {listed}"
+        yield f"all shapes of {poses} are the same: shapes of different modes must differ"
     scatter = store.shape_scatter(fit)
     if scatter is not None and scatter > c.shapes.most_scatter:
         yield (
@@ -170,8 +172,3 @@ def _unmeasured(fitter: Fitter, fit: Fit) -> Iterator[str]:
         )
         at = f"{setups} poses" + (f" with {motors([drives])}" if mixed else "")
         yield f"a mode at {where} was expected at {at} but never measured"
-
-
-def _poses(labels: tuple[str, ...]) -> str:
-    listed = ", ".join(labels[:5]) + (", ..." if len(labels) > 5 else "")
-    return f"pose {listed}" if len(labels) == 1 else f"poses {listed}"

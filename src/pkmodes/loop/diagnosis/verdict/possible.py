@@ -77,16 +77,14 @@ def possible(
     why = [impossible(fitter, fit, plausible) for fit in group]
     if all(why):
         return list(group), []
-    kept = [fit for fit, text in zip(group, why, strict=True) if not text]
-    removed = [
-        f"{_values(fitter, fit)} would explain the measurements as well, but is left out of the class: {text}"
-        for fit, text in zip(group, why, strict=True)
-        if text
-    ]
+    kept, removed = [], []
+    for fit, text in zip(group, why, strict=True):
+        if not text:
+            kept.append(fit)
+            continue
+        at = [(fitter.parameters[i], float(fit.values[i])) for i in fitter.indices(fit.causes[-1])]
+        values = ", ".join(f"{p.name} = {_with_unit(plain(value, 3), p)}" for p, value in at)
+        removed.append(
+            f"{values} would explain the measurements as well, but is left out of the class: {text}"
+        )
     return kept, removed
-
-
-def _values(fitter: Fitter, fit: Fit) -> str:
-    """Return the values of the last cause of a fit."""
-    at = [(fitter.parameters[i], float(fit.values[i])) for i in fitter.indices(fit.causes[-1])]
-    return ", ".join(f"{p.name} = {_with_unit(plain(value, 3), p)}" for p, value in at)

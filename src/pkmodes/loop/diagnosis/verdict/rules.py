@@ -16,7 +16,6 @@ import numpy as np
 
 from pkmodes.core.support.numbers import p_in_words, p_text, plain
 from pkmodes.loop.diagnosis.readings import table
-from pkmodes.loop.diagnosis.verdict import misfit
 from pkmodes.loop.diagnosis.verdict.amplitude import depends_on_amplitude
 from pkmodes.loop.diagnosis.verdict.classes import distinct_causes, more_general, parts_alone
 from pkmodes.loop.diagnosis.verdict.defaults import by_a_default
@@ -24,10 +23,9 @@ from pkmodes.loop.diagnosis.verdict.dispersion import stiffness_of_frequency
 from pkmodes.loop.diagnosis.verdict.evidence import Decision, Evidence, Rule, Says, Start, T, first
 from pkmodes.loop.diagnosis.verdict.naming import explained
 from pkmodes.loop.diagnosis.verdict.notes import drift
-from pkmodes.loop.diagnosis.verdict.reasons import names, noise
+from pkmodes.loop.diagnosis.verdict.reasons import causes_in_words, names, noise
 from pkmodes.loop.diagnosis.verdict.shapes import better_by_shape, shapes_disagree
 from pkmodes.loop.diagnosis.verdict.specificity import p_coincidence
-from pkmodes.loop.diagnosis.verdict.term_instead import one_term
 from pkmodes.loop.diagnosis.verdict.too_few import too_few
 from pkmodes.loop.diagnosis.verdict.unexplained import OPEN, left_by
 from pkmodes.loop.diagnosis.verdict.values import no_value, once, rests_on_one_row
@@ -68,7 +66,17 @@ def modes_of_other_shapes(e: Evidence) -> str:
 
 def extra_modes(e: Evidence) -> str:
     """A row was set aside near which the model has no mode left: it is a mode that the model lacks."""
-    lines = _extra_lines(e)
+    fitter, final, lines = e.fitter, e.final, []
+    for row in sorted(final.hypothesis.excluded):
+        setup = fitter.data.pose[row]
+        # Modes that an error could have moved here, without those that were measured as well.
+        apart = np.abs(final.prediction.log_frequencies[setup] - fitter.observations.log[row])
+        near = apart < e.criteria.pairing.reach
+        near[: final.prediction.rigid] = False
+        partner = final.pairing.partner[fitter.observations.noise.rows[setup]]
+        near[partner[partner >= 0]] = False
+        if not near.any():
+            lines.append(int(fitter.data.lines[row]))
     if not lines:
         return ""
     single = len(lines) == 1
@@ -77,21 +85,6 @@ def extra_modes(e: Evidence) -> str:
         f"the declared model explains all other rows, but {which} that it does not have: all its modes near there "
         "were measured as well"
     )
-
-
-def _extra_lines(e: Evidence) -> list[int]:
-    """Return the lines of rows set aside with no mode of the model left near them that an error could have moved."""
-    fitter, final, lines = e.fitter, e.final, []
-    for row in sorted(final.hypothesis.excluded):
-        setup = fitter.data.pose[row]
-        apart = np.abs(final.prediction.log_frequencies[setup] - fitter.observations.log[row])
-        near = apart < e.criteria.pairing.reach
-        near[: final.prediction.rigid] = False
-        partner = final.pairing.partner[fitter.observations.noise.rows[setup]]
-        near[partner[partner >= 0]] = False
-        if not near.any():
-            lines.append(int(fitter.data.lines[row]))
-    return lines
 
 
 def unstated_error(e: Evidence) -> str:
@@ -118,11 +111,10 @@ def nothing_missing(e: Evidence) -> Says:
     setting_aside = noise(e.final, e.fitter.data.lines)
     aside = f", with {setting_aside}" if setting_aside else ""
     p = f"({p_in_words(gate.p_value)}, and {p_text(gate.p_candidates)} for the best candidate)"
-    declared = misfit.p_declared(e.store, e.final)
-    if declared > gate.level:
+    if not e.refit_needed:
         return Says(f"the residual of the declared model is noise {p}{aside}")
     refit = "the residual is noise once the uncertain values are refitted"
-    return Says(f"{refit} {p}, not as declared ({p_in_words(declared)}){aside}")
+    return Says(f"{refit} {p}, not as declared ({p_in_words(e.p_declared)}){aside}")
 
 
 # Causes leave noise --------------------------------------------------------------------------------------------
@@ -215,16 +207,7 @@ def not_specific(e: Evidence) -> str:
     p_value = p_coincidence(e.search, e.final)
     if p_value <= e.criteria.claim.specific:
         return ""
-    alternatives = _also(e)
-    also = f" (and so would {', '.join(alternatives)})" if alternatives else ""
-    return (
-        f"{e.explains} the residual{also}, but the data are too few to rule out a cause outside the candidates: "
-        f"{plain(100 * p_value, 2)} % of such causes would look like a candidate; measure more"
-    )
-
-
-def _also(e: Evidence) -> list[str]:
-    """Return the names of other single causes that would explain the residual, best first."""
+    # Other single causes that would explain the residual, best first.
     store = e.store
     fits = [
         fit
@@ -234,8 +217,13 @@ def _also(e: Evidence) -> list[str]:
         and fit.causes != e.final.causes
         and fit.causes[0].name not in e.members
     ]
-    passing = [fit for fit in fits if store.p_value(fit) > e.criteria.gate.surely]
-    return [fit.causes[0].name for fit in sorted(passing, key=store.criterion)[:MENTIONED]]
+    passing = sorted((f for f in fits if store.p_value(f) > e.criteria.gate.surely), key=store.criterion)
+    alternatives = [fit.causes[0].name for fit in passing[:MENTIONED]]
+    also = f" (and so would {', '.join(alternatives)})" if alternatives else ""
+    return (
+        f"{e.explains} the residual{also}, but the data are too few to rule out a cause outside the candidates: "
+        f"{plain(100 * p_value, 2)} % of such causes would look like a candidate; measure more"
+    )
 
 
 def value_without_support(e: Evidence) -> str:
@@ -303,6 +291,17 @@ def held_by_priors(e: Evidence) -> str:
     value = "its value changes" if len(e.final.causes) == 1 else "their values change"
     why = "some uncertain parameter is far from its declared value and compensates for something else"
     return f"{e.explains} the residual, but {value} with priors twice as wide: {why}"
+
+
+def one_term(e: Evidence) -> str:
+    """A term, beyond the catalogue, is clearly better, or survives beside several causes or a value of one axis."""
+    term = e.term_instead
+    if term is None:
+        return ""
+    description = causes_in_words(term.causes)
+    if len(e.final.causes) > 1:
+        return f"{names(e.final.causes)} together would explain the residual, but {description} would do so alone"
+    return f"{e.explains} the residual, but so would {description}"
 
 
 def causes_found(e: Evidence) -> Says:

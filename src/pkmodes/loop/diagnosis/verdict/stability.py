@@ -50,7 +50,21 @@ def trials(
     - classes: for each claimed cause, the fits of its class
     - contenders: other explanations; by default the best ones that were tried
     """
-    refitted = _contenders(search, final) if contenders is None else [final, *contenders]
+    store = search.store
+    if contenders is None:
+        rest = [
+            fit
+            for fit in store.tried()
+            if fit.causes
+            and len(fit.causes) <= max(len(final.causes), 1)
+            and not (fit.hypothesis.remote or fit.at_bound)
+            and {c.name for c in fit.causes} != {c.name for c in final.causes}
+            and store.criterion(fit) < store.criterion(final) + search.criteria.claim.near
+        ]
+        best = sorted(rest, key=store.criterion)[: search.criteria.claim.contenders]
+        refitted = [final, *best] if final.causes else best
+    else:
+        refitted = [final, *contenders]
     members = [{fit.causes[-1].name for fit in fits} for fits in classes]
     return [_trial(search, final, refitted, members, change) for change in CHANGES]
 
@@ -60,26 +74,13 @@ def unchanged(verdict: Verdict) -> tuple[Stability, ...]:
     return tuple(Stability(change, verdict.word, ()) for change in CHANGES)
 
 
-def _contenders(search: Search, final: Fit) -> list[Fit]:
-    store = search.store
-    rest = [
-        fit
-        for fit in store.tried()
-        if fit.causes
-        and len(fit.causes) <= max(len(final.causes), 1)
-        and not (fit.hypothesis.remote or fit.at_bound)
-        and {c.name for c in fit.causes} != {c.name for c in final.causes}
-        and store.criterion(fit) < store.criterion(final) + search.criteria.claim.near
-    ]
-    best = sorted(rest, key=store.criterion)[: search.criteria.claim.contenders]
-    return [final, *best] if final.causes else best
-
-
 def _trial(
     search: Search, final: Fit, contenders: list[Fit], members: Sequence[set[str]], change: str
 ) -> Trial:
     errors, priors = CHANGES[change]
-    fitter = _with(search.store.fitter, errors, priors)
+    fitter = search.store.fitter
+    data = fitter.data if errors == 1.0 else with_errors(fitter.data, errors)
+    fitter = Fitter(fitter.structure, data, fitter.criteria, fitter.shape_scatter, widened=priors)
     store, c = FitStore(fitter), fitter.criteria
     plain = store.fit(replace(final.hypothesis, causes=()))
     refitted = [store.fit(fit.hypothesis, fit.values) for fit in contenders]
@@ -137,9 +138,3 @@ def _is_kin(search: Search, final: Fit, rival: Fit, members: Sequence[set[str]])
     """
     names = {c.name for c in final.causes} ^ {c.name for c in rival.causes}
     return any(names <= group for group in members) and nested(search.store.fitter, final, rival)
-
-
-def _with(fitter: Fitter, errors: float, priors: float) -> Fitter:
-    """Return a fitter of the same structure and data with other errors and priors."""
-    data = fitter.data if errors == 1.0 else with_errors(fitter.data, errors)
-    return Fitter(fitter.structure, data, fitter.criteria, fitter.shape_scatter, widened=priors)

@@ -26,7 +26,7 @@ TOO_LARGE = {
 }
 #: Why other explanations are as good.
 UNDECIDED = {
-    HALVED: "smaller errors give noise a meaning",
+    HALVED: "smaller errors make noise look significant",
     DOUBLED: "errors twice as large no longer tell it from others",
     WIDENED: "the uncertain values would then make up for the differences",
 }

@@ -53,7 +53,35 @@ def p_absent(search: Search, final: Fit, cause: Candidate) -> float:
 
 def rests_on_one_row(search: Search, final: Fit) -> str:
     """Return which single row determines a cause or its value; empty if none does."""
-    return next((text for cause in final.causes if (text := _rests_on(search, final, cause))), "")
+    store, c = search.store, search.criteria
+    fitter, h = store.fitter, final.hypothesis
+    used = fitter.used(h)
+    leverage = np.where(used, final.leverage[fitter.observations.frequency_rows], 0.0)
+    rows = [int(row) for row in np.argsort(leverage)[::-1] if leverage[row] > c.search.redundant]
+    for cause in final.causes:
+        index = list(fitter.indices(cause))
+        sigma = [final.sigma_of(i) for i in index]
+        for row in rows:
+            if shows_once(search, final, cause, row):
+                continue
+            with_cause = replace(h, excluded=h.excluded | {row})
+            without = replace(with_cause, causes=tuple(kept for kept in h.causes if kept != cause))
+            here, less = store.fit(with_cause, final.values), store.fit(without, store.undone(final, without))
+            if here is None or less is None:
+                continue
+            gone = float(stats.chi2.sf(max(less.deviance - here.deviance, 0.0), len(index))) > c.claim.claimed
+            both = np.hypot(sigma, [here.sigma_of(i) for i in index])
+            moved = np.abs(here.values[index] - final.values[index]) > c.claim.moved * both
+            if gone or moved.any():
+                data = fitter.data
+                there = float(here.values[index[int(np.argmax(moved))]])
+                so = "it would not be detected" if gone else f"its value would be {plain(there, 4)}"
+                return (
+                    f"{cause.name} would explain the residual, but depends on line {data.lines[row]} "
+                    f"({data.labels[data.pose[row]]}, {data.frequency[row]:g} Hz) alone: without that row, {so}; "
+                    "check the row"
+                )
+    return ""
 
 
 def shows_once(search: Search, final: Fit, cause: Candidate, row: int) -> bool:
@@ -90,34 +118,3 @@ def once(search: Search, final: Fit) -> str:
         f"it shows mostly in line {min(lines)}, a mode that was measured only once: measure it again to rule out a "
         "mistaken row"
     )
-
-
-def _rests_on(search: Search, final: Fit, cause: Candidate) -> str:
-    store, c = search.store, search.criteria
-    fitter, h = store.fitter, final.hypothesis
-    used, index = fitter.used(h), list(fitter.indices(cause))
-    leverage = np.where(used, final.leverage[fitter.observations.frequency_rows], 0.0)
-    sigma = [final.sigma_of(i) for i in index]
-    for row in np.argsort(leverage)[::-1]:
-        if leverage[row] <= c.search.redundant:
-            break
-        if shows_once(search, final, cause, int(row)):
-            continue
-        with_cause = replace(h, excluded=h.excluded | {int(row)})
-        without = replace(with_cause, causes=tuple(kept for kept in h.causes if kept != cause))
-        here, less = store.fit(with_cause, final.values), store.fit(without, store.undone(final, without))
-        if here is None or less is None:
-            continue
-        gone = float(stats.chi2.sf(max(less.deviance - here.deviance, 0.0), len(index))) > c.claim.claimed
-        both = np.hypot(sigma, [here.sigma_of(i) for i in index])
-        moved = np.abs(here.values[index] - final.values[index]) > c.claim.moved * both
-        if gone or moved.any():
-            data = fitter.data
-            there = float(here.values[index[int(np.argmax(moved))]])
-            so = "it would not be detected" if gone else f"its value would be {plain(there, 4)}"
-            return (
-                f"{cause.name} would explain the residual, but depends on line {data.lines[row]} "
-                f"({data.labels[data.pose[row]]}, {data.frequency[row]:g} Hz) alone: without that row, {so}; "
-                "check the row"
-            )
-    return ""

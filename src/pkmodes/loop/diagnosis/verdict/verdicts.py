@@ -67,9 +67,9 @@ UNEXPLAINED = Verdict(
     True,
     "bad",
     "no explanations are left between which a measurement could decide",
-    "no part in particular: no cause is claimed; before the machine, check what the files say of units, directions, "
-    "motors and errors",
-    "not sure of any cause, so that none is claimed",
+    "no part in particular: no cause is claimed; before the machine, check what the files say about units, "
+    "directions, motors and errors",
+    "not sure of any cause, so none is claimed",
 )
 INSUFFICIENT_DATA = Verdict(
     "insufficient_data",
