@@ -13,9 +13,9 @@ from pkmodes.loop.diagnosis.posterior.document import (
     Probabilities,
     Statement,
 )
-from pkmodes_rig.suites import calibration
-from pkmodes_rig.suites.cases import Case
-from pkmodes_rig.suites.specimens import Specimen
+from studies import calibration
+from studies.cases import Case
+from studies.specimens import Specimen
 
 ONE_AXIS = "parameter:axis.2.carriage.mass"
 CANDIDATES = ("belt_mass", "payload", "gearbox_inertia", "parameter:motor.gear_ratio")

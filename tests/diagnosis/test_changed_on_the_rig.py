@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import pytest
 
-from pkmodes_rig.suites.changed import pair
-from pkmodes_rig.suites.changed_judging import run
+from studies.changed import pair
+from studies.changed_judging import run
 
 #: Pairs by seed, suite and number; what changed there, and why it was not named before.
 NAMED = [

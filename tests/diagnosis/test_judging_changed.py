@@ -13,14 +13,14 @@ import pytest
 from pkmodes import read_robot, updating
 from pkmodes_rig.one_place import Fault, assembled, modes_of
 from pkmodes_rig.one_place.changes import ALL_DRIVES, kinds_of_changes
-from pkmodes_rig.suites.changed import MACHINES, cases, page, pair, some_pairs
-from pkmodes_rig.suites.changed_cases import Campaign, Pair, PairCase, measured, written_to
-from pkmodes_rig.suites.changed_judging import PairOutcome, judged_change, run, truths_of
-from pkmodes_rig.suites.one_place_cases import CLEAR, EVERY, FAINT, declared
-from pkmodes_rig.suites.running import Pool
-from pkmodes_rig.suites.specimens import MACHINES as SPECIMENS
-from pkmodes_rig.suites.specimens import measurements_of
-from pkmodes_rig.suites.true_machines import WITHIN
+from studies.changed import MACHINES, cases, page, pair, some_pairs
+from studies.changed_cases import Campaign, Pair, PairCase, measured, written_to
+from studies.changed_judging import PairOutcome, judged_change, run, truths_of
+from studies.one_place_cases import CLEAR, EVERY, FAINT, declared
+from studies.running import Pool
+from studies.specimens import MACHINES as SPECIMENS
+from studies.specimens import measurements_of
+from studies.true_machines import WITHIN
 
 
 def true_frequencies(

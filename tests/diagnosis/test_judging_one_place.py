@@ -10,10 +10,10 @@ import pytest
 from pkmodes_rig.one_place import Fault, modes_of
 from pkmodes_rig.one_place.draws import KINDS, kinds_of
 from pkmodes_rig.one_place.laws import LAWS, Setting, laws_of, modes_by_law
-from pkmodes_rig.suites.one_place import MACHINES, cases, page
-from pkmodes_rig.suites.one_place_cases import CLEAR, EVERY, PlaceCase, declared, measured
-from pkmodes_rig.suites.one_place_judging import PlaceOutcome, classes_of, judged, same
-from pkmodes_rig.suites.running import Pool
+from studies.one_place import MACHINES, cases, page
+from studies.one_place_cases import CLEAR, EVERY, PlaceCase, declared, measured
+from studies.one_place_judging import PlaceOutcome, classes_of, judged, same
+from studies.running import Pool
 
 VALUE = {"value": 63.8, "sigma": 0.9, "unit": "N*m/rad"}
 

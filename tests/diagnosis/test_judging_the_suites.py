@@ -19,19 +19,19 @@ from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes_rig.laboratory import Laboratory
 from pkmodes_rig.measurements import Identified
 from pkmodes_rig.robots import ROBOTS, read
-from pkmodes_rig.suites import campaign_machines, clear_cases, clear_suites, damping_cases, diagnosis
-from pkmodes_rig.suites.campaign_cases import CampaignOutcome
-from pkmodes_rig.suites.campaign_table import table
-from pkmodes_rig.suites.cases import Case, measured, tried
-from pkmodes_rig.suites.clear_cases import ClearCase, ClearOutcome
-from pkmodes_rig.suites.damping_cases import DampingOutcome
-from pkmodes_rig.suites.deciding import Line, counts, rightly
-from pkmodes_rig.suites.judging import MENTIONS, CaseOutcome, judged, physical, set_aside_blindly
-from pkmodes_rig.suites.requirements import requirements
-from pkmodes_rig.suites.running import Pool, _attempt
-from pkmodes_rig.suites.specimens import MACHINES, Specimen, measurements
-from pkmodes_rig.suites.strengths import signal
-from pkmodes_rig.suites.suites import SUITES
+from studies import campaign_machines, clear_cases, clear_suites, damping_cases, diagnosis
+from studies.campaign_cases import CampaignOutcome
+from studies.campaign_table import table
+from studies.cases import Case, measured, tried
+from studies.clear_cases import ClearCase, ClearOutcome
+from studies.damping_cases import DampingOutcome
+from studies.deciding import Line, counts, rightly
+from studies.judging import MENTIONS, CaseOutcome, judged, physical, set_aside_blindly
+from studies.requirements import requirements
+from studies.running import Pool, _attempt
+from studies.specimens import MACHINES, Specimen, measurements
+from studies.strengths import signal
+from studies.suites import SUITES
 
 
 def of_kind(suite: str, kind: str) -> list[Case]:

@@ -10,11 +10,11 @@ import pytest
 from pkmodes.loop.diagnosis.posterior import probabilities
 from pkmodes.loop.diagnosis.posterior.document import ClassProbability, PairProbability, Probabilities
 from pkmodes.loop.diagnosis.verdict import rules
-from pkmodes_rig.suites import hard_suites, judging, refused
-from pkmodes_rig.suites.cases import Case
-from pkmodes_rig.suites.refused import Members
-from pkmodes_rig.suites.running import Outcome
-from pkmodes_rig.suites.specimens import Specimen
+from studies import hard_suites, judging, refused
+from studies.cases import Case
+from studies.refused import Members
+from studies.running import Outcome
+from studies.specimens import Specimen
 
 PAIR = ("belt_mass", "payload")
 OTHER_PAIR = ("belt_mass", "gearbox_inertia")

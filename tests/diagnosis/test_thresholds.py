@@ -13,8 +13,8 @@ import pytest
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.loop.diagnosis import Criteria
 from pkmodes.loop.diagnosis.criteria import ShapeCriteria
-from pkmodes_rig.suites.shadows import Shadowed
-from pkmodes_rig.suites.thresholds import defaults, differs, limited, numbers, scaled
+from studies.shadows import Shadowed
+from studies.thresholds import defaults, differs, limited, numbers, scaled
 
 PAGE = Path(__file__).parents[2] / "docs/thresholds-measured.md"
 rows = np.array([0.5, 3.0, np.nan])

@@ -1,0 +1,242 @@
+"""Measure how often the most probable explanation of a diagnosis is right, on the cases of all suites.
+
+    python -m studies.calibration --seed 20271127 --out docs/probabilities-measured.md   # `make suites`
+
+`COUNT` cases drawn from all suites run with a fresh seed.  What is found is kept in a file, a line of JSON for each
+case, so that a run which was stopped goes on where it was.  The most probable statement is right if it is the truth
+of the case: nothing missing, the class that contains the cause, the pair of both causes, or something outside the
+candidates.
+"""
+
+from __future__ import annotations
+
+import itertools
+import json
+import sys
+import traceback
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pkmodes.loop.diagnosis.posterior.document import Probabilities
+from studies import clear_cases, clear_suites, judging, mechanism_cases, mechanism_suites
+from studies.cases import Case
+from studies.clear_cases import ClearCase
+from studies.judging import same_of
+from studies.mechanism_cases import MechanismCase
+from studies.running import Outcome, command_line, publish
+from studies.suites import SUITES
+
+#: Number of cases, and the seed by default.
+COUNT, SEED = 1000, 20271127
+#: Seeds with which the probabilities were developed.
+SEEN = "the seeds 70001, 20270401, 20270402 and 20270403"
+#: Bounds of the bins of the largest probability.
+BOUNDS = tuple(itertools.pairwise((0.0, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95, 0.99, 1.0)))
+#: Suites whose data are mistaken on purpose: what is true of them is not among the explanations.
+MISTAKEN = ("units and wiring", "wrong drives")
+
+
+def cases(without: Sequence[str] = MISTAKEN) -> Iterator[tuple[str, Any, Callable[[Any], Any]]]:
+    """Yield the cases of all suites but some, by default the mistaken ones: suite, case, and how it is run."""
+    for name, suite in SUITES.items():
+        if name not in without:
+            yield from ((f"linear delta, {name}", case, judging.run) for case in suite())
+    for other in mechanism_suites.cases():
+        if other.suite not in without:
+            yield f"{other.specimen.machine}, {other.suite}", other, mechanism_cases.run
+    for clear in clear_suites.cases():
+        yield f"{clear.machine}, clear, {clear.suite}", clear, clear_cases.run
+
+
+def right(case: Any, said: Probabilities, candidates: Sequence[str]) -> bool:
+    """Return whether the most probable statement is the truth of a case."""
+    top, (names, is_outside) = said.top[0], truth_of(case)
+    if top == "nothing_missing":
+        return not names and not is_outside
+    if top == "outside":
+        # A value of a single axis, for which the file gives one for all, is no candidate.
+        return is_outside or any(not truth & set(candidates) for truth in _truths(case))
+    return explains(case, top)
+
+
+def explains(case: Any, members: Sequence[str | tuple[str, str]]) -> bool:
+    """Return whether one of the members of a class, or one of some pairs, is the cause or both causes of a case."""
+    truths = _truths(case)
+    each = [(one,) if isinstance(one, str) else one for one in members]
+    return any(
+        len(causes) == len(truths)
+        and any(
+            all(one in truth for one, truth in zip(order, truths, strict=True))
+            for order in (causes, causes[::-1])
+        )
+        for causes in each
+    )
+
+
+def explains_a_part(case: Any, members: Sequence[str | tuple[str, str]]) -> bool:
+    """Return whether one of the members of a class is one of several causes of a case."""
+    truths = _truths(case)
+    return len(truths) > 1 and any(one in truth for one in members for truth in truths)
+
+
+def truth_of(case: Any) -> tuple[tuple[str, ...], bool]:
+    """Return the causes that should be named, and whether something outside the candidates is right."""
+    if isinstance(case, ClearCase):
+        return case.names, case.outside
+    truth = case.truth if isinstance(case, Case) else case.specimen
+    return case.names, bool(truth.outside)
+
+
+def _truths(case: Any) -> list[set[str]]:
+    """Return the names that are right for each cause."""
+    same = _same(case)
+    return [{name, *same.get(name, ())} for name in truth_of(case)[0]]
+
+
+def _same(case: Any) -> Mapping[str, tuple[str, ...]]:
+    if isinstance(case, ClearCase):
+        return same_of(case.machine)
+    if isinstance(case, MechanismCase):
+        return same_of(case.specimen.machine)
+    return judging.SAME
+
+
+# Running -----------------------------------------------------------------------------------------------------
+
+
+def main() -> None:
+    """Run the cases that are not kept yet, and write the tables."""
+    parser = command_line("Measure the calibration of the probabilities.", SEED)
+    parser.add_argument("--kept", type=Path, default=Path("build/calibration.jsonl"), help="what was found")
+    parser.add_argument("--count", type=int, default=COUNT, help="number of cases")
+    arguments = parser.parse_args()
+    kept = arguments.kept
+    kept.parent.mkdir(parents=True, exist_ok=True)
+    known = {one["case"] for one in read(kept)}
+    every = list(cases())
+    # Shuffled: a part of them is a sample of all.
+    for place in np.random.default_rng(0).permutation(len(every))[: arguments.count].tolist():
+        suite, case, run = every[place]
+        case = replace(case, seed=arguments.seed)
+        name = f"{suite}: {case.label}, seed {case.seed}"
+        if name in known:
+            continue
+        with kept.open("a", encoding="utf-8") as file:
+            file.write(json.dumps({"case": name, "suite": suite, **_found(case, run)}) + "\n")
+    publish(page(read(kept)), arguments.out)
+
+
+def _found(case: Any, run: Callable[[Any], Outcome[Any]]) -> dict[str, Any]:
+    try:
+        outcome = run(case)
+    except Exception:
+        print(traceback.format_exc(limit=-8), file=sys.stderr, flush=True)
+        return {"state": "failed"}
+    said = outcome.probabilities
+    found: dict[str, Any] = {"state": outcome.state, "verdict": outcome.verdict, "seconds": outcome.seconds}
+    if said is None:
+        return found
+    top, probability = said.top
+    return found | {
+        "names": list(truth_of(case)[0]),
+        "outside": truth_of(case)[1],
+        "top": top,
+        "probability": probability,
+        "right": right(case, said, outcome.candidates),
+    }
+
+
+def read(kept: Path) -> list[dict[str, Any]]:
+    """Return the lines of a file; none if it does not exist."""
+    return (
+        [json.loads(line) for line in kept.read_text(encoding="utf-8").splitlines()] if kept.exists() else []
+    )
+
+
+# Tables ------------------------------------------------------------------------------------------------------
+
+
+def page(found: Sequence[Mapping[str, Any]]) -> list[str]:
+    """Return the page."""
+    some = [one for one in found if "right" in one]
+    failed = sum(one["state"] == "failed" for one in found)
+    verdicts = sorted({_verdict(one) for one in some})
+    return [
+        "# The probabilities, measured",
+        "",
+        "Written by `make suites`; do not edit. `tests/studies/calibration.py` runs cases drawn from all",
+        "suites but those with mistaken files, and compares the most probable explanation of each with the truth:",
+        "that nothing is missing, the class that contains the cause, the pair of both causes, or something outside.",
+        "A wrong value of a single axis, which is no candidate, counts as something outside. A class with one of two",
+        "causes is wrong, and so is that nothing is missing where a cause is too small to be seen.",
+        "",
+        f"{len(found)} cases, {len(some)} with probabilities, {failed} failed; expected calibration error"
+        f" {error(some):.3f}. Priors, doubt and the family of changes outside were chosen before, with {SEEN}.",
+        "",
+        *_table(
+            "largest probability",
+            {f"{low:g} to {high:g}": _in_bin(some, low, high) for low, high in BOUNDS},
+            some,
+        ),
+        *_table(
+            "most probable", {kind: [one for one in some if _kind(one["top"]) == kind] for kind in KINDS}
+        ),
+        *_table("verdict", {name: [one for one in some if _verdict(one) == name] for name in verdicts}),
+        *_table("suite", {name: [one for one in some if one["suite"] == name] for name in _suites(some)}),
+    ]
+
+
+def _table(
+    head: str, groups: Mapping[str, Sequence[Mapping[str, Any]]], every: Sequence[Mapping[str, Any]] = ()
+) -> list[str]:
+    lines = [_line(name, part) for name, part in groups.items()] + ([_line("all", every)] if every else [])
+    return [
+        f"| {head} | cases | mean probability | right | fraction right |",
+        "| --- | --- | --- | --- | --- |",
+        *lines,
+        "",
+    ]
+
+
+def _suites(found: Sequence[Mapping[str, Any]]) -> list[str]:
+    return sorted({one["suite"] for one in found})
+
+
+#: Kinds of statements.
+KINDS = ("nothing missing", "a class", "a pair", "outside")
+
+
+def error(found: Sequence[Mapping[str, Any]]) -> float:
+    """Return the expected calibration error: the mean over all cases of the error of their bin."""
+    parts = [_in_bin(found, low, high) for low, high in BOUNDS]
+    apart = [abs(sum(one["probability"] - one["right"] for one in part)) for part in parts]
+    return sum(apart) / max(len(found), 1)
+
+
+def _kind(top: Any) -> str:
+    if isinstance(top, str):
+        return "outside" if top == "outside" else "nothing missing"
+    return "a class" if isinstance(top[0], str) else "a pair"
+
+
+def _verdict(one: Mapping[str, Any]) -> str:
+    """Return the verdict, and of a claim whether it is right."""
+    return f"effect_found, {one['state']}" if one["verdict"] == "effect_found" else one["verdict"]
+
+
+def _in_bin(found: Sequence[Mapping[str, Any]], low: float, high: float) -> list[Mapping[str, Any]]:
+    return [one for one in found if low < one["probability"] <= high]
+
+
+def _line(what: str, part: Sequence[Mapping[str, Any]]) -> str:
+    count, good = len(part), sum(bool(one["right"]) for one in part)
+    mean = f"{np.mean([one['probability'] for one in part]):.3f}" if count else ""
+    return f"| {what} | {count} | {mean} | {good} | {f'{good / count:.3f}' if count else ''} |"
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,395 @@
+"""Where a probability and the verdict disagree: explanations that are probable but refused, by the rule that refuses.
+
+    python -m studies.refused --seed 20290202 --limit 5 --out docs/refused-measured.md   # `make suites`
+
+Cases of all suites run in turn, up to `--limit` of each, then all cases of the suites with the fewest measured modes,
+where refusals are most frequent.  Those of one fault at one place, which are decided by rules of their own, have no
+part.  What is found is kept in a file, a line of JSON for each case, so that a run which was
+stopped goes on where it was.  A case whose verdict is given by a rule that is asked where causes leave noise runs
+again without that rule.
+"""
+
+from __future__ import annotations
+
+import itertools
+import json
+import sys
+import traceback
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+from unittest import mock
+
+import numpy as np
+
+from pkmodes.loop.diagnosis.posterior.document import Probabilities
+from pkmodes.loop.diagnosis.posterior.probabilities import ACCEPTED, NONE, REFUSED
+from pkmodes.loop.diagnosis.verdict import rules
+from pkmodes.loop.diagnosis.verdict.unexplained import OPEN
+from pkmodes.loop.diagnosis.verdict.verdicts import EFFECT_FOUND, UNEXPLAINED
+from studies import calibration, clear_cases, six_legged_suites
+from studies.calibration import explains, explains_a_part, truth_of
+from studies.running import Outcome, command_line, publish
+from studies.tables import listed, table
+
+#: The probability above which an explanation should not be refused without a reason.
+PROBABLE = 0.95
+SEED, LIMIT = 20290202, 5
+#: Suites of which all cases run.
+WHOLE = ("linear delta, few rows", "linear delta, outliers among few")
+#: Machines whose cases take a minute each.
+SLOW = ("hexaglide",)
+#: What a claim of an explanation would be: with every cause, with one of two, or with something that is none.
+RIGHT, PART, WRONG = "right", "one of two", "wrong"
+STATES = (RIGHT, PART, WRONG)
+#: What becomes of a case without the rule that decided it, by the state of its outcome.
+WITHOUT = {"named": RIGHT, "partly": PART, "wrong": WRONG}
+#: Members of a class that are listed.
+MENTIONED = 4
+OPEN_RULES = frozenset(rule.name for rule in OPEN)
+#: Rules that a diagnosis can do without: the last one always applies.
+CLAIM_RULES = frozenset(rule.name for rule in rules.CLAIMS[:-1])
+FOUND = rules.CLAIMS[-1].name
+#: Members of a class, or pairs.
+Members = Sequence[str] | Sequence[tuple[str, str]]
+Run = Callable[[Any], Outcome[Any]]
+Line = Mapping[str, Any]
+
+
+BEGINNING = """\
+# Probable and refused, measured
+
+Written by `make suites`; do not edit. `tests/studies/refused.py` draws as many cases from each suite of
+the diagnosis, those with mistaken files too, but none of hexaglides, which take a minute each, or of one fault at one
+place, which other rules decide. The most probable class or pair of each case, a
+[second opinion](explanation/diagnosis.md#a-second-opinion), is held against its verdict and the truth.
+*Claimed*: `effect_found`, with this class or pair and nothing else; *refused*: any other verdict or claim. *Right*:
+it contains the cause, or both causes; *one of two*: a class that contains one of two causes; *wrong* otherwise, also
+where nothing is missing or the cause is outside the catalogue. Terms are not tried.
+
+Seed {seed}; {cases} cases drawn from {suites} suites, of which {some} have a class or pair with a probability; and
+all {whole} cases with few rows, and with outliers among few. {failed} failed. Verdicts and probabilities were
+developed with other seeds, on cases of the same suites."""
+STATED = f"""\
+## As stated
+
+The doubt is {100 * ACCEPTED:.0f} % where the verdict accepts an explanation or leaves a few, {100 * REFUSED:.0f} %
+where one leaves only noise but is refused, and {100 * NONE:.0f} % where none does. So no class or pair of an
+`unexplained` case has a stated probability above {1.0 - REFUSED:g}, whatever the data say."""
+AS_IF_ACCEPTED = f"""\
+## As if accepted
+
+What the probability would be with the doubt of an accepted explanation. It is above {PROBABLE} where data and priors
+alone give the class or pair more than {PROBABLE / (1.0 - ACCEPTED):.3f}."""
+BY_RULE = f"""\
+Those that are refused, by the rule that decides. *Decided*: all cases of this rule that have a class or pair with a
+probability; *probable*: those of them where it is above {PROBABLE} as if accepted."""
+LEFT_OUT = """\
+## Without the rule
+
+Every case that is refused by a rule which is asked where causes leave noise, however probable its best explanation,
+was diagnosed again without that rule: what is then claimed, or which other rules refuse. A claim is also wrong if a
+row was set aside without the redundancy to tell which row is wrong. The other rules cannot be left out: where they
+decide, no causes leave noise."""
+EACH = f"""\
+## Each of them
+
+All refused cases with a probability above {PROBABLE} as if accepted; of a class, its most probable members."""
+
+
+# Cases -------------------------------------------------------------------------------------------------------
+
+
+def cases() -> Iterator[tuple[str, Any, Run]]:
+    """Yield the cases of the suites: suite, case, and how it is run."""
+    yield from calibration.cases(without=())
+    for case in six_legged_suites.cases():
+        if case.machine not in SLOW:
+            yield f"{case.machine}, clear, {case.suite}", case, clear_cases.run
+
+
+def in_turn(some: Sequence[tuple[str, Any, Run]], limit: int) -> list[tuple[str, Any, Run]]:
+    """Return cases in the order in which they run: one of each suite, drawn at random, then the next of each.
+
+    Clear causes are suites on all machines alike.
+    """
+    suites: dict[str, list[tuple[str, Any, Run]]] = {}
+    for one in some:
+        suites.setdefault(pooled(one[0]), []).append(one)
+    drawn = [
+        [suite[k] for k in np.random.default_rng(0).permutation(len(suite))[:limit].tolist()]
+        for suite in suites.values()
+    ]
+    return [one for turn in itertools.zip_longest(*drawn) for one in turn if one is not None]
+
+
+def pooled(suite: str) -> str:
+    """Return the name of a suite, without the machine where it is one of clear causes."""
+    machine, clear, rest = suite.partition(", clear, ")
+    return clear + rest or machine
+
+
+# What is found -----------------------------------------------------------------------------------------------
+
+
+def best(said: Probabilities) -> tuple[Members, float] | None:
+    """Return the most probable class or pair, with its probability; None if none has one."""
+    each: list[tuple[Members, float]] = [(one.members, one.probability) for one in said.classes]
+    each += [(one.members, one.probability) for one in said.pairs]
+    return max(each, key=lambda one: one[1], default=None)
+
+
+def as_accepted(probability: float, verdict: str, rule: str) -> float:
+    """Return what the probability of a class or pair would be if the verdict accepted it.
+
+    The doubt depends on the verdict: it is undone, and that of an accepted explanation put in its place.
+    """
+    doubt = ACCEPTED
+    if verdict == UNEXPLAINED.word:
+        doubt = NONE if rule in OPEN_RULES else REFUSED
+    return probability * (1.0 - ACCEPTED) / (1.0 - doubt)
+
+
+def claimed(members: Members, outcome: Outcome[Any]) -> bool:
+    """Return whether a verdict claims what a class or a pair says: each cause in a class, and no other class."""
+    if outcome.verdict != EFFECT_FOUND.word:
+        return False
+    for one in members:
+        causes = (one,) if isinstance(one, str) else one
+        for order in itertools.permutations(causes):
+            if len(order) == len(outcome.classes) and all(
+                cause in found for cause, found in zip(order, outcome.classes, strict=True)
+            ):
+                return True
+    return False
+
+
+def held(case: Any, members: Members) -> str:
+    """Return whether a claim of a class or pair would be right."""
+    if explains(case, members):
+        return RIGHT
+    is_class = all(isinstance(one, str) for one in members)
+    return PART if is_class and explains_a_part(case, members) else WRONG
+
+
+@contextmanager
+def without(rule: str) -> Iterator[None]:
+    """Decide without one of the rules that are asked where causes leave noise."""
+    with mock.patch.object(rules, "CLAIMS", tuple(one for one in rules.CLAIMS if one.name != rule)):
+        yield
+
+
+def line_of(case: Any, run: Run) -> dict[str, Any]:
+    """Run a case, again without the rule that refused to claim, and return what is found."""
+    outcome = _attempt(case, run)
+    if outcome is None:
+        return {"rule": "", "verdict": "failed"}
+    causes, outside = truth_of(case)
+    found: dict[str, Any] = {
+        "names": list(causes),
+        "outside": outside,
+        "rule": outcome.rule,
+        "verdict": outcome.verdict,
+        "state": outcome.state,
+        "classes": outcome.classes,
+        "signal": outcome.signal,
+        "seconds": outcome.seconds,
+        "reason": outcome.reason,
+    }
+    if outcome.rule in CLAIM_RULES:
+        with without(outcome.rule):
+            again = _attempt(case, run)
+        found["without"] = (
+            ["failed", ""] if again is None else [WITHOUT.get(again.state, "refused"), again.rule]
+        )
+    top = None if outcome.probabilities is None else best(outcome.probabilities)
+    if top is None:
+        return found
+    members, probability = top
+    return found | {
+        "members": [one if isinstance(one, str) else " + ".join(one) for one in members],
+        "probability": probability,
+        "accepted": as_accepted(probability, outcome.verdict, outcome.rule),
+        "held": held(case, members),
+        "claimed": claimed(members, outcome),
+    }
+
+
+def _attempt(case: Any, run: Run) -> Outcome[Any] | None:
+    try:
+        return run(case)
+    except Exception:
+        print(traceback.format_exc(limit=-8), file=sys.stderr, flush=True)
+        return None
+
+
+# Running -----------------------------------------------------------------------------------------------------
+
+
+def main() -> None:
+    """Run the cases that are not kept yet, and write the tables."""
+    parser = command_line("Measure what becomes of probable explanations that are refused.", SEED)
+    parser.add_argument("--kept", type=Path, default=Path("build/refused.jsonl"), help="what was found")
+    parser.add_argument("--limit", type=int, default=LIMIT, help="largest number of cases per suite")
+    parser.add_argument("--no-whole", action="store_true", help="leave out those of which all cases run")
+    arguments = parser.parse_args()
+    kept = arguments.kept
+    kept.parent.mkdir(parents=True, exist_ok=True)
+    known = {one["case"]: one for one in calibration.read(kept)}
+
+    def of(suite: str, case: Any, run: Run) -> Line:
+        case = replace(case, seed=arguments.seed)
+        name = f"{suite}: {case.label}, seed {case.seed}"
+        if name not in known:
+            known[name] = {"case": name, "suite": suite, **line_of(case, run)}
+            with kept.open("a", encoding="utf-8") as file:
+                file.write(json.dumps(known[name]) + "\n")
+        return known[name]
+
+    every = list(cases())
+    drawn = [of(*one) for one in in_turn(every, arguments.limit)]
+    whole = [] if arguments.no_whole else [of(*one) for one in every if one[0] in WHOLE]
+    publish(page(drawn, whole, arguments.seed), arguments.out)
+
+
+# Tables ------------------------------------------------------------------------------------------------------
+
+
+def page(drawn: Sequence[Line], whole: Sequence[Line], seed: int) -> list[str]:
+    """Return the page on cases drawn from all suites, and on all those of a few suites."""
+    some = [one for one in drawn if "members" in one]
+    every = list({one["case"]: one for one in (*drawn, *whole)}.values())
+    beginning = BEGINNING.format(
+        seed=seed,
+        cases=len(drawn),
+        suites=len({pooled(one["suite"]) for one in drawn}),
+        some=len(some),
+        whole=len(whole),
+        failed=sum(one["verdict"] == "failed" for one in every),
+    )
+    return [
+        *beginning.splitlines(),
+        "",
+        *STATED.splitlines(),
+        "",
+        *_shares(some, "probability"),
+        "",
+        *AS_IF_ACCEPTED.splitlines(),
+        "",
+        *_shares(some, "accepted"),
+        "",
+        *BY_RULE.splitlines(),
+        "",
+        *_by_rule(drawn),
+        "",
+        "The same for all cases with few rows, and with outliers among them.",
+        "",
+        *_by_rule(whole),
+        "",
+        *LEFT_OUT.splitlines(),
+        "",
+        *_without(every),
+        "",
+        *EACH.splitlines(),
+        "",
+        *_listed([one for one in every if _refused(one) and one["accepted"] > PROBABLE]),
+    ]
+
+
+def _refused(one: Line) -> bool:
+    """Return whether a case has a class or pair with a probability that is not claimed."""
+    return "members" in one and not one["claimed"]
+
+
+def _shares(some: Sequence[Line], key: str) -> list[str]:
+    """Return how often what is probable is right, where it is claimed and where it is refused."""
+    high = [one for one in some if one[key] > PROBABLE]
+    groups = {
+        "claimed": [one for one in high if one["claimed"]],
+        "refused": [one for one in high if not one["claimed"]],
+        "all": high,
+    }
+    rows = [[name, *_counts(group, "held"), _part(group)] for name, group in groups.items()]
+    return table([f"above {PROBABLE}", "cases", *STATES, "fraction right"], rows)
+
+
+def _by_rule(some: Sequence[Line]) -> list[str]:
+    rows = []
+    for rule in _ordered(some):
+        decided = [one for one in some if one["rule"] == rule and _refused(one)]
+        probable = [one for one in decided if one["accepted"] > PROBABLE]
+        if probable:
+            stated = sum(one["probability"] > PROBABLE for one in probable)
+            name = f"{rule}, with another claim" if rule == FOUND else rule
+            counted = [*_counts(probable, "held"), _part(probable), str(stated or "")]
+            rows.append([name, str(len(decided)), *counted])
+    return listed(["rule", "decided", "probable", *STATES, "fraction right", "above as stated"], rows)
+
+
+def _without(some: Sequence[Line]) -> list[str]:
+    again, rows = [one for one in some if "without" in one], []
+    for rule in _ordered(again):
+        group = [one for one in again if one["rule"] == rule]
+        states = [one["without"][0] for one in group]
+        others = sorted({one["without"][1] for one in group if one["without"][0] == "refused"})
+        still = states.count("refused")
+        rows.append(
+            [
+                rule,
+                str(len(group)),
+                *(str(states.count(state) or "") for state in STATES),
+                f"{still}: {', '.join(others)}" if still else "",
+            ]
+        )
+    return listed(["without", "cases", *(f"claim {state}" for state in STATES), "refused by others"], rows)
+
+
+def _listed(doubted: Sequence[Line]) -> list[str]:
+    order = {rule: k for k, rule in enumerate(_ordered(doubted))}
+    rows = [
+        [
+            one["rule"],
+            one["case"].partition(": ")[2].rpartition(", seed")[0],
+            " + ".join(one["names"]) or ("outside" if one["outside"] else "nothing missing"),
+            _some(one["members"]),
+            f"{one['accepted']:.3f}",
+            one["held"],
+            _then(one),
+        ]
+        for one in sorted(doubted, key=lambda one: order[one["rule"]])
+    ]
+    head = ["rule", "case", "truth", "class or pair", "as if accepted", "it is", "without the rule"]
+    return listed(head, rows)
+
+
+def _some(members: Sequence[str]) -> str:
+    """Return the first members of a class, and how many more it has."""
+    more = len(members) - MENTIONED
+    return " or ".join(members[:MENTIONED]) + (f", {more} more" if more > 0 else "")
+
+
+def _then(one: Line) -> str:
+    """Return what a case gives without the rule that refused."""
+    state, rule = one.get("without", ("", ""))
+    return f"refused, {rule}" if state == "refused" else f"claim {state}" if state in STATES else state
+
+
+def _ordered(some: Sequence[Line]) -> list[str]:
+    """Return the rules that decided, in the order in which they are asked."""
+    asked = [rule.name for rule in (*rules.ADEQUACY, *rules.CLAIMS, *OPEN)]
+    decided = dict.fromkeys(one["rule"] for one in some)
+    return sorted(decided, key=lambda name: asked.index(name) if name in asked else -1)
+
+
+def _counts(group: Sequence[Line], key: str) -> list[str]:
+    return [str(len(group)), *(str(sum(one[key] == state for one in group) or "") for state in STATES)]
+
+
+def _part(group: Sequence[Line]) -> str:
+    return f"{sum(one['held'] == RIGHT for one in group) / len(group):.2f}" if group else ""
+
+
+if __name__ == "__main__":
+    main()

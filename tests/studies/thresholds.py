@@ -1,0 +1,327 @@
+"""Which thresholds of the diagnosis the suites notice when they are halved and doubled.
+
+    python -m studies.thresholds --out docs/thresholds-measured.md                       # `make suites`
+
+A case runs once with shadows (`studies.shadows`) of all thresholds of `Criteria`, at half and at double.
+Where a shadow made no difference to any decision, neither would the threshold; in one case of `TESTED`, one such
+threshold is changed nevertheless.  Of the others, those that were tried least so far, and of these the rarest, are
+changed, each in a run of its own, as many as there is time for in `SECONDS`, and the outcomes compared; each of them
+in `TRIED` cases at most.
+
+The cases of all suites are shuffled: a part of them is a sample of each suite.  What is found is kept in a file, a
+line of JSON for each case, so that a run which was stopped goes on where it was.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import string
+import time
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import fields, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pkmodes.loop.diagnosis import Criteria
+from studies.deciding import SUITES, name_of
+from studies.running import Outcome, command_line, publish
+from studies.shadows import Shadowed
+from studies.tables import table
+
+#: Number of cases.
+COUNT = 400
+#: Processor time in which thresholds are changed in a case, one at least [s], and most cases for each of them.
+SECONDS, TRIED = 3.0, 8
+#: One case in this many tests that a threshold which is not noticed changes nothing.
+TESTED = 4
+#: A diagnosis that takes this many times as long as before does not end.
+LATE = 15
+FACTORS = {"half": 0.5, "double": 2.0}
+WHAT = ("decisions", "changed")
+#: Values of causes that differ by no more than this part of their standard deviation are the same.
+SAME_VALUE = 0.05
+#: Thresholds of what is at most 1: more than that is never reached.
+PARTS = {
+    f"{part}.{name}"
+    for part, names in {
+        "shapes": ("strange_mac", "good_mac"),
+        "search": ("much",),
+        "claim": ("alone",),
+        "readings": ("same_shape", "unit_paired"),
+    }.items()
+    for name in names
+}
+#: Why thresholds stay that changed no outcome.
+REASONS = {
+    "how much is tried: computing time, and an outcome only where a search or a fit ends too early": """
+        fits.steps fits.rough_steps fits.rounds search.most_additions search.pairs
+        search.few_rows search.much search.little search.promising search.at_least search.best_few
+        search.nearly search.misled claim.contenders claim.near""",
+    "only notes, limits, proposals or the words of a reason depend on it, which are not compared": """
+        claim.seen claim.worth_measuring claim.worth_loading readings.same_shape
+        readings.same_place[0] readings.same_place[1]""",
+    "a level or a difference of chi2 with which the error rates are measured; no outcome that was tried is near": """
+        gate.level gate.surely gate.plainly search.survives search.worth search.most_causes search.price_of_row
+        claim.claimed claim.specific claim.spread claim.many claim.told_apart fits.most_shared damping.specific[1]
+        reasons.far""",
+    "pairs and weighs modes; those of the outcomes that were tried are clearly close or clearly apart": """
+        pairing.reach pairing.shape_weight pairing.shape_sigmas pairing.close pairing.mixed
+        pairing.mixed_sigmas pairing.most_mixed gate.margin gate.visible""",
+    "the start or a limit of what is estimated": """
+        shapes.least_sigma shapes.scatter shapes.least_scatter shapes.most_scatter damping.floor
+        damping.resolution damping.least damping.outlier""",
+    "guards against few or bad rows; those of the outcomes that were tried are many, or clearly bad": """
+        shapes.good_mac shapes.strange_allowed search.hopeless search.rows_to_set_aside search.rows_per_outlier
+        search.redundant search.strange claim.rows_for_two claim.alone claim.most_pairs""",
+    "tells mistakes and wrong errors from causes, which the outcomes that were tried do by more than twice": """
+        damping.most reasons.nearly_all[0] reasons.nearly_all[1] reasons.dispersed[0] reasons.dispersed[1]
+        reasons.no_direction readings.rewired_misfit readings.rewired_scatter readings.rewired
+        readings.rewired_certain readings.rewired_noise readings.rewired_told_apart readings.dead[0]
+        readings.dead[1] readings.unit_gain readings.unit_difference readings.drives_gain
+        readings.drives_difference readings.drives_rows""",
+    "of a rule that decides no case of the suites, but a test, `test_what_a_claim_rests_on.py`": """
+        claim.bounded claim.absent claim.moved""",
+}
+LETTERS = dict(zip(REASONS, string.ascii_lowercase, strict=False))
+#: Tests that fail with half or double of such a threshold.
+NOTICED_BY = {
+    "pairing.most_mixed": "test_what_a_claim_rests_on.py",
+    "claim.many": "test_verdicts.py",
+    "claim.rows_for_two": "test_verdicts.py",
+    "claim.most_pairs": "test_judgement.py",
+    "claim.worth_measuring": "test_next_measurement.py",
+    "claim.worth_loading": "test_verdicts.py",
+    "damping.most": "test_damping_inputs.py",
+    "reasons.nearly_all[1]": "test_what_a_claim_rests_on.py",
+    "readings.same_shape": "test_notes.py",
+    "claim.moved": "test_what_a_claim_rests_on.py",
+}
+#: A threshold, which is named after its place in `Criteria`, and a factor.
+Key = tuple[str, str]
+
+
+# Thresholds --------------------------------------------------------------------------------------------------
+
+
+def numbers() -> dict[str, float]:
+    """Return all thresholds: "gate.level", "damping.specific[0]"."""
+    found: dict[str, float] = {}
+    for part in fields(Criteria):
+        for field in fields(getattr(Criteria(), part.name)):
+            name, value = f"{part.name}.{field.name}", getattr(getattr(Criteria(), part.name), field.name)
+            several = isinstance(value, tuple)
+            found |= {f"{name}[{i}]": one for i, one in enumerate(value)} if several else {name: value}
+    return found
+
+
+def scaled(value: float, factor: float) -> float:
+    """Return half or double a threshold; a whole number remains one, and at least 1."""
+    return max(1, round(value * factor)) if isinstance(value, int) else value * factor
+
+
+@contextmanager
+def defaults(values: Mapping[str, Any]) -> Iterator[None]:
+    """Diagnose with other thresholds where none are given."""
+    former = Criteria.__init__.__defaults__
+    parts = []
+    for part in fields(Criteria):
+        group = getattr(Criteria(), part.name)
+        changed: dict[str, Any] = {}
+        for field in fields(group):
+            name, value = f"{part.name}.{field.name}", getattr(group, field.name)
+            if isinstance(value, tuple):
+                changed[field.name] = tuple(values.get(f"{name}[{i}]", one) for i, one in enumerate(value))
+            elif name in values:
+                changed[field.name] = values[name]
+        parts.append(replace(group, **changed))
+    Criteria.__init__.__defaults__ = tuple(parts)
+    try:
+        yield
+    finally:
+        Criteria.__init__.__defaults__ = former
+
+
+@contextmanager
+def limited(seconds: float) -> Iterator[None]:
+    """Raise an error when more processor time is used than this."""
+
+    def late(*_: object) -> None:
+        raise TimeoutError("it does not end")
+
+    former = signal.signal(signal.SIGVTALRM, late)
+    signal.setitimer(signal.ITIMER_VIRTUAL, seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_VIRTUAL, 0.0)
+        signal.signal(signal.SIGVTALRM, former)
+
+
+# Cases -------------------------------------------------------------------------------------------------------
+
+
+def sample() -> list[tuple[str, Any, Callable[[Any], Outcome[Any]]]]:
+    """Return all cases in an order of which each beginning has the same part of each suite: name, case, and run."""
+    rng, placed = np.random.default_rng(0), []
+    for suite, (cases, run) in SUITES.items():
+        every = list(cases())
+        for place, i in enumerate(rng.permutation(len(every)).tolist()):
+            named = f"{suite}: {name_of(every[i])}", every[i], run
+            placed.append(((place + 1) / len(every), named))
+    return [named for _, named in sorted(placed, key=lambda each: each[0])]
+
+
+def said(outcome: Outcome[Any]) -> dict[str, Any]:
+    """Return what an outcome says of a case."""
+    return {
+        "verdict": outcome.verdict,
+        "rule": outcome.rule,
+        "classes": [list(members) for members in outcome.classes],
+        "damping": getattr(outcome, "of_damping", ""),
+        "values": {name: [float(value), float(sigma)] for name, value, sigma, _ in outcome.values},
+    }
+
+
+def differs(one: Mapping[str, Any], other: Mapping[str, Any]) -> str:
+    """Return what is different in another outcome: "verdict", or the first other part; empty if nothing is."""
+    for what in ("verdict", "damping", "classes", "rule"):
+        if one[what] != other[what]:
+            return what
+    apart = [
+        abs(a - b) / max(sigma, 1e-300)
+        for name, (value, sigma) in one["values"].items()
+        for a, b in zip((value, sigma), other["values"][name], strict=True)
+    ]
+    return "values" if max(apart, default=0.0) > SAME_VALUE else ""
+
+
+def found(
+    case: Any, run: Callable[[Any], Outcome[Any]], before: Sequence[Mapping[str, Any]]
+) -> dict[str, Any]:
+    """Return which shadows make a difference to decisions in a case, and which thresholds change its outcome.
+
+    Parameters
+    ----------
+    before : sequence
+        What was found in other cases.
+    """
+    noticed: set[Key] = set()
+    others = {
+        name: {(name, word): scaled(value, factor) for word, factor in FACTORS.items()}
+        for name, value in numbers().items()
+    }
+    start = time.process_time()
+    with defaults({name: Shadowed(value, others[name], noticed) for name, value in numbers().items()}):
+        first = said(run(case))
+    seconds = time.process_time() - start
+
+    def changed(key: Key) -> str:
+        try:
+            with defaults({key[0]: others[key[0]][key]}), limited(LATE * seconds):
+                return differs(first, said(run(case)))
+        except Exception as error:  # a threshold with which the diagnosis does not run is noticed
+            return f"failed: {type(error).__name__}: {error}"
+
+    rng = np.random.default_rng(len(before))
+    rest = sorted({key for one in others.values() for key in one} - noticed)
+    drawn = [rest[rng.integers(len(rest))]] if len(before) % TESTED == 0 else []
+    tried, often = tries(before)[0], Counter(tuple(key) for one in before for key in one["noticed"])
+    rarely = [key for key in sorted(noticed) if tried[key] < TRIED]
+    rarely.sort(key=lambda key: (tried[key], often[key], rng.random()))
+    chosen = rarely[: max(1, round(SECONDS / seconds))]
+    return {
+        "rule": first["rule"],
+        "noticed": sorted(noticed),
+        "tried": [(key, changed(key)) for key in chosen],
+        "unnoticed": [(key, changed(key)) for key in drawn],
+    }
+
+
+def tries(kept: Sequence[Mapping[str, Any]]) -> tuple[Counter[Key], Counter[Key]]:
+    """Return how often each threshold was changed, and how often the outcome was then another one."""
+    every = [(tuple(key), what) for one in kept for key, what in one["tried"]]
+    return Counter(key for key, _ in every), Counter(key for key, what in every if what)
+
+
+def main() -> None:
+    """Run the cases that are not kept yet, and write the table."""
+    parser = command_line("Halve and double the thresholds of the diagnosis.")
+    parser.add_argument("--kept", type=Path, default=Path("build/thresholds.jsonl"), help="what was found")
+    parser.add_argument("--count", type=int, default=COUNT, help="number of cases")
+    arguments = parser.parse_args()
+    arguments.kept.parent.mkdir(parents=True, exist_ok=True)
+    kept = _read(arguments.kept)
+    for name, case, run in sample():
+        if len(kept) >= arguments.count:
+            break
+        if all(one["case"] != name for one in kept):
+            kept.append({"case": name, **found(case, run, kept)})
+            with arguments.kept.open("a", encoding="utf-8") as file:
+                file.write(json.dumps(kept[-1]) + "\n")
+    publish(page(_read(arguments.kept)), arguments.out)
+
+
+def why_it_stays(name: str) -> str:
+    """Return the letter of the reason why a threshold stays that changed no outcome, and the test that notices it."""
+    letter = next((LETTERS[reason] for reason, names in REASONS.items() if name in names.split()), "")
+    return f"{letter}, `{test}`" if (test := NOTICED_BY.get(name, "")) else letter
+
+
+def _read(kept: Path) -> list[dict[str, Any]]:
+    return (
+        [json.loads(line) for line in kept.read_text(encoding="utf-8").splitlines()] if kept.exists() else []
+    )
+
+
+# Tables ------------------------------------------------------------------------------------------------------
+
+
+def page(kept: Sequence[Mapping[str, Any]]) -> list[str]:
+    """Return the page."""
+    tested = [what for one in kept for _, what in one["unnoticed"]]
+    differ = Counter(tuple(key) for one in kept for key in one["noticed"])
+    tried, changed = tries(kept)
+    suites = Counter(one["case"].partition(":")[0] for one in kept)
+    of_suites = ", ".join(f"{number} of `{suite}`" for suite, number in suites.items())
+    rows = []
+    for name, value in numbers().items():
+        keys = [(name, word) for word in FACTORS]
+        cells = [each for key in keys for each in (str(differ[key]), f"{changed[key]} of {tried[key]}")]
+        why = "" if any(changed[key] for key in keys) else why_it_stays(name)
+        beyond = " (above 1)" if name in PARTS else ""
+        rows.append([f"`{name}`", f"{value:g}", *cells[:3], f"{cells[3]}{beyond}", why])
+    return [
+        "# The thresholds of the diagnosis, halved and doubled",
+        "",
+        "Written by `make suites`; do not edit. `tests/studies/thresholds.py` diagnoses cases of all",
+        "suites with each threshold of `pkmodes.loop.diagnosis.Criteria` at half and at double its value.",
+        "",
+        "* *decisions*: in how many cases some decision on the way, or some number that was calculated, is another",
+        f"  one. Elsewhere the outcome cannot be another one: {len(tested)} of those were tried, and"
+        f" {sum(map(bool, tested))} were.",
+        "* *changed*: how many of the outcomes that were tried are others: the verdict, that on the damping, the",
+        f"  classes, the deciding rule, or values of causes by more than {SAME_VALUE:g} standard deviations. What is",
+        "  only said in notes, limits, probabilities or proposals is not compared.",
+        "* *above 1*: the double is more than a MAC, a leverage or a part of a whole can be.",
+        "* *why it stays*: of a threshold that changed no outcome, and a test that fails with half or double of it:",
+        *(f"  * {letter}: {reason};" for reason, letter in LETTERS.items()),
+        "",
+        f"{len(kept)} cases: {of_suites}; {len({one['rule'] for one in kept})} deciding rules;"
+        f" {sum(tried.values())} diagnoses with another threshold.",
+        "",
+        *table(
+            ("threshold", "value", *(f"{word}: {what}" for word in FACTORS for what in WHAT), "why it stays"),
+            rows,
+        ),
+    ]
+
+
+if __name__ == "__main__":
+    os.environ.setdefault("OMP_NUM_THREADS", "1")
+    main()
