@@ -1,6 +1,6 @@
 """What changed between two campaigns of the virtual test rig: a few pairs, each of which shows a rule of changes.
 
-How often an answer is right is measured by the whole suite, in docs/changed-measured.md.
+How often an answer is right is measured by the whole suite, in docs/reference/results.md.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Verdicts on the virtual test rig: a few cases of the suites of `tests/studies`, run as a user would run them.
 
 The rig is MuJoCo's physics, and the true values of the uncertain parameters are drawn from their priors.  How often
-each verdict is right is measured by the whole suites, in docs/diagnosis-measured.md; here each behaviour is held.
+each verdict is right is measured by the whole suites, in docs/reference/results.md; here each behaviour is held.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Verdicts on the rotary delta and the CoreXY: a few cases of `tests/studies/mechanism_suites.py`.
 
-How often each verdict is right is measured by the whole suites, in docs/mechanisms-measured.md.
+How often each verdict is right is measured by the whole suites, in docs/reference/results.md.
 """
 
 from __future__ import annotations

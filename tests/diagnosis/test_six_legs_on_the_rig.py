@@ -1,6 +1,6 @@
 """Verdicts on machines with six legs: a few measurements as those of `tests/studies/six_legged_suites.py`.
 
-How often each verdict is right is measured by the whole suites, in docs/six-legs-measured.md.  Here the causes have a
+How often each verdict is right is measured by the whole suites, in docs/reference/results.md.  Here the causes have a
 fixed size, because the search for one takes longer than a diagnosis.
 """
 

@@ -1,17 +1,17 @@
 """Measure how often the most probable explanation of a diagnosis is right, on the cases of all suites.
 
-    python -m studies.calibration --seed 20271127 --out docs/probabilities-measured.md   # `make suites`
+    python -m studies.calibration --seed 20271127 --out docs/results/probabilities        # `make suites`
 
 `COUNT` cases drawn from all suites run with a fresh seed.  What is found is kept in a file, a line of JSON for each
 case, so that a run which was stopped goes on where it was.  The most probable statement is right if it is the truth
 of the case: nothing missing, the class that contains the cause, the pair of both causes, or something outside the
-candidates.
+candidates, as a wrong value of a single axis is, which is no candidate.  A class with one of two causes is wrong, and
+so is that nothing is missing where a cause is too small to be seen.
 """
 
 from __future__ import annotations
 
 import itertools
-import json
 import sys
 import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -27,13 +27,14 @@ from studies.cases import Case
 from studies.clear_cases import ClearCase
 from studies.judging import same_of
 from studies.mechanism_cases import MechanismCase
-from studies.running import Outcome, command_line, publish
+from studies.running import Kept, Outcome, command_line
 from studies.suites import SUITES
+from studies.tables import Table, Tables, publish, stacked
 
 #: Number of cases, and the seed by default.
 COUNT, SEED = 1000, 20271127
 #: Seeds with which the probabilities were developed.
-SEEN = "the seeds 70001, 20270401, 20270402 and 20270403"
+SEEN = "70001, 20270401, 20270402 and 20270403"
 #: Bounds of the bins of the largest probability.
 BOUNDS = tuple(itertools.pairwise((0.0, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95, 0.99, 1.0)))
 #: Suites whose data are mistaken on purpose: what is true of them is not among the explanations.
@@ -114,20 +115,17 @@ def main() -> None:
     parser.add_argument("--kept", type=Path, default=Path("build/calibration.jsonl"), help="what was found")
     parser.add_argument("--count", type=int, default=COUNT, help="number of cases")
     arguments = parser.parse_args()
-    kept = arguments.kept
-    kept.parent.mkdir(parents=True, exist_ok=True)
-    known = {one["case"] for one in read(kept)}
+    kept = Kept(arguments.kept)
+    known = {one["case"] for one in kept.lines}
     every = list(cases())
     # Shuffled: a part of them is a sample of all.
     for place in np.random.default_rng(0).permutation(len(every))[: arguments.count].tolist():
         suite, case, run = every[place]
         case = replace(case, seed=arguments.seed)
         name = f"{suite}: {case.label}, seed {case.seed}"
-        if name in known:
-            continue
-        with kept.open("a", encoding="utf-8") as file:
-            file.write(json.dumps({"case": name, "suite": suite, **_found(case, run)}) + "\n")
-    publish(page(read(kept)), arguments.out)
+        if name not in known:
+            kept.add({"case": name, "suite": suite, **_found(case, run)})
+    publish(tables(kept.lines, arguments.seed), arguments.out)
 
 
 def _found(case: Any, run: Callable[[Any], Outcome[Any]]) -> dict[str, Any]:
@@ -150,60 +148,42 @@ def _found(case: Any, run: Callable[[Any], Outcome[Any]]) -> dict[str, Any]:
     }
 
 
-def read(kept: Path) -> list[dict[str, Any]]:
-    """Return the lines of a file; none if it does not exist."""
-    return (
-        [json.loads(line) for line in kept.read_text(encoding="utf-8").splitlines()] if kept.exists() else []
-    )
-
-
 # Tables ------------------------------------------------------------------------------------------------------
 
 
-def page(found: Sequence[Mapping[str, Any]]) -> list[str]:
-    """Return the page."""
+def tables(found: Sequence[Mapping[str, Any]], seed: int) -> Tables:
+    """Return how often what was most probable was right."""
     some = [one for one in found if "right" in one]
-    failed = sum(one["state"] == "failed" for one in found)
-    verdicts = sorted({_verdict(one) for one in some})
-    return [
-        "# The probabilities, measured",
-        "",
-        "Written by `make suites`; do not edit. `tests/studies/calibration.py` runs cases drawn from all",
-        "suites but those with mistaken files, and compares the most probable explanation of each with the truth:",
-        "that nothing is missing, the class that contains the cause, the pair of both causes, or something outside.",
-        "A wrong value of a single axis, which is no candidate, counts as something outside. A class with one of two",
-        "causes is wrong, and so is that nothing is missing where a cause is too small to be seen.",
-        "",
-        f"{len(found)} cases, {len(some)} with probabilities, {failed} failed; expected calibration error"
-        f" {error(some):.3f}. Priors, doubt and the family of changes outside were chosen before, with {SEEN}.",
-        "",
-        *_table(
-            "largest probability",
-            {f"{low:g} to {high:g}": _in_bin(some, low, high) for low, high in BOUNDS},
-            some,
+    facts = {
+        "seed": seed,
+        "developed with the seeds": SEEN,
+        "cases": len(found),
+        "with probabilities": len(some),
+        "failed": sum(one["state"] == "failed" for one in found),
+        "expected calibration error": f"{error(some):.3f}",
+    }
+    bins = {f"{low:g} to {high:g}": _in_bin(some, low, high) for low, high in BOUNDS}
+    suites = sorted({one["suite"] for one in some})
+    groups = {
+        "largest probability": bins | {"all": some},
+        "most probable": {kind: [one for one in some if _kind(one["top"]) == kind] for kind in KINDS},
+        "verdict": {
+            name: [one for one in some if _verdict(one) == name]
+            for name in sorted({_verdict(one) for one in some})
+        },
+        "suite": {name: [one for one in some if one["suite"] == name] for name in suites},
+    }
+    head = ("group", "cases", "mean probability", "right", "fraction right")
+    return {
+        "summary": Table.of(("quantity", "value"), facts.items()),
+        "probabilities": stacked(
+            "by",
+            {
+                by: Table.of(head, [_line(name, part) for name, part in parts.items()])
+                for by, parts in groups.items()
+            },
         ),
-        *_table(
-            "most probable", {kind: [one for one in some if _kind(one["top"]) == kind] for kind in KINDS}
-        ),
-        *_table("verdict", {name: [one for one in some if _verdict(one) == name] for name in verdicts}),
-        *_table("suite", {name: [one for one in some if one["suite"] == name] for name in _suites(some)}),
-    ]
-
-
-def _table(
-    head: str, groups: Mapping[str, Sequence[Mapping[str, Any]]], every: Sequence[Mapping[str, Any]] = ()
-) -> list[str]:
-    lines = [_line(name, part) for name, part in groups.items()] + ([_line("all", every)] if every else [])
-    return [
-        f"| {head} | cases | mean probability | right | fraction right |",
-        "| --- | --- | --- | --- | --- |",
-        *lines,
-        "",
-    ]
-
-
-def _suites(found: Sequence[Mapping[str, Any]]) -> list[str]:
-    return sorted({one["suite"] for one in found})
+    }
 
 
 #: Kinds of statements.
@@ -232,10 +212,10 @@ def _in_bin(found: Sequence[Mapping[str, Any]], low: float, high: float) -> list
     return [one for one in found if low < one["probability"] <= high]
 
 
-def _line(what: str, part: Sequence[Mapping[str, Any]]) -> str:
+def _line(what: str, part: Sequence[Mapping[str, Any]]) -> tuple[object, ...]:
     count, good = len(part), sum(bool(one["right"]) for one in part)
     mean = f"{np.mean([one['probability'] for one in part]):.3f}" if count else ""
-    return f"| {what} | {count} | {mean} | {good} | {f'{good / count:.3f}' if count else ''} |"
+    return what, count, mean, good, f"{good / count:.3f}" if count else ""
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@ from studies.campaign_cases import CampaignOutcome
 from studies.campaign_judging import Row
 from studies.campaign_machines import KINDS_OF_RECORD
 
-#: Asked, before the work; see docs/signals-measured.md.
+#: Asked, before the work; see `campaigns`.
 FOUND, NO_MODE = 0.95, 0.02
 FREQUENCY = {"frf": 0.0003, "impact": 0.001, "ambient": 0.003}
 COVERED = (0.90, 0.99)

@@ -1,13 +1,39 @@
 """Suite of pairs of campaigns of one machine, on all mechanisms: what changed?  Define, run and tabulate the cases.
 
-    python -m studies.changed --seed 20290105 --out docs/changed-measured.md                # `make suites`
+    python -m studies.changed --seed 20290105 --out docs/results/changed                    # `make suites`
+
+`changed_cases` has how the pairs are drawn, sized and measured, `changed_judging` how they are judged.
+
+Nine robots of seven mechanisms are measured twice, at twelve poses, with free motors.  The robot file is wrong both
+times alike: the true values of its uncertain parameters are drawn from their priors, and beyond that each mass,
+inertia and stiffness of the machine, of each axis by itself, is wrong by up to 3 % (`WRONG`).  The second time all
+drives (belts, reducers, legs) have another temperature: the stiffness of all of them is multiplied by one factor,
+whose standard deviation is 1 % (`TEMPERATURE`).  That is not what is asked for.
+
+In the suites *clear* and *sigmas* one thing changed: a fault at a random place as in `one_place`, the drive of one
+axis that is softer, a mass on what the machine carries, or a cause common to all axes: all drives softer, or the same
+joint of all axes yields.  A *clear* change is in the range `CLEAR` of the frequencies (root mean square over all
+modes and poses).  In the suite *sigmas*, the changes of all modes that both campaigns found at the same pose are in
+the range `FAINT` of standard deviations of the difference of the campaigns (root of the sum of squares).  What
+changed on all axes alike is as large as that in both suites, beyond what another temperature can do within its
+standard deviation: nothing else tells the two apart.
+
+An *ideal* laboratory finds all modes, with noise of `SIGMA` and shapes at all sensors with 2 %.  Every second pair is
+*realistic*: each campaign by itself misses modes at random and at nodes, cuts the band, has no or few shapes, and
+states errors that are wrong in one case of four; the second one has other sensors and another noise; one to three
+poses of the first are missing, and others are new.  Poses are repeated in another order, and with errors of 0.1 mm,
+which every second file knows.
+
+An answer is *named* if the class that was found, of at most `MEMBERS` members, holds what changed, or what is the
+same to any measurement.  It is *wrong* if it names something without, *unchanged* if it says that nothing changed,
+and *abstained* otherwise.
 
 The requirements were fixed before any case was run.
 """
 
 from __future__ import annotations
 
-import time
+import argparse
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
@@ -17,23 +43,14 @@ import numpy as np
 
 from pkmodes_rig.one_place.changes import kinds_of_changes
 from pkmodes_rig.one_place.faults import same_term
-from studies.changed_cases import (
-    OF_CLEAR,
-    OF_SIGMAS,
-    OTHER_POSES,
-    REPEATED,
-    TEMPERATURE,
-    UNCHANGED,
-    WRONG,
-    PairCase,
-)
+from studies.changed_cases import OF_CLEAR, OF_SIGMAS, UNCHANGED, PairCase
 from studies.changed_judging import PairOutcome, run
 from studies.one_place import MACHINES
-from studies.one_place_cases import CLEAR, FAINT, SIGMA, declared
-from studies.one_place_judging import MEMBERS, UNREACHED
-from studies.requirements import RIGHT, covered, errors, headed, line, wrong
-from studies.running import Pool, parallel_command_line, publish, run_all
-from studies.tables import confusion, count, grouped, in_words, listed, times
+from studies.one_place_cases import declared
+from studies.one_place_judging import UNREACHED
+from studies.requirements import RIGHT, Row, covered, errors, headed, line, wrong
+from studies.suite import Suite
+from studies.tables import Table, Tables, confusion, count, grouped, in_words, stacked
 
 #: Pairs with one thing changed, and with nothing changed, by mechanism; those with six legs are slow.
 CHANGED = {
@@ -108,132 +125,71 @@ def _cases() -> Iterator[PairCase]:
             numbers[UNCHANGED] += 1
 
 
-# Running -----------------------------------------------------------------------------------------------------
+class Changed(Suite[PairCase, PairOutcome]):
+    """Pairs of campaigns between which one thing changed, or nothing."""
+
+    description = "Measure what is said of two campaigns of one machine."
+    run, failed = staticmethod(run), PairOutcome
+
+    def options(self, parser: argparse.ArgumentParser) -> None:
+        parser.add_argument("--pairs", type=int, help="run a sample of so many pairs")
+
+    def cases(self, arguments: argparse.Namespace) -> Iterable[PairCase]:
+        if arguments.pairs is None:
+            return cases(arguments.seed)
+        return some_pairs(arguments.seed, arguments.pairs)
+
+    def said(self, outcome: PairOutcome) -> str:
+        case = f"{outcome.case.label} ({_truth(outcome)}), {outcome.strength:.2g} sigma"
+        what = f"{case}: {outcome.state} {outcome.by} {in_words(outcome)}"
+        return f"{what} [{outcome.seconds:.1f} s] {outcome.reason}"
+
+    def facts(self, outcomes: Sequence[PairOutcome]) -> dict[str, object]:
+        silent = _silent(outcomes)
+        return {
+            "developed with the seeds": SEEN,
+            "pairs of the suites": len(cases()),
+            "no change large enough": count(outcomes, UNREACHED),
+            "changes that were not named": len(silent),
+            "what changed is among what remains": sum(map(_remains, silent)),
+        }
+
+    def tables(self, outcomes: Sequence[PairOutcome]) -> Tables:
+        outcomes = [o for o in outcomes if o.state != UNREACHED]
+        by_strength = sorted((o for o in outcomes if o.case.kind), key=lambda o: o.strength)
+        return {
+            "requirements": headed(_requirements(outcomes)),
+            "outcomes": stacked(
+                "by",
+                {
+                    "mechanism and suite": _confusion(
+                        outcomes, lambda o: f"{o.case.mechanism}, {o.case.suite}"
+                    ),
+                    "what changed": _confusion(outcomes, lambda o: o.case.kind or "nothing"),
+                    "laboratory": _confusion(outcomes, lambda o: f"{o.case.suite}, {_laboratory(o)}"),
+                    "strength [sigma]": _confusion(by_strength, _strength),
+                    "rule that decided": _confusion(sorted(outcomes, key=lambda o: o.rule), lambda o: o.rule),
+                    "changes that were not named": _confusion(
+                        _silent(outcomes), lambda o: f"{o.case.mechanism}: {o.case.kind}"
+                    ),
+                },
+            ),
+            "cases": _listed(outcomes),
+        }
 
 
-def main() -> None:
-    """Run the suite and write its page."""
-    parser = parallel_command_line("Measure what is said of two campaigns of one machine.")
-    parser.add_argument("--only", default="", help="part of the label of the pairs to run")
-    parser.add_argument("--pairs", type=int, help="run a sample of so many pairs")
-    arguments = parser.parse_args()
-    pool = Pool.of(arguments)
-    start = time.perf_counter()
-    every = cases(arguments.seed)
-    if arguments.pairs is not None:
-        every = some_pairs(arguments.seed, arguments.pairs)
-    chosen = [case for case in every if arguments.only in case.label]
-    outcomes = run_all(run, chosen, pool, _said, PairOutcome)
-    publish(page(outcomes, time.perf_counter() - start, pool), arguments.out)
-
-
-def _said(o: PairOutcome) -> str:
-    what = f"{o.case.label} ({_truth(o)}), {o.strength:.2g} sigma: {o.state} {o.by} {in_words(o)}"
-    return f"{what} [{o.seconds:.1f} s] {o.reason}"
+def _silent(outcomes: Sequence[PairOutcome]) -> list[PairOutcome]:
+    return [o for o in outcomes if o.case.kind and o.state in ("abstained", "unchanged")]
 
 
 # Tables ------------------------------------------------------------------------------------------------------
 
 
-def page(outcomes: Sequence[PairOutcome], seconds: float, pool: Pool) -> list[str]:
-    """Return the lines of the page."""
-    every, outcomes = outcomes, [o for o in outcomes if o.state != UNREACHED]
-    silent = [o for o in outcomes if o.case.kind and o.state in ("abstained", "unchanged")]
-    return [
-        "# What changed between two campaigns, measured",
-        "",
-        "Written by `make suites`; do not edit. `tests/studies/changed.py` defines the cases and the",
-        "requirements, `changed_cases.py` how they are drawn, sized and measured, `changed_judging.py` how they are",
-        "judged. The rig shares no code with the model: see [one fault at one place](one-place-measured.md).",
-        "",
-        *_ABOUT,
-        "",
-        *([f"Seed {outcomes[0].case.seed}."] if outcomes else []),
-        f"The rules were developed on pairs with the seeds {SEEN}.",
-        *_left_out(every),
-        "",
-        "## Requirements",
-        "",
-        *headed("pairs", _requirements(outcomes)),
-        "",
-        "## By mechanism and suite",
-        "",
-        *_confusion(outcomes, lambda o: f"{o.case.mechanism}, {o.case.suite}"),
-        "",
-        "## By what changed",
-        "",
-        *_confusion(outcomes, lambda o: o.case.kind or "nothing"),
-        "",
-        "## By laboratory",
-        "",
-        *_confusion(outcomes, lambda o: f"{o.case.suite}, {_laboratory(o)}"),
-        "",
-        "## By strength",
-        "",
-        "What the change does to the modes that both campaigns found at the same pose, in standard deviations of",
-        "their difference (root of the sum of squares); of a clear change, too.",
-        "",
-        *_confusion(sorted((o for o in outcomes if o.case.kind), key=lambda o: o.strength), _strength),
-        "",
-        "## What decided",
-        "",
-        "The rule that decided.",
-        "",
-        *_confusion(sorted(outcomes, key=lambda o: o.rule), lambda o: f"`{o.rule}`"),
-        "",
-        "## Confident and wrong",
-        "",
-        *_listed([o for o in outcomes if o.state in ("wrong", "failed")]),
-        "",
-        "## Changes that were not named",
-        "",
-        f"In {sum(map(_remains, silent))} of these {len(silent)} pairs what changed is among what remains.",
-        "",
-        *_confusion(silent, lambda o: f"{o.case.mechanism}: {o.case.kind}"),
-        "",
-        "## All pairs",
-        "",
-        *_listed(outcomes),
-        "",
-        "## Time",
-        "",
-        *_time(outcomes, seconds, pool),
-    ]
+def _confusion(outcomes: Iterable[PairOutcome], key: Callable[[PairOutcome], str]) -> Table:
+    return confusion(grouped(outcomes, key), STATES)
 
 
-def _confusion(outcomes: Iterable[PairOutcome], key: Callable[[PairOutcome], str]) -> list[str]:
-    return confusion(grouped(outcomes, key), "pairs", STATES)
-
-
-_ABOUT = (
-    "Nine robots of seven mechanisms are measured twice, at twelve poses, with free motors. The robot file is wrong",
-    "both times alike: the true values of its uncertain parameters are drawn from their priors, and beyond that each",
-    f"mass, inertia and stiffness of the machine, of each axis by itself, is wrong by up to {100 * WRONG:g} %. The",
-    "second time all drives (belts, reducers, legs) have another temperature: the stiffness of all of them is",
-    f"multiplied by one factor, whose standard deviation is {100 * TEMPERATURE:g} %. That is not what is asked for.",
-    "",
-    "In the suites *clear* and *sigmas* one thing changed: a fault at a random place as in the page on these, the",
-    "drive of one axis that is softer, a mass on what the machine carries, or a cause common to all axes: all drives",
-    f"softer, or the same joint of all axes yields. A *clear* change is one of {100 * CLEAR[0]:.2g} to",
-    f"{100 * CLEAR[1]:.2g} % of the frequencies (root mean square over all modes and poses). In the suite *sigmas*,",
-    f"the changes of all modes that both campaigns found at the same pose are {FAINT[0]:g} to {FAINT[1]:g} standard",
-    "deviations of the difference of the campaigns (root of the sum of squares). What changed on all axes alike is",
-    "as large as that in both suites, beyond what another temperature can do within its standard deviation: nothing",
-    "else tells the two apart.",
-    "",
-    f"An *ideal* laboratory finds all modes, with {100 * SIGMA:.2g} % noise and shapes at all sensors with 2 %.",
-    "Every second pair is *realistic*: each campaign by itself misses modes at random and at nodes, cuts the band,",
-    "has no or few shapes, and states errors that are wrong in one case of four; the second one has other sensors",
-    f"and another noise; {OTHER_POSES[0]} to {OTHER_POSES[1]} poses of the first are missing, and others are new.",
-    f"Poses are repeated in another order, and with errors of {1e3 * REPEATED:g} mm, which every second file knows.",
-    "",
-    f"An answer is *named* if the class that was found, of at most {MEMBERS} members, holds what changed, or what is",
-    "the same to any measurement. It is *wrong* if it names something without, *unchanged* if it says that nothing",
-    "changed, and *abstained* otherwise.",
-)
-
-
-def _requirements(outcomes: Sequence[PairOutcome]) -> Iterator[str]:
+def _requirements(outcomes: Sequence[PairOutcome]) -> Iterator[Row]:
     some = [o for o in outcomes if o.case.kind]
     what = f"named >= {100 * NAMED:g} %"
     yield line("all changes", what, count(some, "named"), len(some), NAMED)
@@ -247,16 +203,6 @@ def _requirements(outcomes: Sequence[PairOutcome]) -> Iterator[str]:
     yield covered("all", away)
     right = sum(error <= RIGHT for error in away)
     yield line("all", f"value within 3 sigma >= {100 * VALUES:g} %", right, len(away), VALUES)
-
-
-def _left_out(outcomes: Sequence[PairOutcome]) -> list[str]:
-    """Say how many pairs were not run, and in how many no change can be as large as asked."""
-    every, ran, unreached = len(cases()), len(outcomes), count(outcomes, UNREACHED)
-    lines = ["", f"**Not every pair was run**: {ran} of {every}."] if ran < every else []
-    some = (
-        f"In {unreached} of {ran} pairs no change of that kind was large enough at any place that was drawn."
-    )
-    return [*lines, "", some] if unreached else lines
 
 
 def _laboratory(o: PairOutcome) -> str:
@@ -278,28 +224,22 @@ def _truth(o: PairOutcome) -> str:
     return o.truth[0] if len(o.truth) == 1 else o.case.kind or "nothing"
 
 
-def _listed(outcomes: Sequence[PairOutcome]) -> list[str]:
-    head = ("pair", "truth", "change", "sigmas", "drives", "rows", "state", "classes", "rule")
+def _listed(outcomes: Sequence[PairOutcome]) -> Table:
+    head = (
+        *("pair", "truth", "change [%]", "sigmas", "drives [%]", "rows", "later rows", "state", "classes"),
+        "rule",
+    )
     rows = [
         (
-            *(o.case.label, _truth(o), f"{100 * o.change:.2g} %", f"{o.strength:.3g}"),
-            *(f"{100 * (o.drives - 1):+.1f} %", f"{o.rows[0]}, {o.rows[1]}"),
-            *(f"{o.state} {o.by}".strip(), in_words(o), f"`{o.rule}`"),
+            *(o.case.label, _truth(o), f"{100 * o.change:.2g}", f"{o.strength:.3g}"),
+            *(f"{100 * (o.drives - 1):+.1f}", *o.rows, f"{o.state} {o.by}".strip(), in_words(o), o.rule),
         )
         for o in outcomes
     ]
-    return listed(head, rows)
+    return Table.of(head, rows)
 
 
-def _time(outcomes: Sequence[PairOutcome], seconds: float, pool: Pool) -> list[str]:
-    if not outcomes:
-        return ["No pair was run."]
-    every = f"all {len(outcomes)} pairs in {seconds / 60:.0f} min with {pool}"
-    return [
-        f"{times([o.seconds for o in outcomes])} an answer; {every}. Times are of the wall clock and grow with what",
-        "else the machine does.",
-    ]
-
+main = Changed().main
 
 if __name__ == "__main__":
     main()

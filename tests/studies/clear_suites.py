@@ -1,14 +1,22 @@
 """Suites of clear causes on all mechanisms alike: define the cases, run them and tabulate the outcomes.
 
-    python -m studies.clear_suites --seed 20261207 --out docs/clear-causes-measured.md      # `make suites`
+    python -m studies.clear_suites --seed 20261207 --out docs/results/clear-causes          # `make suites`
+
+Five robots of three mechanisms are measured at twelve poses, each case by a laboratory of its own: 15 % of the modes
+are missed, more of them at nodes; a band may cut some off; few sensors in one case of five, none in another one;
+shape noise of 1 to 5 %, stated, partly stated or not; errors that differ from row to row and, in one case in four,
+are all wrong by a common factor (15 %).  The true values of the uncertain parameters are drawn from their priors.
+Each cause is sized so that the modes found have a signal in the range of `TARGETS`, in standard deviations.  Causes
+that tie the robot to ground are sized without the modes that only then can be measured; a cause that adds a mode is
+1.5 times as large as where that mode is first seen.  `clear_cases` has how cases are sized, measured and judged.
 
 The requirements were fixed before any case was run.
 """
 
 from __future__ import annotations
 
+import argparse
 import itertools
-import time
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
@@ -18,10 +26,11 @@ import numpy as np
 from pkmodes_rig import ROBOTS
 from studies import mechanism_suites, sizes
 from studies.clear_cases import ClearCase, ClearOutcome, run, splits
-from studies.requirements import RIGHT, covered, errors, headed, line, wrong
-from studies.running import Pool, parallel_command_line, publish, run_all
+from studies.requirements import RIGHT, Row, covered, errors, headed, line, wrong
+from studies.running import Pool, run_all
 from studies.specimens import effects_of
-from studies.tables import confusion, count, grouped, in_words, listed, times
+from studies.suite import Suite
+from studies.tables import Table, Tables, confusion, count, grouped, in_words, stacked
 
 #: Robots of each mechanism.
 MACHINES = {"linear_delta": tuple(ROBOTS), "rotary_delta": ("rotary_delta",), "corexy": ("corexy",)}
@@ -72,106 +81,83 @@ def split_cases() -> Iterator[ClearCase]:
             yield from (some[(2 * k + 1) * len(some) // (2 * SPLIT)] for k in range(SPLIT))
 
 
-# Running -----------------------------------------------------------------------------------------------------
+class ClearCauses(Suite[ClearCase, ClearOutcome]):
+    """Clear causes of the linear delta, the rotary delta and the CoreXY, and splits of some of them.
 
+    Parameters
+    ----------
+    split : sequence of sequence of ClearOutcome
+        Of each case that is diagnosed once for each pose, with that pose alone held out: the outcomes.
+    """
 
-def main() -> None:
-    """Run the suites and write their page."""
-    parser = parallel_command_line("Measure the diagnosis of clear causes on all mechanisms.")
-    parser.add_argument("--only", default="", help="part of the label of the cases to run")
-    parser.add_argument("--every", type=int, default=1, help="run one case in this many")
-    parser.add_argument("--no-splits", action="store_true", help="leave out the splits")
-    arguments = parser.parse_args()
-    pool = Pool.of(arguments)
-    start = time.perf_counter()
-    chosen, again = (
-        [replace(case, seed=arguments.seed) for case in every if arguments.only in case.label][
-            :: arguments.every
-        ]
-        for every in (cases(), () if arguments.no_splits else split_cases())
-    )
-    outcomes = run_all(run, chosen, pool, _said, ClearOutcome)
-    split = run_all(splits, again, pool, lambda some: "\n".join(map(_said, some)), _failed_split)
-    publish(_page(outcomes, split, time.perf_counter() - start, pool), arguments.out)
+    description = "Measure the diagnosis of clear causes on all mechanisms."
+    run, failed = staticmethod(run), ClearOutcome
+
+    def __init__(self, split: Sequence[Sequence[ClearOutcome]] = ()) -> None:
+        self._split = split
+
+    def options(self, parser: argparse.ArgumentParser) -> None:
+        parser.add_argument("--no-splits", action="store_true", help="leave out the splits")
+
+    def cases(self, arguments: argparse.Namespace) -> Iterator[ClearCase]:
+        return (replace(case, seed=arguments.seed) for case in cases())
+
+    def said(self, outcome: ClearOutcome) -> str:
+        return said(outcome)
+
+    def after(self, outcomes: Sequence[ClearOutcome], arguments: argparse.Namespace, pool: Pool) -> None:
+        again = [] if arguments.no_splits else list(split_cases())
+        again = [replace(case, seed=arguments.seed) for case in again if arguments.only in case.label]
+        chosen = again[:: arguments.every]
+        self._split = run_all(splits, chosen, pool, lambda some: "\n".join(map(said, some)), _failed_split)
+
+    def facts(self, outcomes: Sequence[ClearOutcome]) -> dict[str, object]:
+        missed = _missed(outcomes)
+        return {
+            "developed with the seeds": SEEN,
+            "splits": sum(map(len, self._split)),
+            "not named": len(missed),
+            "not named, but among several that remain": sum(map(_remains, missed)),
+        }
+
+    def tables(self, outcomes: Sequence[ClearOutcome]) -> Tables:
+        splits_of = {f"{some[0].case.label}: {causes(some[0])}": some for some in self._split}
+        outside = [o for o in outcomes if o.case.outside and o.state == "adequate"]
+        return {
+            "requirements": headed([*_requirements(outcomes), *_requirements_of_splits(self._split)]),
+            "outcomes": stacked(
+                "by",
+                {"suite": confusion(grouped(outcomes, _suite)), "splits of a case": confusion(splits_of)},
+            ),
+            "cases": stacked(
+                "list",
+                {
+                    "confident and wrong": listed([o for o in outcomes if o.state in ("wrong", "failed")]),
+                    "causes that were not named": listed(_missed(outcomes)),
+                    "causes outside the catalogue that were missed": listed(outside),
+                },
+            ),
+        }
 
 
 def _failed_split(*arguments: Any, **options: Any) -> list[ClearOutcome]:
     return [ClearOutcome(*arguments, **options)]
 
 
-def _said(o: ClearOutcome) -> str:
-    what = f"{o.case.label} ({_causes(o)}), {o.signal:.3g}: {o.state} {in_words(o)}"
+def said(o: ClearOutcome) -> str:
+    """Return an outcome in a line, for the terminal."""
+    what = f"{o.case.label} ({causes(o)}), {o.signal:.3g}: {o.state} {in_words(o)}"
     return f"{what} [{o.seconds:.1f} s] {o.reason}"
 
 
 # Tables ------------------------------------------------------------------------------------------------------
 
 
-def _page(
-    outcomes: Sequence[ClearOutcome], split: Sequence[Sequence[ClearOutcome]], seconds: float, pool: Pool
-) -> list[str]:
-    missed = [o for o in outcomes if o.case.names and o.state != "named"]
-    outside = [o for o in outcomes if o.case.outside and o.state == "adequate"]
-    return [
-        "# Clear causes, measured on all mechanisms alike",
-        "",
-        "Written by `make suites`; do not edit. `tests/studies/clear_suites.py` defines the cases and the",
-        "requirements, `clear_cases.py` how they are sized, measured and judged; terms are those of",
-        "docs/diagnosis-measured.md. The rigs share no code with the model.",
-        "",
-        "Five robots of three mechanisms are measured at twelve poses, each case by a laboratory of its own: 15 % of",
-        "the modes are missed, more of them at nodes; a band may cut some off; few sensors in one case of five, none",
-        "in another one; shape noise of 1 to 5 %, stated, partly stated or not; errors that differ from row to row",
-        "and, in one case in four, are all wrong by a common factor (15 %). The true values of the uncertain",
-        "parameters are drawn from their priors. Each cause is sized so that the modes found have the signal: one",
-        f"effect {_range('one effect')}, each of two {_range('two effects')}, outside the catalogue",
-        f"{_range('outside the catalogue')} sigma. Causes that tie the robot to ground are sized without the modes",
-        "that only then can be measured; a cause that adds a mode is 1.5 times as large as where that mode is first",
-        "seen.",
-        "",
-        f"Seed {outcomes[0].case.seed}. The diagnosis was developed with the seeds {SEEN}.",
-        "",
-        "## Requirements",
-        "",
-        *headed("mechanism, suite", [*_requirements(outcomes), *_requirements_of_splits(split)]),
-        "",
-        "## Outcomes by suite",
-        "",
-        *confusion(grouped(outcomes, _suite), "suite"),
-        "",
-        "## Leave-one-out splits",
-        "",
-        "Each case is diagnosed once for each pose, with that pose alone held out.",
-        "",
-        *confusion({f"{some[0].case.label}: {_causes(some[0])}": some for some in split}, "case"),
-        "",
-        "## Confident and wrong",
-        "",
-        *_listed([o for o in outcomes if o.state in ("wrong", "failed")]),
-        "",
-        "## Causes that were not named",
-        "",
-        f"In {sum(map(_remains, missed))} of these {len(missed)} cases, the true explanation is among several that"
-        " remain.",
-        "",
-        *_listed(missed),
-        "",
-        "## Causes outside the catalogue that were missed",
-        "",
-        *_listed(outside),
-        "",
-        "## Time",
-        "",
-        f"{times([o.seconds for o in outcomes])} a diagnosis; all {len(outcomes)} cases and"
-        f" {sum(map(len, split))} splits in {seconds / 60:.0f} min with {pool}.",
-    ]
+def _missed(outcomes: Sequence[ClearOutcome]) -> list[ClearOutcome]:
+    return [o for o in outcomes if o.case.names and o.state != "named"]
 
 
-def _range(suite: str) -> str:
-    return "{:g} to {:g}".format(*TARGETS[suite])
-
-
-def _requirements(outcomes: Sequence[ClearOutcome]) -> Iterator[str]:
+def _requirements(outcomes: Sequence[ClearOutcome]) -> Iterator[Row]:
     for name in MACHINES:
         group = [o for o in outcomes if o.case.mechanism == name]
         for suite, (state, least) in LEAST.items():
@@ -185,7 +171,7 @@ def _requirements(outcomes: Sequence[ClearOutcome]) -> Iterator[str]:
         yield line(f"{name}, all", "value within 3 sigma >= 95 %", right, len(away), least=0.95)
 
 
-def _requirements_of_splits(split: Sequence[Sequence[ClearOutcome]]) -> Iterator[str]:
+def _requirements_of_splits(split: Sequence[Sequence[ClearOutcome]]) -> Iterator[Row]:
     yield wrong("splits", [o for some in split for o in some], WRONG)
     what = "cases in which two splits claim different causes: none"
     yield line("splits", what, sum(map(_contradict, split)), len(split), most=0.0)
@@ -210,18 +196,22 @@ def _suite(o: ClearOutcome) -> str:
     return f"{o.case.mechanism}, {o.case.suite}"
 
 
-def _causes(o: ClearOutcome) -> str:
-    return " + ".join(o.case.kinds)
+def causes(o: ClearOutcome) -> str:
+    """Return the causes of a case."""
+    return " + ".join(o.case.kinds) or "nothing"
 
 
-def _listed(outcomes: Sequence[ClearOutcome]) -> list[str]:
+def listed(outcomes: Sequence[ClearOutcome]) -> Table:
+    """Return cases, with what was found of them."""
     head = ("case", "truth", "signal", "rows", "verdict", "classes")
     rows = [
-        (o.case.label, _causes(o), f"{o.signal:.3g}", str(o.rows), o.verdict or o.state, in_words(o))
+        (o.case.label, causes(o), f"{o.signal:.3g}", o.rows, o.verdict or o.state, in_words(o))
         for o in outcomes
     ]
-    return listed(head, rows)
+    return Table.of(head, rows)
 
+
+main = ClearCauses().main
 
 if __name__ == "__main__":
     main()

@@ -1,21 +1,37 @@
 """Measure the diagnosis of damping on the virtual test rig: losses named, and friction outside the catalogue.
 
-    python -m studies.damping --seed 20261230 --out docs/damping-measured.md             # `make suites`
+    python -m studies.damping --seed 20261230 --out docs/results/damping                 # `make suites`
 
-The requirements were fixed before the seed that the page reports was run.  That nothing is claimed where Coulomb
+Five robots of three mechanisms are measured at `POSES` poses, three to eight modes at each, one in ten missed; motors
+free, held, or both in turn.  Modes come from the rig, damping ratios from a second description of its joints
+(`pkmodes_rig.dissipation`).  A quarter of the files each states 5, 10 and 20 % for the ratios, or nothing (they
+scatter by 15 %); in every second case they scatter by another 10 % that nobody states.  The losses damp the modes
+that they reach by 0.4 to 3 % in the median; no case is left out because its losses are hard to tell.  Every fourth
+specimen also carries a payload that is not in the file.  *Scatter by mode*: the ratio of each mode is larger or
+smaller at all poses, by 20 to 40 %, and no error is stated, as laboratories measure it.  These cases are diagnosed
+with and without the damping.
+
+*Named*: every class that is claimed contains what dissipates, and nothing is left out.  *Partly*: something is left
+out.  *Wrong*: a class without anything that dissipates is claimed, among others or alone.  *Adequate*: the damping is
+that of the file, or, where the file declares none, one ratio for all modes, within a scatter by a factor of 1.5
+beyond the stated errors, as that of repeated tests.  *Abstained*: everything else.  Where belts or reducers are the
+only springs, their losses are exactly one ratio for all modes, so that *adequate* is no mistake there, but names
+nothing either.
+
+The requirements were fixed before the seed that is reported was run.  That nothing is claimed where Coulomb
 friction dissipates is what the diagnosis of damping was asked for; the others are those of clear causes
 (`clear_suites`), here of losses of any size.
 """
 
 from __future__ import annotations
 
-import time
+import argparse
 from collections.abc import Iterator, Sequence
 
-from studies.damping_cases import MODES, POSES, DampingOutcome, cases, run
-from studies.requirements import RIGHT, covered, headed, line, wrong
-from studies.running import Pool, parallel_command_line, publish, run_all
-from studies.tables import confusion, count, grouped, in_words, listed, times
+from studies.damping_cases import Case, DampingOutcome, cases, run
+from studies.requirements import RIGHT, Row, covered, headed, line, wrong
+from studies.suite import Suite
+from studies.tables import Table, Tables, confusion, count, grouped, in_words, stacked
 
 #: Seeds used during development, in whole or in part.
 SEEN = "1 to 9, 20261126, 20261128 and 20261219"
@@ -41,8 +57,8 @@ def group(outcome: DampingOutcome) -> str:
     return {0: "outside the catalogue", 1: "one loss", 2: "two losses"}[len(names)]
 
 
-def requirements(outcomes: Sequence[DampingOutcome]) -> Iterator[str]:
-    """Yield the lines of the table of requirements."""
+def requirements(outcomes: Sequence[DampingOutcome]) -> Iterator[Row]:
+    """Yield the rows of the table of requirements."""
     groups = grouped(outcomes, group)
     for name, (states, least) in LEAST.items():
         some = groups.get(name, [])
@@ -60,79 +76,57 @@ def requirements(outcomes: Sequence[DampingOutcome]) -> Iterator[str]:
     yield line("all", f"size within {RIGHT:g} sigma >= 95 %", right, len(away), 0.95)
 
 
-def page(outcomes: Sequence[DampingOutcome], seed: int, every: int, seconds: float, pool: Pool) -> list[str]:
-    """Return the page."""
-    inside = [o for o in outcomes if o.what.names]
-    missed = [o for o in inside if o.state in ("abstained", "partly")]
-    verdicts = grouped(outcomes, lambda o: f"{o.case.kind}: {o.of_damping}")
-    return [
-        "# Damping, measured",
-        "",
-        "Written by `make suites`; do not edit. `tests/studies/damping.py` defines the requirements,",
-        "`damping_cases.py` the cases. Modes come from the virtual test rig, damping ratios from a second",
-        "description of its joints that shares no code with the model.",
-        "",
-        f"Five robots of three mechanisms are measured at {POSES} poses, {MODES[0]} to {MODES[1]} modes at each, one",
-        "in ten missed; motors free, held, or both in turn. A quarter of the files each states 5, 10 and 20 % for",
-        "the ratios, or nothing (they scatter by 15 %); in every second case they scatter by another 10 % that",
-        "nobody states. The losses damp the modes that they reach by 0.4 to 3 % in the median; no case is left out",
-        "because its losses are hard to tell. Every fourth specimen also carries a payload that is not in the file.",
-        "*Scatter by mode*: the ratio of each mode is larger or smaller at all poses, by 20 to 40 %, and no error is",
-        "stated, as laboratories measure it. These cases are diagnosed with and without the damping.",
-        "",
-        "*Named*: every class that is claimed contains what dissipates, and nothing is left out. *Partly*: something",
-        "is left out. *Wrong*: a class without anything that dissipates is claimed, among others or alone.",
-        "*Adequate*: the damping is that of the file, or, where the file declares none, one ratio for all modes,",
-        "within a scatter by a factor of 1.5 beyond the stated errors, as that of repeated tests.",
-        "*Abstained*: everything else. Where belts or reducers are the only springs, their losses are exactly one",
-        "ratio for all modes, so that *adequate* is no mistake there, but names nothing either.",
-        "",
-        f"Seed {seed}{f', one case in {every}' if every > 1 else ''}. The diagnosis was developed with the seeds"
-        f" {SEEN}.",
-        "",
-        "## Requirements",
-        "",
-        *headed("what dissipates", requirements(outcomes)),
-        "",
-        "## By what dissipates",
-        "",
-        *confusion(grouped(outcomes, lambda o: o.case.kind), "what dissipates"),
-        "",
-        "## By motors and machine",
-        "",
-        *confusion(grouped(inside, lambda o: o.case.drives), "losses of the catalogue, motors"),
-        "",
-        *confusion(grouped(inside, lambda o: o.case.machine), "losses of the catalogue, machine"),
-        "",
-        "## Verdicts on the damping",
-        "",
-        *listed(
-            ["what dissipates", "verdict on the damping", "cases"],
-            [[*key.split(": "), str(len(some))] for key, some in verdicts.items()],
-        ),
-        "",
-        "## Confident and wrong",
-        "",
-        *_listed([o for o in outcomes if o.state in ("wrong", "failed")]),
-        "",
-        "## Losses that were not named",
-        "",
-        *_listed([o for o in missed if group(o) != "common ratio, not declared"]),
-        "",
-        "## Time",
-        "",
-        f"{times([o.seconds for o in outcomes])} a diagnosis; all {len(outcomes)} cases in {seconds / 60:.0f} min"
-        f" with {pool}.",
-    ]
+class Damping(Suite[Case, DampingOutcome]):
+    """Losses at joints, friction outside the catalogue, and machines that lack nothing."""
+
+    description = "Measure the diagnosis of damping on the virtual test rig."
+    run, failed = staticmethod(run), DampingOutcome
+
+    def cases(self, arguments: argparse.Namespace) -> Iterator[Case]:
+        return cases(arguments.seed)
+
+    def said(self, outcome: DampingOutcome) -> str:
+        verdicts = f"{outcome.verdict}; {outcome.of_damping}"
+        what = f"{_where(outcome)}: {outcome.state} ({verdicts}) {in_words(outcome)}"
+        return f"{what} [{outcome.seconds:.1f} s] {outcome.reason}"
+
+    def facts(self, outcomes: Sequence[DampingOutcome]) -> dict[str, object]:
+        return {"developed with the seeds": SEEN}
+
+    def tables(self, outcomes: Sequence[DampingOutcome]) -> Tables:
+        inside = [o for o in outcomes if o.what.names]
+        missed = [o for o in inside if o.state in ("abstained", "partly")]
+        verdicts = grouped(outcomes, lambda o: f"{o.case.kind}: {o.of_damping}")
+        return {
+            "requirements": headed(requirements(outcomes)),
+            "outcomes": stacked(
+                "by",
+                {
+                    "what dissipates": confusion(grouped(outcomes, lambda o: o.case.kind)),
+                    "losses of the catalogue, motors": confusion(grouped(inside, lambda o: o.case.drives)),
+                    "losses of the catalogue, machine": confusion(grouped(inside, lambda o: o.case.machine)),
+                },
+            ),
+            "verdicts": Table.of(
+                ["what dissipates", "verdict on the damping", "cases"],
+                [[*key.split(": "), len(some)] for key, some in verdicts.items()],
+            ),
+            "cases": stacked(
+                "list",
+                {
+                    "confident and wrong": _listed([o for o in outcomes if o.state in ("wrong", "failed")]),
+                    "losses that were not named": _listed(
+                        [o for o in missed if group(o) != "common ratio, not declared"]
+                    ),
+                },
+            ),
+        }
 
 
-def _listed(outcomes: Sequence[DampingOutcome]) -> list[str]:
-    return listed(
+def _listed(outcomes: Sequence[DampingOutcome]) -> Table:
+    return Table.of(
         ["case", "ratios", "verdict on the damping", "classes", "why"],
-        [
-            [_where(o), str(o.ratios), o.of_damping, in_words(o), o.reason.replace("\n", " ")]
-            for o in outcomes
-        ],
+        [[_where(o), o.ratios, o.of_damping, in_words(o), o.reason.replace("\n", " ")] for o in outcomes],
     )
 
 
@@ -140,22 +134,7 @@ def _where(o: DampingOutcome) -> str:
     return f"{o.case.kind}, {o.case.machine}, {o.case.drives}, {o.case.number}"
 
 
-def _said(o: DampingOutcome) -> str:
-    what = f"{_where(o)}: {o.state} ({o.verdict}; {o.of_damping}) {in_words(o)}"
-    return f"{what} [{o.seconds:.1f} s] {o.reason}"
-
-
-def main() -> None:
-    """Run the suite, and write its page."""
-    parser = parallel_command_line("Measure the diagnosis of damping on the virtual test rig.")
-    parser.add_argument("--every", type=int, default=1, help="one case in this many; default all")
-    arguments = parser.parse_args()
-    pool = Pool.of(arguments)
-    start, chosen = time.perf_counter(), list(cases(arguments.seed))[:: arguments.every]
-    outcomes = run_all(run, chosen, pool, _said, DampingOutcome)
-    seconds = time.perf_counter() - start
-    publish(page(outcomes, arguments.seed, arguments.every, seconds, pool), arguments.out)
-
+main = Damping().main
 
 if __name__ == "__main__":
     main()

@@ -1,15 +1,18 @@
 """Measure the limits of what a diagnosis does not find, and the saved standard deviations, on the virtual test rig.
 
-    python -m studies.limits --seed 20261213 --out docs/limits-measured.md               # `make suites`
+    python -m studies.limits --seed 20261213 --out docs/results/limits                   # `make suites`
 
 Each case has one cause of the catalogue or one wrong declared value, too small to be found: its predicted signal is
 drawn evenly between nothing and the hidden size of the other suites, three standard deviations and a little more.
-The true values of the uncertain parameters are drawn from their priors.  A limit covers if the true size is not above
-it; an interval covers if it contains the true value.
+The true values of the uncertain parameters are drawn from their priors.  Half of the cases have shapes, a quarter a
+realistic laboratory with missed modes and a band.  A limit covers if the true size is not above it; an interval
+covers if it contains the true value.  Limits at a physical bound cover more often than stated: a size of nearly
+nothing always lies below its limit.
 """
 
 from __future__ import annotations
 
+import argparse
 import time
 from collections import Counter
 from collections.abc import Iterator, Sequence
@@ -21,11 +24,12 @@ from pkmodes import updating
 from pkmodes.loop.updating.candidates import PREFIX
 from pkmodes_rig import SENSORS, drawn_values
 from studies.cases import ROBOT_NAMES, Case, tried
-from studies.requirements import INTERVAL, line
-from studies.running import Pool, parallel_command_line, publish, run_all
+from studies.requirements import INTERVAL, Row, headed, line
 from studies.sizes import EFFECT_SIZES, TARGETS, WRONG_SIZES, WRONG_TARGETS
 from studies.specimens import Specimen, measurements, robot_of, with_effect, with_wrong
 from studies.strengths import CATALOGUE, PLANS, SEED
+from studies.suite import Suite
+from studies.tables import Table, Tables
 
 SUITE = "hidden causes"
 #: Seeds used during development.
@@ -125,8 +129,8 @@ def run(hidden: Hidden) -> Shown:
     return Shown(case.kind, case.truth.machine, found.verdict, limits, intervals, time.perf_counter() - start)
 
 
-def rows(outcomes: Sequence[Shown]) -> Iterator[str]:
-    """Yield the lines of the requirements; they were fixed before the suite was run."""
+def rows(outcomes: Sequence[Shown]) -> Iterator[Row]:
+    """Yield the rows of the requirements; they were fixed before the suite was run."""
     bounded = [(size, limit) for o in outcomes for size, limit in o.limits if limit is not None]
     covered = sum(size <= limit for size, limit in bounded)
     yield line(SUITE, "95 % limits cover 90-99 %", covered, len(bounded), 0.90, 0.99)
@@ -137,68 +141,55 @@ def rows(outcomes: Sequence[Shown]) -> Iterator[str]:
     )
 
 
-def page(outcomes: Sequence[Shown], seed: int, seconds: float, pool: Pool) -> list[str]:
-    """Return the page."""
-    limits = [one for o in outcomes for one in o.limits]
-    verdicts = Counter(o.verdict for o in outcomes)
-    intervals = [one for o in outcomes for one in o.intervals]
-    fitted = sum(away <= INTERVAL * sigma for away, sigma, _ in intervals)
-    wider = sorted(saved / sigma for _, sigma, saved in intervals)
-    return [
-        "# The limits, measured",
-        "",
-        "Written by `make suites`; do not edit. `tests/studies/limits.py` defines the cases. On the",
-        "virtual test rig, whose physics shares no code with the model, one effect or one wrong value is hidden in",
-        f"each case: its predicted signal is drawn evenly between 0 and {LARGEST:g} standard deviations. Half of the",
-        "cases have shapes, a quarter a realistic laboratory with missed modes and a band. A limit covers if the",
-        "true size is not above it. Limits at a physical bound cover more often than stated: a size of nearly",
-        "nothing always lies below its limit.",
-        "",
-        f"Seed {seed}. Developed with the seeds {SEEN}; any other seed is a fresh sample.",
-        "",
-        "| suite | requirement | result | 95 % interval | |",
-        "| --- | --- | --- | --- | --- |",
-        *rows(outcomes),
-        "",
-        f"{len(outcomes)} cases: {', '.join(f'{count} {verdict}' for verdict, count in verdicts.items())}. Of",
-        f"{len(limits)} limits of the hidden causes, {sum(limit is None for _, limit in limits)} are null: nothing",
-        "bounds these within their plausible range. The intervals of the fit alone, where the verdict is `adequate`,",
-        f"contain {fitted} of {len(intervals)} true values; the saved standard deviations are wider, by a factor of",
-        f"{wider[len(wider) // 2]:.3g} in the median." if wider else "none.",
-        "",
-        "| hidden | cases | claimed | limits | covered | null |",
-        "| --- | --- | --- | --- | --- | --- |",
-        *_table(outcomes),
-        "",
-        f"Run in {seconds / 60:.0f} minutes with {pool}.",
-    ]
+class Limits(Suite[Hidden, Shown]):
+    """Causes of the linear delta that are too small to be found."""
+
+    description = "Measure the limits on the virtual test rig."
+    run = staticmethod(run)
+
+    def cases(self, arguments: argparse.Namespace) -> Iterator[Hidden]:
+        return cases(arguments.seed)
+
+    def label(self, case: Hidden) -> str:
+        return case.case.label
+
+    def said(self, outcome: Shown) -> str:
+        what = f"{outcome.robot} {outcome.kind}: {outcome.verdict} {outcome.limits}"
+        return f"{what} [{outcome.seconds:.1f} s]"
+
+    def facts(self, outcomes: Sequence[Shown]) -> dict[str, object]:
+        limits = [limit for o in outcomes for _, limit in o.limits]
+        intervals = [one for o in outcomes for one in o.intervals]
+        wider = sorted(saved / sigma for _, sigma, saved in intervals)
+        return {
+            "developed with the seeds": SEEN,
+            "largest signal": f"{LARGEST:g}",
+            **Counter(o.verdict for o in outcomes),
+            "limits": len(limits),
+            "null": limits.count(None),
+            "intervals of the fit alone": len(intervals),
+            "of these covering": sum(away <= INTERVAL * sigma for away, sigma, _ in intervals),
+            "saved sigma / sigma of the fit, median": f"{wider[len(wider) // 2]:.3g}" if wider else "",
+        }
+
+    def tables(self, outcomes: Sequence[Shown]) -> Tables:
+        return {"requirements": headed(rows(outcomes)), "hidden": _table(outcomes)}
 
 
-def _table(outcomes: Sequence[Shown]) -> Iterator[str]:
+def _table(outcomes: Sequence[Shown]) -> Table:
+    """Return what became of each hidden cause."""
+    cells = []
     for kind in dict.fromkeys(o.kind for o in outcomes):
         some = [o for o in outcomes if o.kind == kind]
         limits = [one for o in some for one in o.limits]
         bounded = [(size, limit) for size, limit in limits if limit is not None]
         covered = sum(size <= limit for size, limit in bounded)
         claimed = sum(not o.limits for o in some)
-        cells = len(some), claimed, len(bounded), covered, len(limits) - len(bounded)
-        yield f"| `{kind}` | {' | '.join(map(str, cells))} |"
+        cells.append((kind, len(some), claimed, len(bounded), covered, len(limits) - len(bounded)))
+    return Table.of(("hidden", "cases", "claimed", "limits", "covered", "null"), cells)
 
 
-def _said(o: Shown) -> str:
-    return f"{o.robot} {o.kind}: {o.verdict} {o.limits} [{o.seconds:.1f} s]"
-
-
-def main() -> None:
-    """Run the suite, and write its page."""
-    parser = parallel_command_line("Measure the limits on the virtual test rig.")
-    parser.add_argument("--every", type=int, default=1, help="one case in this many; default all")
-    arguments = parser.parse_args()
-    pool = Pool.of(arguments)
-    start, chosen = time.perf_counter(), list(cases(arguments.seed))[:: arguments.every]
-    outcomes = run_all(run, chosen, pool, _said)
-    publish(page(outcomes, arguments.seed, time.perf_counter() - start, pool), arguments.out)
-
+main = Limits().main
 
 if __name__ == "__main__":
     main()

@@ -1,16 +1,28 @@
 """Suites of the diagnosis for the rotary delta and the CoreXY: define the cases, run them and tabulate the outcomes.
 
-    python -m studies.mechanism_suites --seed 20261212 --out docs/mechanisms-measured.md    # `make suites`
+    python -m studies.mechanism_suites --seed 20261212 --out docs/results/mechanisms        # `make suites`
     python -m studies.mechanism_suites --sizes            # recomputes the sizes in `mechanism_sizes`
 
-The requirements are those of the linear delta's suites (`requirements`).
+`robots/clavel-delta.toml` and `robots/corexy-printer.toml` are measured at 10 to 12 poses, with 0.2 % noise and all
+modes up to 1.25 times the highest of the declared model: a CoreXY has two vibration modes per pose, a rotary delta
+three.  Shapes are measured with 2 % noise, at `theta_1..3` and `p_x..z` of the rotary delta and at `x y` and `p_x
+p_y` of the CoreXY, except in every fifth case.  The true values of the uncertain parameters are drawn from their
+priors.  Every second case is *realistic*: 15 % of its modes are missed.  Motors are free, held, or held at every
+second pose (mixed); causes at the motors, which held motors do not show, are left out there.  The rigs are MuJoCo for
+the rotary delta, with loops closed by hand where its links yield or its frame rocks, and the formulas of the contract
+for the CoreXY.  `mechanism_cases` has how cases are measured and judged; the requirements are those of the linear
+delta's suites (`requirements`).
+
+`link.length` is wrong here by so much that arms exceed their limits at some poses: the diagnosis says that it cannot
+follow the value there.  Values of a single axis or belt (`axis.2.*`, `belt_path.2.*`), where the file gives one for
+all, are often pointed at in the reason and not claimed.
 """
 
 from __future__ import annotations
 
+import argparse
 import itertools
 import sys
-import time
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pprint import pformat
@@ -21,8 +33,7 @@ from pkmodes.loop.updating.candidates import PREFIX
 from studies.mechanism_cases import MechanismCase, MechanismOutcome, run
 from studies.mechanism_sizes import SIZES
 from studies.motors import DRIVES, OTHER_DRIVES, shows, words
-from studies.requirements import CLEAR, basic, covered, errors, headed, line, wrong
-from studies.running import Pool, parallel_command_line, publish, run_all
+from studies.requirements import CLEAR, Row, basic, covered, errors, headed, line, wrong
 from studies.sizes import TYING, UNEQUAL
 from studies.specimens import (
     KINDS,
@@ -34,7 +45,8 @@ from studies.specimens import (
     with_wrong,
 )
 from studies.strengths import enclosed, signal
-from studies.tables import confusion, grouped, in_words, listed, times
+from studies.suite import Suite
+from studies.tables import Table, Tables, confusion, grouped, in_words, stacked
 
 #: Number of complete models; every second case of a suite is realistic, every fifth has no shapes.
 NOTHING_MISSING = 40
@@ -96,6 +108,7 @@ SIZED = ("one effect", "wrong parameter", "outside the catalogue")
 SUITES = ("nothing missing", *SIZED, "wrong drives")
 #: Files that say that motors were free where they were held, or the reverse.
 WRONG_DRIVES = 8
+SEEN = "1 and 20261205"
 
 
 # Cases -------------------------------------------------------------------------------------------------------
@@ -195,105 +208,77 @@ def _size(name: str, suite: str, kind: str, target: float, sign: float = 1.0) ->
 # Running -----------------------------------------------------------------------------------------------------
 
 
-def main() -> None:
-    """Run the suites of all mechanisms, and write their page."""
-    parser = parallel_command_line("Measure the diagnosis of the rotary delta and the CoreXY.")
-    parser.add_argument("--only", default="", help="part of the label of the cases to run")
-    parser.add_argument("--sizes", action="store_true", help="find the sizes of the causes and print them")
-    arguments = parser.parse_args()
-    pool = Pool.of(arguments)
-    if arguments.sizes:
-        print(pformat(sizes(), width=110, sort_dicts=False))
-        return
-    start = time.perf_counter()
-    chosen = [replace(case, seed=arguments.seed) for case in cases() if arguments.only in case.label]
-    outcomes = run_all(run, chosen, pool, _said, MechanismOutcome)
-    publish(_page(outcomes, time.perf_counter() - start, pool), arguments.out)
+class Mechanisms(Suite[MechanismCase, MechanismOutcome]):
+    """The suites of the rotary delta and of the CoreXY."""
+
+    description = "Measure the diagnosis of the rotary delta and the CoreXY."
+    run, failed = staticmethod(run), MechanismOutcome
+
+    def options(self, parser: argparse.ArgumentParser) -> None:
+        parser.add_argument(
+            "--sizes", action="store_true", help="find the sizes of the causes and print them"
+        )
+
+    def instead(self, arguments: argparse.Namespace) -> bool:
+        if arguments.sizes:
+            print(pformat(sizes(), width=110, sort_dicts=False))
+        return bool(arguments.sizes)
+
+    def cases(self, arguments: argparse.Namespace) -> Iterator[MechanismCase]:
+        return (replace(case, seed=arguments.seed) for case in cases())
+
+    def said(self, outcome: MechanismOutcome) -> str:
+        case = f"{outcome.case.label}{_real(outcome)} ({outcome.case.kind}), {outcome.signal:.3g}"
+        return f"{case}: {outcome.state} {in_words(outcome)} [{outcome.seconds:.1f} s] {outcome.reason}"
+
+    def facts(self, outcomes: Sequence[MechanismOutcome]) -> dict[str, object]:
+        return {"developed with the seeds": SEEN}
+
+    def tables(self, outcomes: Sequence[MechanismOutcome]) -> Tables:
+        clear = [o for o in outcomes if o.case.names and o.signal > CLEAR]
+        complete = [o for o in outcomes if o.case.suite == "nothing missing"]
+        outside = [o for o in outcomes if o.case.specimen.outside and o.state == "adequate"]
+        return {
+            "requirements": headed(
+                itertools.chain.from_iterable(
+                    _requirements(name, drives, [o for o in outcomes if _of(o) == (name, drives)])
+                    for name in KINDS
+                    for drives in DRIVES
+                )
+            ),
+            "outcomes": stacked(
+                "by",
+                {
+                    "suite": confusion(grouped(outcomes, _suite)),
+                    "cause": confusion(
+                        grouped((o for o in outcomes if o.case.suite != "nothing missing"), _cause)
+                    ),
+                },
+            ),
+            "cases": stacked(
+                "list",
+                {
+                    "confident and wrong": _listed([o for o in outcomes if o.state in ("wrong", "failed")]),
+                    "nothing missing, but not adequate": _listed(
+                        [o for o in complete if o.state == "abstained"]
+                    ),
+                    "clear causes that were not named": _listed(
+                        [o for o in clear if o.state not in ("named", "wrong")]
+                    ),
+                    "causes outside the catalogue that were missed": _listed(outside),
+                },
+            ),
+        }
 
 
-def _said(o: MechanismOutcome) -> str:
-    what = f"{o.case.label}{_real(o)} ({o.case.kind}), {o.signal:.3g}: {o.state} {in_words(o)}"
-    return f"{what} [{o.seconds:.1f} s] {o.reason}"
+def _of(o: MechanismOutcome) -> tuple[str, str]:
+    return o.case.specimen.machine, o.case.specimen.drives
 
 
 # Tables ------------------------------------------------------------------------------------------------------
 
 
-def _page(outcomes: list[MechanismOutcome], seconds: float, pool: Pool) -> list[str]:
-    groups = {name: [o for o in outcomes if o.case.specimen.machine == name] for name in KINDS}
-    return [
-        "# The diagnosis of other mechanisms, measured",
-        "",
-        "Written by `make suites`; do not edit. `tests/studies/mechanism_suites.py` defines the cases,",
-        "`mechanism_cases.py` how they are measured and judged; terms and requirements are those of",
-        "docs/diagnosis-measured.md. The rigs share no code with the model: MuJoCo for the rotary delta, with",
-        "loops closed by hand where its links yield or its frame rocks, and the formulas of the contract for the",
-        "CoreXY.",
-        "",
-        "`robots/clavel-delta.toml` and `robots/corexy-printer.toml` are measured at 10 to 12 poses, with 0.2 %",
-        "noise and all modes up to 1.25 times the highest of the declared model. Shapes are measured with 2 %",
-        "noise, at `theta_1..3` and `p_x..z` of the rotary delta and at `x y` and `p_x p_y` of the CoreXY, except",
-        "in every fifth case. The true values of the uncertain parameters are drawn from their priors. Every",
-        "second case is *realistic*: 15 % of its modes are missed. A CoreXY has two vibration modes per pose, a",
-        "rotary delta three. Motors are free, held, or held at every second pose (mixed); causes at the",
-        "motors, which held motors do not show, are left out there.",
-        "",
-        f"Seed {outcomes[0].case.seed}. The suites were developed with the seeds 1 and 20261205.",
-        "",
-        "## Requirements",
-        "",
-        *headed(
-            "mechanism, suite",
-            itertools.chain.from_iterable(
-                _requirements(name, drives, [o for o in group if o.case.specimen.drives == drives])
-                for name, group in groups.items()
-                for drives in DRIVES
-            ),
-        ),
-        "",
-        "## Outcomes by suite",
-        "",
-        *confusion(grouped(outcomes, _suite), "group"),
-        "",
-        "## Outcomes by cause",
-        "",
-        *confusion(grouped((o for o in outcomes if o.case.suite != "nothing missing"), _cause), "group"),
-        "",
-        "## Confident and wrong",
-        "",
-        *_listed([o for o in outcomes if o.state in ("wrong", "failed")]),
-        "",
-        "Noticed only after the run: `one_run` is not outside the catalogue. A soft end of one run is exactly",
-        "equivalent to a longer free length of that run, `belt_path.1.lengths.1`. Such cases count as wrong here,",
-        "because the judging was fixed beforehand.",
-        "",
-        "With some seeds the softer `rocking_frame`, which adds one mode, is named `frame_compliance`, which",
-        "adds three: confident and wrong. `link.length` is wrong here by so much that arms exceed their limits at",
-        "some poses: the diagnosis says that it cannot follow the value there. Values of a single axis or belt",
-        "(`axis.2.*`, `belt_path.2.*`), where the file gives one for all, are often pointed at in the reason and",
-        "not claimed (docs/explanation/diagnosis.md).",
-        "",
-        "## Nothing missing, but not adequate",
-        "",
-        *_listed([o for o in outcomes if o.case.suite == "nothing missing" and o.state == "abstained"]),
-        "",
-        "## Clear causes that were not named",
-        "",
-        *_listed(
-            [o for o in outcomes if o.case.names and o.signal > CLEAR and o.state not in ("named", "wrong")]
-        ),
-        "",
-        "## Causes outside the catalogue that were missed",
-        "",
-        *_listed([o for o in outcomes if o.case.specimen.outside and o.state == "adequate"]),
-        "",
-        "## Time",
-        "",
-        f"{times([o.seconds for o in outcomes])}; all {len(outcomes)} cases in {seconds / 60:.0f} min with {pool}.",
-    ]
-
-
-def _requirements(name: str, drives: str, outcomes: Sequence[MechanismOutcome]) -> Iterator[str]:
+def _requirements(name: str, drives: str, outcomes: Sequence[MechanismOutcome]) -> Iterator[Row]:
     if not outcomes:
         return
     for suite in SUITES:
@@ -320,7 +305,7 @@ def _real(o: MechanismOutcome) -> str:
     return ", realistic" if o.case.realistic else ""
 
 
-def _listed(outcomes: Sequence[MechanismOutcome]) -> list[str]:
+def _listed(outcomes: Sequence[MechanismOutcome]) -> Table:
     rows = [
         (
             f"{o.case.label}{_real(o)}{'' if o.case.shapes else ', no shapes'}",
@@ -328,8 +313,10 @@ def _listed(outcomes: Sequence[MechanismOutcome]) -> list[str]:
         )
         for o in outcomes
     ]
-    return listed(("case", "truth", "signal", "verdict", "classes"), rows)
+    return Table.of(("case", "truth", "signal", "verdict", "classes"), rows)
 
+
+main = Mechanisms().main
 
 if __name__ == "__main__":
     main()

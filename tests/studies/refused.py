@@ -1,18 +1,30 @@
 """Where a probability and the verdict disagree: explanations that are probable but refused, by the rule that refuses.
 
-    python -m studies.refused --seed 20290202 --limit 5 --out docs/refused-measured.md   # `make suites`
+    python -m studies.refused --seed 20290202 --limit 5 --out docs/results/refused       # `make suites`
 
 Cases of all suites run in turn, up to `--limit` of each, then all cases of the suites with the fewest measured modes,
 where refusals are most frequent.  Those of one fault at one place, which are decided by rules of their own, have no
 part.  What is found is kept in a file, a line of JSON for each case, so that a run which was
-stopped goes on where it was.  A case whose verdict is given by a rule that is asked where causes leave noise runs
-again without that rule.
+stopped goes on where it was.  Terms are not tried.
+
+The most probable class or pair of each case is held against its verdict and the truth.  *Claimed*: `effect_found`,
+with this class or pair and nothing else; *refused*: any other verdict or claim.  *Right*: it contains the cause, or
+both causes; *one of two*: a class that contains one of two causes; *wrong* otherwise, also where nothing is missing
+or the cause is outside the catalogue.
+
+The stated probability of a class or pair contains the doubt that its verdict leaves (`probabilities.ACCEPTED`,
+`REFUSED`, `NONE`), so that none of an `unexplained` case is high, whatever the data say; *as if accepted* it has the
+doubt of an accepted explanation in its place.
+
+Every case that is refused by a rule which is asked where causes leave noise, however probable its best explanation,
+is diagnosed again without that rule: what is then claimed, or which other rules refuse.  A claim is also wrong if a
+row was set aside without the redundancy to tell which row is wrong.  The other rules cannot be left out: where they
+decide, no causes leave noise.
 """
 
 from __future__ import annotations
 
 import itertools
-import json
 import sys
 import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -31,8 +43,8 @@ from pkmodes.loop.diagnosis.verdict.unexplained import OPEN
 from pkmodes.loop.diagnosis.verdict.verdicts import EFFECT_FOUND, UNEXPLAINED
 from studies import calibration, clear_cases, six_legged_suites
 from studies.calibration import explains, explains_a_part, truth_of
-from studies.running import Outcome, command_line, publish
-from studies.tables import listed, table
+from studies.running import Kept, Outcome, command_line
+from studies.tables import Table, Tables, publish, stacked
 
 #: The probability above which an explanation should not be refused without a reason.
 PROBABLE = 0.95
@@ -56,47 +68,6 @@ FOUND = rules.CLAIMS[-1].name
 Members = Sequence[str] | Sequence[tuple[str, str]]
 Run = Callable[[Any], Outcome[Any]]
 Line = Mapping[str, Any]
-
-
-BEGINNING = """\
-# Probable and refused, measured
-
-Written by `make suites`; do not edit. `tests/studies/refused.py` draws as many cases from each suite of
-the diagnosis, those with mistaken files too, but none of hexaglides, which take a minute each, or of one fault at one
-place, which other rules decide. The most probable class or pair of each case, a
-[second opinion](explanation/diagnosis.md#a-second-opinion), is held against its verdict and the truth.
-*Claimed*: `effect_found`, with this class or pair and nothing else; *refused*: any other verdict or claim. *Right*:
-it contains the cause, or both causes; *one of two*: a class that contains one of two causes; *wrong* otherwise, also
-where nothing is missing or the cause is outside the catalogue. Terms are not tried.
-
-Seed {seed}; {cases} cases drawn from {suites} suites, of which {some} have a class or pair with a probability; and
-all {whole} cases with few rows, and with outliers among few. {failed} failed. Verdicts and probabilities were
-developed with other seeds, on cases of the same suites."""
-STATED = f"""\
-## As stated
-
-The doubt is {100 * ACCEPTED:.0f} % where the verdict accepts an explanation or leaves a few, {100 * REFUSED:.0f} %
-where one leaves only noise but is refused, and {100 * NONE:.0f} % where none does. So no class or pair of an
-`unexplained` case has a stated probability above {1.0 - REFUSED:g}, whatever the data say."""
-AS_IF_ACCEPTED = f"""\
-## As if accepted
-
-What the probability would be with the doubt of an accepted explanation. It is above {PROBABLE} where data and priors
-alone give the class or pair more than {PROBABLE / (1.0 - ACCEPTED):.3f}."""
-BY_RULE = f"""\
-Those that are refused, by the rule that decides. *Decided*: all cases of this rule that have a class or pair with a
-probability; *probable*: those of them where it is above {PROBABLE} as if accepted."""
-LEFT_OUT = """\
-## Without the rule
-
-Every case that is refused by a rule which is asked where causes leave noise, however probable its best explanation,
-was diagnosed again without that rule: what is then claimed, or which other rules refuse. A claim is also wrong if a
-row was set aside without the redundancy to tell which row is wrong. The other rules cannot be left out: where they
-decide, no causes leave noise."""
-EACH = f"""\
-## Each of them
-
-All refused cases with a probability above {PROBABLE} as if accepted; of a class, its most probable members."""
 
 
 # Cases -------------------------------------------------------------------------------------------------------
@@ -235,67 +206,51 @@ def main() -> None:
     parser.add_argument("--limit", type=int, default=LIMIT, help="largest number of cases per suite")
     parser.add_argument("--no-whole", action="store_true", help="leave out those of which all cases run")
     arguments = parser.parse_args()
-    kept = arguments.kept
-    kept.parent.mkdir(parents=True, exist_ok=True)
-    known = {one["case"]: one for one in calibration.read(kept)}
+    kept = Kept(arguments.kept)
+    known = {one["case"]: one for one in kept.lines}
 
     def of(suite: str, case: Any, run: Run) -> Line:
         case = replace(case, seed=arguments.seed)
         name = f"{suite}: {case.label}, seed {case.seed}"
         if name not in known:
-            known[name] = {"case": name, "suite": suite, **line_of(case, run)}
-            with kept.open("a", encoding="utf-8") as file:
-                file.write(json.dumps(known[name]) + "\n")
+            kept.add({"case": name, "suite": suite, **line_of(case, run)})
+            known[name] = kept.lines[-1]
         return known[name]
 
     every = list(cases())
     drawn = [of(*one) for one in in_turn(every, arguments.limit)]
     whole = [] if arguments.no_whole else [of(*one) for one in every if one[0] in WHOLE]
-    publish(page(drawn, whole, arguments.seed), arguments.out)
+    publish(tables(drawn, whole, arguments.seed), arguments.out)
 
 
 # Tables ------------------------------------------------------------------------------------------------------
 
 
-def page(drawn: Sequence[Line], whole: Sequence[Line], seed: int) -> list[str]:
-    """Return the page on cases drawn from all suites, and on all those of a few suites."""
+def tables(drawn: Sequence[Line], whole: Sequence[Line], seed: int) -> Tables:
+    """Return the tables of cases drawn from all suites, and of all those of a few suites."""
     some = [one for one in drawn if "members" in one]
     every = list({one["case"]: one for one in (*drawn, *whole)}.values())
-    beginning = BEGINNING.format(
-        seed=seed,
-        cases=len(drawn),
-        suites=len({pooled(one["suite"]) for one in drawn}),
-        some=len(some),
-        whole=len(whole),
-        failed=sum(one["verdict"] == "failed" for one in every),
-    )
-    return [
-        *beginning.splitlines(),
-        "",
-        *STATED.splitlines(),
-        "",
-        *_shares(some, "probability"),
-        "",
-        *AS_IF_ACCEPTED.splitlines(),
-        "",
-        *_shares(some, "accepted"),
-        "",
-        *BY_RULE.splitlines(),
-        "",
-        *_by_rule(drawn),
-        "",
-        "The same for all cases with few rows, and with outliers among them.",
-        "",
-        *_by_rule(whole),
-        "",
-        *LEFT_OUT.splitlines(),
-        "",
-        *_without(every),
-        "",
-        *EACH.splitlines(),
-        "",
-        *_listed([one for one in every if _refused(one) and one["accepted"] > PROBABLE]),
-    ]
+    facts = {
+        "seed": seed,
+        "cases drawn": len(drawn),
+        "suites": len({pooled(one["suite"]) for one in drawn}),
+        "with a class or pair": len(some),
+        "cases with few rows": len(whole),
+        "failed": sum(one["verdict"] == "failed" for one in every),
+        "doubt, accepted [%]": f"{100 * ACCEPTED:.0f}",
+        "doubt, refused [%]": f"{100 * REFUSED:.0f}",
+        "doubt, none left [%]": f"{100 * NONE:.0f}",
+    }
+    return {
+        "summary": Table.of(("quantity", "value"), facts.items()),
+        "shares": stacked(
+            "probability",
+            {"as stated": _shares(some, "probability"), "as if accepted": _shares(some, "accepted")},
+        ),
+        "rules": stacked("cases", {"drawn": _by_rule(drawn), "few rows": _by_rule(whole)}),
+        "without": _without(every),
+        "cases": _listed([one for one in every if _refused(one) and one["accepted"] > PROBABLE]),
+    }
 
 
 def _refused(one: Line) -> bool:
@@ -303,7 +258,7 @@ def _refused(one: Line) -> bool:
     return "members" in one and not one["claimed"]
 
 
-def _shares(some: Sequence[Line], key: str) -> list[str]:
+def _shares(some: Sequence[Line], key: str) -> Table:
     """Return how often what is probable is right, where it is claimed and where it is refused."""
     high = [one for one in some if one[key] > PROBABLE]
     groups = {
@@ -312,10 +267,11 @@ def _shares(some: Sequence[Line], key: str) -> list[str]:
         "all": high,
     }
     rows = [[name, *_counts(group, "held"), _part(group)] for name, group in groups.items()]
-    return table([f"above {PROBABLE}", "cases", *STATES, "fraction right"], rows)
+    return Table.of([f"above {PROBABLE}", "cases", *STATES, "fraction right"], rows)
 
 
-def _by_rule(some: Sequence[Line]) -> list[str]:
+def _by_rule(some: Sequence[Line]) -> Table:
+    """Return, of the cases that a rule refuses, all with a probability, and those where it is high as if accepted."""
     rows = []
     for rule in _ordered(some):
         decided = [one for one in some if one["rule"] == rule and _refused(one)]
@@ -323,12 +279,12 @@ def _by_rule(some: Sequence[Line]) -> list[str]:
         if probable:
             stated = sum(one["probability"] > PROBABLE for one in probable)
             name = f"{rule}, with another claim" if rule == FOUND else rule
-            counted = [*_counts(probable, "held"), _part(probable), str(stated or "")]
+            counted = [*_counts(probable, "held"), _part(probable), str(stated)]
             rows.append([name, str(len(decided)), *counted])
-    return listed(["rule", "decided", "probable", *STATES, "fraction right", "above as stated"], rows)
+    return Table.of(["rule", "decided", "probable", *STATES, "fraction right", "above as stated"], rows)
 
 
-def _without(some: Sequence[Line]) -> list[str]:
+def _without(some: Sequence[Line]) -> Table:
     again, rows = [one for one in some if "without" in one], []
     for rule in _ordered(again):
         group = [one for one in again if one["rule"] == rule]
@@ -339,14 +295,15 @@ def _without(some: Sequence[Line]) -> list[str]:
             [
                 rule,
                 str(len(group)),
-                *(str(states.count(state) or "") for state in STATES),
-                f"{still}: {', '.join(others)}" if still else "",
+                *(str(states.count(state)) for state in STATES),
+                *(str(still), ", ".join(others)),
             ]
         )
-    return listed(["without", "cases", *(f"claim {state}" for state in STATES), "refused by others"], rows)
+    head = ["without", "cases", *(f"claim {state}" for state in STATES), "still refused", "by"]
+    return Table.of(head, rows)
 
 
-def _listed(doubted: Sequence[Line]) -> list[str]:
+def _listed(doubted: Sequence[Line]) -> Table:
     order = {rule: k for k, rule in enumerate(_ordered(doubted))}
     rows = [
         [
@@ -361,7 +318,7 @@ def _listed(doubted: Sequence[Line]) -> list[str]:
         for one in sorted(doubted, key=lambda one: order[one["rule"]])
     ]
     head = ["rule", "case", "truth", "class or pair", "as if accepted", "it is", "without the rule"]
-    return listed(head, rows)
+    return Table.of(head, rows)
 
 
 def _some(members: Sequence[str]) -> str:
@@ -384,7 +341,7 @@ def _ordered(some: Sequence[Line]) -> list[str]:
 
 
 def _counts(group: Sequence[Line], key: str) -> list[str]:
-    return [str(len(group)), *(str(sum(one[key] == state for one in group) or "") for state in STATES)]
+    return [str(len(group)), *(str(sum(one[key] == state for one in group)) for state in STATES)]
 
 
 def _part(group: Sequence[Line]) -> str:

@@ -15,7 +15,7 @@ from pkmodes_rig import ORDERS
 from studies.hard_suites import ADDING, UNDECIDED
 from studies.judging import NOTED, CaseOutcome, mentioned, noticeable, right_wiring
 from studies.running import Outcome
-from studies.tables import count
+from studies.tables import Table, count
 
 #: Predicted signal above which a cause must be found.
 CLEAR = 6.0
@@ -24,12 +24,14 @@ RIGHT, INTERVAL = 3.0, 1.959964
 #: A claim must not contradict the shapes: no MAC below the first if another explanation has all above the second.
 MAC_CLAIMED, MAC_OTHER = 0.90, 0.98
 
+#: A row of the table of requirements; see `HEAD`.
+Row = tuple[str, ...]
 FIVE = ("nothing missing", "one effect", "wrong parameter", "two effects", "outside the catalogue")
 
 
-def requirements(by_suite: Mapping[str, Sequence[CaseOutcome]]) -> list[str]:
-    """Return the lines of the table; suites that were not run have none."""
-    lines: list[str] = []
+def requirements(by_suite: Mapping[str, Sequence[CaseOutcome]]) -> list[Row]:
+    """Return the rows of the table; suites that were not run have none."""
+    lines: list[Row] = []
     for suffix, together in (("", "all five"), (", realistic", "all five, realistic")):
         suites = {name: by_suite[f"{name}{suffix}"] for name in FIVE}
         for name, outcomes in suites.items():
@@ -48,7 +50,7 @@ def requirements(by_suite: Mapping[str, Sequence[CaseOutcome]]) -> list[str]:
     return lines
 
 
-def basic(suite: str, title: str, outcomes: Sequence[Outcome[Any]]) -> Iterator[str]:
+def basic(suite: str, title: str, outcomes: Sequence[Outcome[Any]]) -> Iterator[Row]:
     """Yield the lines of one of the `FIVE` suites, or of cases like it."""
     number = len(outcomes)
     if suite == "nothing missing":
@@ -67,14 +69,14 @@ def basic(suite: str, title: str, outcomes: Sequence[Outcome[Any]]) -> Iterator[
         yield line(title, f"{what}: value within 3 sigma >= 95 %", right, len(named), least=0.95)
 
 
-def wrong(title: str, outcomes: Sequence[Outcome[Any]], most: float = 0.02) -> str:
-    """Return the line of wrong claims."""
+def wrong(title: str, outcomes: Sequence[Outcome[Any]], most: float = 0.02) -> Row:
+    """Return the row of wrong claims."""
     what = f"confident and wrong <= {100 * most:g} %"
     return line(title, what, count(outcomes, "wrong"), len(outcomes), most=most)
 
 
-def covered(title: str, away: Sequence[float]) -> str:
-    """Return the line of the intervals of values, by their errors in standard deviations."""
+def covered(title: str, away: Sequence[float]) -> Row:
+    """Return the row of the intervals of values, by their errors in standard deviations."""
     inside = sum(one <= INTERVAL for one in away)
     return line(title, "95 % intervals cover 90-99 %", inside, len(away), 0.90, 0.99)
 
@@ -84,11 +86,11 @@ def errors(outcomes: Iterable[Outcome[Any]]) -> list[float]:
     return [abs(estimate - true) / sigma for o in outcomes for _, estimate, sigma, true in o.values]
 
 
-def _few_rows(suite: str, outcomes: Sequence[CaseOutcome]) -> Iterator[str]:
+def _few_rows(suite: str, outcomes: Sequence[CaseOutcome]) -> Iterator[Row]:
     yield line(suite, "confident and wrong: none", count(outcomes, "wrong"), len(outcomes), most=0.0)
 
 
-def _modes_missed(suite: str, outcomes: Sequence[CaseOutcome]) -> Iterator[str]:
+def _modes_missed(suite: str, outcomes: Sequence[CaseOutcome]) -> Iterator[Row]:
     clear = [o for o in outcomes if o.signal > CLEAR]
     adding = [o for o in clear if o.case.kind in ADDING]
     what = f"signal > {CLEAR:g}"
@@ -103,24 +105,24 @@ def _modes_missed(suite: str, outcomes: Sequence[CaseOutcome]) -> Iterator[str]:
     yield wrong(suite, outcomes)
 
 
-def _shapes_decide(suite: str, outcomes: Sequence[CaseOutcome]) -> Iterator[str]:
+def _shapes_decide(suite: str, outcomes: Sequence[CaseOutcome]) -> Iterator[Row]:
     yield wrong(suite, outcomes)
     against = [o for o in outcomes if o.mac and o.mac[0] < MAC_CLAIMED and o.mac[1] > MAC_OTHER]
     what = f"claimed with a MAC < {MAC_CLAIMED:g} although the truth has all > {MAC_OTHER:g}: none"
     yield line(suite, what, len(against), len(outcomes), most=0.0)
 
 
-def _outliers(suite: str, outcomes: Sequence[CaseOutcome]) -> Iterator[str]:
+def _outliers(suite: str, outcomes: Sequence[CaseOutcome]) -> Iterator[Row]:
     what = "wrong, or rows set aside without redundancy <= 2 %"
     yield line(suite, what, count(outcomes, "wrong"), len(outcomes), most=0.02)
 
 
-def _claimed(suite: str, outcomes: Sequence[CaseOutcome]) -> str:
+def _claimed(suite: str, outcomes: Sequence[CaseOutcome]) -> Row:
     physical = sum(o.physical for o in outcomes)
     return line(suite, "physical cause claimed: none", physical, len(outcomes), most=0.0)
 
 
-def _mistakes(suite: str, outcomes: Sequence[CaseOutcome]) -> Iterator[str]:
+def _mistakes(suite: str, outcomes: Sequence[CaseOutcome]) -> Iterator[Row]:
     yield _claimed(suite, outcomes)
     for kind, what in (
         ("unit", "unit or factor noted >= 90 %"),
@@ -136,20 +138,20 @@ def _mistakes(suite: str, outcomes: Sequence[CaseOutcome]) -> Iterator[str]:
     yield line(suite, "another order named: none", sum(o.misnamed for o in orders), len(orders), most=0.0)
 
 
-def _wrong_drives(suite: str, outcomes: Sequence[CaseOutcome]) -> Iterator[str]:
+def _wrong_drives(suite: str, outcomes: Sequence[CaseOutcome]) -> Iterator[Row]:
     yield _claimed(suite, outcomes)
     told = sum(bool(o.noted) for o in outcomes)
     yield line(suite, "what the motors did noted >= 90 %", told, len(outcomes), least=0.90)
 
 
-def _wrongly_noted(by_suite: Mapping[str, Sequence[CaseOutcome]]) -> Iterator[str]:
+def _wrongly_noted(by_suite: Mapping[str, Sequence[CaseOutcome]]) -> Iterator[Row]:
     """Yield the line of all files that say what the motors did."""
     right = [o for outcomes in by_suite.values() for o in outcomes if noticeable(o.case) != "drives"]
     called = sum(mentioned("drives", o.notes) for o in right)
     yield line("all suites", "right drives called wrong <= 1 %", called, len(right), most=0.01)
 
 
-def _right_wiring(by_suite: Mapping[str, Sequence[CaseOutcome]]) -> Iterator[str]:
+def _right_wiring(by_suite: Mapping[str, Sequence[CaseOutcome]]) -> Iterator[Row]:
     """Yield the line of all files whose sensors are wired as they say."""
     right = [o for outcomes in by_suite.values() for o in outcomes if right_wiring(o.case)]
     if right:
@@ -168,17 +170,28 @@ HARD = {
 }
 
 
-def headed(title: str, lines: Iterable[str]) -> list[str]:
-    """Return the table of these lines; the title is that of the first column."""
-    return [f"| {title} | requirement | measured | interval | |", "|---|---|---|---|---|", *lines]
+#: Columns of the table of requirements.
+HEAD = ("group", "requirement", "number", "cases", "rate [%]", "low [%]", "high [%]", "met")
+MET, NOT_MET = "met", "NOT MET"
 
 
-def line(suite: str, what: str, number: int, of: int, least: float = 0.0, most: float = 1.0) -> str:
-    """Return a line of the table: how often, with its 95 % interval, and whether that is within the bounds."""
+def headed(lines: Iterable[Row]) -> Table:
+    """Return the table of these rows."""
+    return Table.of(HEAD, lines)
+
+
+def line(group: str, what: str, number: int, of: int, least: float = 0.0, most: float = 1.0) -> Row:
+    """Return a row of the table: how often, with its 95 % interval, and whether that is within the bounds."""
     if not of:
-        return f"| {suite} | {what} | no cases | | |"
+        return group, what, "0", "0", "", "", "", ""
     low = stats.beta.ppf(0.025, number, of - number + 1) if number else 0.0
     high = stats.beta.ppf(0.975, number + 1, of - number) if number < of else 1.0
-    met = "met" if least <= number / of <= most else "**NOT MET**"
-    share = f"{number} of {of}: {100 * number / of:.1f} %"
-    return f"| {suite} | {what} | {share} | {100 * low:.1f}-{100 * high:.1f} % | {met} |"
+    met = MET if least <= number / of <= most else NOT_MET
+    return (
+        group,
+        what,
+        str(number),
+        str(of),
+        *(f"{100 * share:.1f}" for share in (number / of, low, high)),
+        met,
+    )

@@ -1,13 +1,14 @@
-"""Run the cases of suites in several processes, here or on a cluster, and write their pages: what suites share."""
+"""Run cases in several processes, here or on a cluster, and keep what was found of them."""
 
 from __future__ import annotations
 
 import argparse
+import json
 import multiprocessing
 import os
 import sys
 import traceback
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor, ProcessPoolExecutor
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
@@ -87,7 +88,7 @@ class Pool:
         return cls(arguments.jobs, arguments.scheduler)
 
     def __str__(self) -> str:
-        """Return what ran the cases, for a page."""
+        """Return what ran the cases."""
         if self.scheduler is not None:
             return "the workers of a Dask scheduler"
         return f"{self.jobs} process{'es' if self.jobs > 1 else ''}"
@@ -122,7 +123,7 @@ class Pool:
 def command_line(description: str, seed: int = 1) -> argparse.ArgumentParser:
     """Return the options that all suites have."""
     parser = argparse.ArgumentParser(description=description)
-    parser.add_argument("--out", type=Path, help="file for the page; by default it is printed")
+    parser.add_argument("--out", type=Path, help="folder for the tables, CSV; by default they are printed")
     parser.add_argument(
         "--seed", type=int, default=seed, help="seed of the random draws (noise, true values)"
     )
@@ -175,10 +176,22 @@ def _attempt(run: Callable[[Any], R], failed: Callable[..., R] | None, case: Any
         return failed(case, "failed", signal=float("inf"), reason=traceback.format_exc(limit=-8))
 
 
-def publish(lines: Sequence[str], out: Path | None) -> None:
-    """Write a page to a file, or print it."""
-    text = "\n".join(lines) + "\n"
-    if out is None:
-        print(text, end="")
-    else:
-        out.write_text(text, encoding="utf-8")
+class Kept:
+    """Lines of JSON in a file, one a case: a run that was stopped goes on where it was.
+
+    Parameters
+    ----------
+    path : Path
+        Its folder is made.
+    """
+
+    def __init__(self, path: Path) -> None:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        text = path.read_text(encoding="utf-8") if path.exists() else ""
+        self._path, self.lines = path, [json.loads(line) for line in text.splitlines()]
+
+    def add(self, line: Mapping[str, Any]) -> None:
+        """Append the line of a case."""
+        self.lines.append(json.loads(json.dumps(line)))
+        with self._path.open("a", encoding="utf-8") as file:
+            file.write(json.dumps(line) + "\n")

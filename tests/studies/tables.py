@@ -1,10 +1,11 @@
-"""Tables of the pages that the suites write."""
+"""Tables of outcomes, and the CSV files that keep them."""
 
 from __future__ import annotations
 
-import statistics
+import csv
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any, TypeVar
+from pathlib import Path
+from typing import Any, NamedTuple, TypeVar
 
 from studies.running import Outcome
 
@@ -12,6 +13,30 @@ from studies.running import Outcome
 STATES = ("named", "partly", "wrong", "abstained", "adequate", "failed")
 
 J = TypeVar("J", bound=Outcome[Any])
+
+
+class Table(NamedTuple):
+    """A table of text: its columns, and its rows."""
+
+    head: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+    @classmethod
+    def of(cls, head: Iterable[str], rows: Iterable[Iterable[object]]) -> Table:
+        """Return a table of anything that has a text."""
+        return cls(tuple(head), tuple(tuple(map(str, row)) for row in rows))
+
+    def records(self) -> list[dict[str, str]]:
+        """Return the rows by the names of the columns."""
+        return [dict(zip(self.head, row, strict=True)) for row in self.rows]
+
+    def values(self) -> dict[str, str]:
+        """Return the second cell of each row by the first, as of a summary."""
+        return {row[0]: row[1] for row in self.rows}
+
+
+#: The tables of a suite by the names of their files.
+Tables = dict[str, Table]
 
 
 def count(outcomes: Iterable[Outcome[Any]], state: str) -> int:
@@ -27,25 +52,21 @@ def grouped(outcomes: Iterable[J], key: Callable[[J], str]) -> dict[str, list[J]
     return groups
 
 
-def confusion(groups: Mapping[str, Sequence[J]], title: str, states: Sequence[str] = STATES) -> list[str]:
-    """Return how often each state occurred, a line a group; the title is that of the first column."""
-    states = [s for s in states if s != "failed" or any(count(group, s) for group in groups.values())]
+def confusion(groups: Mapping[str, Sequence[J]], states: Sequence[str] = STATES) -> Table:
+    """Return how often each state occurred, a row a group."""
+    rows = [[name, len(group), *(count(group, state) for state in states)] for name, group in groups.items()]
+    return Table.of(["group", "cases", *states], rows)
+
+
+def stacked(title: str, tables: Mapping[str, Table]) -> Table:
+    """Return tables as one, whose first column has their names; a cell without a column is empty."""
+    head = tuple(dict.fromkeys(name for table in tables.values() for name in table.head))
     rows = [
-        [name, str(len(group)), *(str(count(group, state) or "") for state in states)]
-        for name, group in groups.items()
+        [name, *(record.get(column, "") for column in head)]
+        for name, table in tables.items()
+        for record in table.records()
     ]
-    return table([title, "cases", *states], rows)
-
-
-def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
-    """Return the lines of a table."""
-    first, *others = (f"| {' | '.join(cells)} |" for cells in (head, *rows))
-    return [first, f"|{'---|' * len(head)}", *others]
-
-
-def listed(head: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
-    """Return the lines of a table, or that there is nothing to list."""
-    return table(head, rows) if rows else ["None."]
+    return Table.of([title, *head], rows)
 
 
 def in_words(outcome: Outcome[Any]) -> str:
@@ -53,6 +74,28 @@ def in_words(outcome: Outcome[Any]) -> str:
     return "; ".join(" or ".join(members) for members in outcome.classes)
 
 
-def times(seconds: Sequence[float]) -> str:
-    """Return the median and the longest of some times."""
-    return f"Median {statistics.median(seconds):.1f} s, longest {max(seconds):.1f} s"
+def markdown(table: Table) -> list[str]:
+    """Return the lines of a table on a page."""
+    first, *others = (f"|{'|'.join(cells)}|" for cells in (table.head, *table.rows))
+    return [first, f"|{'---|' * len(table.head)}", *others]
+
+
+def read(folder: Path) -> Tables:
+    """Return the tables of a suite."""
+    tables = {}
+    for path in sorted(folder.glob("*.csv")):
+        with path.open(encoding="utf-8", newline="") as file:
+            head, *rows = csv.reader(file)
+        tables[path.stem] = Table.of(head, rows)
+    return tables
+
+
+def publish(tables: Tables, out: Path | None) -> None:
+    """Write each table to a CSV file in a folder, or print all of them."""
+    for name, table in tables.items():
+        if out is None:
+            print("\n".join([f"## {name}", "", *markdown(table), ""]))
+            continue
+        out.mkdir(parents=True, exist_ok=True)
+        with (out / f"{name}.csv").open("w", encoding="utf-8", newline="") as file:
+            csv.writer(file, lineterminator="\n").writerows([table.head, *table.rows])

@@ -1,6 +1,6 @@
 """Which thresholds of the diagnosis the suites notice when they are halved and doubled.
 
-    python -m studies.thresholds --out docs/thresholds-measured.md                       # `make suites`
+    python -m studies.thresholds --out docs/results/thresholds                           # `make suites`
 
 A case runs once with shadows (`studies.shadows`) of all thresholds of `Criteria`, at half and at double.
 Where a shadow made no difference to any decision, neither would the threshold; in one case of `TESTED`, one such
@@ -10,11 +10,16 @@ in `TRIED` cases at most.
 
 The cases of all suites are shuffled: a part of them is a sample of each suite.  What is found is kept in a file, a
 line of JSON for each case, so that a run which was stopped goes on where it was.
+
+*Decisions* are the cases in which some decision on the way, or some number that was calculated, is another one.
+*Changed* are, of the outcomes that were *tried*, those that are others: the verdict, that on the damping, the
+classes, the deciding rule, or values of causes by more than `SAME_VALUE` standard deviations.  What is only said in
+notes, limits, probabilities or proposals is not compared.  Why a threshold stays that changed no outcome is in
+`REASONS`, and a test that fails with half or double of it in `NOTICED_BY`.
 """
 
 from __future__ import annotations
 
-import json
 import os
 import signal
 import string
@@ -30,9 +35,9 @@ import numpy as np
 
 from pkmodes.loop.diagnosis import Criteria
 from studies.deciding import SUITES, name_of
-from studies.running import Outcome, command_line, publish
+from studies.running import Kept, Outcome, command_line
 from studies.shadows import Shadowed
-from studies.tables import table
+from studies.tables import Table, Tables, publish
 
 #: Number of cases.
 COUNT = 400
@@ -43,7 +48,7 @@ TESTED = 4
 #: A diagnosis that takes this many times as long as before does not end.
 LATE = 15
 FACTORS = {"half": 0.5, "double": 2.0}
-WHAT = ("decisions", "changed")
+WHAT = ("decisions", "changed", "tried")
 #: Values of causes that differ by no more than this part of their standard deviation are the same.
 SAME_VALUE = 0.05
 #: Thresholds of what is at most 1: more than that is never reached.
@@ -255,71 +260,49 @@ def main() -> None:
     parser.add_argument("--kept", type=Path, default=Path("build/thresholds.jsonl"), help="what was found")
     parser.add_argument("--count", type=int, default=COUNT, help="number of cases")
     arguments = parser.parse_args()
-    arguments.kept.parent.mkdir(parents=True, exist_ok=True)
-    kept = _read(arguments.kept)
+    kept = Kept(arguments.kept)
     for name, case, run in sample():
-        if len(kept) >= arguments.count:
+        if len(kept.lines) >= arguments.count:
             break
-        if all(one["case"] != name for one in kept):
-            kept.append({"case": name, **found(case, run, kept)})
-            with arguments.kept.open("a", encoding="utf-8") as file:
-                file.write(json.dumps(kept[-1]) + "\n")
-    publish(page(_read(arguments.kept)), arguments.out)
+        if all(one["case"] != name for one in kept.lines):
+            kept.add({"case": name, **found(case, run, kept.lines)})
+    publish(tables(kept.lines), arguments.out)
 
 
 def why_it_stays(name: str) -> str:
     """Return the letter of the reason why a threshold stays that changed no outcome, and the test that notices it."""
     letter = next((LETTERS[reason] for reason, names in REASONS.items() if name in names.split()), "")
-    return f"{letter}, `{test}`" if (test := NOTICED_BY.get(name, "")) else letter
-
-
-def _read(kept: Path) -> list[dict[str, Any]]:
-    return (
-        [json.loads(line) for line in kept.read_text(encoding="utf-8").splitlines()] if kept.exists() else []
-    )
+    return f"{letter}, {test}" if (test := NOTICED_BY.get(name, "")) else letter
 
 
 # Tables ------------------------------------------------------------------------------------------------------
 
 
-def page(kept: Sequence[Mapping[str, Any]]) -> list[str]:
-    """Return the page."""
+def tables(kept: Sequence[Mapping[str, Any]]) -> Tables:
+    """Return what half and double of each threshold change."""
     tested = [what for one in kept for _, what in one["unnoticed"]]
     differ = Counter(tuple(key) for one in kept for key in one["noticed"])
     tried, changed = tries(kept)
-    suites = Counter(one["case"].partition(":")[0] for one in kept)
-    of_suites = ", ".join(f"{number} of `{suite}`" for suite, number in suites.items())
     rows = []
     for name, value in numbers().items():
         keys = [(name, word) for word in FACTORS]
-        cells = [each for key in keys for each in (str(differ[key]), f"{changed[key]} of {tried[key]}")]
+        cells = [number for key in keys for number in (differ[key], changed[key], tried[key])]
         why = "" if any(changed[key] for key in keys) else why_it_stays(name)
-        beyond = " (above 1)" if name in PARTS else ""
-        rows.append([f"`{name}`", f"{value:g}", *cells[:3], f"{cells[3]}{beyond}", why])
-    return [
-        "# The thresholds of the diagnosis, halved and doubled",
-        "",
-        "Written by `make suites`; do not edit. `tests/studies/thresholds.py` diagnoses cases of all",
-        "suites with each threshold of `pkmodes.loop.diagnosis.Criteria` at half and at double its value.",
-        "",
-        "* *decisions*: in how many cases some decision on the way, or some number that was calculated, is another",
-        f"  one. Elsewhere the outcome cannot be another one: {len(tested)} of those were tried, and"
-        f" {sum(map(bool, tested))} were.",
-        "* *changed*: how many of the outcomes that were tried are others: the verdict, that on the damping, the",
-        f"  classes, the deciding rule, or values of causes by more than {SAME_VALUE:g} standard deviations. What is",
-        "  only said in notes, limits, probabilities or proposals is not compared.",
-        "* *above 1*: the double is more than a MAC, a leverage or a part of a whole can be.",
-        "* *why it stays*: of a threshold that changed no outcome, and a test that fails with half or double of it:",
-        *(f"  * {letter}: {reason};" for reason, letter in LETTERS.items()),
-        "",
-        f"{len(kept)} cases: {of_suites}; {len({one['rule'] for one in kept})} deciding rules;"
-        f" {sum(tried.values())} diagnoses with another threshold.",
-        "",
-        *table(
-            ("threshold", "value", *(f"{word}: {what}" for word in FACTORS for what in WHAT), "why it stays"),
-            rows,
-        ),
-    ]
+        rows.append([name, f"{value:g}", *cells, "yes" if name in PARTS else "", why])
+    head = ("threshold", "value", *(f"{word}: {what}" for word in FACTORS for what in WHAT))
+    facts = {
+        "cases": len(kept),
+        **{f"of {suite}": n for suite, n in Counter(one["case"].partition(":")[0] for one in kept).items()},
+        "deciding rules": len({one["rule"] for one in kept}),
+        "diagnoses with another threshold": sum(tried.values()),
+        "not noticed, and tried": len(tested),
+        "not noticed, but changed": sum(map(bool, tested)),
+    }
+    return {
+        "summary": Table.of(("quantity", "value"), facts.items()),
+        "thresholds": Table.of((*head, "double is above 1", "why it stays"), rows),
+        "reasons": Table.of(("letter", "why it stays"), [(letter, why) for why, letter in LETTERS.items()]),
+    }
 
 
 if __name__ == "__main__":
