@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import argparse
 import re
+from dataclasses import replace
 
 import pytest
 
 from helpers.pages.documentation import ROOT
-from studies import requirements, results, tables
+from studies import clear_cases, clear_suites, requirements, results, tables
 from studies.campaigns import Campaigns
 from studies.changed import Changed
 from studies.clear_suites import ClearCauses
@@ -133,3 +134,30 @@ def test_a_family_of_cases_runs_and_writes_its_tables(
 def test_no_page_speaks_of_a_page_of_a_suite() -> None:
     for page in (ROOT / "docs").rglob("*.md"):
         assert not re.search(r"\w-measured\.md", page.read_text(encoding="utf-8")), page
+
+
+def test_the_readme_names_files_that_exist_and_every_suite() -> None:
+    folder = ROOT / "tests/studies"
+    named = set(re.findall(r"`(\w+\.py)`", (folder / "README.md").read_text(encoding="utf-8")))
+    assert {*named} <= {file.name for file in folder.glob("*.py")}
+    suites = {type(suite).__module__.rpartition(".")[2] + ".py" for suite in SUITES.values()}
+    assert suites <= named
+
+
+def test_the_case_of_the_readme_is_as_it_says() -> None:
+    case = next(case for case in clear_suites.cases() if case.label == "corexy, one effect 1")
+    specimen, rows, text = clear_cases.measured(replace(case, seed=20261207))
+    readme = " ".join((ROOT / "tests/studies/README.md").read_text(encoding="utf-8").split())
+    (compliance,) = specimen.effects.values()
+    assert case.kinds == ("belt_end_compliance",)
+    assert f"{compliance:.2e} m/N".replace("e-07", "e-7") in readme
+    assert f"a file of {len(rows)} rows" in readme
+    low, high = re.findall(r"[\d.]+(?= Hz)", text.splitlines()[1])
+    assert f"a band of {float(low):.0f} to {float(high):.0f} Hz" in readme
+    (asked,) = (
+        row
+        for row in tables.read(results.FOLDER / "clear-causes")["requirements"].records()
+        if row["group"] == "corexy, one effect"
+    )
+    assert f"was {asked['number']} of {asked['cases']}, which is not met" in readme
+    assert asked["met"] == requirements.NOT_MET

@@ -400,6 +400,6 @@ def test_tables_can_be_made_of_any_outcomes() -> None:
         silent,
         silent,
     )
-    assert facts["pairs of the suites"] == len(cases())
-    assert facts["no change large enough"] == sum(o.state == "unreached" for o in outcomes) > 0
+    assert facts["cases of the suites"] == len(cases())
+    assert facts["none large enough"] == sum(o.state == "unreached" for o in outcomes) > 0
     assert len(tables["cases"].rows) == sum(o.state != "unreached" for o in outcomes)

@@ -95,7 +95,7 @@ class Campaigns(Suite[CampaignCase, CampaignOutcome]):
         slow = [o.identifying for o in outcomes]
         return {
             "developed with the seeds": SEEN,
-            **dict(sorted(unkind.items())),
+            "against some": ", ".join(f"{name}: {n}" for name, n in sorted(unkind.items())),
             "identification, median [s]": f"{statistics.median(slow):.1f}",
             "identification, longest [s]": f"{max(slow):.1f}",
         }

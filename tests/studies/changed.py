@@ -148,8 +148,8 @@ class Changed(Suite[PairCase, PairOutcome]):
         silent = _silent(outcomes)
         return {
             "developed with the seeds": SEEN,
-            "pairs of the suites": len(cases()),
-            "no change large enough": count(outcomes, UNREACHED),
+            "cases of the suites": len(cases()),
+            "none large enough": count(outcomes, UNREACHED),
             "changes that were not named": len(silent),
             "what changed is among what remains": sum(map(_remains, silent)),
         }

@@ -36,6 +36,8 @@ SUITE = "hidden causes"
 SEEN = f"{SEED}, 1 to 20 and 20261206"
 #: Cases of each effect and of each wrong value, on each robot that has them.
 EACH_EFFECT, EACH_VALUE = 3, 2
+#: Verdicts that are counted.
+VERDICTS = ("adequate", "effect_found", "ambiguous", "unexplained", "insufficient_data")
 #: Largest predicted signal [sigma].
 LARGEST = 4.0
 
@@ -158,13 +160,14 @@ class Limits(Suite[Hidden, Shown]):
         return f"{what} [{outcome.seconds:.1f} s]"
 
     def facts(self, outcomes: Sequence[Shown]) -> dict[str, object]:
+        verdicts = Counter(o.verdict for o in outcomes)
         limits = [limit for o in outcomes for _, limit in o.limits]
         intervals = [one for o in outcomes for one in o.intervals]
         wider = sorted(saved / sigma for _, sigma, saved in intervals)
         return {
             "developed with the seeds": SEEN,
             "largest signal": f"{LARGEST:g}",
-            **Counter(o.verdict for o in outcomes),
+            **{verdict: verdicts[verdict] for verdict in VERDICTS},
             "limits": len(limits),
             "null": limits.count(None),
             "intervals of the fit alone": len(intervals),

@@ -104,7 +104,7 @@ class OnePlace(Suite[PlaceCase, PlaceOutcome]):
         return {
             "developed with the seeds": SEEN,
             "cases of the suites": sum(1 for _ in cases()),
-            "no fault large enough": count(outcomes, UNREACHED),
+            "none large enough": count(outcomes, UNREACHED),
             "true term among several that remain": sum(_remains(o) for o in outcomes if _is_fault(o)),
         }
 

@@ -44,7 +44,7 @@ ELSEWHERE = {
     ("docs/how-to/cluster.md", ""): "tests/maps/test_workers.py without Slurm and Kubernetes",
     (
         "docs/explanation/diagnosis.md",
-        "PYTHONPATH=tests python -m pkmodes_rig",
+        "PYTHONPATH=tests python -m studies",
     ): "tests/diagnosis/test_calibration_of_probabilities.py",
     (
         "docs/reference/generated-code.md",
