@@ -98,7 +98,7 @@ class Numbers(Suite[int, Outcome[int]]):
     def label(self, case: int) -> str:
         return f"number {case}"
 
-    def said(self, outcome: Outcome[int]) -> str:
+    def line(self, outcome: Outcome[int]) -> str:
         return f"{outcome.case}: {outcome.state}"
 
     def tables(self, outcomes: list[Outcome[int]]) -> tables.Tables:

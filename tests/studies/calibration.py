@@ -53,9 +53,9 @@ def cases(without: Sequence[str] = MISTAKEN) -> Iterator[tuple[str, Any, Callabl
         yield f"{clear.machine}, clear, {clear.suite}", clear, clear_cases.run
 
 
-def right(case: Any, said: Probabilities, candidates: Sequence[str]) -> bool:
+def right(case: Any, probabilities: Probabilities, candidates: Sequence[str]) -> bool:
     """Return whether the most probable statement is the truth of a case."""
-    top, (names, is_outside) = said.top[0], truth_of(case)
+    top, (names, is_outside) = probabilities.top[0], truth_of(case)
     if top == "nothing_missing":
         return not names and not is_outside
     if top == "outside":
@@ -67,21 +67,21 @@ def right(case: Any, said: Probabilities, candidates: Sequence[str]) -> bool:
 def explains(case: Any, members: Sequence[str | tuple[str, str]]) -> bool:
     """Return whether one of the members of a class, or one of some pairs, is the cause or both causes of a case."""
     truths = _truths(case)
-    each = [(one,) if isinstance(one, str) else one for one in members]
+    explanations = [(member,) if isinstance(member, str) else member for member in members]
     return any(
         len(causes) == len(truths)
         and any(
-            all(one in truth for one, truth in zip(order, truths, strict=True))
+            all(member in truth for member, truth in zip(order, truths, strict=True))
             for order in (causes, causes[::-1])
         )
-        for causes in each
+        for causes in explanations
     )
 
 
 def explains_a_part(case: Any, members: Sequence[str | tuple[str, str]]) -> bool:
     """Return whether one of the members of a class is one of several causes of a case."""
     truths = _truths(case)
-    return len(truths) > 1 and any(one in truth for one in members for truth in truths)
+    return len(truths) > 1 and any(member in truth for member in members for truth in truths)
 
 
 def truth_of(case: Any) -> tuple[tuple[str, ...], bool]:
@@ -116,7 +116,7 @@ def main() -> None:
     parser.add_argument("--count", type=int, default=COUNT, help="number of cases")
     arguments = parser.parse_args()
     kept = Kept(arguments.kept)
-    known = {one["case"] for one in kept.lines}
+    known = {record["case"] for record in kept.lines}
     every = list(cases())
     # Shuffled: a part of them is a sample of all.
     for place in np.random.default_rng(0).permutation(len(every))[: arguments.count].tolist():
@@ -134,17 +134,17 @@ def _found(case: Any, run: Callable[[Any], Outcome[Any]]) -> dict[str, Any]:
     except Exception:
         print(traceback.format_exc(limit=-8), file=sys.stderr, flush=True)
         return {"state": "failed"}
-    said = outcome.probabilities
+    probabilities = outcome.probabilities
     found: dict[str, Any] = {"state": outcome.state, "verdict": outcome.verdict, "seconds": outcome.seconds}
-    if said is None:
+    if probabilities is None:
         return found
-    top, probability = said.top
+    top, probability = probabilities.top
     return found | {
         "names": list(truth_of(case)[0]),
         "outside": truth_of(case)[1],
         "top": top,
         "probability": probability,
-        "right": right(case, said, outcome.candidates),
+        "right": right(case, probabilities, outcome.candidates),
     }
 
 
@@ -153,25 +153,27 @@ def _found(case: Any, run: Callable[[Any], Outcome[Any]]) -> dict[str, Any]:
 
 def tables(found: Sequence[Mapping[str, Any]], seed: int) -> Tables:
     """Return how often what was most probable was right."""
-    some = [one for one in found if "right" in one]
+    some = [record for record in found if "right" in record]
     facts = {
         "seed": seed,
         "developed with the seeds": SEEN,
         "cases": len(found),
         "with probabilities": len(some),
-        "failed": sum(one["state"] == "failed" for one in found),
+        "failed": sum(record["state"] == "failed" for record in found),
         "expected calibration error": f"{error(some):.3f}",
     }
     bins = {f"{low:g} to {high:g}": _in_bin(some, low, high) for low, high in BOUNDS}
-    suites = sorted({one["suite"] for one in some})
+    suites = sorted({record["suite"] for record in some})
     groups = {
         "largest probability": bins | {"all": some},
-        "most probable": {kind: [one for one in some if _kind(one["top"]) == kind] for kind in KINDS},
-        "verdict": {
-            name: [one for one in some if _verdict(one) == name]
-            for name in sorted({_verdict(one) for one in some})
+        "most probable": {
+            kind: [record for record in some if _kind(record["top"]) == kind] for kind in KINDS
         },
-        "suite": {name: [one for one in some if one["suite"] == name] for name in suites},
+        "verdict": {
+            name: [record for record in some if _verdict(record) == name]
+            for name in sorted({_verdict(record) for record in some})
+        },
+        "suite": {name: [record for record in some if record["suite"] == name] for name in suites},
     }
     head = ("group", "cases", "mean probability", "right", "fraction right")
     return {
@@ -193,7 +195,7 @@ KINDS = ("nothing missing", "a class", "a pair", "outside")
 def error(found: Sequence[Mapping[str, Any]]) -> float:
     """Return the expected calibration error: the mean over all cases of the error of their bin."""
     parts = [_in_bin(found, low, high) for low, high in BOUNDS]
-    apart = [abs(sum(one["probability"] - one["right"] for one in part)) for part in parts]
+    apart = [abs(sum(record["probability"] - record["right"] for record in part)) for part in parts]
     return sum(apart) / max(len(found), 1)
 
 
@@ -203,18 +205,18 @@ def _kind(top: Any) -> str:
     return "a class" if isinstance(top[0], str) else "a pair"
 
 
-def _verdict(one: Mapping[str, Any]) -> str:
+def _verdict(record: Mapping[str, Any]) -> str:
     """Return the verdict, and of a claim whether it is right."""
-    return f"effect_found, {one['state']}" if one["verdict"] == "effect_found" else one["verdict"]
+    return f"effect_found, {record['state']}" if record["verdict"] == "effect_found" else record["verdict"]
 
 
 def _in_bin(found: Sequence[Mapping[str, Any]], low: float, high: float) -> list[Mapping[str, Any]]:
-    return [one for one in found if low < one["probability"] <= high]
+    return [record for record in found if low < record["probability"] <= high]
 
 
 def _line(what: str, part: Sequence[Mapping[str, Any]]) -> tuple[object, ...]:
-    count, good = len(part), sum(bool(one["right"]) for one in part)
-    mean = f"{np.mean([one['probability'] for one in part]):.3f}" if count else ""
+    count, good = len(part), sum(bool(record["right"]) for record in part)
+    mean = f"{np.mean([record['probability'] for record in part]):.3f}" if count else ""
     return what, count, mean, good, f"{good / count:.3f}" if count else ""
 
 

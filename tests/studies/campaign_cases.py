@@ -81,13 +81,13 @@ def run(case: CampaignCase, keep: Path | None = None) -> CampaignOutcome:
         text = as_csv(found.measurements, [])
         (folder / "modes.csv").write_text(text, encoding="utf-8")
     robot = robot_of(case.robot)
-    diagnosis, said = diagnosed(
+    diagnosis, fields = diagnosed(
         case.names, {}, lambda: updating.diagnose(robot, measurements_of(text, robot), terms=False)
     )
     wider = updating.diagnose(robot, measurements_of(_rewritten(text, _calibrated), robot), terms=False)
     return CampaignOutcome(
         case=case,
-        **said | {"state": _state(case, on.machine.losses, diagnosis)},
+        **fields | {"state": _state(case, on.machine.losses, diagnosis)},
         signal=_signal(robot, text, rows, diagnosis) if case.cause else 0.0,
         calibrated=_state(case, on.machine.losses, wider),
         judged=rows,

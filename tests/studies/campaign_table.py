@@ -26,7 +26,7 @@ def table(outcomes: Sequence[CampaignOutcome]) -> Iterator[tuple[str, str, str, 
     """Yield what was measured, what was asked, what came out, and whether that is met."""
     counted, found = counts(outcomes)
     yield "modes found", f">= {FOUND:.0%}", share(found, counted), found >= FOUND * counted
-    rows = [row for one in outcomes for row in rows_of(one)]
+    rows = [row for outcome in outcomes for row in rows_of(outcome)]
     false = sum(row.mode < 0 for row in rows)
     yield "rows that are no mode", f"<= {NO_MODE:.0%}", share(false, len(rows)), false <= NO_MODE * len(rows)
     for kind, most in FREQUENCY.items():
@@ -45,28 +45,28 @@ def table(outcomes: Sequence[CampaignOutcome]) -> Iterator[tuple[str, str, str, 
     median, tenth = (float(np.quantile(macs, q)) if macs else np.nan for q in (0.5, 0.1))
     yield "MAC, median", f">= {MAC_MEDIAN:g}", f"{median:.4f}", median >= MAC_MEDIAN
     yield "MAC, worst tenth above", f">= {MAC_TENTH:g}", f"{tenth:.3f}", tenth >= MAC_TENTH
-    clear = [one for one in outcomes if one.case.names and one.signal > SIGNAL]
-    named = sum(one.state == "named" for one in clear)
+    clear = [outcome for outcome in outcomes if outcome.case.names and outcome.signal > SIGNAL]
+    named = sum(outcome.state == "named" for outcome in clear)
     enough = len(clear) >= FEWEST
     what = f"cause named, signal > {SIGNAL:g} sigma, at least {FEWEST} machines"
     yield what, f">= {NAMED:.0%}", share(named, len(clear)), enough and named >= NAMED * len(clear)
-    wrong = sum(one.state == "wrong" for one in outcomes)
+    wrong = sum(outcome.state == "wrong" for outcome in outcomes)
     yield "confident and wrong", "<= 1 of 60", f"{wrong} of {len(outcomes)}", wrong <= WRONG * len(outcomes)
 
 
 def _coverage(outcomes: Sequence[CampaignOutcome]) -> Iterator[tuple[str, str, str, bool]]:
     asked = f"{COVERED[0]:.0%} to {COVERED[1]:.0%}"
     for name, inside in COVERAGES.items():
-        values = [value for one in outcomes for row in rows_of(one) for value in inside(one, row)]
+        values = [value for outcome in outcomes for row in rows_of(outcome) for value in inside(outcome, row)]
         good = sum(values)
         met = bool(values) and COVERED[0] <= good / len(values) <= COVERED[1]
         yield f"within 2 sigma: {name}", asked, share(good, len(values)), met
 
 
 def _ratios(outcomes: Sequence[CampaignOutcome]) -> Iterator[tuple[str, str, str, bool]]:
-    every = [(one, row) for one in outcomes for row in rows_of(one) if row.mode >= 0]
+    every = [(outcome, row) for outcome in outcomes for row in rows_of(outcome) if row.mode >= 0]
     own = [row for _, row in every if row.of_fit > row.repeatability]
-    smooth = [row for one, row in every if not rubbed(one) and np.isfinite(row.sigma_damping)]
+    smooth = [row for outcome, row in every if not rubbed(outcome) and np.isfinite(row.sigma_damping)]
     shapes = [row for _, row in every if row.shape_errors and np.isfinite(row.sigma_shape)]
     ratios = {
         "frequency, where sigma is mostly the identification's": (
@@ -100,8 +100,8 @@ def _frequency_inside(_: CampaignOutcome, row: Row) -> list[bool]:
     return [] if row.mode < 0 else [abs(row.frequency - row.nominal) <= 2.0 * row.sigma]
 
 
-def _damping_inside(one: CampaignOutcome, row: Row) -> list[bool]:
-    if row.mode < 0 or rubbed(one) or not np.isfinite(row.sigma_damping):
+def _damping_inside(outcome: CampaignOutcome, row: Row) -> list[bool]:
+    if row.mode < 0 or rubbed(outcome) or not np.isfinite(row.sigma_damping):
         return []
     return [abs(row.damping - row.true_damping) <= 2.0 * row.sigma_damping]
 
@@ -123,10 +123,10 @@ def details(outcomes: Sequence[CampaignOutcome]) -> Iterator[tuple[str, ...]]:
     for kind in KINDS_OF_RECORD:
         some = of_kinds(outcomes, kind)
         counted, found = counts(some)
-        rows = [row for one in some for row in rows_of(one)]
+        rows = [row for outcome in some for row in rows_of(outcome)]
         counting = list(rows_that_count(some))
         inside = {
-            name: [value for one in some for row in rows_of(one) for value in within(one, row)]
+            name: [value for outcome in some for row in rows_of(outcome) for value in within(outcome, row)]
             for name, within in COVERAGES.items()
         }
         errors = damping_errors(some)
@@ -134,7 +134,7 @@ def details(outcomes: Sequence[CampaignOutcome]) -> Iterator[tuple[str, ...]]:
         yield (
             kind,
             str(len(some)),
-            str(sum(one.files for one in some)),
+            str(sum(outcome.files for outcome in some)),
             f"{found} of {counted}",
             f"{sum(row.mode < 0 for row in rows)} of {len(rows)}",
             f"{100 * rms(row.frequency / row.true - 1.0 for row in counting):.3f}",
@@ -152,42 +152,42 @@ DETAILS = (
 )
 
 
-def rows_of(one: CampaignOutcome) -> tuple[Row, ...]:
+def rows_of(outcome: CampaignOutcome) -> tuple[Row, ...]:
     """Return all rows of a machine."""
-    return one.judged.rows if one.judged else ()
+    return outcome.judged.rows if outcome.judged else ()
 
 
 def rows_that_count(outcomes: Iterable[CampaignOutcome]) -> Iterator[Row]:
     """Yield the rows that are modes which count."""
-    for one in outcomes:
-        counted = set(one.judged.counted) if one.judged else set()
-        yield from (row for row in rows_of(one) if (row.record, row.mode) in counted)
+    for outcome in outcomes:
+        counted = set(outcome.judged.counted) if outcome.judged else set()
+        yield from (row for row in rows_of(outcome) if (row.record, row.mode) in counted)
 
 
 def counts(outcomes: Iterable[CampaignOutcome]) -> tuple[int, int]:
     """Return how many modes count, and how many of them were found."""
-    judged = [one.judged for one in outcomes if one.judged]
-    counted = sum(len(one.counted) for one in judged)
-    return counted, counted - sum(len(one.missed) for one in judged)
+    judged = [outcome.judged for outcome in outcomes if outcome.judged]
+    counted = sum(len(outcome.counted) for outcome in judged)
+    return counted, counted - sum(len(outcome.missed) for outcome in judged)
 
 
 def of_kinds(outcomes: Iterable[CampaignOutcome], *kinds: str) -> list[CampaignOutcome]:
     """Return the outcomes with records of some kinds."""
-    return [one for one in outcomes if one.case.kind in kinds]
+    return [outcome for outcome in outcomes if outcome.case.kind in kinds]
 
 
-def rubbed(one: CampaignOutcome) -> bool:
+def rubbed(outcome: CampaignOutcome) -> bool:
     """Return whether a machine has Coulomb friction: its damping is no constant."""
-    return "Coulomb friction" in one.unkind
+    return "Coulomb friction" in outcome.unkind
 
 
 def damping_errors(outcomes: Iterable[CampaignOutcome]) -> list[float]:
     """Return relative errors of damping ratios above `DAMPED`, of modes that count, without Coulomb friction."""
     return [
         abs(row.damping / row.true_damping - 1.0)
-        for one in outcomes
-        if not rubbed(one)
-        for row in rows_that_count([one])
+        for outcome in outcomes
+        if not rubbed(outcome)
+        for row in rows_that_count([outcome])
         if row.true_damping > DAMPED and np.isfinite(row.damping)
     ]
 

@@ -79,13 +79,13 @@ class Campaigns(Suite[CampaignCase, CampaignOutcome]):
     def instead(self, arguments: argparse.Namespace) -> bool:
         if arguments.machine:
             case = self.cases(arguments)[arguments.machine - 1]
-            print(self.said(run(case, arguments.keep)), file=sys.stderr)
+            print(self.line(run(case, arguments.keep)), file=sys.stderr)
         return bool(arguments.machine)
 
     def cases(self, arguments: argparse.Namespace) -> list[CampaignCase]:
         return cases(arguments.seed, arguments.machines)
 
-    def said(self, outcome: CampaignOutcome) -> str:
+    def line(self, outcome: CampaignOutcome) -> str:
         case = f"{outcome.case.label} ({_cause(outcome)}), {outcome.signal:.3g}"
         what = f"{case}: {outcome.state} ({outcome.calibrated}) {in_words(outcome)}"
         return f"{what} [{outcome.identifying:.1f} s, {outcome.seconds:.1f} s] {outcome.reason}"

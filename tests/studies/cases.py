@@ -212,9 +212,9 @@ def edited(text: str, edit: str, rng: np.random.Generator) -> str:
     """
     comments, rows = parsed(text)
     if edit == OTHER_DRIVES:
-        said = [comment for comment in comments if "drives" in comment]
-        held = bool(said) or "drives" in rows[0]
-        comments = [*(c for c in comments if c not in said), *([] if held else ["# drives: held"])]
+        drives = [comment for comment in comments if "drives" in comment]
+        held = bool(drives) or "drives" in rows[0]
+        comments = [*(c for c in comments if c not in drives), *([] if held else ["# drives: held"])]
         rows = [{name: cell for name, cell in row.items() if name != "drives"} for row in rows]
     if edit == "outlier":
         fitted = fitted_poses(text)

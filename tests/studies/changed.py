@@ -139,7 +139,7 @@ class Changed(Suite[PairCase, PairOutcome]):
             return cases(arguments.seed)
         return some_pairs(arguments.seed, arguments.pairs)
 
-    def said(self, outcome: PairOutcome) -> str:
+    def line(self, outcome: PairOutcome) -> str:
         case = f"{outcome.case.label} ({_truth(outcome)}), {outcome.strength:.2g} sigma"
         what = f"{case}: {outcome.state} {outcome.by} {in_words(outcome)}"
         return f"{what} [{outcome.seconds:.1f} s] {outcome.reason}"

@@ -142,14 +142,14 @@ def _diagnosed(
     holdout: Sequence[str] | None,
 ) -> ClearOutcome:
     robot = robot_of(case.machine)
-    diagnosis, said = diagnosed(
+    diagnosis, fields = diagnosed(
         case.names,
         specimen.sizes,
         lambda: updating.diagnose(robot, measurements_of(text, robot), holdout=holdout, terms=False),
         same_of(case.machine),
     )
     predicted = signal(specimen, case.points, holdout=diagnosis.held_out_poses, rows=rows)
-    return ClearOutcome(case=case, **said, signal=predicted, rows=len(rows))
+    return ClearOutcome(case=case, **fields, signal=predicted, rows=len(rows))
 
 
 class UnseenError(Exception):

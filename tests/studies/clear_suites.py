@@ -102,14 +102,16 @@ class ClearCauses(Suite[ClearCase, ClearOutcome]):
     def cases(self, arguments: argparse.Namespace) -> Iterator[ClearCase]:
         return (replace(case, seed=arguments.seed) for case in cases())
 
-    def said(self, outcome: ClearOutcome) -> str:
-        return said(outcome)
+    def line(self, outcome: ClearOutcome) -> str:
+        return outcome_line(outcome)
 
     def after(self, outcomes: Sequence[ClearOutcome], arguments: argparse.Namespace, pool: Pool) -> None:
         again = [] if arguments.no_splits else list(split_cases())
         again = [replace(case, seed=arguments.seed) for case in again if arguments.only in case.label]
         chosen = again[:: arguments.every]
-        self._split = run_all(splits, chosen, pool, lambda some: "\n".join(map(said, some)), _failed_split)
+        self._split = run_all(
+            splits, chosen, pool, lambda some: "\n".join(map(outcome_line, some)), _failed_split
+        )
 
     def facts(self, outcomes: Sequence[ClearOutcome]) -> dict[str, object]:
         missed = _missed(outcomes)
@@ -144,7 +146,7 @@ def _failed_split(*arguments: Any, **options: Any) -> list[ClearOutcome]:
     return [ClearOutcome(*arguments, **options)]
 
 
-def said(o: ClearOutcome) -> str:
+def outcome_line(o: ClearOutcome) -> str:
     """Return an outcome in a line, for the terminal."""
     what = f"{o.case.label} ({causes(o)}), {o.signal:.3g}: {o.state} {in_words(o)}"
     return f"{what} [{o.seconds:.1f} s] {o.reason}"

@@ -85,7 +85,7 @@ class Damping(Suite[Case, DampingOutcome]):
     def cases(self, arguments: argparse.Namespace) -> Iterator[Case]:
         return cases(arguments.seed)
 
-    def said(self, outcome: DampingOutcome) -> str:
+    def line(self, outcome: DampingOutcome) -> str:
         verdicts = f"{outcome.verdict}; {outcome.of_damping}"
         what = f"{_where(outcome)}: {outcome.state} ({verdicts}) {in_words(outcome)}"
         return f"{what} [{outcome.seconds:.1f} s] {outcome.reason}"

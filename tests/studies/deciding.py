@@ -31,6 +31,7 @@ from studies.cases import Case
 from studies.judging import noticeable, same_of
 from studies.motors import OTHER_DRIVES
 from studies.requirements import CLEAR
+from studies.running import Kept
 from studies.suites import SUITES as OF_DIAGNOSIS
 
 #: Seed of the cases of damping; the others have theirs.
@@ -170,16 +171,15 @@ def main() -> None:
     parser.add_argument("--out", type=Path, help="file for the lines of all cases, in their order")
     parser.add_argument("--every", type=int, default=1, help="run one case in this many")
     arguments = parser.parse_args()
-    done = {line[:2]: line for line in read(arguments.lines)}
-    arguments.lines.parent.mkdir(parents=True, exist_ok=True)
+    kept = Kept(arguments.lines)
+    done = {line[:2]: line for line in (Line(*fields) for fields in kept.lines)}
     order = []
     for suite, (cases, run) in SUITES.items():
         for case in list(cases())[:: arguments.every]:
             order.append(key := (suite, name_of(case)))
             if key not in done:
                 done[key] = line_of(suite, case, run(case))
-                with arguments.lines.open("a") as file:
-                    file.write(json.dumps(done[key]) + "\n")
+                kept.add(done[key])
     for rule, (number, right) in sorted(counts(done[key] for key in order).items()):
         print(f"{rule}: {number}, rightly {right}")
     if arguments.out:

@@ -72,7 +72,7 @@ class Diagnosis(Suite[Case, CaseOutcome]):
             for suite in SUITES.values():
                 yield from (replace(case, seed=arguments.seed) for case in _driven(drives, suite()))
 
-    def said(self, outcome: CaseOutcome) -> str:
+    def line(self, outcome: CaseOutcome) -> str:
         what = f"{outcome.case.label} ({outcome.case.kind}): {outcome.state} {in_words(outcome)}"
         return f"{what} [{outcome.seconds:.1f} s]"
 

@@ -139,21 +139,21 @@ class CaseOutcome(Outcome[Case]):
 def run(case: Case) -> CaseOutcome:
     """Measure, diagnose and judge a case."""
     test = tried(case)
-    diagnosis, said = diagnosed(case.names, case.truth.sizes, lambda: _diagnosis(case, test.text))
+    diagnosis, fields = diagnosed(case.names, case.truth.sizes, lambda: _diagnosis(case, test.text))
     faulty = bool(case.edit or case.names or case.truth.outside)
     if diagnosis.verdict in ("adequate", "effect_found") and faulty and set_aside_blindly(case, diagnosis):
-        said["state"] = "wrong"
+        fields["state"] = "wrong"
     notes = tuple(diagnosis.notes)
     return CaseOutcome(
         case=case,
-        **said,
+        **fields,
         renamed=judged(case.names, diagnosis) != judged(case.names, diagnosis, same={}),
         **_signals(case, test, diagnosis),
         scatter=diagnosis.scatter,
         outliers=len(diagnosis.outliers),
         rows=len(diagnosis.rows),
         poses=len({row.pose for row in diagnosis.rows}),
-        physical=said["state"] == "wrong" and physical(case.names, diagnosis),
+        physical=fields["state"] == "wrong" and physical(case.names, diagnosis),
         mac=_macs(test, diagnosis) if diagnosis.effects else None,
         noted=mentioned(kind, notes) if (kind := noticeable(case)) else None,
         **_rewired(case, test, notes),

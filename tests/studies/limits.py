@@ -155,7 +155,7 @@ class Limits(Suite[Hidden, Shown]):
     def label(self, case: Hidden) -> str:
         return case.case.label
 
-    def said(self, outcome: Shown) -> str:
+    def line(self, outcome: Shown) -> str:
         what = f"{outcome.robot} {outcome.kind}: {outcome.verdict} {outcome.limits}"
         return f"{what} [{outcome.seconds:.1f} s]"
 

@@ -66,7 +66,7 @@ def run(case: MechanismCase) -> MechanismOutcome:
     """Measure, diagnose and judge a case."""
     specimen = case.specimen
     robot, (rows, text) = robot_of(specimen.machine), measured(case)
-    diagnosis, said = diagnosed(
+    diagnosis, fields = diagnosed(
         case.names,
         specimen.sizes,
         lambda: updating.diagnose(robot, measurements_of(text, robot), terms=False),
@@ -75,7 +75,7 @@ def run(case: MechanismCase) -> MechanismOutcome:
     lacking = specimen.effects or specimen.values or specimen.outside
     return MechanismOutcome(
         case=case,
-        **said,
+        **fields,
         signal=signal(specimen, case.points, holdout=diagnosis.held_out_poses, rows=rows) if lacking else 0.0,
         noted=mentioned("drives", diagnosis.notes),
     )

@@ -227,7 +227,7 @@ class Mechanisms(Suite[MechanismCase, MechanismOutcome]):
     def cases(self, arguments: argparse.Namespace) -> Iterator[MechanismCase]:
         return (replace(case, seed=arguments.seed) for case in cases())
 
-    def said(self, outcome: MechanismOutcome) -> str:
+    def line(self, outcome: MechanismOutcome) -> str:
         case = f"{outcome.case.label}{_real(outcome)} ({outcome.case.kind}), {outcome.signal:.3g}"
         return f"{case}: {outcome.state} {in_words(outcome)} [{outcome.seconds:.1f} s] {outcome.reason}"
 

@@ -95,7 +95,7 @@ class OnePlace(Suite[PlaceCase, PlaceOutcome]):
     def cases(self, arguments: argparse.Namespace) -> Iterator[PlaceCase]:
         return (replace(case, seed=arguments.seed) for case in cases())
 
-    def said(self, outcome: PlaceOutcome) -> str:
+    def line(self, outcome: PlaceOutcome) -> str:
         case = f"{outcome.case.label} ({_truth(outcome)}), {100 * outcome.change:.2g} %"
         what = f"{case}: {outcome.state} {outcome.by} {outcome.status} {in_words(outcome)}"
         return f"{what} [{outcome.seconds:.1f} s] {outcome.reason}"

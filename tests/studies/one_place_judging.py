@@ -81,19 +81,19 @@ def run(case: PlaceCase) -> PlaceOutcome:
     document: dict[str, Any] = diagnosis.as_json()
     beyond = beyond_of(document)
     truths = [same(case.mechanism, robot, fault) for fault in hidden.faults]
-    said = judged(document, truths)
+    judgement = judged(document, truths)
     return PlaceOutcome(
         case=case,
-        state=said.state,
+        state=judgement.state,
         verdict=document["verdict"],
         classes=classes_of(document),
-        values=said.values,
+        values=judgement.values,
         signal=hidden.change,
         seconds=seconds,
         reason=beyond.get("reason") or document["reason"],
         rule=diagnosis.rule if diagnosis.beyond is None else diagnosis.beyond.rule,
         truth=tuple(fault.term for fault in hidden.faults),
-        by=said.by,
+        by=judgement.by,
         status=beyond.get("status", ""),
         tried=beyond.get("tried", 0),
         change=hidden.change,

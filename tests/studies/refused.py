@@ -87,13 +87,13 @@ def in_turn(some: Sequence[tuple[str, Any, Run]], limit: int) -> list[tuple[str,
     Clear causes are suites on all machines alike.
     """
     suites: dict[str, list[tuple[str, Any, Run]]] = {}
-    for one in some:
-        suites.setdefault(pooled(one[0]), []).append(one)
+    for entry in some:
+        suites.setdefault(pooled(entry[0]), []).append(entry)
     drawn = [
         [suite[k] for k in np.random.default_rng(0).permutation(len(suite))[:limit].tolist()]
         for suite in suites.values()
     ]
-    return [one for turn in itertools.zip_longest(*drawn) for one in turn if one is not None]
+    return [entry for turn in itertools.zip_longest(*drawn) for entry in turn if entry is not None]
 
 
 def pooled(suite: str) -> str:
@@ -105,11 +105,13 @@ def pooled(suite: str) -> str:
 # What is found -----------------------------------------------------------------------------------------------
 
 
-def best(said: Probabilities) -> tuple[Members, float] | None:
+def best(probabilities: Probabilities) -> tuple[Members, float] | None:
     """Return the most probable class or pair, with its probability; None if none has one."""
-    each: list[tuple[Members, float]] = [(one.members, one.probability) for one in said.classes]
-    each += [(one.members, one.probability) for one in said.pairs]
-    return max(each, key=lambda one: one[1], default=None)
+    explanations: list[tuple[Members, float]] = [
+        (explanation.members, explanation.probability) for explanation in probabilities.classes
+    ]
+    explanations += [(explanation.members, explanation.probability) for explanation in probabilities.pairs]
+    return max(explanations, key=lambda explanation: explanation[1], default=None)
 
 
 def as_accepted(probability: float, verdict: str, rule: str) -> float:
@@ -127,8 +129,8 @@ def claimed(members: Members, outcome: Outcome[Any]) -> bool:
     """Return whether a verdict claims what a class or a pair says: each cause in a class, and no other class."""
     if outcome.verdict != EFFECT_FOUND.word:
         return False
-    for one in members:
-        causes = (one,) if isinstance(one, str) else one
+    for member in members:
+        causes = (member,) if isinstance(member, str) else member
         for order in itertools.permutations(causes):
             if len(order) == len(outcome.classes) and all(
                 cause in found for cause, found in zip(order, outcome.classes, strict=True)
@@ -141,14 +143,14 @@ def held(case: Any, members: Members) -> str:
     """Return whether a claim of a class or pair would be right."""
     if explains(case, members):
         return RIGHT
-    is_class = all(isinstance(one, str) for one in members)
+    is_class = all(isinstance(member, str) for member in members)
     return PART if is_class and explains_a_part(case, members) else WRONG
 
 
 @contextmanager
 def without(rule: str) -> Iterator[None]:
     """Decide without one of the rules that are asked where causes leave noise."""
-    with mock.patch.object(rules, "CLAIMS", tuple(one for one in rules.CLAIMS if one.name != rule)):
+    with mock.patch.object(rules, "CLAIMS", tuple(other for other in rules.CLAIMS if other.name != rule)):
         yield
 
 
@@ -180,7 +182,7 @@ def line_of(case: Any, run: Run) -> dict[str, Any]:
         return found
     members, probability = top
     return found | {
-        "members": [one if isinstance(one, str) else " + ".join(one) for one in members],
+        "members": [member if isinstance(member, str) else " + ".join(member) for member in members],
         "probability": probability,
         "accepted": as_accepted(probability, outcome.verdict, outcome.rule),
         "held": held(case, members),
@@ -207,7 +209,7 @@ def main() -> None:
     parser.add_argument("--no-whole", action="store_true", help="leave out those of which all cases run")
     arguments = parser.parse_args()
     kept = Kept(arguments.kept)
-    known = {one["case"]: one for one in kept.lines}
+    known = {record["case"]: record for record in kept.lines}
 
     def of(suite: str, case: Any, run: Run) -> Line:
         case = replace(case, seed=arguments.seed)
@@ -218,8 +220,8 @@ def main() -> None:
         return known[name]
 
     every = list(cases())
-    drawn = [of(*one) for one in in_turn(every, arguments.limit)]
-    whole = [] if arguments.no_whole else [of(*one) for one in every if one[0] in WHOLE]
+    drawn = [of(*entry) for entry in in_turn(every, arguments.limit)]
+    whole = [] if arguments.no_whole else [of(*entry) for entry in every if entry[0] in WHOLE]
     publish(tables(drawn, whole, arguments.seed), arguments.out)
 
 
@@ -228,15 +230,15 @@ def main() -> None:
 
 def tables(drawn: Sequence[Line], whole: Sequence[Line], seed: int) -> Tables:
     """Return the tables of cases drawn from all suites, and of all those of a few suites."""
-    some = [one for one in drawn if "members" in one]
-    every = list({one["case"]: one for one in (*drawn, *whole)}.values())
+    some = [record for record in drawn if "members" in record]
+    every = list({record["case"]: record for record in (*drawn, *whole)}.values())
     facts = {
         "seed": seed,
         "cases drawn": len(drawn),
-        "suites": len({pooled(one["suite"]) for one in drawn}),
+        "suites": len({pooled(record["suite"]) for record in drawn}),
         "with a class or pair": len(some),
         "cases with few rows": len(whole),
-        "failed": sum(one["verdict"] == "failed" for one in every),
+        "failed": sum(record["verdict"] == "failed" for record in every),
         "doubt, accepted [%]": f"{100 * ACCEPTED:.0f}",
         "doubt, refused [%]": f"{100 * REFUSED:.0f}",
         "doubt, none left [%]": f"{100 * NONE:.0f}",
@@ -249,21 +251,21 @@ def tables(drawn: Sequence[Line], whole: Sequence[Line], seed: int) -> Tables:
         ),
         "rules": stacked("cases", {"drawn": _by_rule(drawn), "few rows": _by_rule(whole)}),
         "without": _without(every),
-        "cases": _listed([one for one in every if _refused(one) and one["accepted"] > PROBABLE]),
+        "cases": _listed([record for record in every if _refused(record) and record["accepted"] > PROBABLE]),
     }
 
 
-def _refused(one: Line) -> bool:
+def _refused(record: Line) -> bool:
     """Return whether a case has a class or pair with a probability that is not claimed."""
-    return "members" in one and not one["claimed"]
+    return "members" in record and not record["claimed"]
 
 
 def _shares(some: Sequence[Line], key: str) -> Table:
     """Return how often what is probable is right, where it is claimed and where it is refused."""
-    high = [one for one in some if one[key] > PROBABLE]
+    high = [record for record in some if record[key] > PROBABLE]
     groups = {
-        "claimed": [one for one in high if one["claimed"]],
-        "refused": [one for one in high if not one["claimed"]],
+        "claimed": [record for record in high if record["claimed"]],
+        "refused": [record for record in high if not record["claimed"]],
         "all": high,
     }
     rows = [[name, *_counts(group, "held"), _part(group)] for name, group in groups.items()]
@@ -274,10 +276,10 @@ def _by_rule(some: Sequence[Line]) -> Table:
     """Return, of the cases that a rule refuses, all with a probability, and those where it is high as if accepted."""
     rows = []
     for rule in _ordered(some):
-        decided = [one for one in some if one["rule"] == rule and _refused(one)]
-        probable = [one for one in decided if one["accepted"] > PROBABLE]
+        decided = [record for record in some if record["rule"] == rule and _refused(record)]
+        probable = [record for record in decided if record["accepted"] > PROBABLE]
         if probable:
-            stated = sum(one["probability"] > PROBABLE for one in probable)
+            stated = sum(record["probability"] > PROBABLE for record in probable)
             name = f"{rule}, with another claim" if rule == FOUND else rule
             counted = [*_counts(probable, "held"), _part(probable), str(stated)]
             rows.append([name, str(len(decided)), *counted])
@@ -285,11 +287,11 @@ def _by_rule(some: Sequence[Line]) -> Table:
 
 
 def _without(some: Sequence[Line]) -> Table:
-    again, rows = [one for one in some if "without" in one], []
+    again, rows = [record for record in some if "without" in record], []
     for rule in _ordered(again):
-        group = [one for one in again if one["rule"] == rule]
-        states = [one["without"][0] for one in group]
-        others = sorted({one["without"][1] for one in group if one["without"][0] == "refused"})
+        group = [record for record in again if record["rule"] == rule]
+        states = [record["without"][0] for record in group]
+        others = sorted({record["without"][1] for record in group if record["without"][0] == "refused"})
         still = states.count("refused")
         rows.append(
             [
@@ -307,15 +309,15 @@ def _listed(doubted: Sequence[Line]) -> Table:
     order = {rule: k for k, rule in enumerate(_ordered(doubted))}
     rows = [
         [
-            one["rule"],
-            one["case"].partition(": ")[2].rpartition(", seed")[0],
-            " + ".join(one["names"]) or ("outside" if one["outside"] else "nothing missing"),
-            _some(one["members"]),
-            f"{one['accepted']:.3f}",
-            one["held"],
-            _then(one),
+            record["rule"],
+            record["case"].partition(": ")[2].rpartition(", seed")[0],
+            " + ".join(record["names"]) or ("outside" if record["outside"] else "nothing missing"),
+            _some(record["members"]),
+            f"{record['accepted']:.3f}",
+            record["held"],
+            _then(record),
         ]
-        for one in sorted(doubted, key=lambda one: order[one["rule"]])
+        for record in sorted(doubted, key=lambda record: order[record["rule"]])
     ]
     head = ["rule", "case", "truth", "class or pair", "as if accepted", "it is", "without the rule"]
     return Table.of(head, rows)
@@ -327,25 +329,25 @@ def _some(members: Sequence[str]) -> str:
     return " or ".join(members[:MENTIONED]) + (f", {more} more" if more > 0 else "")
 
 
-def _then(one: Line) -> str:
+def _then(record: Line) -> str:
     """Return what a case gives without the rule that refused."""
-    state, rule = one.get("without", ("", ""))
+    state, rule = record.get("without", ("", ""))
     return f"refused, {rule}" if state == "refused" else f"claim {state}" if state in STATES else state
 
 
 def _ordered(some: Sequence[Line]) -> list[str]:
     """Return the rules that decided, in the order in which they are asked."""
     asked = [rule.name for rule in (*rules.ADEQUACY, *rules.CLAIMS, *OPEN)]
-    decided = dict.fromkeys(one["rule"] for one in some)
+    decided = dict.fromkeys(record["rule"] for record in some)
     return sorted(decided, key=lambda name: asked.index(name) if name in asked else -1)
 
 
 def _counts(group: Sequence[Line], key: str) -> list[str]:
-    return [str(len(group)), *(str(sum(one[key] == state for one in group)) for state in STATES)]
+    return [str(len(group)), *(str(sum(record[key] == state for record in group)) for state in STATES)]
 
 
 def _part(group: Sequence[Line]) -> str:
-    return f"{sum(one['held'] == RIGHT for one in group) / len(group):.2f}" if group else ""
+    return f"{sum(record['held'] == RIGHT for record in group) / len(group):.2f}" if group else ""
 
 
 if __name__ == "__main__":

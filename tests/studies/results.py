@@ -98,8 +98,8 @@ def _overview(suites: Mapping[str, Tables]) -> Table:
     for section in SECTIONS:
         tables = suites[section.name]
         facts = tables["summary"].values()
-        asked = [one for one in _records(tables, "requirements") if one["met"]]
-        met = sum(one["met"] != NOT_MET for one in asked)
+        asked = [record for record in _records(tables, "requirements") if record["met"]]
+        met = sum(record["met"] != NOT_MET for record in asked)
         anchor = section.title.lower().replace(" ", "-")
         cases = facts.get("cases", facts.get("cases drawn", ""))
         every = facts.get("cases of the suites", cases)
@@ -132,10 +132,10 @@ def _pivot(
     """Return requirements with a row and a column each."""
     cells: dict[str, dict[str, str]] = {}
     columns: dict[str, None] = {}
-    for one in records:
-        cells.setdefault(row(one), {})[column(one)] = _cell(one)
-        columns[column(one)] = None
-    rows = [(name, *(of.get(one, "") for one in columns)) for name, of in cells.items()]
+    for record in records:
+        cells.setdefault(row(record), {})[column(record)] = _cell(record)
+        columns[column(record)] = None
+    rows = [(name, *(of.get(record, "") for record in columns)) for name, of in cells.items()]
     return Table.of((title, *columns), rows)
 
 
@@ -149,7 +149,9 @@ def _plain(tables: Tables) -> list[Table]:
 
 
 def _by_motors(tables: Tables) -> list[Table]:
-    return [_pivot(_records(tables, "requirements"), "suite: requirement", _what, lambda one: one["motors"])]
+    return [
+        _pivot(_records(tables, "requirements"), "suite: requirement", _what, lambda record: record["motors"])
+    ]
 
 
 def _by_mechanism(tables: Tables) -> list[Table]:
@@ -163,8 +165,8 @@ def _by_mechanism(tables: Tables) -> list[Table]:
         _pivot(
             _records(tables, "requirements"),
             "suite: requirement",
-            lambda one: f"{split(one)[1]}: {one['requirement']}",
-            lambda one: split(one)[0],
+            lambda record: f"{split(record)[1]}: {record['requirement']}",
+            lambda record: split(record)[0],
         )
     ]
 
@@ -181,8 +183,8 @@ def _by_mechanism_and_motors(tables: Tables) -> list[Table]:
         _pivot(
             _records(tables, "requirements"),
             "suite: requirement",
-            lambda one: f"{split(one)[1]}: {one['requirement']}",
-            lambda one: split(one)[0],
+            lambda record: f"{split(record)[1]}: {record['requirement']}",
+            lambda record: split(record)[0],
         )
     ]
 
@@ -190,15 +192,15 @@ def _by_mechanism_and_motors(tables: Tables) -> list[Table]:
 def _by_suite(tables: Tables) -> list[Table]:
     """Return a row for each mechanism, and the requirements on all of them below."""
     records = _records(tables, "requirements")
-    every = [one for one in records if one["group"] == "all"]
-    of_one = [one for one in records if one["group"] != "all"]
+    every = [record for record in records if record["group"] == "all"]
+    of_one = [record for record in records if record["group"] != "all"]
 
     def column(record: Record) -> str:
         return f"{record['group'].partition(', ')[2]}: {record['requirement'].partition(' >=')[0]}"
 
     return [
-        _pivot(of_one, "mechanism", lambda one: one["group"].partition(", ")[0], column),
-        _pivot(every, "all", lambda one: one["requirement"], lambda _: "measured"),
+        _pivot(of_one, "mechanism", lambda record: record["group"].partition(", ")[0], column),
+        _pivot(every, "all", lambda record: record["requirement"], lambda _: "measured"),
     ]
 
 
@@ -220,7 +222,7 @@ def _rows(name: str, by: str = "", without: Sequence[str] = ()) -> Callable[[Tab
 
 def _taken(records: Iterable[Record], truth: Callable[[Record], str]) -> str:
     """Return what was taken for what, with the number of cases where there are several."""
-    taken = Counter((truth(one), _claim(one)) for one in records)
+    taken = Counter((truth(record), _claim(record)) for record in records)
     return "; ".join(f"{_code(what)} for {claim}{_times(n)}" for (what, claim), n in taken.items())
 
 
@@ -265,8 +267,8 @@ def _listed(truth: Callable[[Record], str] = _truth) -> Callable[[Tables], list[
 
     def named(tables: Tables) -> list[str]:
         groups: dict[str, list[Record]] = {}
-        for one in _records(tables, "cases"):
-            groups.setdefault(one["list"], []).append(one)
+        for record in _records(tables, "cases"):
+            groups.setdefault(record["list"], []).append(record)
         lines = []
         for title, records in groups.items():
             told = _taken(records, _truth) if title == "confident and wrong" else _counted(records, truth)
@@ -278,11 +280,11 @@ def _listed(truth: Callable[[Record], str] = _truth) -> Callable[[Tables], list[
 
 def _of_changes(tables: Tables) -> list[str]:
     records = _records(tables, "cases")
-    wrong = [one for one in records if one["state"].startswith("wrong")]
+    wrong = [record for record in records if record["state"].startswith("wrong")]
     silent = [
-        one
-        for one in records
-        if one["truth"] != "nothing" and one["state"].split()[0] in ("abstained", "unchanged")
+        record
+        for record in records
+        if record["truth"] != "nothing" and record["state"].split()[0] in ("abstained", "unchanged")
     ]
     return [
         f"*Confident and wrong* ({len(wrong)}): {_taken(wrong, _truth)}.",
@@ -292,8 +294,10 @@ def _of_changes(tables: Tables) -> list[str]:
 
 def _of_thresholds(tables: Tables) -> list[str]:
     records = _records(tables, "thresholds")
-    changing = [one for one in records if one["half: changed"] != "0" or one["double: changed"] != "0"]
-    stay = Counter(one["why it stays"].partition(",")[0] for one in records if one not in changing)
+    changing = [
+        record for record in records if record["half: changed"] != "0" or record["double: changed"] != "0"
+    ]
+    stay = Counter(record["why it stays"].partition(",")[0] for record in records if record not in changing)
     reasons = tables["reasons"].values()
     return [
         f"Half or double of {len(changing)} of the {len(records)} thresholds changed an outcome.  The others:",

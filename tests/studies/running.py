@@ -8,7 +8,7 @@ import multiprocessing
 import os
 import sys
 import traceback
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor, ProcessPoolExecutor
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
@@ -144,15 +144,15 @@ def run_all(
     run: Callable[[C], R],
     cases: Sequence[C],
     pool: Pool,
-    said: Callable[[R], str],
+    line: Callable[[R], str],
     failed: Callable[..., R] | None = None,
 ) -> list[R]:
     """Run cases, and say on the terminal what came out.
 
     Parameters
     ----------
-    run, said, failed : callable
-        `said` describes an outcome in a line.  `failed` makes the outcome of a case in which an exception was raised:
+    run, line, failed : callable
+        `line` describes an outcome in a line.  `failed` makes the outcome of a case in which an exception was raised:
         its state is ``failed`` and its signal infinite, so that a cause counts as a clear one that was not named.
         Without it the exception is not caught.
     cases : sequence
@@ -163,7 +163,7 @@ def run_all(
     with pool.executor() as executor:
         for outcome in executor.map(partial(_attempt, run, failed), cases):
             outcomes.append(outcome)
-            print(f"{len(outcomes)}/{len(cases)} {said(outcome)}", file=sys.stderr, flush=True)
+            print(f"{len(outcomes)}/{len(cases)} {line(outcome)}", file=sys.stderr, flush=True)
     return outcomes
 
 
@@ -190,7 +190,7 @@ class Kept:
         text = path.read_text(encoding="utf-8") if path.exists() else ""
         self._path, self.lines = path, [json.loads(line) for line in text.splitlines()]
 
-    def add(self, line: Mapping[str, Any]) -> None:
+    def add(self, line: Any) -> None:
         """Append the line of a case."""
         self.lines.append(json.loads(json.dumps(line)))
         with self._path.open("a", encoding="utf-8") as file:

@@ -71,8 +71,8 @@ class SixLegs(Suite[ClearCase, ClearOutcome]):
     def cases(self, arguments: argparse.Namespace) -> Iterator[ClearCase]:
         return (replace(case, seed=arguments.seed) for case in cases())
 
-    def said(self, outcome: ClearOutcome) -> str:
-        return clear_suites.said(outcome)
+    def line(self, outcome: ClearOutcome) -> str:
+        return clear_suites.outcome_line(outcome)
 
     def facts(self, outcomes: Sequence[ClearOutcome]) -> dict[str, object]:
         return {"cases of the suites": sum(1 for _ in cases())}

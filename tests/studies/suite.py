@@ -42,7 +42,7 @@ class Suite(Generic[C, R]):
         """Return the name of a case, of which ``--only`` gives a part."""
         return str(getattr(case, "label"))  # noqa: B009 - the classes of cases have no base
 
-    def said(self, outcome: R) -> str:
+    def line(self, outcome: R) -> str:
         """Return an outcome in a line, for the terminal."""
         raise NotImplementedError
 
@@ -91,7 +91,7 @@ class Suite(Generic[C, R]):
         if self.instead(arguments):
             return
         pool, start = Pool.of(arguments), time.perf_counter()
-        outcomes = run_all(self.run, self.chosen(arguments), pool, self.said, self.failed)
+        outcomes = run_all(self.run, self.chosen(arguments), pool, self.line, self.failed)
         self.after(outcomes, arguments, pool)
         summary = self.summary(outcomes, arguments.seed, time.perf_counter() - start, pool)
         publish({"summary": summary, **self.tables(outcomes)}, arguments.out)

@@ -121,7 +121,7 @@ def numbers() -> dict[str, float]:
         for field in fields(getattr(Criteria(), part.name)):
             name, value = f"{part.name}.{field.name}", getattr(getattr(Criteria(), part.name), field.name)
             several = isinstance(value, tuple)
-            found |= {f"{name}[{i}]": one for i, one in enumerate(value)} if several else {name: value}
+            found |= {f"{name}[{i}]": number for i, number in enumerate(value)} if several else {name: value}
     return found
 
 
@@ -141,7 +141,9 @@ def defaults(values: Mapping[str, Any]) -> Iterator[None]:
         for field in fields(group):
             name, value = f"{part.name}.{field.name}", getattr(group, field.name)
             if isinstance(value, tuple):
-                changed[field.name] = tuple(values.get(f"{name}[{i}]", one) for i, one in enumerate(value))
+                changed[field.name] = tuple(
+                    values.get(f"{name}[{i}]", number) for i, number in enumerate(value)
+                )
             elif name in values:
                 changed[field.name] = values[name]
         parts.append(replace(group, **changed))
@@ -182,7 +184,7 @@ def sample() -> list[tuple[str, Any, Callable[[Any], Outcome[Any]]]]:
     return [named for _, named in sorted(placed, key=lambda each: each[0])]
 
 
-def said(outcome: Outcome[Any]) -> dict[str, Any]:
+def content(outcome: Outcome[Any]) -> dict[str, Any]:
     """Return what an outcome says of a case."""
     return {
         "verdict": outcome.verdict,
@@ -193,15 +195,15 @@ def said(outcome: Outcome[Any]) -> dict[str, Any]:
     }
 
 
-def differs(one: Mapping[str, Any], other: Mapping[str, Any]) -> str:
+def differs(first: Mapping[str, Any], second: Mapping[str, Any]) -> str:
     """Return what is different in another outcome: "verdict", or the first other part; empty if nothing is."""
     for what in ("verdict", "damping", "classes", "rule"):
-        if one[what] != other[what]:
+        if first[what] != second[what]:
             return what
     apart = [
         abs(a - b) / max(sigma, 1e-300)
-        for name, (value, sigma) in one["values"].items()
-        for a, b in zip((value, sigma), other["values"][name], strict=True)
+        for name, (value, sigma) in first["values"].items()
+        for a, b in zip((value, sigma), second["values"][name], strict=True)
     ]
     return "values" if max(apart, default=0.0) > SAME_VALUE else ""
 
@@ -223,20 +225,20 @@ def found(
     }
     start = time.process_time()
     with defaults({name: Shadowed(value, others[name], noticed) for name, value in numbers().items()}):
-        first = said(run(case))
+        first = content(run(case))
     seconds = time.process_time() - start
 
     def changed(key: Key) -> str:
         try:
             with defaults({key[0]: others[key[0]][key]}), limited(LATE * seconds):
-                return differs(first, said(run(case)))
+                return differs(first, content(run(case)))
         except Exception as error:  # a threshold with which the diagnosis does not run is noticed
             return f"failed: {type(error).__name__}: {error}"
 
     rng = np.random.default_rng(len(before))
-    rest = sorted({key for one in others.values() for key in one} - noticed)
+    rest = sorted({key for shadows in others.values() for key in shadows} - noticed)
     drawn = [rest[rng.integers(len(rest))]] if len(before) % TESTED == 0 else []
-    tried, often = tries(before)[0], Counter(tuple(key) for one in before for key in one["noticed"])
+    tried, often = tries(before)[0], Counter(tuple(key) for record in before for key in record["noticed"])
     rarely = [key for key in sorted(noticed) if tried[key] < TRIED]
     rarely.sort(key=lambda key: (tried[key], often[key], rng.random()))
     chosen = rarely[: max(1, round(SECONDS / seconds))]
@@ -250,7 +252,7 @@ def found(
 
 def tries(kept: Sequence[Mapping[str, Any]]) -> tuple[Counter[Key], Counter[Key]]:
     """Return how often each threshold was changed, and how often the outcome was then another one."""
-    every = [(tuple(key), what) for one in kept for key, what in one["tried"]]
+    every = [(tuple(key), what) for record in kept for key, what in record["tried"]]
     return Counter(key for key, _ in every), Counter(key for key, what in every if what)
 
 
@@ -264,7 +266,7 @@ def main() -> None:
     for name, case, run in sample():
         if len(kept.lines) >= arguments.count:
             break
-        if all(one["case"] != name for one in kept.lines):
+        if all(record["case"] != name for record in kept.lines):
             kept.add({"case": name, **found(case, run, kept.lines)})
     publish(tables(kept.lines), arguments.out)
 
@@ -280,8 +282,8 @@ def why_it_stays(name: str) -> str:
 
 def tables(kept: Sequence[Mapping[str, Any]]) -> Tables:
     """Return what half and double of each threshold change."""
-    tested = [what for one in kept for _, what in one["unnoticed"]]
-    differ = Counter(tuple(key) for one in kept for key in one["noticed"])
+    tested = [what for record in kept for _, what in record["unnoticed"]]
+    differ = Counter(tuple(key) for record in kept for key in record["noticed"])
     tried, changed = tries(kept)
     rows = []
     for name, value in numbers().items():
@@ -292,8 +294,11 @@ def tables(kept: Sequence[Mapping[str, Any]]) -> Tables:
     head = ("threshold", "value", *(f"{word}: {what}" for word in FACTORS for what in WHAT))
     facts = {
         "cases": len(kept),
-        **{f"of {suite}": n for suite, n in Counter(one["case"].partition(":")[0] for one in kept).items()},
-        "deciding rules": len({one["rule"] for one in kept}),
+        **{
+            f"of {suite}": n
+            for suite, n in Counter(record["case"].partition(":")[0] for record in kept).items()
+        },
+        "deciding rules": len({record["rule"] for record in kept}),
         "diagnoses with another threshold": sum(tried.values()),
         "not noticed, and tried": len(tested),
         "not noticed, but changed": sum(map(bool, tested)),
