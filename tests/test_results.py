@@ -131,6 +131,12 @@ def test_a_family_of_cases_runs_and_writes_its_tables(
     }
 
 
+def test_a_label_that_no_case_has_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("sys.argv", ["numbers", "--only", "letter"])
+    with pytest.raises(SystemExit, match='no case has "letter" in its label'):
+        Numbers().main()
+
+
 def test_no_page_speaks_of_a_page_of_a_suite() -> None:
     for page in (ROOT / "docs").rglob("*.md"):
         assert not re.search(r"\w-measured\.md", page.read_text(encoding="utf-8")), page

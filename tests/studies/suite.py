@@ -82,7 +82,13 @@ class Suite(Generic[C, R]):
         )
 
     def main(self) -> None:
-        """Run the chosen cases, and write their tables."""
+        """Run the chosen cases, and write their tables.
+
+        Raises
+        ------
+        SystemExit
+            If the options choose no case.
+        """
         parser = parallel_command_line(self.description, self.seed)
         parser.add_argument("--only", default="", help="part of the label of the cases to run")
         parser.add_argument("--every", type=int, default=1, help="run one case in this many")
@@ -90,8 +96,10 @@ class Suite(Generic[C, R]):
         arguments = parser.parse_args()
         if self.instead(arguments):
             return
+        if not (chosen := self.chosen(arguments)):
+            raise SystemExit(f'error: no case has "{arguments.only}" in its label')
         pool, start = Pool.of(arguments), time.perf_counter()
-        outcomes = run_all(self.run, self.chosen(arguments), pool, self.line, self.failed)
+        outcomes = run_all(self.run, chosen, pool, self.line, self.failed)
         self.after(outcomes, arguments, pool)
         summary = self.summary(outcomes, arguments.seed, time.perf_counter() - start, pool)
         publish({"summary": summary, **self.tables(outcomes)}, arguments.out)
