@@ -117,19 +117,20 @@ suites benchmark figures: export PYTHONPATH = tests
 
 suites: CLUSTER = $(if $(SCHEDULER),--scheduler $(SCHEDULER))
 suites: $(VENV)/.dev  ## error rates of identification and diagnosis on the virtual test rig, four hours on two cores; SCHEDULER=ADDRESS: most of them on a Dask cluster
-	$(BIN)/python -m pkmodes_rig.suites.diagnosis $(CLUSTER) --seed 20261216 --out docs/diagnosis-measured.md
-	$(BIN)/python -m pkmodes_rig.suites.mechanism_suites $(CLUSTER) --seed 20261215 --out docs/mechanisms-measured.md
-	$(BIN)/python -m pkmodes_rig.suites.limits $(CLUSTER) --seed 20261213 --out docs/limits-measured.md
-	$(BIN)/python -m pkmodes_rig.suites.calibration --seed 20271127 --out docs/probabilities-measured.md
-	$(BIN)/python -m pkmodes_rig.suites.refused --seed 20290202 --limit 5 --out docs/refused-measured.md
-	$(BIN)/python -m pkmodes_rig.suites.clear_suites $(CLUSTER) --seed 20261207 --out docs/clear-causes-measured.md
-	$(BIN)/python -m pkmodes_rig.suites.six_legged_suites $(CLUSTER) --seed 20271217 --out docs/six-legs-measured.md
-	$(BIN)/python -m pkmodes_rig.suites.one_place $(CLUSTER) --seed 20280301 --out docs/one-place-measured.md
-	$(BIN)/python -m pkmodes_rig.suites.changed $(CLUSTER) --seed 20290105 --out docs/changed-measured.md
-	$(BIN)/python -m pkmodes_rig.suites.campaigns $(CLUSTER) --seed 20261226 --out docs/signals-measured.md
-	$(BIN)/python -m pkmodes_rig.suites.damping $(CLUSTER) --seed 20261230 --out docs/damping-measured.md
-	$(BIN)/python -m pkmodes_rig.suites.deciding --out tests/golden/rules.jsonl
-	$(BIN)/python -m pkmodes_rig.suites.thresholds --out docs/thresholds-measured.md
+	$(BIN)/python -m studies.diagnosis $(CLUSTER) --seed 20261216 --out docs/results/diagnosis
+	$(BIN)/python -m studies.mechanism_suites $(CLUSTER) --seed 20261215 --out docs/results/mechanisms
+	$(BIN)/python -m studies.limits $(CLUSTER) --seed 20261213 --out docs/results/limits
+	$(BIN)/python -m studies.calibration --seed 20271127 --out docs/results/probabilities
+	$(BIN)/python -m studies.refused --seed 20290202 --limit 5 --out docs/results/refused
+	$(BIN)/python -m studies.clear_suites $(CLUSTER) --seed 20261207 --out docs/results/clear-causes
+	$(BIN)/python -m studies.six_legged_suites $(CLUSTER) --seed 20271217 --out docs/results/six-legs
+	$(BIN)/python -m studies.one_place $(CLUSTER) --seed 20280301 --out docs/results/one-place
+	$(BIN)/python -m studies.changed $(CLUSTER) --seed 20290105 --out docs/results/changed
+	$(BIN)/python -m studies.campaigns $(CLUSTER) --seed 20261226 --out docs/results/signals
+	$(BIN)/python -m studies.damping $(CLUSTER) --seed 20261230 --out docs/results/damping
+	$(BIN)/python -m studies.deciding --out tests/golden/rules.jsonl
+	$(BIN)/python -m studies.thresholds --out docs/results/thresholds
+	$(BIN)/python -m studies.results
 
 clean:
 	rm -rf $(VENV) build

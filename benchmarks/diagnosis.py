@@ -2,9 +2,9 @@
 
     PYTHONPATH=tests python benchmarks/diagnosis.py
 
-The measurements are those of the suites (`pkmodes_rig`): every mechanism, complete, with one cause, and with a cause
-that no candidate explains.  A ratio is to the fixed work, measured before and after each case: unlike seconds, it can
-be compared with that of another machine.
+The measurements are those of the suites (`tests/studies`): every mechanism, complete, with one cause, and with a
+cause that no candidate explains.  A ratio is to the fixed work, measured before and after each case: unlike seconds,
+it can be compared with that of another machine.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ from pkmodes.core.robot.robot import Robot
 from pkmodes.core.support.threads import one_blas_thread
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes.loop.measured.measurements import Measurements
-from pkmodes_rig.suites import mechanism_cases, mechanism_suites
-from pkmodes_rig.suites.cases import measured
-from pkmodes_rig.suites.specimens import measurements, measurements_of, robot_of
-from pkmodes_rig.suites.suites import SUITES
+from studies import mechanism_cases, mechanism_suites
+from studies.cases import measured
+from studies.specimens import measurements, measurements_of, robot_of
+from studies.suites import SUITES
 from timing import PROCESS, seconds
 
 #: Suites, and the largest number of seconds for a case of each that the project aims at.

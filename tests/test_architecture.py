@@ -385,10 +385,8 @@ def test_the_runtime_imports_nothing_that_is_not_installed_with_it() -> None:
 
 
 def test_the_virtual_rig_shares_no_code_with_the_model() -> None:
-    """It imports only the robot file reader and the named tuples of parameters; its suites judge the diagnosis."""
+    """It imports only the robot file reader and the named tuples of parameters; the studies judge the diagnosis."""
     for file in files("tests/pkmodes_rig"):
-        if "suites" in file.parts:
-            continue
         tree = ast.parse(file.read_text(encoding="utf-8"))
         taken = {
             (node.module, alias.name)

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[1]
-FOLDERS = ("src/pkmodes", "tests/pkmodes_rig", "derive")
+FOLDERS = ("src/pkmodes", "tests/pkmodes_rig", "tests/studies", "derive")
 #: Bases without fields of their own.
 PLAIN = {"object", "ABC", "Protocol", "Generic", "NamedTuple", "TypedDict", "Struct", "Enum", "Exception"}
 Function = ast.FunctionDef | ast.AsyncFunctionDef

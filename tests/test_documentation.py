@@ -11,6 +11,7 @@ import pytest
 import pkmodes
 from pkmodes import updating
 from pkmodes.cli import cli
+from studies import tables
 
 ROOT = Path(__file__).parents[1]
 
@@ -38,18 +39,18 @@ MEASURED = {
 
 
 def test_the_rates_of_the_readme_are_those_measured_of_each_mechanism() -> None:
-    tables = "".join(
-        (ROOT / f"docs/{page}-measured.md").read_text(encoding="utf-8")
-        for page in ("clear-causes", "six-legs")
-    )
+    measured = [
+        row
+        for suite in ("clear-causes", "six-legs")
+        for row in tables.read(ROOT / "docs/results" / suite)["requirements"].records()
+        if row["requirement"].startswith(("named", "confident and wrong"))
+    ]
     readme = " ".join((ROOT / "README.md").read_text(encoding="utf-8").split())
     kept, missed = re.split("these do not:", readme)
     for name, words in MEASURED.items():
-        rows = [
-            re.search(rf"\| {name}, {of} \|.*?\| (\d+ of \d+): .*", tables) for of in ("one effect", "all")
-        ]
-        named, wrong = (row[1] for row in rows if row)
-        met = all("NOT MET" not in row[0] for row in rows if row)
+        rows = [row for of in ("one effect", "all") for row in measured if row["group"] == f"{name}, {of}"]
+        named, wrong = (f"{row['number']} of {row['cases']}" for row in rows)
+        met = all(row["met"] == "met" for row in rows)
         said = (
             rf"{words} meets both \({named} named, wrong in {wrong}\)"
             if met

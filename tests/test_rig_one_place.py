@@ -13,7 +13,7 @@ from pkmodes_rig.mujoco_engine import carriage_positions
 from pkmodes_rig.mujoco_rotary_delta import arm_angles
 from pkmodes_rig.one_place import Fault, assembled, modes_of
 from pkmodes_rig.one_place.faults import same_term
-from pkmodes_rig.suites.specimens import MACHINES, ROBOTS, read_robot, robot_of
+from studies.specimens import MACHINES, ROBOTS, read_robot, robot_of
 
 RIGID = 1e-3  # Hz, of a mode that strains nothing
 

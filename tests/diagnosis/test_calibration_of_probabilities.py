@@ -13,9 +13,9 @@ from pkmodes.loop.diagnosis.posterior.document import (
     Probabilities,
     Statement,
 )
-from pkmodes_rig.suites import calibration
-from pkmodes_rig.suites.cases import Case
-from pkmodes_rig.suites.specimens import Specimen
+from studies import calibration
+from studies.cases import Case
+from studies.specimens import Specimen
 
 ONE_AXIS = "parameter:axis.2.carriage.mass"
 CANDIDATES = ("belt_mass", "payload", "gearbox_inertia", "parameter:motor.gear_ratio")
@@ -92,7 +92,7 @@ def test_a_run_that_was_stopped_goes_on_and_its_table_counts_every_case(
         calibration.main()
     assert sorted(tried) == list(range(12))
     assert len({json.loads(line)["case"] for line in kept.read_text(encoding="utf-8").splitlines()}) == 12
-    page = capsys.readouterr().out
-    assert "| 0.9 to 0.95 | 12 | 0.920 | 9 | 0.750 |" in page
-    assert "expected calibration error 0.170" in page
-    assert "| outside | 3 | 0.920 | 0 | 0.000 |" in page
+    printed = capsys.readouterr().out
+    assert "|largest probability|0.9 to 0.95|12|0.920|9|0.750|" in printed
+    assert "|expected calibration error|0.170|" in printed
+    assert "|most probable|outside|3|0.920|0|0.000|" in printed

@@ -1,14 +1,14 @@
 """What changed between two campaigns of the virtual test rig: a few pairs, each of which shows a rule of changes.
 
-How often an answer is right is measured by the whole suite, in docs/changed-measured.md.
+How often an answer is right is measured by the whole suite, in docs/reference/results.md.
 """
 
 from __future__ import annotations
 
 import pytest
 
-from pkmodes_rig.suites.changed import pair
-from pkmodes_rig.suites.changed_judging import run
+from studies.changed import pair
+from studies.changed_judging import run
 
 #: Pairs by seed, suite and number; what changed there, and why it was not named before.
 NAMED = [

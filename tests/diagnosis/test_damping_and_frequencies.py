@@ -12,7 +12,7 @@ from helpers.diagnoses.damped_cases import bare, columns, made, measured, of_fre
 from pkmodes import updating
 from pkmodes.loop.diagnosis.damping.words import NO_LOSSES, UNSETTLED
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
-from pkmodes_rig.suites.specimens import robot_of
+from studies.specimens import robot_of
 
 ROBOT = robot_of("published")
 DECLARED = ROBOT.with_values({"damping.ratio": 0.01})

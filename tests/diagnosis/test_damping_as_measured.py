@@ -22,7 +22,7 @@ from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.measured.writing import as_csv
 from pkmodes.pages.report import report
-from pkmodes_rig.suites.specimens import robot_of
+from studies.specimens import robot_of
 
 MACHINES = ["published", "rotary_delta", "corexy"]
 #: Candidates that keep a diagnosis short.

@@ -14,7 +14,7 @@ from pkmodes import updating
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.loop.diagnosis import Measurements
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
-from pkmodes_rig.suites.specimens import MACHINES, robot_of
+from studies.specimens import MACHINES, robot_of
 
 ROBOT = robot_of("published")
 RAILS: Mapping[str, np.ndarray] = columns({"rails": 50.0})

@@ -15,7 +15,7 @@ from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.verdict.dispersion import dispersion
 from pkmodes_rig import POSES, SENSORS, TrueModes, drawn_values, identified, written
-from pkmodes_rig.suites.specimens import Specimen, measurements, robot_of
+from studies.specimens import Specimen, measurements, robot_of
 
 LOADS = {"empty": 0.0, "2 kg": 2.0, "4 kg": 4.0, "8 kg": 8.0, "12 kg": 12.0, "16 kg": 16.0}
 SHARED, SIGMA = 4e5, 1e-3

@@ -18,9 +18,9 @@ from pkmodes.pages.report.action import action
 from pkmodes.pages.report.diagnosis import verdict_headline
 from pkmodes.pages.report.setting import ReportSetting
 from pkmodes.pages.view import typical_pose
-from pkmodes_rig.suites import clear_cases
-from pkmodes_rig.suites.clear_cases import ClearCase
-from pkmodes_rig.suites.specimens import ROBOTS, Specimen, measurements_of, robot_of
+from studies import clear_cases
+from studies.clear_cases import ClearCase
+from studies.specimens import ROBOTS, Specimen, measurements_of, robot_of
 
 #: The masses on the upper storey, by setup [kg], and the stiffness that the storeys share [N/m].
 LOADS = {"empty": 0.0, "2 kg": 2.0, "4 kg": 4.0, "8 kg": 8.0, "12 kg": 12.0, "16 kg": 16.0}

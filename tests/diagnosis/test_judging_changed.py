@@ -13,14 +13,13 @@ import pytest
 from pkmodes import read_robot, updating
 from pkmodes_rig.one_place import Fault, assembled, modes_of
 from pkmodes_rig.one_place.changes import ALL_DRIVES, kinds_of_changes
-from pkmodes_rig.suites.changed import MACHINES, cases, page, pair, some_pairs
-from pkmodes_rig.suites.changed_cases import Campaign, Pair, PairCase, measured, written_to
-from pkmodes_rig.suites.changed_judging import PairOutcome, judged_change, run, truths_of
-from pkmodes_rig.suites.one_place_cases import CLEAR, EVERY, FAINT, declared
-from pkmodes_rig.suites.running import Pool
-from pkmodes_rig.suites.specimens import MACHINES as SPECIMENS
-from pkmodes_rig.suites.specimens import measurements_of
-from pkmodes_rig.suites.true_machines import WITHIN
+from studies.changed import MACHINES, Changed, cases, pair, some_pairs
+from studies.changed_cases import Campaign, Pair, PairCase, measured, written_to
+from studies.changed_judging import PairOutcome, judged_change, run, truths_of
+from studies.one_place_cases import CLEAR, EVERY, FAINT, declared
+from studies.specimens import MACHINES as SPECIMENS
+from studies.specimens import measurements_of
+from studies.true_machines import WITHIN
 
 
 def true_frequencies(
@@ -387,17 +386,20 @@ def test_a_case_is_measured_asked_about_and_judged(
     assert pickle.loads(pickle.dumps(outcome)) == outcome
 
 
-def test_a_page_can_be_written_of_any_outcomes() -> None:
+def test_tables_can_be_made_of_any_outcomes() -> None:
     states = ("named", "wrong", "abstained", "unchanged", "failed", "unreached")
     values = (("payload.mass", 0.21, 0.02, 0.2),)
     outcomes = [
         PairOutcome(case, states[i % 6], classes=(("payload",),), values=values, names=("payload",))
         for i, case in enumerate(some_pairs(1, 60))
     ]
-    lines = page(outcomes, 60.0, Pool())
-    assert any("Not every pair was run" in line for line in lines)
-    assert any(line.startswith("| all | value within 3 sigma >= 95 % |") for line in lines)
+    tables, facts = Changed().tables(outcomes), Changed().facts(outcomes)
+    assert ("all", "value within 3 sigma >= 95 %") in {row[:2] for row in tables["requirements"].rows}
     silent = sum(o.case.kind != "" and o.state in ("abstained", "unchanged") for o in outcomes)
-    assert f"In {silent} of these {silent} pairs what changed is among what remains." in lines
-    table = lines[lines.index("## All pairs") :]
-    assert sum(line.startswith("| ") for line in table) == 1 + sum(o.state != "unreached" for o in outcomes)
+    assert (facts["changes that were not named"], facts["what changed is among what remains"]) == (
+        silent,
+        silent,
+    )
+    assert facts["cases of the suites"] == len(cases())
+    assert facts["none large enough"] == sum(o.state == "unreached" for o in outcomes) > 0
+    assert len(tables["cases"].rows) == sum(o.state != "unreached" for o in outcomes)

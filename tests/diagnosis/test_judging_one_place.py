@@ -10,10 +10,9 @@ import pytest
 from pkmodes_rig.one_place import Fault, modes_of
 from pkmodes_rig.one_place.draws import KINDS, kinds_of
 from pkmodes_rig.one_place.laws import LAWS, Setting, laws_of, modes_by_law
-from pkmodes_rig.suites.one_place import MACHINES, cases, page
-from pkmodes_rig.suites.one_place_cases import CLEAR, EVERY, PlaceCase, declared, measured
-from pkmodes_rig.suites.one_place_judging import PlaceOutcome, classes_of, judged, same
-from pkmodes_rig.suites.running import Pool
+from studies.one_place import MACHINES, OnePlace, cases
+from studies.one_place_cases import CLEAR, EVERY, PlaceCase, declared, measured
+from studies.one_place_judging import PlaceOutcome, classes_of, judged, same
 
 VALUE = {"value": 63.8, "sigma": 0.9, "unit": "N*m/rad"}
 
@@ -205,7 +204,7 @@ def test_a_law_of_no_size_changes_nothing_and_a_larger_one_more(law: str) -> Non
     assert 1e-4 < changed(0.5) < changed(1.0)
 
 
-def test_a_page_can_be_written_of_any_outcomes() -> None:
+def test_tables_can_be_made_of_any_outcomes() -> None:
     some = [case for case in cases() if case.number in (0, 1)]
     states = ("named", "wrong", "abstained", "adequate", "partly", "failed")
     values = (("a.mass", 1.0, 0.1, 1.2),)
@@ -213,6 +212,6 @@ def test_a_page_can_be_written_of_any_outcomes() -> None:
         PlaceOutcome(case, states[i % len(states)], classes=(("a",),), values=values, truth=("a",))
         for i, case in enumerate(some)
     ]
-    lines = page(outcomes, 60.0, Pool())
-    assert any(line.startswith("| all | value within 3 sigma >= 95 % |") for line in lines)
-    assert any("Not every case was run" in line for line in lines)
+    tables, facts = OnePlace().tables(outcomes), OnePlace().facts(outcomes)
+    assert ("all", "value within 3 sigma >= 95 %") in {row[:2] for row in tables["requirements"].rows}
+    assert facts["cases of the suites"] == len(list(cases())) > len(outcomes)

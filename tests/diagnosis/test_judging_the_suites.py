@@ -1,6 +1,6 @@
-"""The suites on the virtual rig: how outcomes are judged, what is required of them, and what their pages say.
+"""The suites on the virtual rig: how outcomes are judged, what is required of them, and what their tables say.
 
-How often each verdict is right is measured by the whole suites, in docs/diagnosis-measured.md.
+How often each verdict is right is measured by the whole suites, in docs/reference/results.md.
 """
 
 from __future__ import annotations
@@ -19,19 +19,20 @@ from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes_rig.laboratory import Laboratory
 from pkmodes_rig.measurements import Identified
 from pkmodes_rig.robots import ROBOTS, read
-from pkmodes_rig.suites import campaign_machines, clear_cases, clear_suites, damping_cases, diagnosis
-from pkmodes_rig.suites.campaign_cases import CampaignOutcome
-from pkmodes_rig.suites.campaign_table import table
-from pkmodes_rig.suites.cases import Case, measured, tried
-from pkmodes_rig.suites.clear_cases import ClearCase, ClearOutcome
-from pkmodes_rig.suites.damping_cases import DampingOutcome
-from pkmodes_rig.suites.deciding import Line, counts, rightly
-from pkmodes_rig.suites.judging import MENTIONS, CaseOutcome, judged, physical, set_aside_blindly
-from pkmodes_rig.suites.requirements import requirements
-from pkmodes_rig.suites.running import Pool, _attempt
-from pkmodes_rig.suites.specimens import MACHINES, Specimen, measurements
-from pkmodes_rig.suites.strengths import signal
-from pkmodes_rig.suites.suites import SUITES
+from studies import campaign_machines, clear_cases, clear_suites, damping_cases, diagnosis
+from studies.campaign_cases import CampaignOutcome
+from studies.campaign_table import table
+from studies.cases import Case, measured, tried
+from studies.clear_cases import ClearCase, ClearOutcome
+from studies.clear_suites import ClearCauses
+from studies.damping_cases import DampingOutcome
+from studies.deciding import Line, counts, rightly
+from studies.judging import MENTIONS, CaseOutcome, judged, physical, set_aside_blindly
+from studies.requirements import requirements
+from studies.running import _attempt
+from studies.specimens import MACHINES, Specimen, measurements
+from studies.strengths import signal
+from studies.suites import SUITES
 
 
 def of_kind(suite: str, kind: str) -> list[Case]:
@@ -163,14 +164,20 @@ def outcomes(suite: str, *states: str, **changes: object) -> list[CaseOutcome]:
 
 def required(*groups: list[CaseOutcome]) -> list[str]:
     by_suite = {suite: [o for group in groups for o in group if o.case.suite == suite] for suite in SUITES}
-    return requirements(by_suite)
+    return [in_words(row) for row in requirements(by_suite)]
+
+
+def in_words(row: tuple[str, ...]) -> str:
+    group, what, number, of, rate, low, high, met = row
+    measured = f"{number} of {of}: {rate} % | {low}-{high} %" if of != "0" else "no cases"
+    return f"| {group} | {what} | {measured} | {met} |"
 
 
 def test_one_wrong_answer_from_few_rows_is_one_too_many() -> None:
     (held,) = required(outcomes("few rows", *["abstained"] * 99, "named"))
     assert held == "| few rows | confident and wrong: none | 0 of 100: 0.0 % | 0.0-3.6 % | met |"
     (broken,) = required(outcomes("few rows", *["abstained"] * 99, "wrong"))
-    assert broken.endswith("1 of 100: 1.0 % | 0.0-5.4 % | **NOT MET** |")
+    assert broken.endswith("1 of 100: 1.0 % | 0.0-5.4 % | NOT MET |")
 
 
 def test_only_clear_causes_have_to_be_named() -> None:
@@ -185,7 +192,7 @@ def test_only_clear_causes_have_to_be_named() -> None:
 
 
 def test_an_exception_counts_as_a_clear_cause_that_was_not_named() -> None:
-    """On every page: in the requirements, and in the table of the power."""
+    """In the requirements, and in the table of the power."""
 
     def broken(case: object) -> Any:
         raise RuntimeError("no")
@@ -195,7 +202,7 @@ def test_an_exception_counts_as_a_clear_cause_that_was_not_named() -> None:
     assert failed.reason.strip().endswith("RuntimeError: no")
     named, *_ = required([failed])
     assert "named >= 95 % | 0 of 1" in named
-    assert diagnosis._power([failed])[-1] == "| over 20 | 1 | 0 % | 0 % | 0 % | 0 % |"
+    assert diagnosis._power([failed]).rows[-1] == ("over 20", "1", "0", "0", "0", "0")
     machine = next(case for case in campaign_machines.cases(1, 6) if case.names)
     asked = {what: found for what, _, found, _ in table([_attempt(broken, CampaignOutcome, machine)])}
     assert asked["cause named, signal > 8 sigma, at least 40 machines"].startswith("0 of 1")
@@ -259,8 +266,8 @@ def outcome(state: str, verdict: str, *classes: tuple[str, ...], case: ClearCase
     return ClearOutcome(case, state, verdict, classes)
 
 
-def page(*outcomes: ClearOutcome, split: tuple[tuple[ClearOutcome, ...], ...] = ()) -> list[str]:
-    return clear_suites._page(outcomes, split, 60.0, Pool(2))
+def of_clear(*outcomes: ClearOutcome, split: tuple[tuple[ClearOutcome, ...], ...] = ()) -> list[str]:
+    return [in_words(row) for row in ClearCauses(split).tables(outcomes)["requirements"].rows]
 
 
 def test_each_mechanism_has_forty_clear_cases_of_each_suite_and_meets_all_effects() -> None:
@@ -309,7 +316,7 @@ def test_a_laboratory_that_cannot_see_a_cause_is_left_for_another_one(
 def test_a_wrong_claim_and_two_splits_that_contradict_each_other_break_the_requirements() -> None:
     right = outcome("named", "effect_found", ("payload", "parameter:platform.mass"))
     other = outcome("wrong", "effect_found", ("belt_mass",))
-    lines = page(right, other, split=((right, right), (right, other)))
+    lines = of_clear(right, other, split=((right, right), (right, other)))
     (wrong,) = (line for line in lines if line.startswith("| corexy, all | confident and wrong"))
     assert "| 1 of 2: 50.0 % |" in wrong
     assert "NOT MET" in wrong
@@ -321,20 +328,20 @@ def test_a_wrong_claim_and_two_splits_that_contradict_each_other_break_the_requi
 def test_splits_that_claim_members_of_one_class_do_not_contradict_each_other() -> None:
     one = outcome("named", "effect_found", ("payload", "parameter:platform.mass"))
     other = outcome("named", "effect_found", ("parameter:platform.mass",))
-    lines = page(one, split=((one, other, outcome("abstained", "unexplained")),))
+    lines = of_clear(one, split=((one, other, outcome("abstained", "unexplained")),))
     (line,) = (line for line in lines if "two splits claim different causes" in line)
     assert line.endswith("| 0 of 1: 0.0 % | 0.0-97.5 % | met |")
 
 
-def test_the_page_says_where_the_truth_is_among_the_explanations_that_remain() -> None:
+def test_the_summary_says_where_the_truth_is_among_the_explanations_that_remain() -> None:
     two = replace(PAYLOAD, suite="two effects", kinds=("payload", "belt_mass"))
-    lines = page(
+    some = [
         outcome("named", "effect_found", ("payload",)),
         outcome("abstained", "ambiguous", ("payload",), ("belt_mass",)),
         outcome("abstained", "ambiguous", ("frame_compliance",), ("belt_mass",)),
         outcome("abstained", "ambiguous", ("belt_mass + payload", "payload"), case=two),
         outcome("abstained", "ambiguous", ("payload",), ("belt_mass",), case=two),
         outcome("abstained", "unexplained"),
-    )
-    text = "In 2 of these 5 cases, the true explanation is among several that remain."
-    assert text in lines
+    ]
+    facts = ClearCauses().facts(some)
+    assert (facts["not named"], facts["not named, but among several that remain"]) == (5, 2)

@@ -1,7 +1,7 @@
-"""Verdicts on the virtual test rig: a few cases of the suites of `pkmodes_rig`, run as a user would run them.
+"""Verdicts on the virtual test rig: a few cases of the suites of `tests/studies`, run as a user would run them.
 
 The rig is MuJoCo's physics, and the true values of the uncertain parameters are drawn from their priors.  How often
-each verdict is right is measured by the whole suites, in docs/diagnosis-measured.md; here each behaviour is held.
+each verdict is right is measured by the whole suites, in docs/reference/results.md; here each behaviour is held.
 """
 
 from __future__ import annotations
@@ -16,11 +16,11 @@ from helpers.golden.case_book import frozen
 from pkmodes import updating
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes_rig.robots import read
-from pkmodes_rig.suites.cases import Case, measured
-from pkmodes_rig.suites.judging import CaseOutcome, run
-from pkmodes_rig.suites.requirements import CLEAR, MAC_CLAIMED, MAC_OTHER
-from pkmodes_rig.suites.specimens import measurements, with_wrong
-from pkmodes_rig.suites.suites import SUITES
+from studies.cases import Case, measured
+from studies.judging import CaseOutcome, run
+from studies.requirements import CLEAR, MAC_CLAIMED, MAC_OTHER
+from studies.specimens import measurements, with_wrong
+from studies.suites import SUITES
 
 #: Standard deviations within which a value is right.
 RIGHT = 3.0

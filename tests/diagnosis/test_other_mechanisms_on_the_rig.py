@@ -1,6 +1,6 @@
-"""Verdicts on the rotary delta and the CoreXY: a few cases of `tests/pkmodes_rig/suites/mechanism_suites.py`.
+"""Verdicts on the rotary delta and the CoreXY: a few cases of `tests/studies/mechanism_suites.py`.
 
-How often each verdict is right is measured by the whole suites, in docs/mechanisms-measured.md.
+How often each verdict is right is measured by the whole suites, in docs/reference/results.md.
 """
 
 from __future__ import annotations
@@ -9,10 +9,10 @@ import pytest
 
 from helpers.golden.case_book import frozen
 from pkmodes.loop.updating.candidates import suspects
-from pkmodes_rig.suites.mechanism_cases import MechanismCase, MechanismOutcome, run
-from pkmodes_rig.suites.mechanism_sizes import SIZES
-from pkmodes_rig.suites.mechanism_suites import OUTSIDE, SUITES, WRONG, cases
-from pkmodes_rig.suites.specimens import KINDS, robot_of
+from studies.mechanism_cases import MechanismCase, MechanismOutcome, run
+from studies.mechanism_sizes import SIZES
+from studies.mechanism_suites import OUTSIDE, SUITES, WRONG, cases
+from studies.specimens import KINDS, robot_of
 
 RIGHT = 3.0
 

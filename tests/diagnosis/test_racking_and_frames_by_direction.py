@@ -14,8 +14,8 @@ from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.robot.robot import Robot
 from pkmodes.loop.updating.candidates import suspects
 from pkmodes_rig import corexy, drawn_values, identified, written
-from pkmodes_rig.suites.clear_cases import ClearCase, run
-from pkmodes_rig.suites.specimens import KINDS, ROBOTS, SIGMA, measurements_of
+from studies.clear_cases import ClearCase, run
+from studies.specimens import KINDS, ROBOTS, SIGMA, measurements_of
 
 POINTS, SHAPES = KINDS["corexy"].points, KINDS["corexy"].shapes
 BAND = (2.0, 202.0)

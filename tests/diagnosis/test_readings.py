@@ -16,7 +16,7 @@ from pkmodes.loop.diagnosis.readings.table import READINGS, Reading
 from pkmodes.loop.diagnosis.verdict import rules
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes_rig.robots import read
-from pkmodes_rig.suites.specimens import measurements
+from studies.specimens import measurements
 
 
 def times(data: Measurements, factor: float) -> Measurements:

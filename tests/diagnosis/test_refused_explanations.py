@@ -10,11 +10,11 @@ import pytest
 from pkmodes.loop.diagnosis.posterior import probabilities
 from pkmodes.loop.diagnosis.posterior.document import ClassProbability, PairProbability, Probabilities
 from pkmodes.loop.diagnosis.verdict import rules
-from pkmodes_rig.suites import hard_suites, judging, refused
-from pkmodes_rig.suites.cases import Case
-from pkmodes_rig.suites.refused import Members
-from pkmodes_rig.suites.running import Outcome
-from pkmodes_rig.suites.specimens import Specimen
+from studies import hard_suites, judging, refused
+from studies.cases import Case
+from studies.refused import Members
+from studies.running import Outcome
+from studies.specimens import Specimen
 
 PAIR = ("belt_mass", "payload")
 OTHER_PAIR = ("belt_mass", "gearbox_inertia")
@@ -147,7 +147,7 @@ def line(
     }
 
 
-def test_the_page_counts_claimed_and_refused_cases_by_rule() -> None:
+def test_the_tables_count_claimed_and_refused_cases_by_rule() -> None:
     found = [
         line("claims.found", 0.97, "right", claimed=True),
         line("claims.found", 0.96, "wrong", claimed=True),
@@ -165,26 +165,24 @@ def test_the_page_counts_claimed_and_refused_cases_by_rule() -> None:
         },
         {"case": "suite: failed, seed 1", "suite": "suite", "rule": "", "verdict": "failed"},
     ]
-    page = refused.page(found, found[4:6], 1)
-    text = " ".join(page)
-    assert (
-        "10 cases drawn from 1 suites, of which 8 have a class or pair with a probability; and all 2 " in text
+    tables = refused.tables(found, found[4:6], 1)
+    facts = tables["summary"].values()
+    assert [facts[name] for name in ("cases drawn", "suites", "with a class or pair")] == ["10", "1", "8"]
+    assert (facts["cases with few rows"], facts["failed"]) == ("2", "1")
+    shares, rules = (
+        {tuple(row[:2]): " ".join(row[2:]).strip() for row in tables[name].rows}
+        for name in ("shares", "rules")
     )
-    assert " 1 failed" in text
-    stated, accepted = (page.index(f"## {how}") for how in ("As stated", "As if accepted"))
-    assert [row for row in page[stated:accepted] if row.startswith("| ")][1:] == [
-        "| claimed | 2 | 1 |  | 1 | 0.50 |",
-        "| refused | 1 | 1 |  |  | 1.00 |",
-        "| all | 3 | 2 |  | 1 | 0.67 |",
-    ]
-    rows = page[accepted:]
-    assert "| refused | 4 | 2 | 1 | 1 | 0.50 |" in rows
-    assert "| claims.one_row | 3 | 2 | 1 |  | 1 | 0.50 |  |" in rows
-    assert "| claims.one_row | 2 | 2 | 1 |  | 1 | 0.50 |  |" in rows
-    assert "| claims.several | 1 | 1 | 1 |  |  | 1.00 | 1 |" in rows
-    assert "| open.real | 1 | 1 |  | 1 |  | 0.00 |  |" in rows
-    assert "| claims.one_row | 3 | 1 |  | 1 | 1: claims.errors |" in rows
-    assert sum("| payload | payload or belt_mass |" in row for row in rows) == 4
+    assert shares["as stated", "claimed"] == "2 1 0 1 0.50"
+    assert shares["as stated", "refused"] == "1 1 0 0 1.00"
+    assert shares["as stated", "all"] == "3 2 0 1 0.67"
+    assert shares["as if accepted", "refused"] == "4 2 1 1 0.50"
+    assert rules["drawn", "claims.one_row"] == "3 2 1 0 1 0.50 0"
+    assert rules["few rows", "claims.one_row"] == "2 2 1 0 1 0.50 0"
+    assert rules["drawn", "claims.several"] == "1 1 1 0 0 1.00 1"
+    assert rules["drawn", "open.real"] == "1 1 0 1 0 0.00 0"
+    assert ("claims.one_row", "3", "1", "0", "1", "1", "claims.errors") in tables["without"].rows
+    assert sum(row[2:4] == ("payload", "payload or belt_mass") for row in tables["cases"].rows) == 4
 
 
 def test_a_run_that_was_stopped_goes_on_and_only_what_was_asked_for_is_counted(
@@ -204,7 +202,7 @@ def test_a_run_that_was_stopped_goes_on_and_only_what_was_asked_for_is_counted(
         refused.main()
     assert sorted(tried) == list(range(6))
     printed = capsys.readouterr()
-    counted = [f"{count} cases drawn from 1 suites" in printed.out for count in range(8)]
+    counted = [f"|cases drawn|{count}|" in printed.out for count in range(8)]
     assert counted == [count in (2, 4, 6) for count in range(8)]
-    assert " 1 failed" in printed.out
+    assert "|failed|1|" in printed.out
     assert "no such mode" in printed.err

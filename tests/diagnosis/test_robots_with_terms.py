@@ -11,7 +11,7 @@ from helpers.diagnoses.robot_structures import declared, index, structure_at
 from pkmodes.loop.diagnosis import Prediction
 from pkmodes.loop.updating.robot_with_terms import ExtensibleRobot, RobotWithTerms
 from pkmodes_rig.one_place import Fault, modes_of
-from pkmodes_rig.suites.specimens import MACHINES, robot_of
+from studies.specimens import MACHINES, robot_of
 
 #: A fault of each form, at places of each kind; a rail yields across itself on the tower, and obliquely on the other.
 FAULTS = {

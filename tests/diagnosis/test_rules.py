@@ -16,7 +16,7 @@ from pkmodes.loop.diagnosis.damping.rules import LOSSES
 from pkmodes.loop.diagnosis.verdict import rules, unexplained
 from pkmodes.loop.diagnosis.verdict.evidence import Evidence, Rule
 from pkmodes.loop.diagnosis.verdict.verdicts import AMBIGUOUS
-from pkmodes_rig.suites.deciding import SUITES, counts, name_of, read
+from studies.deciding import SUITES, counts, name_of, read
 
 ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs/reference/verdicts.md"

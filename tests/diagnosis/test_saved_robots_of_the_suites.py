@@ -17,9 +17,9 @@ from pkmodes.core.robot.robot import Robot
 from pkmodes.core.support.covariance import priors_of
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes.loop.measured.measurements import Measurements
-from pkmodes_rig.suites import clear_cases, six_legged_suites
-from pkmodes_rig.suites.deciding import SUITES
-from pkmodes_rig.suites.specimens import MACHINES, text_of
+from studies import clear_cases, six_legged_suites
+from studies.deciding import SUITES
+from studies.specimens import MACHINES, text_of
 
 #: The suites, and which share of their cases is run every time: one in this many.
 CASES: dict[str, tuple[Callable[[], Iterator[Any]], Callable[[Any], Any], int]] = {

@@ -16,7 +16,7 @@ from pkmodes import updating
 from pkmodes.core.robot.robot import Robot
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes_rig import POSES, ROBOTS, identified, written
-from pkmodes_rig.suites.specimens import Specimen
+from studies.specimens import Specimen
 
 #: True stiffness of the motors [N m/rad], and compliances of the clamps that the three modes do not show [m/N].
 MOTORS, CLAMPS = 16.5, (5e-7, 1e-6, 2e-6)

@@ -1,6 +1,6 @@
-"""Verdicts on machines with six legs: a few measurements as those of `tests/pkmodes_rig/suites/six_legged_suites.py`.
+"""Verdicts on machines with six legs: a few measurements as those of `tests/studies/six_legged_suites.py`.
 
-How often each verdict is right is measured by the whole suites, in docs/six-legs-measured.md.  Here the causes have a
+How often each verdict is right is measured by the whole suites, in docs/reference/results.md.  Here the causes have a
 fixed size, because the search for one takes longer than a diagnosis.
 """
 
@@ -12,11 +12,11 @@ import pytest
 
 from pkmodes import updating
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
-from pkmodes_rig.suites import clear_cases, six_legged_suites
-from pkmodes_rig.suites.clear_cases import ClearCase
-from pkmodes_rig.suites.judging import judged, same_of
-from pkmodes_rig.suites.motors import shows
-from pkmodes_rig.suites.specimens import (
+from studies import clear_cases, six_legged_suites
+from studies.clear_cases import ClearCase
+from studies.judging import judged, same_of
+from studies.motors import shows
+from studies.specimens import (
     PLATFORM,
     SIX_LEGGED,
     Specimen,

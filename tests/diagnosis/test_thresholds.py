@@ -1,4 +1,4 @@
-"""Thresholds halved and doubled: shadows notice what makes a difference, and the page has every threshold."""
+"""Thresholds halved and doubled: shadows notice what makes a difference, and the table has every threshold."""
 
 from __future__ import annotations
 
@@ -13,10 +13,11 @@ import pytest
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.loop.diagnosis import Criteria
 from pkmodes.loop.diagnosis.criteria import ShapeCriteria
-from pkmodes_rig.suites.shadows import Shadowed
-from pkmodes_rig.suites.thresholds import defaults, differs, limited, numbers, scaled
+from studies.shadows import Shadowed
+from studies.tables import read
+from studies.thresholds import defaults, differs, limited, numbers, scaled
 
-PAGE = Path(__file__).parents[2] / "docs/thresholds-measured.md"
+RESULTS = Path(__file__).parents[2] / "docs/results/thresholds"
 rows = np.array([0.5, 3.0, np.nan])
 #: Calculations with a threshold of 2, what they give, and whether they notice 1 and 4.
 CALCULATIONS: list[tuple[Callable[[Any], Any], Any, str]] = [
@@ -86,11 +87,14 @@ def test_a_diagnosis_that_does_not_end_is_stopped() -> None:
         all(True for _ in itertools.count())
 
 
-def test_the_page_has_every_threshold_and_why_it_stays_if_no_case_notices_it() -> None:
-    cells = [line.split(" | ") for line in PAGE.read_text(encoding="utf-8").splitlines() if line[:3] == "| `"]
-    assert [(one[0][3:-1], one[1]) for one in cells] == [
+def test_the_table_has_every_threshold_and_why_it_stays_if_no_case_notices_it() -> None:
+    tables = read(RESULTS)
+    rows = tables["thresholds"].records()
+    assert [(row["threshold"], row["value"]) for row in rows] == [
         (name, f"{value:g}") for name, value in numbers().items()
     ]
-    for name, _, _, half, _, double, why in cells:
-        unchanged = half.startswith("0 of") and double.startswith("0 of")
-        assert bool(why.removesuffix("|").strip()) is unchanged, name
+    letters = {row["letter"] for row in tables["reasons"].records()}
+    for row in rows:
+        unchanged = row["half: changed"] == row["double: changed"] == "0"
+        assert bool(row["why it stays"]) is unchanged, row
+        assert not unchanged or row["why it stays"].partition(",")[0] in letters

@@ -26,11 +26,11 @@ from pkmodes.loop.diagnosis.readings.wirings import Wiring
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.updating.measured_robot import MeasuredRobot
 from pkmodes_rig import ORDERS, POSES, SENSORS, followed, measure_modes, read
-from pkmodes_rig.suites.cases import tried
-from pkmodes_rig.suites.hard_suites import UNDECIDED
-from pkmodes_rig.suites.mechanism_cases import MechanismCase, measured
-from pkmodes_rig.suites.specimens import Specimen, measurements, measurements_of, robot_of
-from pkmodes_rig.suites.suites import SUITES
+from studies.cases import tried
+from studies.hard_suites import UNDECIDED
+from studies.mechanism_cases import MechanismCase, measured
+from studies.specimens import Specimen, measurements, measurements_of, robot_of
+from studies.suites import SUITES
 
 PLATFORM = ("p_x", "p_y", "p_z")
 #: Near the axis of a tower printer two pairs of modes have nearly equal frequencies; elsewhere they are separate.

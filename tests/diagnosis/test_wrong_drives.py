@@ -16,9 +16,9 @@ from helpers.commands.printed_tables import printed_table
 from pkmodes import updating
 from pkmodes.loop.diagnosis import Diagnosis
 from pkmodes_rig import MISTAKES
-from pkmodes_rig.suites.mechanism_cases import MechanismCase, measured
-from pkmodes_rig.suites.motors import OTHER_DRIVES
-from pkmodes_rig.suites.specimens import Specimen, measurements_of, robot_of
+from studies.mechanism_cases import MechanismCase, measured
+from studies.motors import OTHER_DRIVES
+from studies.specimens import Specimen, measurements_of, robot_of
 
 MACHINES = ("rotary_delta", "corexy")
 SIZES = {

@@ -13,8 +13,8 @@ import pytest
 
 from helpers.golden.case_book import check, said
 from helpers.golden.outcomes import GOLDEN
-from pkmodes_rig.suites import one_place, one_place_judging
-from pkmodes_rig.suites.deciding import SUITES, Line, line_of, read, write
+from studies import one_place, one_place_judging
+from studies.deciding import SUITES, Line, line_of, read, write
 
 #: The rule that decided each case.
 RULES = GOLDEN / "rules.jsonl"

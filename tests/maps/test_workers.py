@@ -39,9 +39,9 @@ from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.mechanism import registry as mechanism
 from pkmodes.machine.maps import mapping, running
 from pkmodes.machine.maps.evaluating import Task
-from pkmodes_rig.suites import mechanism_cases, mechanism_suites
-from pkmodes_rig.suites.mechanism_cases import MechanismOutcome
-from pkmodes_rig.suites.running import Pool, run_all
+from studies import mechanism_cases, mechanism_suites
+from studies.mechanism_cases import MechanismOutcome
+from studies.running import Pool, run_all
 
 #: Longer than any machine takes to start or to answer [s].
 LONG = 600
@@ -298,7 +298,7 @@ def test_every_suite_with_a_pool_takes_a_scheduler(suite: str, monkeypatch: pyte
     monkeypatch.setattr(running, "PATIENCE", 1)
     monkeypatch.setattr(sys, "argv", [suite, "--scheduler", "nonsense://x"])
     with pytest.raises(SystemExit, match="error: cannot reach the scheduler"):
-        import_module(f"pkmodes_rig.suites.{suite}").main()
+        import_module(f"studies.{suite}").main()
 
 
 def test_a_worker_that_would_run_several_cases_in_one_process(

@@ -21,6 +21,7 @@ from pkmodes.loop.diagnosis.verdict.findings import Finding
 from pkmodes.pages.report.action import LIKELY, _alike, action
 from pkmodes.pages.report.formatting import sentence
 from pkmodes.pages.report.setting import ReportSetting
+from studies import tables
 
 ROOT = Path(__file__).parents[2]
 #: Words that are surer than a verdict without a claim.
@@ -142,14 +143,21 @@ def test_a_declared_value_is_to_be_measured_again() -> None:
 
 def test_the_documentation_says_how_often_each_word_is_right() -> None:
     """From the table that the suites wrote: the explanations with a probability from each limit to the next."""
-    text = (ROOT / "docs" / "probabilities-measured.md").read_text(encoding="utf-8")
-    rows = re.findall(r"^\| ([\d.]+) to [\d.]+ \| (\d+) \| [\d.]+ \| (\d+) \|", text, re.M)
+    rows = [
+        row
+        for row in tables.read(ROOT / "docs/results/probabilities")["probabilities"].records()
+        if row["by"] == "largest probability" and row["group"] != "all"
+    ]
     rates, above = [], 1.01
     for least, _ in LIKELY:
-        some = [(int(count), int(right)) for low, count, right in rows if least <= float(low) < above]
+        some = [
+            (int(row["cases"]), int(row["right"]))
+            for row in rows
+            if least <= float(row["group"].partition(" to ")[0]) < above
+        ]
         rates.append(round(100 * sum(right for _, right in some) / sum(count for count, _ in some)))
         above = least
-    said = f"{rates[0]}, {rates[1]} and {rates[2]} % [were right](../probabilities-measured.md)"
+    said = f"{rates[0]}, {rates[1]} and {rates[2]} % [were right](../reference/results.md#probabilities)"
     assert said in (ROOT / "docs" / "explanation/diagnosis.md").read_text(encoding="utf-8").replace(
         "\n  ", " "
     )

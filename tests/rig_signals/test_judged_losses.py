@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 
 from pkmodes_rig.signals.small_motion import Losses
-from pkmodes_rig.suites import campaign_cases
-from pkmodes_rig.suites.campaign_machines import CampaignCase
+from studies import campaign_cases
+from studies.campaign_machines import CampaignCase
 
 CASE = CampaignCase(1, 0, 60, "published", "impact", True, "payload", False)
 DISSIPATING = Losses(0.004, {"x_1": 2.0}, factor=0.01)

@@ -14,10 +14,10 @@ from pkmodes_rig.signals.campaigns import Made
 from pkmodes_rig.signals.modal_tests import Flaws, ModalTest, Recorded
 from pkmodes_rig.signals.sensors import Room, Sensor
 from pkmodes_rig.signals.small_motion import Losses, SmallMotion, small_motion
-from pkmodes_rig.suites.campaign_cases import CampaignOutcome
-from pkmodes_rig.suites.campaign_judging import counting, judge
-from pkmodes_rig.suites.campaign_machines import bench, cases
-from pkmodes_rig.suites.campaign_table import table
+from studies.campaign_cases import CampaignOutcome
+from studies.campaign_judging import counting, judge
+from studies.campaign_machines import bench, cases
+from studies.campaign_table import table
 
 BAND = (10.0, 100.0)
 

@@ -8,7 +8,7 @@ import pytest
 from pkmodes_rig import corexy
 from pkmodes_rig.signals.small_motion import Losses
 from pkmodes_rig.signals.visits import Machine, Visit, Wander
-from pkmodes_rig.suites.specimens import robot_of
+from studies.specimens import robot_of
 
 POSE = np.array([0.11, 0.2])
 

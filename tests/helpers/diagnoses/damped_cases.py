@@ -12,7 +12,7 @@ from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes_rig import TrueModes
 from pkmodes_rig.dissipation import coulomb_ratios, damping_ratios
-from pkmodes_rig.suites.specimens import MACHINES, Specimen, robot_of
+from studies.specimens import MACHINES, Specimen, robot_of
 
 #: Poses, and the most modes at each.
 POSES, MODES = 8, 6

@@ -296,7 +296,7 @@ class ReadingCriteria:
 class Criteria:
     """Thresholds of pairing, fits, search and verdict.
 
-    The error rates in docs/diagnosis-measured.md were measured with the defaults.  One threshold is changed by
+    The error rates in docs/reference/results.md were measured with the defaults.  One threshold is changed by
     ``Criteria(claim=ClaimCriteria(told_apart=16.0))``.
     """
 

@@ -36,7 +36,7 @@ def diagnose(
     progress : callable, optional
         Called with a sentence at each step.
     criteria : Criteria, optional
-        Thresholds.  The error rates in docs/diagnosis-measured.md hold for the default ones.
+        Thresholds.  The error rates in docs/reference/results.md hold for the default ones.
     terms : bool, optional
         Whether a structure that is extensible, such as a `MatrixStructure`, is tried with terms, one thing at one
         place, where the candidates do not explain the measurements.

@@ -50,7 +50,7 @@ WHERE_ELSE = {
     "parameter:": "the {words}: measure or look it up again",
 }
 #: Wording of a probability, by its lower bound: 96, 80 and 52 % of the most probable explanations were right
-#: (docs/probabilities-measured.md).
+#: (docs/reference/results.md).
 LIKELY = ((0.9, "very likely that"), (0.7, "likely that"), (0.0, "doubtful whether"))
 #: Probabilities above this are not distinguished.
 SUREST = 0.99
