@@ -71,7 +71,12 @@ def schedule_of(
     best = [choice.candidates[choice.recommended].shaper for choice in choices]
     scheduled = each_setting(best, at)
     serves, ends = _between(model, poses, at, parameter, best)
-    heights = _heights(serves, height)
+    heights = []  # of the layers between which each shaper serves
+    if serves and height is not None:
+        values, layers = (serves[0][0], serves[-1][1]), tuple(map(float, height))
+        heights = [
+            (float(np.interp(a, values, layers)), float(np.interp(b, values, layers))) for a, b in serves
+        ]
     fixed = whole.candidates[whole.recommended].shaper
     steps = [
         Step(
@@ -142,19 +147,6 @@ def _between(
         for i in (k, k + 1):
             ends[i] = max(ends[i], float(shaped_by(best[i], part).max() / part.unshaped.max()))
     return list(pairwise([values[0], *halfway, values[-1]])), ends
-
-
-def _heights(
-    serves: Sequence[tuple[float, float]], height: Sequence[float] | None
-) -> list[tuple[float, float]]:
-    """Return the layer heights between which each shaper serves."""
-    if not serves or height is None:
-        return []
-    values, layers = (serves[0][0], serves[-1][1]), tuple(map(float, height))
-    return [
-        (float(np.interp(low, values, layers)), float(np.interp(high, values, layers)))
-        for low, high in serves
-    ]
 
 
 def notes_of(schedule: Schedule) -> list[str]:
