@@ -10,6 +10,7 @@ import hashlib
 import json
 import sys
 from collections.abc import Iterable
+from contextlib import suppress
 from functools import cache
 from importlib import import_module
 from importlib.util import module_from_spec, spec_from_file_location
@@ -108,15 +109,10 @@ def _check(folder: Path) -> None:
         raise PkmodesError(problem, str(folder), GIVE)
     missing = [name for name in FILES if not (folder / name).is_file()]
     if missing:
-        problem = f"expected the folder of a generated mechanism, but {missing[0]} is missing"
-        raise PkmodesError(problem, str(folder), _instead(folder) or GIVE)
-
-
-def _instead(folder: Path) -> str:
-    """Return a remedy for the folder of a robot's model: the mechanism folder inside it, if there is one."""
-    try:
-        name = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))["mechanism"]
-        within = (folder / name / "description.json").is_file()
-    except (OSError, ValueError, LookupError, TypeError, RecursionError):
-        return ""
-    return f"give the mechanism folder inside it: {folder / name}" if within else ""
+        problem, remedy = f"expected the folder of a generated mechanism, but {missing[0]} is missing", GIVE
+        with suppress(OSError, ValueError, LookupError, TypeError, RecursionError):
+            # The folder of a robot's model may have that of its mechanism inside.
+            name = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))["mechanism"]
+            if (folder / name / "description.json").is_file():
+                remedy = f"give the mechanism folder inside it: {folder / name}"
+        raise PkmodesError(problem, str(folder), remedy)

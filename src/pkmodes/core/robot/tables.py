@@ -138,22 +138,22 @@ class Tables:
         quantities: dict[str, Quantity] = {}
         for name, table in raw.items():
             path = f"{EFFECTS}.{name}"
-            if name not in self.mechanism.effects:
-                self._no_effect(name)
+            applicable = self.mechanism.effects
+            if name not in applicable and any(
+                name in registry.mechanism(mechanism_name).effects for mechanism_name in registry.names()
+            ):
+                problem = f"the effect {name} does not apply to the mechanism {self.mechanism.name}"
+                self.problem(
+                    f"{EFFECTS}.{shown(name)}", problem, f"effects that apply: {', '.join(applicable)}"
+                )
+            elif name not in applicable:
+                problem = f"unknown effect {shown(name)}"
+                self.problem(f"{EFFECTS}.{shown(name)}", problem, nearest_name(name, applicable))
             elif not isinstance(table, dict):
                 self.problem(path, f"expected a table, found {shown(table)}", f"write a table [{path}]")
             else:
                 quantities |= self._effect(self.mechanism.effects[name], table, values)
         return quantities
-
-    def _no_effect(self, name: str) -> None:
-        """Add a problem for an effect that this mechanism does not have."""
-        applicable, path = self.mechanism.effects, f"{EFFECTS}.{shown(name)}"
-        if any(name in registry.mechanism(mechanism_name).effects for mechanism_name in registry.names()):
-            problem = f"the effect {name} does not apply to the mechanism {self.mechanism.name}"
-            self.problem(path, problem, f"effects that apply: {', '.join(applicable)}")
-        else:
-            self.problem(path, f"unknown effect {shown(name)}", nearest_name(name, applicable))
 
     def _effect(
         self, effect: Effect, table: Mapping[str, Any], declared: Mapping[str, Quantity | None]

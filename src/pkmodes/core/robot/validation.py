@@ -6,7 +6,6 @@ reported as missing.  Conditions on the robot as a whole are checked only if not
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import replace
 from typing import Any, NamedTuple
@@ -214,7 +213,17 @@ def _parameters(mechanism: Mechanism, values: Values) -> Parameters:
         if item.key.field and item.index is not None:
             for element, number in _numbers(item.key, values[item.path]).items():
                 fields[item.key.field][(*item.index, *element)] = number
-    return mechanism.model.Parameters(**{field: _filled(numbers) for field, numbers in fields.items()})
+    filled: dict[str, float | np.ndarray] = {}
+    for field, numbers in fields.items():
+        if () in numbers:
+            filled[field] = numbers[()]
+            continue
+        array = np.full(np.max(list(numbers), axis=0) + 1, np.nan)
+        for index, number in numbers.items():
+            array[index] = number
+        array.flags.writeable = False
+        filled[field] = array
+    return mechanism.model.Parameters(**filled)
 
 
 def _with_numbers(parameters: Parameters, changed_items: Iterable[Item], values: Values) -> Parameters:
@@ -247,16 +256,6 @@ def _number(value: schema.Value | float) -> float:
     """Return the number of a value that is not a vector."""
     assert not isinstance(value, tuple)
     return value.value if isinstance(value, Quantity) else float(value)
-
-
-def _filled(numbers: Mapping[tuple[int, ...], float]) -> float | np.ndarray:
-    if () in numbers:
-        return numbers[()]
-    array = np.full(np.max(list(numbers), axis=0) + 1, np.nan)
-    for index, number in numbers.items():
-        array[index] = number
-    array.flags.writeable = False
-    return array
 
 
 def _quantities(mechanism: Mechanism, values: Values) -> dict[str, Quantity]:
@@ -329,9 +328,20 @@ def _check(
     numbers: Mapping[str, Quantity],
     problem: Problem,
 ) -> None:
-    """Add a problem for each place where a requirement is violated."""
+    """Add a problem for each place where a requirement is violated.
+
+    In its sentence ``{limits.min}`` is the value at that path in the table of the place.
+    """
     for place, margin in violated(requirement, margins).items():
-        problem(place, _sentence(requirement, place, margin, numbers), requirement.remedy)
+        values = {
+            "missing": Quantity(0.0 - margin, requirement.unit),
+            "value": Quantity(margin, requirement.unit),
+            **{path.removeprefix(f"{place.rpartition('.')[0]}."): number for path, number in numbers.items()},
+        }
+        sentence = requirement.sentence
+        for name, quantity in values.items():
+            sentence = sentence.replace(f"{{{name}}}", with_unit(quantity.value, quantity.unit))
+        problem(place, sentence, requirement.remedy)
 
 
 def violated(requirement: Requirement, margins: Any) -> dict[str, float]:
@@ -341,17 +351,3 @@ def violated(requirement: Requirement, margins: Any) -> dict[str, float]:
         for place, margin in zip(requirement.places, np.ravel(margins).tolist(), strict=True)
         if not (margin > 0.0 or (margin == 0.0 and requirement.rule == "at_least_zero"))
     }
-
-
-def _sentence(requirement: Requirement, place: str, margin: float, numbers: Mapping[str, Quantity]) -> str:
-    """Format a requirement's sentence; ``{limits.min}`` is the value at that path in the table of the place."""
-    values = {
-        "missing": Quantity(0.0 - margin, requirement.unit),
-        "value": Quantity(margin, requirement.unit),
-        **{path.removeprefix(f"{place.rpartition('.')[0]}."): number for path, number in numbers.items()},
-    }
-
-    def written(match: re.Match[str]) -> str:
-        return with_unit(values[match[1]].value, values[match[1]].unit)
-
-    return re.sub(r"\{([\w.]+)\}", written, requirement.sentence)

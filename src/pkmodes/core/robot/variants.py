@@ -51,9 +51,12 @@ def with_values(robot: Declaration, values: Mapping[str, Any]) -> Declaration:
     other = changed(robot, changes, source)
     if other is None:
         other = _read(robot, {**raw_values(robot), **changes}, source)
-    if robot.covariance:
+    if robot.covariance:  # a value without a standard deviation has no correlations
+        paths = {path for table in robot.covariance for path in table.paths}
+        sigmas = {path: quantity.sigma for path, quantity in other.quantities.items() if path in paths}
+        new = {path: sigmas.get(path) for path in paths if sigmas.get(path) != robot.quantities[path].sigma}
         content = other.kept[CONTENT]
-        other = replace(other, covariance=_covariance(robot, other))
+        other = replace(other, covariance=with_sigmas(robot.covariance, new))
         other.kept[CONTENT] = content
     return other
 
@@ -114,18 +117,6 @@ def _read(
     return declaration(document, source)
 
 
-def _covariance(robot: Declaration, changed: Declaration) -> tuple[Covariance, ...]:
-    """Return the correlations of a robot with other values: a value without a standard deviation has none."""
-    sigmas = {path: quantity.sigma for path, quantity in changed.quantities.items()}
-    changed_sigmas = {
-        path: sigmas.get(path)
-        for table in robot.covariance
-        for path in table.paths
-        if sigmas.get(path) != robot.quantities[path].sigma
-    }
-    return with_sigmas(robot.covariance, changed_sigmas)
-
-
 def _changes(robot: Declaration, values: Mapping[str, Any], source: str) -> dict[str, Any]:
     """Return the changed values of the file by path, as a robot file could contain them."""
     lent_paths = lent(robot.mechanism)
@@ -180,7 +171,13 @@ def _elements(robot: Declaration, path: str, raw: Any, source: str) -> dict[str,
         group = of_mechanism[path]
         return dict(elements_of(robot, group, _value_of_group(robot, group, raw, source)))
     if unit is not None:
-        _check_taken(robot, path)
+        overrides = [item.path for item in takers(robot.mechanism).get(path, ())]
+        if overrides and all(taker in robot.quantities for taker in overrides):  # it would have no effect
+            raise PkmodesError(
+                f"no {overrides[0].partition('.')[0]} takes the shared value {path}: each overrides it",
+                robot.source,
+                f"change {', '.join(overrides[:-1])} and {overrides[-1]}",
+            )
         return {path: raw}
     item = by_path(robot.mechanism).get(path)
     if item is None:
@@ -231,17 +228,6 @@ def _value_of_group(robot: Declaration, group: ParameterGroup, raw: Any, source:
         return schema.quantity(raw, items_of(robot.mechanism, group)[0].key.dimension, above=0.0).value
     except schema.RefusedError as error:
         raise PkmodesError(error.what, where, error.remedy) from None
-
-
-def _check_taken(robot: Declaration, path: str) -> None:
-    """Reject a change of a shared value that every entry overrides: it would have no effect."""
-    overrides = [item.path for item in takers(robot.mechanism).get(path, ())]
-    if overrides and all(taker in robot.quantities for taker in overrides):
-        raise PkmodesError(
-            f"no {overrides[0].partition('.')[0]} takes the shared value {path}: each overrides it",
-            robot.source,
-            f"change {', '.join(overrides[:-1])} and {overrides[-1]}",
-        )
 
 
 def _with_sigma(raw: Any, before: Quantity | None) -> Any:
