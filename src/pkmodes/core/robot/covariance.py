@@ -196,7 +196,9 @@ def _correlation(raw: Any, count: int, where: str, problem: Problem) -> tuple[tu
     if least < -ROUNDING:
         message = f"expected a positive semidefinite matrix, found an eigenvalue of {least:.3g}"
         problem(
-            where, message, "no values are correlated like this: write more digits, or smaller correlations"
+            where,
+            message,
+            "no set of values can be correlated like this: write more digits, or smaller correlations",
         )
         return None
     return tuple(tuple(row) for row in matrix.tolist())
@@ -208,7 +210,7 @@ def _own_sigmas(
     count = len(members)
     if not isinstance(raw, list) or len(raw) != count:
         actual = f"a list of {len(raw)}" if isinstance(raw, list) else shown(raw)
-        remedy = f"write one for each of {PATHS}, or leave {SIGMA} out for those of the values"
+        remedy = f"write one for each of {PATHS}, or leave {SIGMA} out to use those of the values"
         problem(where, f"expected {count} standard deviations, found {actual}", remedy)
         return None
     sigmas = []

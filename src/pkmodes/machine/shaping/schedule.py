@@ -107,7 +107,7 @@ def check_heights(height: Any, parameter: str | None) -> None:
     check_argument(height, HEIGHTS, "height", "for example: (0.0, 0.2)")
     if parameter is None:
         problem = (
-            "layer heights belong to one parameter that takes several values, and there is not exactly one"
+            "layer heights belong to one parameter that takes several values, but there is not exactly one"
         )
         raise PkmodesError(problem, "height", "give several values to one parameter, such as a payload")
 
@@ -167,11 +167,11 @@ def notes_of(schedule: Schedule) -> list[str]:
     if lacking and schedule.steps[0].choice.firmware is None:
         notes.append(
             f"no schedule for {joined(lacking)}, which lack{'s' if len(lacking) == 1 else ''} one of its shapers; "
-            "--firmware schedules only those that one has"
+            "--firmware NAME schedules only shapers that this firmware has"
         )
     if schedule.steps[0].heights is not None:
         notes.append(
-            f"the heights are those of a print with which {schedule.parameter} grows evenly, as one with the same "
-            "cross-section in every layer"
+            f"the heights are those of a print with which {schedule.parameter} grows evenly, such as one with the "
+            "same cross-section in every layer"
         )
     return notes
