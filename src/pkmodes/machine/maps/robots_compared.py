@@ -274,17 +274,11 @@ def _at(first: Model, second: Model, poses: Array, drives: str) -> tuple[NDArray
         phi = phi / np.where(size > 0.0, size, 1.0)  # a part of a shape is not mass-normalised
         likeness = mass_weighted_mac(phi @ mass @ np.swapaxes(psi, 1, 2), psi, mass)
         for row, table in zip(both, likeness, strict=True):
-            mine, partners = _pairs(table)
+            # One to one, with the largest sum of MAC.
+            mine, partners = np.arange(len(table)), table.argmax(axis=1)
+            if len(np.unique(partners)) < len(partners):
+                mine, partners = linear_sum_assignment(table, maximize=True)
             partner[row, mine] = partners
             relative[row, mine] = g[row, partners] / f[row, mine] - 1.0
             mac[row, mine] = table[mine, partners]
     return *reached, f, relative, partner, mac
-
-
-def _pairs(mac: Array) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """Return the one-to-one assignment with the largest sum of MAC."""
-    order = mac.argmax(axis=1)
-    if len(np.unique(order)) == len(order):
-        return np.arange(len(order)), order
-    mine, partners = linear_sum_assignment(mac, maximize=True)
-    return mine, partners

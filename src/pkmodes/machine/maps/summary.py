@@ -149,12 +149,17 @@ def summary_of(dataset: xarray.Dataset, file: str | None) -> MapSummary:
     rows = quantiles(ordinary_frequencies, list(SHARES.values())).tolist()
     # As people read them: swept parameters, then x, y, z, which a dataset has reversed.
     pose = [dim for dim in leading if "." not in dim and dim != SAMPLE]
-    axes = [*(dim for dim in leading if dim not in pose), *reversed(pose)]
+    ranges: dict[str, list[Any]] = {}
+    for dim in (*(dim for dim in leading if dim not in pose), *reversed(pose)):
+        values = dataset[dim].values
+        labels = values.dtype.kind not in "fiu"
+        ends = (values[0], values[-1]) if labels else (values.min(), values.max())
+        ranges[dim] = [end.item() for end in ends]
     return MapSummary(
         robot=dataset.attrs["robot"],
         file=file,
         dimensions={str(name): int(size) for name, size in dataset.sizes.items()},
-        ranges={dim: _range(dataset[dim].values) for dim in axes},
+        ranges=ranges,
         poses=int(np.prod([dataset.sizes[dim] for dim in leading])),
         valid=valid,
         counted=counted,
@@ -208,10 +213,3 @@ def _at(extreme: tuple[float, list[int]] | None, dataset: xarray.Dataset) -> dic
         return None
     condition = dataset["condition"][tuple(extreme[1])]
     return {str(key): coordinate.values.item() for key, coordinate in condition.coords.items()}
-
-
-def _range(values: NDArray[Any]) -> list[Any]:
-    """Return the lowest and highest value along an axis, of labels the first and last."""
-    if values.dtype.kind in "fiu":
-        return [values.min().item(), values.max().item()]
-    return [values[0].item(), values[-1].item()]
