@@ -145,7 +145,7 @@ def test_a_file_says_what_it_shows_below_everything_and_in_its_metadata(files: d
         ),
         (["--grid", "x=300:800:5,y=-0.1:0.1:5,z=-0.245"], "the numbers look like millimetres"),
         (["--grid", "x=0.8:0.3:5,y=-0.1:0.1:5,z=-0.245"], "the range is reversed"),
-        (["--grid", "x=0.3:0.8:5,y=-0.1:0.1:5"], "the grid does not say z"),
+        (["--grid", "x=0.3:0.8:5,y=-0.1:0.1:5"], "the grid gives no values of z"),
         (["--format", "gif"], "'gif' is not one of 'svg', 'png', 'pdf'"),
     ],
 )

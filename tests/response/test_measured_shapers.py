@@ -335,7 +335,7 @@ def test_spectra_that_are_none_are_refused_with_what_to_do(tmp_path: Path) -> No
         ),
         (
             ["--measured", "MODES", "--shapers", "zv*zv*zv"],
-            "zv*zv*zv is for 3 modes, and 2 count (--shapers)",
+            "zv*zv*zv is for 3 modes, but only 2 count (--shapers)",
         ),
         (["--measured", "MODES", "--out", "curves.txt"], "expected a name that ends in .csv"),
     ],

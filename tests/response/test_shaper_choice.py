@@ -247,7 +247,7 @@ def test_what_a_chosen_firmware_lacks_is_not_recommended() -> None:
     [
         ({"kinds": ["zw"]}, 'found "zw"'),
         ({"kinds": []}, "expected at least one kind of shaper, found none (kinds)"),
-        ({"kinds": ["zv*zv*zv"], "modes": 2}, "zv*zv*zv is for 3 modes, and 2 count (kinds)"),
+        ({"kinds": ["zv*zv*zv"], "modes": 2}, "zv*zv*zv is for 3 modes, but only 2 count (kinds)"),
         ({"modes": 7}, "expected at most the 6 modes that the machine has with motors held, found 7 (modes)"),
         ({"modes": 0}, "expected a positive integer, found 0 (modes)"),
         ({"left": 0.0}, "expected a share above 0 and at most 1, found 0.0 (left)"),

@@ -53,12 +53,21 @@ def specification(robot: Robot, robot_file: str, definition: str = "") -> Any:
     if stored_definition is not None:
         define(stored_definition)
     add_effects(robot.mechanism_name, effects_of(robot.mechanism))
+    parameters = {
+        name: value.tolist() if hasattr(value, "tolist") else value
+        for name, value in robot.parameters._asdict().items()
+    }
+    # Of the declared effects also the parameters that are not given.
+    effects = {
+        f"{name}_{parameter.name}": robot.effects.get(f"{name}.{parameter.name}", 0.0)
+        for name in dict.fromkeys(path.partition(".")[0] for path in robot.effects)
+        for parameter in robot.mechanism.effects[name].parameters
+    }
     return derivation("emit.specification").Specification(
         name=robot.name,
         mechanism=robot.mechanism_name,
         robot_file=robot_file,
-        fields={name: _plain(value) for name, value in robot.parameters._asdict().items()}
-        | {name.replace(".", "_"): robot.effects.get(name, 0.0) for name in _effect_parameters(robot)},
+        fields={**parameters, **effects},
         values=robot.declared,
         effects=active_effects(robot.mechanism, robot.effects),
         damping_ratio=robot.damping_ratio,
@@ -67,22 +76,11 @@ def specification(robot: Robot, robot_file: str, definition: str = "") -> Any:
     )
 
 
-def _effect_parameters(robot: Robot) -> list[str]:
-    """Return the parameters of the declared effects, including those that are not given."""
-    declared = dict.fromkeys(path.partition(".")[0] for path in robot.effects)
-    catalogue = robot.mechanism.effects
-    return [f"{name}.{parameter.name}" for name in declared for parameter in catalogue[name].parameters]
-
-
 def specialised(specification: Any) -> dict[str, str]:
     """Derive the model of one robot and return its texts by file name."""
     with as_pkmodes_errors():
         texts: dict[str, str] = derivation("emit.product").specialised(specification)
     return texts
-
-
-def _plain(value: Any) -> Any:
-    return value.tolist() if hasattr(value, "tolist") else value
 
 
 @dataclass(frozen=True)

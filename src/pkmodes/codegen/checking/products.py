@@ -19,11 +19,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.codegen.checking.consistency import Check, check_consistency, check_drawing
-from pkmodes.codegen.checking.given_files import check_given_file
 from pkmodes.codegen.derivation import (
     add_effects,
     derivation,
     parametric,
+    python_text,
     read_definition,
     read_effect,
     staged,
@@ -92,7 +92,14 @@ def check_folder(folder: Path) -> Report:
     Raises PkmodesError if the folder holds no generated code, its robot file is invalid, or its manifest does not
     record a robot.
     """
-    recorded = _manifest_of(folder)
+    place = folder / MANIFEST
+    remedy = "give a folder written by: pkmodes generate ROBOT.toml --out DIR"
+    if not place.is_file():
+        raise PkmodesError("expected a generated model, found no manifest.json", str(folder), remedy)
+    try:
+        recorded: dict[str, Any] = derivation("emit.currency").read_manifest(folder)
+    except (ValueError, OSError) as error:
+        raise PkmodesError(f"the manifest cannot be read: {error}", str(place), remedy) from None
     of_ones_own = "definition" in recorded or "effects" in recorded
     if "robot" not in recorded and of_ones_own:
         return _check_mechanism(folder, recorded)
@@ -112,22 +119,6 @@ def check_folder(folder: Path) -> Report:
         raise PkmodesError(problem, str(folder), remedy)
     with registry.temporarily_registered(inner):
         return _check_model(folder, recorded)
-
-
-def _manifest_of(folder: Path) -> dict[str, Any]:
-    """Read the manifest of a generated folder.
-
-    Raises PkmodesError if there is none or it cannot be read.
-    """
-    place = folder / MANIFEST
-    remedy = "give a folder written by: pkmodes generate ROBOT.toml --out DIR"
-    if not place.is_file():
-        raise PkmodesError("expected a generated model, found no manifest.json", str(folder), remedy)
-    try:
-        content: dict[str, Any] = derivation("emit.currency").read_manifest(folder)
-    except (ValueError, OSError) as error:
-        raise PkmodesError(f"the manifest cannot be read: {error}", str(place), remedy) from None
-    return content
 
 
 def _findings_of(folder: Path, fresh: dict[str, str]) -> list[Any]:
@@ -162,7 +153,7 @@ def _check_mechanism(folder: Path, recorded: dict[str, Any]) -> Report:
     sources += [(path, copy.file.name, "effect", "--effect") for path, copy in copies.items()]
     findings, unchecked, options = _findings_of(folder, fresh), list[str](), list[str]()
     for path, source, noun, option in sources:
-        changed, unreadable = check_given_file(folder, path, source, noun)
+        changed, unreadable = _check_given_file(folder, path, source, noun)
         findings, unchecked = [*findings, *changed], [*unchecked, *unreadable]
         options.append(f"{option} {'FILE.py' if unreadable else pasted(folder / path)}")
     with staged(name, fresh) as mechanism:
@@ -183,22 +174,43 @@ def _check_model(folder: Path, recorded: dict[str, Any]) -> Report:
         unchecked = []
     else:
         robot, command = recorded_robot(recorded, str(folder / MANIFEST)), f"{command} ROBOT.toml"
-        unchecked = [_without_robot_file(folder, reference, robot.name)]
+        unchecked = [
+            f"whether the robot file {shown(reference)} has changed since this model was generated: it does not "
+            f"exist; restore it, or give the file of {shown(robot.name)} with: "
+            f"pkmodes generate ROBOT.toml --out {pasted(folder)}"
+        ]
     texts = specialised(specification(robot, reference, definition))
     findings = _findings_of(folder, texts)
     if definition and not (folder / definition).is_dir():
-        changed, unreadable = check_given_file(folder, definition, f"{robot.mechanism_name}.py", "definition")
+        changed, unreadable = _check_given_file(
+            folder, definition, f"{robot.mechanism_name}.py", "definition"
+        )
         findings, unchecked = [*findings, *changed], [*unchecked, *unreadable]
-    fix = _fix(folder, findings, f"{command} --out {pasted(folder)}")
-    return Report(str(folder), findings, _checks(texts, robot), fix, tuple(unchecked))
+    # Files that do not belong are removed, and the rest is generated.
+    orphans = [finding for finding in findings if finding.cause == "orphan"]
+    commands = [f"rm {pasted(folder / finding.subject)}" for finding in orphans]
+    if len(findings) > len(orphans):
+        commands.append(f"{command} --out {pasted(folder)}")
+    return Report(str(folder), findings, _checks(texts, robot), " && ".join(commands), tuple(unchecked))
 
 
-def _without_robot_file(folder: Path, reference: str, name: str) -> str:
-    return (
-        f"whether the robot file {shown(reference)} has changed since this model was generated: it does not "
-        f"exist; restore it, or give the file of {shown(name)} with: "
-        f"pkmodes generate ROBOT.toml --out {pasted(folder)}"
-    )
+def _check_given_file(folder: Path, reference: str, source: str, noun: str) -> tuple[list[Any], list[str]]:
+    """Check whether a file has changed since a mechanism was derived from it; return findings and unchecked items.
+
+    - reference: path of the file relative to the folder
+    - source: its name among the sources of the manifest
+    - noun: what it is called: "definition" or "effect"
+    """
+    try:
+        text = python_text(folder / reference, noun, "")
+    except PkmodesError:
+        return [], [f"whether the {noun} {shown(reference)} has changed: it cannot be read"]
+    recorded = derivation("emit.currency").read_manifest(folder)["sources"]
+    if recorded.get(source) == derivation("sources").digest(text):
+        return [], []
+    file = (folder / reference).name
+    message = f"the {noun} changed: {file} differs from the file this was derived from"
+    return [derivation("emit.currency").Finding("derivation", reference, message)], []
 
 
 def _robot_file(folder: Path, recorded: dict[str, object]) -> tuple[str, bool]:
@@ -242,15 +254,6 @@ def recorded_robot(recorded: Mapping[str, Any], place: str) -> Robot:
             "restore its robot file, or generate the model again with: pkmodes generate ROBOT.toml --out DIR",
         )
     return robot
-
-
-def _fix(folder: Path, findings: list[Any], generate: str) -> str:
-    """Return the commands that fix the findings: remove files that do not belong, generate the rest."""
-    orphans = [finding for finding in findings if finding.cause == "orphan"]
-    commands = [f"rm {pasted(folder / finding.subject)}" for finding in orphans]
-    if len(findings) > len(orphans):
-        commands.append(generate)
-    return " && ".join(commands)
 
 
 def check_robot(robot_file: Path) -> Report:

@@ -28,12 +28,10 @@ def unit_direction(
     except (TypeError, ValueError):
         vector = np.empty(0)
     if vector.shape != (len(directions),) or not np.isfinite(vector).all() or not vector.any():
-        problem = f"expected a direction along {', '.join(directions)}, found {_as_given(direction)}"
+        text = str(direction)
+        if not isinstance(direction, list | tuple | np.ndarray) or len(text) >= 60:
+            text = shown(direction)
+        problem = f"expected a direction along {', '.join(directions)}, found {text}"
         raise error(problem, where, f"give {len(directions)} numbers, not all of them 0")
     vector = vector / np.abs(vector).max()  # the squares of tiny and huge numbers leave the range of floats
     return np.asarray(vector / np.linalg.norm(vector))
-
-
-def _as_given(direction: Any) -> str:
-    text = str(direction)
-    return text if isinstance(direction, list | tuple | np.ndarray) and len(text) < 60 else shown(direction)

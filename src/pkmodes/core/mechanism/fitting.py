@@ -16,7 +16,6 @@ from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.packages import place_of
 from pkmodes.core.mechanism.regular import sample
-from pkmodes_description import Table
 
 Shape = tuple[int, ...]
 
@@ -73,7 +72,9 @@ def _keys(mechanism: Mechanism, shapes: dict[str, Shape]) -> Iterator[str]:
     places: dict[str, list[Shape]] = {"gravity": [()]}
     numbers = {"gravity": 3}
     for table in mechanism.tables:
-        entries = _entries(mechanism, table)
+        # The leading extent of its fields is that of the repeated table that takes its values.
+        count = next((t.count for t in mechanism.tables if t.name == table.shared_by), table.count)
+        entries = (count,) if count else ()
         for key in table.keys:
             if key.field:
                 shape = shapes[key.field]
@@ -86,12 +87,6 @@ def _keys(mechanism: Mechanism, shapes: dict[str, Shape]) -> Iterator[str]:
     for field, indices in places.items():
         yield from _wrong(f"the number of keys of {field}", len(indices), len(set(indices)))
         yield from _wrong(f"the number of values of {field}", numbers[field], prod(shapes[field]))
-
-
-def _entries(mechanism: Mechanism, table: Table) -> Shape:
-    """Return the leading extent of the fields of a table, that of the repeated table that takes its values."""
-    count = next((t.count for t in mechanism.tables if t.name == table.shared_by), table.count)
-    return (count,) if count else ()
 
 
 def _coordinates(mechanism: Mechanism) -> Iterator[str]:

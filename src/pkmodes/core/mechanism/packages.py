@@ -10,6 +10,7 @@ import hashlib
 import json
 import sys
 from collections.abc import Iterable
+from contextlib import suppress
 from functools import cache
 from importlib import import_module
 from importlib.util import module_from_spec, spec_from_file_location
@@ -45,7 +46,20 @@ def imported(path: str | PathLike[str]) -> str:
     Raises PkmodesError if the folder is not a generated one, or its code raises.
     """
     folder = Path(path)
-    _check(folder)
+    if not folder.is_dir():
+        problem = "no such folder"
+        if folder.is_file():
+            problem = "expected the folder of a generated mechanism, found a file"
+        raise PkmodesError(problem, str(folder), GIVE)
+    missing = [name for name in FILES if not (folder / name).is_file()]
+    if missing:
+        problem, remedy = f"expected the folder of a generated mechanism, but {missing[0]} is missing", GIVE
+        with suppress(OSError, ValueError, LookupError, TypeError, RecursionError):
+            # The folder of a robot's model may have that of its mechanism inside.
+            name = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))["mechanism"]
+            if (folder / name / "description.json").is_file():
+                remedy = f"give the mechanism folder inside it: {folder / name}"
+        raise PkmodesError(problem, str(folder), remedy)
     content = b"\0".join((folder / name).read_bytes() for name in FILES)
     folder = folder.resolve()
     package = (
@@ -97,26 +111,3 @@ def _import(package: str, folder: Path) -> None:
         problem = f"the generated code cannot be imported: {type(error).__name__}: {error}"
         raise PkmodesError(problem, str(folder), "generate it again") from None
     _folders[package] = str(folder)
-
-
-def _check(folder: Path) -> None:
-    """Reject anything but the folder of a generated mechanism."""
-    if not folder.is_dir():
-        problem = "no such folder"
-        if folder.is_file():
-            problem = "expected the folder of a generated mechanism, found a file"
-        raise PkmodesError(problem, str(folder), GIVE)
-    missing = [name for name in FILES if not (folder / name).is_file()]
-    if missing:
-        problem = f"expected the folder of a generated mechanism, but {missing[0]} is missing"
-        raise PkmodesError(problem, str(folder), _instead(folder) or GIVE)
-
-
-def _instead(folder: Path) -> str:
-    """Return a remedy for the folder of a robot's model: the mechanism folder inside it, if there is one."""
-    try:
-        name = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))["mechanism"]
-        within = (folder / name / "description.json").is_file()
-    except (OSError, ValueError, LookupError, TypeError, RecursionError):
-        return ""
-    return f"give the mechanism folder inside it: {folder / name}" if within else ""

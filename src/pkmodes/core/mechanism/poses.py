@@ -140,10 +140,15 @@ def pose_codes(
     points: Array, mechanism: Mechanism, parameters: Any, max_condition: float
 ) -> NDArray[np.int8]:
     """Return the first condition that each pose, (N, d), violates, as an index into `codes_of`, chunk by chunk."""
-    codes = np.empty(len(points), dtype=np.int8)
+    codes, generated = np.empty(len(points), dtype=np.int8), Generated(mechanism.model, parameters)
     for start in range(0, len(points), CHUNK):
-        part = slice(start, start + CHUNK)
-        codes[part] = _codes(points[part], mechanism, parameters, max_condition)
+        part = points[start : start + CHUNK]
+        failed = [~np.isfinite(part).all(axis=-1)]
+        with np.errstate(all="ignore"):  # the margins report the error; a NaN compares false and so fails
+            for margin in mechanism.margins:
+                values = margin_of(generated, margin, part).reshape(len(part), -1)
+                failed.append(~_holds(margin, values, max_condition).all(axis=-1))
+        codes[start : start + CHUNK] = np.select(failed, range(1, len(failed) + 1), 0)
     return codes
 
 
@@ -158,7 +163,13 @@ def given_poses(poses: ArrayLike, mechanism: Mechanism, on_error: OnError) -> tu
             "on_error",
             "choose one of the two",
         )
-    return as_points(poses, "poses", len(mechanism.pose), lambda: f"give {_in_words(mechanism)}")
+
+    def remedy() -> str:
+        units = [IN_WORDS.get(unit, "SI units") for unit in dict.fromkeys(c.unit for c in mechanism.pose)]
+        names = ", ".join(component.name for component in mechanism.pose)
+        return f"give poses [{names}] in {' and '.join(dict.fromkeys(units))}: {mechanism.pose_is}"
+
+    return as_points(poses, "poses", len(mechanism.pose), remedy)
 
 
 def refuse(points: Array, codes: NDArray[np.int8], mechanism: Mechanism, parameters: Any) -> None:
@@ -226,30 +237,10 @@ def placed(mechanism: Mechanism, point: Sequence[float] | Array, digits: str = "
     return ", ".join(f"[{', '.join(next(numbers) for _ in alike)}] {unit}" for unit, alike in units)
 
 
-def _in_words(mechanism: Mechanism) -> str:
-    """Describe the components of a pose, for a remedy."""
-    units = [IN_WORDS.get(unit, "SI units") for unit in dict.fromkeys(c.unit for c in mechanism.pose)]
-    names = ", ".join(component.name for component in mechanism.pose)
-    return f"poses [{names}] in {' and '.join(dict.fromkeys(units))}: {mechanism.pose_is}"
-
-
 def margin_of(generated: Generated, margin: Margin, points: Array) -> Array:
     """Evaluate one of a mechanism's margins at poses; of several results, select the margin's output."""
     results = getattr(generated, margin.function)(points)
     return np.asarray(results[margin.output] if isinstance(results, tuple) else results)
-
-
-def _codes(
-    points: NDArray[np.float64], mechanism: Mechanism, parameters: Any, max_condition: float
-) -> NDArray[np.int8]:
-    """Return the first condition that each pose violates, as an index into `codes_of`."""
-    with np.errstate(all="ignore"):  # the margins report the error; a NaN compares false and so fails
-        generated = Generated(mechanism.model, parameters)
-        failed = [~np.isfinite(points).all(axis=-1)]
-        for margin in mechanism.margins:
-            values = margin_of(generated, margin, points).reshape(len(points), -1)
-            failed.append(~_holds(margin, values, max_condition).all(axis=-1))
-    return np.select(failed, range(1, len(failed) + 1), 0).astype(np.int8)
 
 
 def _holds(margin: Margin, values: Array, max_condition: float) -> NDArray[np.bool_]:

@@ -137,37 +137,28 @@ def _paths(
         problem(f"{where}.{PATHS}", f"expected a list of dotted paths, found {actual}", example)
         return None
     aliases = {path: of for path, of in lent(mechanism).items() if of in quantities}
-    good, paths = True, []
+    expected = "expected the dotted path of a value with a sigma"
+    paths = []
     for place, entry in enumerate(raw, start=1):
-        at = f"{where}.{PATHS}.{place}"
         path = aliases.get(entry, entry) if isinstance(entry, str) else entry
-        message, remedy = _not_uncertain(path, quantities, example)
-        if not message and path in number_of:
-            message = f"expected each value once, found {path} also in {COVARIANCE}.{number_of[path]}"
-            remedy = "name it in one table, once"
-        if message:
-            problem(at, message, remedy)
-            good = False
-        else:
+        quantity = quantities.get(path) if isinstance(path, str) else None
+        if quantity is not None and quantity.sigma and path not in number_of:
             number_of[path] = number
             paths.append(path)
-    return tuple(paths) if good else None
-
-
-def _not_uncertain(path: Any, quantities: Mapping[str, Quantity], example: str) -> tuple[str, str]:
-    """Return why a path is not that of an uncertain value, and the remedy; empty if it is."""
-    expected = "expected the dotted path of a value with a sigma"
-    if not isinstance(path, str):
-        return f"{expected}, found {shown(path)}", example
-    if path not in quantities:
-        return f"{expected}, found {shown(path)}, which this file does not declare", nearest_name(
-            path, quantities
-        )
-    sigma = quantities[path].sigma
-    if not sigma:
-        reason = "which has no sigma" if sigma is None else "whose sigma is 0: it is known exactly"
-        return f"{expected}, found {shown(path)}, {reason}", "give it a sigma, or leave it out here"
-    return "", ""
+            continue
+        message, remedy = f"{expected}, found {shown(path)}", example
+        if isinstance(path, str) and quantity is None:
+            message, remedy = f"{message}, which this file does not declare", nearest_name(path, quantities)
+        elif quantity is not None and not quantity.sigma:
+            reason = (
+                "which has no sigma" if quantity.sigma is None else "whose sigma is 0: it is known exactly"
+            )
+            message, remedy = f"{message}, {reason}", "give it a sigma, or leave it out here"
+        elif quantity is not None:
+            message = f"expected each value once, found {path} also in {COVARIANCE}.{number_of[path]}"
+            remedy = "name it in one table, once"
+        problem(f"{where}.{PATHS}.{place}", message, remedy)
+    return tuple(paths) if len(paths) == len(raw) else None
 
 
 def _correlation(raw: Any, count: int, where: str, problem: Problem) -> tuple[tuple[float, ...], ...] | None:
@@ -188,32 +179,29 @@ def _correlation(raw: Any, count: int, where: str, problem: Problem) -> tuple[tu
                 problem(f"{where}.{i}.{k}", message, "write a number without a unit")
                 return None
     matrix = np.array(raw, dtype=float)
-    flaw = _flaw(matrix)
-    if flaw is not None:
-        place, message, how = flaw
-        problem(f"{where}{place}", message, how)
-        return None
-    return tuple(tuple(row) for row in matrix.tolist())
-
-
-def _flaw(matrix: Array) -> tuple[str, str, str] | None:
-    """Return the place, what is wrong, and the remedy, of a matrix that is not a correlation matrix."""
     diagonal = np.flatnonzero(np.abs(np.diagonal(matrix) - 1.0) > ROUNDING)
     if len(diagonal):
         i = int(diagonal[0])
         message = f"expected 1 on the diagonal, found {matrix[i, i]:g}"
-        return f".{i + 1}.{i + 1}", message, "write correlations, not covariances"
+        problem(f"{where}.{i + 1}.{i + 1}", message, "write correlations, not covariances")
+        return None
     apart = np.argwhere(np.abs(matrix - matrix.T) > ROUNDING)
     if len(apart):
         i, k = apart[0].tolist()
         pair = f"{matrix[i, k]:g} here and {matrix[k, i]:g} in row {k + 1}"
         message = f"expected a symmetric matrix, found {pair}"
-        return f".{i + 1}.{k + 1}", message, "write the same number in both places"
+        problem(f"{where}.{i + 1}.{k + 1}", message, "write the same number in both places")
+        return None
     least = float(np.linalg.eigvalsh(matrix)[0])
     if least < -ROUNDING:
         message = f"expected a positive semidefinite matrix, found an eigenvalue of {least:.3g}"
-        return "", message, "no values are correlated like this: write more digits, or smaller correlations"
-    return None
+        problem(
+            where,
+            message,
+            "no set of values can be correlated like this: write more digits, or smaller correlations",
+        )
+        return None
+    return tuple(tuple(row) for row in matrix.tolist())
 
 
 def _own_sigmas(
@@ -222,7 +210,7 @@ def _own_sigmas(
     count = len(members)
     if not isinstance(raw, list) or len(raw) != count:
         actual = f"a list of {len(raw)}" if isinstance(raw, list) else shown(raw)
-        remedy = f"write one for each of {PATHS}, or leave {SIGMA} out for those of the values"
+        remedy = f"write one for each of {PATHS}, or leave {SIGMA} out to use those of the values"
         problem(where, f"expected {count} standard deviations, found {actual}", remedy)
         return None
     sigmas = []

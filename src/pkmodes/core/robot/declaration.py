@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -142,11 +143,23 @@ class Declaration:
 def changeable(robot: Declaration) -> dict[str, str]:
     """Return the paths that can be changed or added, with their SI units."""
     declared = {path: quantity.unit for path, quantity in robot.quantities.items()}
+    return {**declared, **_always_changeable(robot.mechanism)}
+
+
+def unit_of(robot: Declaration, path: str) -> str | None:
+    """Return the SI unit of a path that can be changed or added, None for any other."""
+    quantity = robot.quantities.get(path)
+    return _always_changeable(robot.mechanism).get(path) if quantity is None else quantity.unit
+
+
+@cache
+def _always_changeable(mechanism: Mechanism) -> dict[str, str]:
+    """Return those that need not be declared."""
     undeclared = {
         number.path: number.unit
-        for item in items(robot.mechanism)
+        for item in items(mechanism)
         if item.shared or item.key.default is not None
         for number in item.numbers
     }
-    groups = {group.path: group.unit for group in robot.mechanism.parameter_groups}
-    return {**declared, **undeclared, **effect_parameters(robot.mechanism), **groups}
+    groups = {group.path: group.unit for group in mechanism.parameter_groups}
+    return {**undeclared, **effect_parameters(mechanism), **groups}

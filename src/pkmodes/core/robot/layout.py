@@ -135,6 +135,14 @@ def takers(mechanism: Mechanism) -> dict[str, tuple[Item, ...]]:
 
 
 @cache
+def dependents(mechanism: Mechanism, path: str) -> tuple[Item, ...]:
+    """Return the key at a path, and those whose value may follow from it: of a shared value, or of a pair."""
+    shared = (by_path(mechanism)[path], *takers(mechanism).get(path, ()))
+    pairs = {item.path for item in shared}
+    return (*shared, *(item for item in items(mechanism) if item.key.middle_of in pairs))
+
+
+@cache
 def lent(mechanism: Mechanism) -> dict[str, str]:
     """Return the paths of table values that effects use, by the path of the effect parameter."""
     return {f"{EFFECTS}.{item.key.effect}": item.path for item in items(mechanism) if item.key.effect}

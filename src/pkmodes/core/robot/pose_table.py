@@ -63,14 +63,11 @@ def by_name(numbers: ArrayLike, units: Mapping[str, str], where: str) -> ArrayLi
         if column.dtype.kind not in "iuf":
             problem = f"expected numbers in the column {shown(name)}, found values of type {column.dtype}"
             raise PoseError(problem, where, "give a number for each pose")
-        ordered.append(column if factor is None else _converted(column, factor))
+        if factor is not None:  # in SI units, to the same digits as from a file
+            numbers = column.astype(float).ravel().tolist()
+            column = np.array([float(Decimal(repr(x)) * factor) for x in numbers]).reshape(column.shape)
+        ordered.append(column)
     return np.stack(ordered, axis=-1)
-
-
-def _converted(column: Array, factor: Decimal) -> Array:
-    """Return numbers in SI units, to the same digits as from a file."""
-    values = [float(Decimal(repr(value)) * factor) for value in column.astype(float).ravel().tolist()]
-    return np.array(values).reshape(column.shape)
 
 
 def _is_array(values: Any) -> bool:

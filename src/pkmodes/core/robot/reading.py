@@ -40,22 +40,14 @@ def read_robot(path: str | PathLike[str]) -> Robot:
         _refuse(
             f"expected the path of a robot file, found {shown(path)}", "robot file", "give its path as text"
         )
-    return robot_from_document(_document(Path(path), name), name)
-
-
-def robot_from_document(document: Mapping[str, Any], source: str) -> Robot:
-    """Validate a parsed robot file; `source` names it in messages."""
-    return Robot.of(declaration(document, source))
-
-
-def _document(path: Path, name: str) -> dict[str, Any]:
+    file = Path(name)
     try:
-        if path.exists() and not path.is_file():
-            kind = "a folder" if path.is_dir() else "not a regular file"
+        if file.exists() and not file.is_file():
+            kind = "a folder" if file.is_dir() else "not a regular file"
             _refuse(f"cannot read the robot file: it is {kind}", name, "give a robot file in TOML")
-        if path.stat().st_size > LARGEST_FILE:
+        if file.stat().st_size > LARGEST_FILE:
             _refuse("cannot read the robot file: it is larger than 1 MB", name, "give a robot file in TOML")
-        text = path.read_text(encoding="utf-8-sig")
+        text = file.read_text(encoding="utf-8-sig")
     except UnicodeDecodeError as error:
         problem = f"expected UTF-8 text, found an invalid byte at offset {error.start}"
         _refuse(problem, name, "save the file as UTF-8")
@@ -66,12 +58,18 @@ def _document(path: Path, name: str) -> dict[str, Any]:
         problem = f"expected a key of a few parts, found a line with one of more than {MOST_PARTS}"
         _refuse(problem, f"{name}: line {line}", "shorten the key")
     try:
-        return tomllib.loads(text)
+        document = tomllib.loads(text)
     except (
         ValueError,
         RecursionError,
     ) as error:  # also integers with too many digits, tables nested too deeply
         _refuse(f"not valid TOML: {error}", name, "fix the syntax at that place")
+    return robot_from_document(document, name)
+
+
+def robot_from_document(document: Mapping[str, Any], source: str) -> Robot:
+    """Validate a parsed robot file; `source` names it in messages."""
+    return Robot.of(declaration(document, source))
 
 
 def _refuse(what: str, where: str, remedy: str) -> NoReturn:

@@ -74,6 +74,8 @@ class Robot(Declaration):
         Robot
             With the same content.
         """
+        if isinstance(declaration, cls):
+            return declaration
         robot = cls(
             **{
                 attribute.name: getattr(declaration, attribute.name)

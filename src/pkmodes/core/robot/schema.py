@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Sequence
 from operator import ge, gt, le, lt
 from typing import Any
 
@@ -59,11 +60,19 @@ def key_value(raw: Any, key: Key) -> Value:
     if key.kind in ("choice", "one_of"):
         return choice(raw, key.choices)
     elements = _vector(raw, key.elements, key.dimension, *_bounds(key))
+    check_order(elements, key)
+    return elements
+
+
+def check_order(elements: Sequence[Quantity], key: Key) -> None:
+    """Check that the lower limit of a pair comes first; any other vector passes.
+
+    Raises RefusedError if it does not.
+    """
     if key.kind == "pair" and elements[0].value >= elements[1].value:
         low, high = (with_unit(element.value, element.unit) for element in elements)
         problem = f"expected the lower limit first, found {low} before {high}"
         raise RefusedError(problem, f"write {key.name} = [{', '.join(key.elements)}]")
-    return elements
 
 
 def number_of(raw: Any, key: Key) -> Quantity:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Container, Mapping, Sequence
 from functools import partial
 from typing import Any, TypeVar
 
@@ -128,38 +128,32 @@ class Tables:
         if not isinstance(raw, dict):
             self.problem(EFFECTS, f"expected a table, found {shown(raw)}", FORMAT_HELP)
             return {}
-        values: dict[str, Quantity | None] = {}
         for path, table_path in lent(self.mechanism).items():
             _, effect, name = path.split(".")
-            value, table = self.values.get(table_path), table_path.rpartition(".")[0]
-            effect_table, key = raw.get(effect), by_path(self.mechanism)[table_path].key
-            if value is not None and isinstance(effect_table, dict) and name in effect_table:
+            effect_table, table = raw.get(effect), table_path.rpartition(".")[0]
+            if table_path in self.values and isinstance(effect_table, dict) and name in effect_table:
                 problem = f"the {name} of the {table} is declared twice"
                 self.problem(path, problem, f"keep it in [{table}] and remove it here")
-            value = default_of(key) if value is None else value
-            if isinstance(value, Quantity):
-                values[path] = value
-            elif key.middle_of:  # it follows from another value: nothing declares it
-                values[path] = None
+        values = values_lent(self.mechanism, self.values)
         quantities: dict[str, Quantity] = {}
         for name, table in raw.items():
             path = f"{EFFECTS}.{name}"
-            if name not in self.mechanism.effects:
-                self._no_effect(name)
+            applicable = self.mechanism.effects
+            if name not in applicable and any(
+                name in registry.mechanism(mechanism_name).effects for mechanism_name in registry.names()
+            ):
+                problem = f"the effect {name} does not apply to the mechanism {self.mechanism.name}"
+                self.problem(
+                    f"{EFFECTS}.{shown(name)}", problem, f"effects that apply: {', '.join(applicable)}"
+                )
+            elif name not in applicable:
+                problem = f"unknown effect {shown(name)}"
+                self.problem(f"{EFFECTS}.{shown(name)}", problem, nearest_name(name, applicable))
             elif not isinstance(table, dict):
                 self.problem(path, f"expected a table, found {shown(table)}", f"write a table [{path}]")
             else:
                 quantities |= self._effect(self.mechanism.effects[name], table, values)
         return quantities
-
-    def _no_effect(self, name: str) -> None:
-        """Add a problem for an effect that this mechanism does not have."""
-        applicable, path = self.mechanism.effects, f"{EFFECTS}.{shown(name)}"
-        if any(name in registry.mechanism(mechanism_name).effects for mechanism_name in registry.names()):
-            problem = f"the effect {name} does not apply to the mechanism {self.mechanism.name}"
-            self.problem(path, problem, f"effects that apply: {', '.join(applicable)}")
-        else:
-            self.problem(path, f"unknown effect {shown(name)}", nearest_name(name, applicable))
 
     def _effect(
         self, effect: Effect, table: Mapping[str, Any], declared: Mapping[str, Quantity | None]
@@ -171,34 +165,11 @@ class Tables:
             if key not in names:
                 place = f"{EFFECTS}.{effect.name}"
                 self.problem(place, f"unknown parameter {shown(key)}", nearest_name(key, names))
-        alternatives = [p.name for p in effect.parameters if p.in_place_of]
-        lending = [name for name in names if f"{EFFECTS}.{effect.name}.{name}" in declared]
-        declarable = [name for name in names if name not in (*lending, *alternatives)]
-        quantities: dict[str, Quantity] = {}
-        for parameter in effect.parameters:
-            path = f"{EFFECTS}.{effect.name}.{parameter.name}"
-            excluded = [p.name for p in effect.excluded(parameter.name) if p.name in table]
-            if parameter.name in table:
-                value = self._read(table[parameter.name], path, partial(of_effect, parameter=parameter))
-                if value is not None:
-                    quantities[path] = value
-                if excluded and not parameter.in_place_of:
-                    problem = f"expected {parameter.name} or {' and '.join(excluded)}, found both"
-                    self.problem(
-                        path, problem, f"keep {parameter.name}, or {' and '.join(excluded)} in its place"
-                    )
-            elif path in declared:
-                if (lent_value := declared[path]) is not None:
-                    quantities[path] = lent_value
-            elif excluded or parameter.in_place_of:
-                continue  # given by other parameters, or not at all: zero
-            elif len(declarable) > 1:  # if an effect has several parameters, missing ones are zero
-                quantities[path] = Quantity(0.0, parameter.unit)
-            else:
-                example = DIMENSIONS[dimension_of_effect(parameter.unit)][1]
-                remedy = f'add it, for example {parameter.name} = "{example}"'
-                self.problem(path, f"the parameter {parameter.name} is missing", remedy)
-        return quantities
+
+        def read(parameter: EffectParameter, path: str) -> Quantity | None:
+            return self._read(table[parameter.name], path, partial(of_effect, parameter=parameter))
+
+        return parameters_of(effect, table, read, declared, self.problem)
 
     def _with_components(self, effect: Effect, table: Mapping[str, Any]) -> dict[str, Any]:
         """Write a vector, such as ``offset``, as the parameters of its components, such as ``offset_x``."""
@@ -242,6 +213,66 @@ class Tables:
     def problem(self, path: str, what: str, remedy: str) -> None:
         """Add a problem at a path."""
         self.problems.append(PkmodesError(what, f"{self.source}: {path}", remedy))
+
+
+def values_lent(mechanism: Mechanism, values: Mapping[str, schema.Value]) -> dict[str, Quantity | None]:
+    """Return the values that effects take from tables, by the path of the effect parameter.
+
+    - values: of the tables, as the file gives them; the others have their default
+
+    None for one that follows from another value: nothing declares it.
+    """
+    taken: dict[str, Quantity | None] = {}
+    for path, table_path in lent(mechanism).items():
+        key = by_path(mechanism)[table_path].key
+        value = values.get(table_path, default_of(key))
+        if isinstance(value, Quantity):
+            taken[path] = value
+        elif key.middle_of:
+            taken[path] = None
+    return taken
+
+
+def parameters_of(
+    effect: Effect,
+    names: Container[str],
+    read: Callable[[EffectParameter, str], Quantity | None],
+    declared: Mapping[str, Quantity | None],
+    problem: Callable[[str, str, str], None],
+) -> dict[str, Quantity]:
+    """Return the parameters of an effect by path: those given, lent by other tables, or zero.
+
+    - names: of the parameters that the file gives for it
+    - read: returns one of these, from the parameter and its path; None if it is refused
+    - declared: from `values_lent`
+    - problem: takes the path, what is wrong, and the remedy of each problem
+    """
+    alternatives = [p.name for p in effect.parameters if p.in_place_of]
+    lending = [p.name for p in effect.parameters if f"{EFFECTS}.{effect.name}.{p.name}" in declared]
+    declarable = [p.name for p in effect.parameters if p.name not in (*lending, *alternatives)]
+    quantities: dict[str, Quantity] = {}
+    for parameter in effect.parameters:
+        path = f"{EFFECTS}.{effect.name}.{parameter.name}"
+        excluded = [p.name for p in effect.excluded(parameter.name) if p.name in names]
+        if parameter.name in names:
+            value = read(parameter, path)
+            if value is not None:
+                quantities[path] = value
+            if excluded and not parameter.in_place_of:
+                message = f"expected {parameter.name} or {' and '.join(excluded)}, found both"
+                problem(path, message, f"keep {parameter.name}, or {' and '.join(excluded)} in its place")
+        elif path in declared:
+            if (lent_value := declared[path]) is not None:
+                quantities[path] = lent_value
+        elif excluded or parameter.in_place_of:
+            continue  # given by other parameters, or not at all: zero
+        elif len(declarable) > 1:  # if an effect has several parameters, missing ones are zero
+            quantities[path] = Quantity(0.0, parameter.unit)
+        else:
+            example = DIMENSIONS[dimension_of_effect(parameter.unit)][1]
+            remedy = f'add it, for example {parameter.name} = "{example}"'
+            problem(path, f"the parameter {parameter.name} is missing", remedy)
+    return quantities
 
 
 def default_of(key: Key) -> schema.Value | None:

@@ -79,12 +79,13 @@ def read_usable(mechanism: Mechanism, raw: Any, problem: Callable[[str, str, str
     bounds: dict[str, Bound] = {}
     for name, entry in raw.items():
         if name not in readers:
-            message = f"expected a component of the pose{_listed(special)}, found {shown(name)}"
+            others = "".join(f"{' or' if other is special[-1] else ','} {other}" for other in special)
+            message = f"expected a component of the pose{others}, found {shown(name)}"
             lacks = LACKING.get(name, "")
             if lacks:
                 message = f"{mechanism.name} has {lacks}"
             remedy = f"leave {name} out" if lacks else nearest_name(name, readers)
-            problem(f"{USABLE}.{_key(name)}", message, remedy)
+            problem(f"{USABLE}.{name if schema.is_bare(name) else shown(name)}", message, remedy)
             continue
         try:
             bounds[name] = readers[name](entry)
@@ -246,16 +247,6 @@ def _number(raw: Any, dimension: str, remedy: str, above: float | None = None) -
     return schema.quantity(raw, dimension, above=above).value
 
 
-def _listed(names: Sequence[str]) -> str:
-    """Return further names that are accepted in place of a component."""
-    return "".join(f"{' or' if name is names[-1] else ','} {name}" for name in names)
-
-
 def _example(name: str, unit: str) -> str:
     unit = SHOWN.get(unit, (unit, 1.0))[0]
     return f'{name} = ["-100 {unit}", "100 {unit}"]'
-
-
-def _key(name: str) -> str:
-    """Return a key as it appears in a path."""
-    return name if schema.is_bare(name) else shown(name)

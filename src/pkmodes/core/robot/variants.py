@@ -1,36 +1,32 @@
-"""A robot with other values: the document that declares it is changed and then read like a robot file.
+"""A robot with other values: the robot that a file with these values would declare.
 
-This way one set of rules applies, and values that a file could not have are rejected here too.  Numbers that only
-replace others are checked by the same rules, but the rest of the document is not read again.
+One set of rules applies: each value is read by those of its key, and those that concern several tables are checked
+again.  Where one is violated, the document with these values is read like a robot file, which reports all problems.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from functools import cache, partial
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import PkmodesError, nearest_name, shown
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.robot import schema
 from pkmodes.core.robot.covariance import COVARIANCE, Covariance, with_sigmas
-from pkmodes.core.robot.declaration import Declaration, changeable
-from pkmodes.core.robot.layout import EFFECTS, Slot, by_path, items, lent, takers
+from pkmodes.core.robot.declaration import Declaration, changeable, unit_of
+from pkmodes.core.robot.layout import EFFECTS, Number, by_path, items, lent, takers
 from pkmodes.core.robot.parameter_groups import elements_of, groups_by_path, items_of
 from pkmodes.core.robot.report_fields import REPORT
-from pkmodes.core.robot.tables import FORMAT, of_effect
+from pkmodes.core.robot.tables import FORMAT
 from pkmodes.core.robot.units import Quantity
 from pkmodes.core.robot.usable import USABLE, Bound, raw_of
-from pkmodes.core.robot.validation import declaration, violated
-from pkmodes_description import ParameterGroup
+from pkmodes.core.robot.validation import CONTENT, changed, declaration
+from pkmodes_description import Key, ParameterGroup
 
 OTHER_VALUES = " with other values"
-#: Key of `Declaration.kept`: the parameters are known to match the declared values.
-CONSISTENT = "consistent"
 
 
 def with_values(robot: Declaration, values: Mapping[str, Any]) -> Declaration:
@@ -43,95 +39,26 @@ def with_values(robot: Declaration, values: Mapping[str, Any]) -> Declaration:
         )
     source = robot.source.removesuffix(OTHER_VALUES) + OTHER_VALUES
     changes = _changes(robot, values, source)
-    if not robot.kept.get(CONSISTENT):
-        if _read(robot, raw_values(robot), source, robot.covariance) != robot:
+    if CONTENT not in robot.kept:
+        declared = _read(robot, raw_values(robot), source, robot.covariance)
+        if declared != robot:
             raise PkmodesError(
                 "the robot's parameters differ from those that it declares",
                 robot.source,
                 "start from a robot that was read from a file",
             )
-        robot.kept[CONSISTENT] = True
-    changed = _with_replaced(robot, changes, source)
-    if changed is None:
-        changed = _read(robot, {**raw_values(robot), **changes}, source)
-    return replace(changed, covariance=_covariance(robot, changed)) if robot.covariance else changed
-
-
-def _with_replaced(robot: Declaration, changes: Mapping[str, Any], source: str) -> Declaration | None:
-    """Return the declaration with numbers that replace others, without reading the rest of the document.
-
-    None if further rules apply than those of each number and of the machine as a whole, or if one of these is
-    violated: reading the document reports what is wrong.
-    """
-    mechanism = robot.mechanism
-    quantities, effects = dict(robot.quantities), dict(robot.effects)
-    arrays: dict[str, NDArray[np.float64]] = {}
-    for path, raw in changes.items():
-        number = _replaceable(mechanism, path) if path in quantities else None
-        if number is None:
-            return None
-        try:
-            quantities[path] = number.read(raw)
-        except schema.RefusedError:
-            return None
-        for field, index in (
-            slot for slot_path, slot in number.slots if slot_path == path or slot_path not in quantities
-        ):
-            if field in effects:
-                effects[field] = quantities[path].value
-                continue
-            if field not in arrays:
-                arrays[field] = np.array(getattr(robot.parameters, field), dtype=float)
-            arrays[field][index] = quantities[path].value
-    for array in arrays.values():
-        array.flags.writeable = False
-    parameters = robot.parameters._replace(
-        **{field: array if array.shape else float(array) for field, array in arrays.items()}
-    )
-    for requirement in mechanism.requirements:
-        if violated(requirement, getattr(mechanism.model, requirement.function)(parameters)):
-            return None
-    changed = replace(
-        robot, source=source, parameters=parameters, quantities=quantities, effects=effects, covariance=()
-    )
-    changed.kept[CONSISTENT] = True
-    return changed
-
-
-class _Replaceable(NamedTuple):
-    """A number that another one may replace: how that is read, and where it goes.
-
-    - read: from what a robot file may contain
-    - slots: in the generated parameters or effects, each with the path that would give it another value
-    """
-
-    read: Callable[[Any], Quantity]
-    slots: list[tuple[str, Slot]]
-
-
-@cache
-def _replaceable(mechanism: Mechanism, path: str) -> _Replaceable | None:
-    """Return how the number at a path is replaced; None if other values depend on it."""
-    item = by_path(mechanism).get(path)
-    if item is None:
-        _, effect, name = path.split(".") if path.startswith(f"{EFFECTS}.") else ("", "", "")
-        if (
-            effect not in mechanism.effects
-            or path in lent(mechanism)
-            or mechanism.effects[effect].requirements
-        ):
-            return None
-        (parameter,) = (
-            parameter for parameter in mechanism.effects[effect].parameters if parameter.name == name
-        )
-        return _Replaceable(partial(of_effect, parameter=parameter), [(path, (f"{effect}.{name}", ()))])
-    key = item.key
-    if key.kind not in ("quantity", "vector") or key.effect or key.middle_of:
-        return None
-    place = [number.path for number in item.numbers].index(path)
-    numbers = [taker.numbers[place] for taker in (item, *takers(mechanism).get(item.path, ()))]
-    slots = [(number.path, number.slot) for number in numbers if number.slot is not None]
-    return _Replaceable(partial(schema.number_of, key=key), slots)
+        robot.kept[CONTENT] = declared.kept[CONTENT]
+    other = changed(robot, changes, source)
+    if other is None:
+        other = _read(robot, {**raw_values(robot), **changes}, source)
+    if robot.covariance:  # a value without a standard deviation has no correlations
+        paths = {path for table in robot.covariance for path in table.paths}
+        sigmas = {path: quantity.sigma for path, quantity in other.quantities.items() if path in paths}
+        new = {path: sigmas.get(path) for path in paths if sigmas.get(path) != robot.quantities[path].sigma}
+        content = other.kept[CONTENT]
+        other = replace(other, covariance=with_sigmas(robot.covariance, new))
+        other.kept[CONTENT] = content
+    return other
 
 
 def document_of(
@@ -190,25 +117,9 @@ def _read(
     return declaration(document, source)
 
 
-def _covariance(robot: Declaration, changed: Declaration) -> tuple[Covariance, ...]:
-    """Return the correlations of a robot with other values: a value without a standard deviation has none."""
-    sigmas = {path: quantity.sigma for path, quantity in changed.quantities.items()}
-    changed_sigmas = {
-        path: sigmas.get(path)
-        for table in robot.covariance
-        for path in table.paths
-        if sigmas.get(path) != robot.quantities[path].sigma
-    }
-    return with_sigmas(robot.covariance, changed_sigmas)
-
-
 def _changes(robot: Declaration, values: Mapping[str, Any], source: str) -> dict[str, Any]:
     """Return the changed values of the file by path, as a robot file could contain them."""
-    owners = {
-        path: table_path
-        for path, table_path in lent(robot.mechanism).items()
-        if _lent_now(robot, values, path, table_path)
-    }
+    lent_paths = lent(robot.mechanism)
     changes: dict[str, Any] = {}
     for path, raw in values.items():
         if not isinstance(path, str):
@@ -217,37 +128,60 @@ def _changes(robot: Declaration, values: Mapping[str, Any], source: str) -> dict
         if raw is None or (isinstance(raw, Mapping) and raw.get("value", raw) is None):
             remedy = "give a number or text with a unit; 0 means no effect"
             raise PkmodesError("expected a value, found None", f"{source}: {path}", remedy)
-        for element, value in _elements(robot, owners.get(path, path), raw, source).items():
-            borrowers = [
-                effect for effect, table_path in lent(robot.mechanism).items() if table_path == element
-            ]
-            if {element, lent(robot.mechanism).get(element), *borrowers} & changes.keys():
+        owner = lent_paths[path] if path in lent_paths and _lent_now(robot, values, path) else path
+        for element, value in _elements(robot, owner, raw, source).items():
+            borrowers = [effect for effect, table_path in lent_paths.items() if table_path == element]
+            if {element, lent_paths.get(element), *borrowers} & changes.keys():
                 problem = "the value would be changed twice"
                 raise PkmodesError(problem, f"{source}: {element}", "change it only once")
             changes[element] = value
-    before = {table_path: robot.quantities.get(path) for path, table_path in lent(robot.mechanism).items()}
-    return {path: _with_sigma(raw, {**before, **robot.quantities}.get(path)) for path, raw in changes.items()}
+    for path in list(changes):
+        item = by_path(robot.mechanism).get(path)
+        if item is not None and path != item.path and path not in robot.quantities:
+            # An element of a vector that the file does not give: the file has to give the others, too.
+            for number in item.numbers:
+                changes.setdefault(number.path, _present(robot, item.key, number))
+    before = {table_path: robot.quantities.get(path) for path, table_path in lent_paths.items()}
+    return {
+        path: _with_sigma(raw, robot.quantities.get(path, before.get(path))) for path, raw in changes.items()
+    }
 
 
-def _lent_now(robot: Declaration, values: Mapping[str, Any], path: str, table_path: str) -> bool:
+def _present(robot: Declaration, key: Key, number: Number) -> float | None:
+    """Return a number that the file does not give: that of the generated parameters, or else its default."""
+    if number.slot is None:
+        return key.default
+    field, index = number.slot
+    return float(np.asarray(getattr(robot.parameters, field))[index])
+
+
+def _lent_now(robot: Declaration, values: Mapping[str, Any], path: str) -> bool:
     """Return whether an effect parameter takes its value from a table instead of declaring it."""
-    effect = path.rpartition(".")[0]
-    other_names = {name for name in (*robot.quantities, *values) if isinstance(name, str)} - {path}
-    return table_path in robot.quantities or not any(name.startswith(f"{effect}.") for name in other_names)
+    effect = path.split(".")[1]
+    paths = {f"{EFFECTS}.{effect}.{p.name}" for p in robot.mechanism.effects[effect].parameters} - {path}
+    in_table = lent(robot.mechanism)[path] in robot.quantities
+    return in_table or (paths.isdisjoint(robot.quantities) and paths.isdisjoint(values))
 
 
 def _elements(robot: Declaration, path: str, raw: Any, source: str) -> dict[str, Any]:
     """Return the values of the file that a value by path changes."""
-    units = changeable(robot)
-    raw = _plain(raw, units.get(path), f"{source}: {path}")
+    unit = unit_of(robot, path)
+    raw = _plain(raw, unit, f"{source}: {path}")
     if path in (of_mechanism := groups_by_path(robot.mechanism)):
         group = of_mechanism[path]
         return dict(elements_of(robot, group, _value_of_group(robot, group, raw, source)))
-    if path in units:
-        _check_taken(robot, path)
+    if unit is not None:
+        overrides = [item.path for item in takers(robot.mechanism).get(path, ())]
+        if overrides and all(taker in robot.quantities for taker in overrides):  # it would have no effect
+            raise PkmodesError(
+                f"no {overrides[0].partition('.')[0]} takes the shared value {path}: each overrides it",
+                robot.source,
+                f"change {', '.join(overrides[:-1])} and {overrides[-1]}",
+            )
         return {path: raw}
     item = by_path(robot.mechanism).get(path)
     if item is None:
+        units = changeable(robot)
         vectors = [
             candidate.path
             for candidate in by_path(robot.mechanism).values()
@@ -294,17 +228,6 @@ def _value_of_group(robot: Declaration, group: ParameterGroup, raw: Any, source:
         return schema.quantity(raw, items_of(robot.mechanism, group)[0].key.dimension, above=0.0).value
     except schema.RefusedError as error:
         raise PkmodesError(error.what, where, error.remedy) from None
-
-
-def _check_taken(robot: Declaration, path: str) -> None:
-    """Reject a change of a shared value that every entry overrides: it would have no effect."""
-    overrides = [item.path for item in takers(robot.mechanism).get(path, ())]
-    if overrides and all(taker in robot.quantities for taker in overrides):
-        raise PkmodesError(
-            f"no {overrides[0].partition('.')[0]} takes the shared value {path}: each overrides it",
-            robot.source,
-            f"change {', '.join(overrides[:-1])} and {overrides[-1]}",
-        )
 
 
 def _with_sigma(raw: Any, before: Quantity | None) -> Any:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -20,6 +21,8 @@ from pkmodes.core.solve.solver import UNSOLVED, Alone, Codes
 
 Array = NDArray[Any]
 Rows = Mapping[str, Array]
+#: Raises the error of the first bad pose, by the codes of all.
+Refuse = Callable[[Codes], None]
 
 
 @dataclass(frozen=True)
@@ -72,39 +75,59 @@ def run_job(
             return CheckedPoses(points, np.zeros(1, np.int8), batch, job.reasons), {
                 name: array.reshape(batch + array.shape[1:]) for name, array in arrays.items()
             }
-    points, raises = np.ascontiguousarray(points), on_error == "raise"
-    aside = raises and job.refusable and bool(out)
-    codes = None
-    if not job.checks_poses:
-        codes = pose_codes(points, mechanism, robot.parameters, max_condition)
-    elif raises and out and not aside:
-        # Before the caller's arrays are filled; it takes less than a tenth of the time of the evaluation.
-        codes = job.compute(points, {}, threads)
-    if raises and codes is not None:
-        refuse(points, np.maximum(codes, 0), mechanism, robot.parameters)
-    fields = FieldArrays(batch, out, aside=aside, blank=codes is not None and bool(codes.any()))
-    for name, (tail, dtype) in job.tails.items():
-        fields.add(name, tail, dtype)
-    if job.checks_poses or codes is None:
-        codes = job.compute(points, fields.rows, threads)
+    points = np.ascontiguousarray(points)
+    refuse_bad = None
+    if on_error == "raise":
+        refuse_bad = partial(refuse, points, mechanism=mechanism, parameters=robot.parameters)
+    if job.checks_poses:
+        codes, fields = _in_one_piece(job, points, batch, refuse_bad, out, threads)
     else:
-        _compute_valid(job, CheckedPoses(points, codes, batch, job.reasons), fields, threads)
+        codes = pose_codes(points, mechanism, robot.parameters, max_condition)
+        fields = _in_parts(job, CheckedPoses(points, codes, batch, job.reasons), refuse_bad, out, threads)
     unsolved = None
     if codes.any():
         unsolved = np.flatnonzero(codes == UNSOLVED)
         codes[unsolved] = 0
-        if raises:  # report a pose out of reach before a joint that is too soft
-            refuse(points, codes, mechanism, robot.parameters)
+        if refuse_bad is not None:  # report a pose out of reach before a joint that is too soft
+            refuse_bad(codes)
         for start in range(0, len(unsolved), CHUNK):
             places = unsolved[start : start + CHUNK]
             fields.put(places, job.by_numpy(points[places]))
     return CheckedPoses(points, codes, batch, job.reasons, unsolved), fields.finish()
 
 
-def _compute_valid(job: Job, checked: CheckedPoses, fields: FieldArrays, threads: int) -> None:
-    """Compute the poses that can be evaluated, in parts that fit in the cache."""
+def _in_one_piece(
+    job: Job, points: Array, batch: tuple[int, ...], refuse_bad: Refuse | None, out: Out, threads: int
+) -> tuple[Codes, FieldArrays]:
+    """Evaluate all poses in one call, which also checks them.
+
+    - refuse_bad: raises the error of the first bad pose by the codes; None if bad poses become NaN
+
+    Where a bad pose is refused, the caller's arrays are filled after a call that only checks the poses, which takes
+    less than a tenth of the time; or at the end, if a pose may still be refused then.
+    """
+    aside = refuse_bad is not None and job.refusable and bool(out)
+    if refuse_bad is not None and out and not aside:
+        refuse_bad(np.maximum(job.compute(points, {}, threads), 0))
+    fields = FieldArrays(batch, out, aside=aside, tails=job.tails)
+    return job.compute(points, fields.rows, threads), fields
+
+
+def _in_parts(
+    job: Job, checked: CheckedPoses, refuse_bad: Refuse | None, out: Out, threads: int
+) -> FieldArrays:
+    """Evaluate the poses that can be evaluated, in parts that fit in the cache, and store their codes.
+
+    - checked: the poses with codes by NumPy; a bad one is refused before anything is evaluated, or becomes NaN
+    - refuse_bad: as for `_in_one_piece`
+    """
+    if refuse_bad is not None:
+        refuse_bad(checked.codes)
+    aside = refuse_bad is not None and job.refusable and bool(out)
+    fields = FieldArrays(checked.batch, out, aside=aside, blank=bool(checked.codes.any()), tails=job.tails)
     for where, points in list(checked.parts(CHUNK)) if checked.valid.any() else ():
         rows = {name: array[where] for name, array in fields.rows.items()}
         checked.codes[where] = job.compute(points, rows, threads)
         if not isinstance(where, slice):  # copies instead of views
             fields.put(where, rows)
+    return fields

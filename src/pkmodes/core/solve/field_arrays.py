@@ -94,6 +94,7 @@ class FieldArrays:
     - out: arrays of the caller's to fill; arrays of other fields are allocated
     - aside: whether the caller's arrays are left unchanged until `finish`
     - blank: whether arrays begin with NaN, or -1 in arrays of integers, instead of anything
+    - tails: shape at one pose, and type, of the first fields
 
     Its attributes:
     - arrays: by field, each (..., *tail)
@@ -101,12 +102,20 @@ class FieldArrays:
     """
 
     def __init__(
-        self, batch: tuple[int, ...], out: Out = None, *, aside: bool = False, blank: bool = False
+        self,
+        batch: tuple[int, ...],
+        out: Out = None,
+        *,
+        aside: bool = False,
+        blank: bool = False,
+        tails: Mapping[str, tuple[tuple[int, ...], Any]] | None = None,
     ) -> None:
         self._batch, self._out, self._aside, self._blank = batch, out or {}, aside, blank
         self.arrays: dict[str, Array] = {}
         self.rows: dict[str, Array] = {}
         self._stand_ins: list[str] = []
+        for name, (tail, dtype) in (tails or {}).items():
+            self.add(name, tail, dtype)
 
     def add(self, name: str, tail: tuple[int, ...], dtype: Any = float) -> None:
         """Add a field with its shape at one pose."""

@@ -44,16 +44,13 @@ def meanings_of(robot: Robot, name: str) -> dict[str, Any]:
 def labels_of(mechanism: Mechanism, modes: int, coordinates: tuple[str, ...]) -> dict[str, Any]:
     """Return the coordinates along the axes after the poses."""
     numbers = np.arange(FIRST, FIRST + modes)
+    part = "component" if mechanism.rotations else "direction"
     return {
         MODE: (MODE, numbers, {"units": "1", "long_name": "vibration mode, rigid-body modes left out"}),
-        DIRECTION: (DIRECTION, np.array(mechanism.components), _named(_component_of(mechanism))),
+        DIRECTION: (DIRECTION, np.array(mechanism.components), _named(f"{part} of the platform's motion")),
         COORDINATE: (COORDINATE, np.array(coordinates), _named("generalised coordinate")),
         DRIVE: (DRIVE, np.array([d.name for d in mechanism.drives]), _named("drive")),
     }
-
-
-def _component_of(mechanism: Mechanism) -> str:
-    return f"{'component' if mechanism.rotations else 'direction'} of the platform's motion"
 
 
 def _named(long_name: str) -> dict[str, str]:

@@ -11,19 +11,8 @@ from pkmodes.machine.dataset.variables import LIST, OF_POSES, OF_TRACKING, dims_
 if TYPE_CHECKING:
     import pandas
     import xarray
-#: Order of the columns: one for each mode, for each pose, and for each component of these.
+#: Order of the columns, by whether there is one for each mode, and for each component.
 ORDER = ((True, False), (False, False), (True, True), (False, True))
-
-
-def _dims() -> dict[str, tuple[str, ...]]:
-    """Return the axes of each variable after those of the poses."""
-    of_fields = {field.variable: dims_of(field) for field in of_maps(EVERY)}
-    return of_fields | {variable.name: variable.dims for variable in (*OF_TRACKING, *OF_POSES)}
-
-
-def _kind(dims: tuple[str, ...]) -> tuple[bool, bool]:
-    """Return whether a variable has a value for each mode, and whether it has components."""
-    return MODE in dims, bool({*dims} - {MODE})
 
 
 def table_of(dataset: xarray.Dataset) -> pandas.DataFrame:
@@ -36,8 +25,13 @@ def table_of(dataset: xarray.Dataset) -> pandas.DataFrame:
     """
     import xarray
 
+    # The axes of each variable after those of the poses.
+    axes = {field.variable: dims_of(field) for field in of_maps(EVERY)}
+    axes |= {variable.name: variable.dims for variable in (*OF_TRACKING, *OF_POSES)}
     columns: dict[str, xarray.DataArray] = {}
-    for name, dims in sorted(_dims().items(), key=lambda item: ORDER.index(_kind(item[1]))):
+    for name, dims in sorted(
+        axes.items(), key=lambda item: ORDER.index((MODE in item[1], bool({*item[1]} - {MODE})))
+    ):
         if name not in dataset:
             continue
         if dims in ((), (MODE,)):

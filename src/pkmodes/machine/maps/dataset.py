@@ -163,13 +163,6 @@ def _spaced(values: Any, shape: tuple[int, ...]) -> Any:
     return map_blocks(part, name=f"rows-{uuid4()}", chunks=chunks, dtype=dtype, meta=meta)
 
 
-def _lazy(whole: Array, shape: tuple[int, ...]) -> Any:
-    """Return an array in parts, for fields that are stored."""
-    from dask.array import from_array
-
-    return from_array(whole, chunks=chunks_of(whole.shape, len(shape)), name=False)
-
-
 def _applied(function: Callable[..., Array], dtype: np.dtype[Any], *fields: Any) -> Any:
     """Apply a function to fields, part by part if they are stored."""
     if isinstance(fields[0], np.ndarray):
@@ -189,7 +182,12 @@ def _tracked(fields: Mapping[str, Any], tracked: Tracked, shape: tuple[int, ...]
         values.reshape(*shape, -1) for values in (tracked.order, tracked.signs, tracked.events)
     )
     if not isinstance(valid, np.ndarray):
-        order, signs, events = (_lazy(values, shape) for values in (order, signs, events))
+        from dask.array import from_array
+
+        order, signs, events = (
+            from_array(values, chunks=chunks_of(values.shape, len(shape)), name=False)
+            for values in (order, signs, events)
+        )
     reordered = {}
     for field in of_maps(EVERY):
         values = fields.get(field.variable)

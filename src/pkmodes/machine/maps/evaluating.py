@@ -30,7 +30,6 @@ from pkmodes.core.solve.fields import (
     LINEAR,
     MODE,
     SHAPES,
-    Field,
     conditions_of,
     missing,
     of_maps,
@@ -138,6 +137,7 @@ def evaluate(task: Task) -> dict[str, Array]:
 
 
 def _piece(robot: Robot, points: Array, task: Task) -> dict[str, Array]:
+    """Evaluate a robot at its poses; the fields have room for the modes and coordinates of all robots."""
     layout, model = task.layout, Model(robot, task.max_condition)
     fields = of_maps(layout.conditions)
     # One thread: tasks run side by side.
@@ -150,11 +150,24 @@ def _piece(robot: Robot, points: Array, task: Task) -> dict[str, Array]:
         given={"normal": task.normal},
     )
     arrays = {"code": checked.codes.copy()}
-    sizes = tails(robot, layout)
+    sizes, independent = tails(robot, layout), robot.mechanism.independent
     for field in fields:
         shape, dtype = sizes[field.variable]
         array = arrays[field.variable] = np.full((len(points), *shape), missing(dtype), dtype)
-        _place(field, values[field.name], array, model, layout, checked.valid)
+        of_robot = values[field.name]
+        if field.dims[:1] == (MODE,):
+            of_robot = of_robot[:, model.solved(layout.drives).rigid_modes :]
+            array = array[:, : of_robot.shape[1]]
+        if COORDINATE in field.dims:
+            array[checked.valid] = 0.0  # a joint that this robot does not release does not move
+            array[..., [layout.coordinates.index(name) for name in model.coordinates]] = of_robot
+        elif INDEPENDENT in field.dims:
+            shown = layout.coordinates if layout.shapes else independent
+            array[..., [shown.index(name) for name in independent]] = of_robot
+        elif LINEAR in field.dims:
+            array[..., : of_robot.shape[-1]] = of_robot
+        else:
+            array[...] = of_robot
     if task.used:
         beyond = checked.valid & ~inside(robot, points)
         for array in arrays.values():
@@ -166,23 +179,3 @@ def _piece(robot: Robot, points: Array, task: Task) -> dict[str, Array]:
 def codes(mechanism: Mechanism) -> tuple[str, ...]:
     """Return the reasons that the codes of a map index: those of poses, and that a pose is not usable."""
     return (*codes_of(mechanism), USABLE)
-
-
-def _place(
-    field: Field, values: Array, array: Array, model: Model, layout: MapLayout, valid: NDArray[np.bool_]
-) -> None:
-    """Place the values of a robot in an array with the modes and coordinates of all robots."""
-    if field.dims[:1] == (MODE,):
-        values = values[:, model.solved(layout.drives).rigid_modes :]
-        array = array[:, : values.shape[1]]
-    if COORDINATE in field.dims:
-        array[valid] = 0.0  # a joint that this robot does not release does not move
-        array[..., [layout.coordinates.index(name) for name in model.coordinates]] = values
-    elif INDEPENDENT in field.dims:
-        independent = model.robot.mechanism.independent
-        shown = layout.coordinates if layout.shapes else independent
-        array[..., [shown.index(name) for name in independent]] = values
-    elif LINEAR in field.dims:
-        array[..., : values.shape[-1]] = values
-    else:
-        array[...] = values

@@ -127,14 +127,15 @@ def sentences(content: dict[str, Any], units: dict[str, tuple[str, float]]) -> l
         if count:
             poses = "pose is" if count == 1 else "poses are"
             names = dict.fromkeys([*(name for name in content["ranges"] if name in at), *at])
-            where = ", ".join(_place(name, at[name], units) for name in names)
+            places = []
+            for name in names:
+                unit, factor = units.get(name, ("", 1.0))
+                label = isinstance(at[name], str)
+                places.append(
+                    f"{name} {at[name]}" if label else f"{name} = {factor * at[name]:.4g} {unit}".rstrip()
+                )
             position = "at" if count == 1 else f"{extreme} at"
-            lines.append(f"{count:,} {poses} {is_} and not in these numbers: {why}; {position} {where}.")
+            lines.append(
+                f"{count:,} {poses} {is_} and not in these numbers: {why}; {position} {', '.join(places)}."
+            )
     return lines
-
-
-def _place(name: str, value: Any, units: dict[str, tuple[str, float]]) -> str:
-    if isinstance(value, str):
-        return f"{name} {value}"
-    unit, factor = units.get(name, ("", 1.0))
-    return f"{name} = {factor * value:.4g} {unit}".rstrip()

@@ -27,7 +27,7 @@ from pkmodes.machine.maps.evaluating import MapLayout, Task, code_of, layout_of,
 from pkmodes.machine.maps.map_file import MapFile
 from pkmodes.machine.maps.poses import Places, PoseGrid, places_of
 from pkmodes.machine.maps.running import run_tasks
-from pkmodes.machine.maps.storage import SUFFIX, Store, Tails, damage_refused, in_memory, locked, on_disk
+from pkmodes.machine.maps.storage import SUFFIX, Store, damage_refused, in_memory, locked, on_disk
 from pkmodes.machine.maps.tracking import Tracked, track
 from pkmodes.machine.maps.variants import SAMPLE, Variants, variants_of
 from pkmodes.machine.maps.workspace import bounds_of, reachable
@@ -198,7 +198,11 @@ def map_of(
     layout = layout_of(variants.robots, shapes or tracked, chosen(backend), checked_drives(drives))
     plan = MapPlan(model, places, variants, layout)
     if tracked:
-        _check_trackable(plan)
+        systems = map(evaluation, variants.robots)
+        if len({(at.coordinates, solved_system(at, layout.drives).rigid_modes) for at in systems}) > 1:
+            problem = "modes cannot be tracked across robots with different coordinates"
+            remedy = "sweep an effect from a value above zero, or leave out tracked"
+            raise PkmodesError(problem, "tracked", remedy)
     sizes = tails(model.robot, layout)
 
     def computed(store: Store) -> xarray.Dataset:
@@ -211,7 +215,13 @@ def map_of(
         return dataset_of(model.robot, places, variants, saved_layout, store.arrays, tracked_modes)
 
     if file is None:
-        return computed(_in_memory(plan, sizes))
+        try:
+            store = in_memory(plan.rows, plan.task_count, sizes)
+        except (MemoryError, ValueError):  # ValueError: more than an array can have
+            problem = f"a map of {plan.rows:,} poses does not fit in memory"
+            remedy = "write it to a file with out (--out), or make the grid coarser"
+            raise PkmodesError(problem, "map", remedy) from None
+        return computed(store)
     folder = file.path.with_name(file.path.name + SUFFIX)
     with locked(folder):
         store = on_disk(folder, plan.record, plan.rows, ROWS, sizes)
@@ -221,16 +231,6 @@ def map_of(
             kept: xarray.Dataset | None = dataset.load() if file.is_table else None
         store.remove()
     return file.opened() if kept is None else kept
-
-
-def _in_memory(plan: MapPlan, sizes: Tails) -> Store:
-    try:
-        return in_memory(plan.rows, plan.task_count, sizes)
-    except (MemoryError, ValueError):  # ValueError: more than an array can have
-        problem = f"a map of {plan.rows:,} poses does not fit in memory"
-        raise PkmodesError(
-            problem, "map", "write it to a file with out (--out), or make the grid coarser"
-        ) from None
 
 
 def _fill(
@@ -275,17 +275,6 @@ def _refuse_outside(plan: MapPlan) -> NoReturn:
             f"write the unit in the header of the file, such as {name} [mm], or give metres",
         )
     raise PkmodesError(problem, where, bounds_of(model, sample, remedy))
-
-
-def _check_trackable(plan: MapPlan) -> None:
-    drives = plan.layout.drives
-    systems = [(system, solved_system(system, drives)) for system in map(evaluation, plan.variants.robots)]
-    counts = {(system.coordinates, solved.rigid_modes) for system, solved in systems}
-    if len(counts) > 1:
-        problem = "modes cannot be tracked across robots with different coordinates"
-        raise PkmodesError(
-            problem, "tracked", "sweep an effect from a value above zero, or leave out tracked"
-        )
 
 
 def track_plan(plan: MapPlan, arrays: Mapping[str, Any]) -> Tracked:

@@ -109,7 +109,7 @@ def parse_grid(text: str, mechanism: Mechanism, where: str) -> dict[str, Array]:
     missing = [name for name in needed if name not in axes]
     if missing:
         raise PkmodesError(
-            f"the grid does not say {' and '.join(missing)}", where, f"give every component: {example}"
+            f"the grid gives no values of {' and '.join(missing)}", where, f"give every component: {example}"
         )
     return {name: axes[name] for name in units if name in axes}
 
@@ -142,7 +142,7 @@ def parse_settings(texts: tuple[str, ...], units: Mapping[str, str], where: str)
             continue
         if (comma := AMBIGUOUS.search(values)) is not None:
             problem = (
-                f"expected values separated by commas, found {shown(comma[0])}, in which one alone has a unit"
+                f"expected values separated by commas, found {shown(comma[0])}, of which only one has a unit"
             )
             low, high, symbol = comma.groups()
             remedy = f"write {low} {symbol},{high} {symbol} for two values, {low}.{high} {symbol} for one"

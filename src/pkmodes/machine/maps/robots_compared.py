@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Annotated, Any, cast
 
@@ -19,7 +19,6 @@ from pkmodes.core.support.mac import mass_weighted_mac
 from pkmodes.core.support.progress import say
 from pkmodes.loop.robot_files.differences import (
     ChoiceDifference,
-    Differences,
     ValueDifference,
     check_one_mechanism,
     differences,
@@ -147,6 +146,16 @@ def compare_robots(first: Model, second: Model, poses: Array, drives: str = FREE
     declared = differences(first.robot, second.robot)
     changes = compare_frequencies(first, second, poses, drives)
     modes = mode_changes(changes)
+    notes = [sentence] if (sentence := exchanging(modes)) else []
+    surplus = changes.second_modes - changes.modes
+    if surplus:
+        has = "second" if surplus > 0 else "first"
+        noun = "mode" if abs(surplus) == 1 else "modes"
+        notes.append(
+            f"the {has} robot has {abs(surplus)} {noun} of vibration more, without partners at each pose"
+        )
+    if not (declared.values or declared.choices or declared.added or declared.removed):
+        notes.append("the two files declare the same robot")
     return RobotsCompared(
         first=first.robot.name,
         second=second.robot.name,
@@ -159,20 +168,8 @@ def compare_robots(first: Model, second: Model, poses: Array, drives: str = FREE
         poses=changes.counts,
         modes=modes,
         second_modes=changes.second_modes,
-        notes=tuple(_notes(declared, changes, modes)),
+        notes=tuple(notes),
     )
-
-
-def _notes(declared: Differences, changes: FrequencyChanges, modes: Sequence[ModeChange]) -> Iterator[str]:
-    if sentence := exchanging(modes):
-        yield sentence
-    surplus = changes.second_modes - changes.modes
-    if surplus:
-        has = "second" if surplus > 0 else "first"
-        noun = "mode" if abs(surplus) == 1 else "modes"
-        yield f"the {has} robot has {abs(surplus)} {noun} of vibration more, without partners at each pose"
-    if not (declared.values or declared.choices or declared.added or declared.removed):
-        yield "the two files declare the same robot"
 
 
 def largest_difference(modes: Sequence[ModeChange]) -> str:
@@ -230,26 +227,28 @@ def compare_frequencies(first: Model, second: Model, poses: Array, drives: str =
 
 def mode_changes(changes: FrequencyChanges) -> tuple[ModeChange, ...]:
     """Return the distribution of each mode's difference over the poses."""
-    return tuple(_mode_change(changes, mode) for mode in range(changes.modes))
-
-
-def _mode_change(changes: FrequencyChanges, mode: int) -> ModeChange:
-    paired = np.isfinite(changes.relative[:, mode])
-    if not paired.any():
-        return ModeChange(mode + 1, 0, None, None, None, None, None, None)
-    relative, partner = changes.relative[paired, mode], changes.partner[paired, mode]
-    dominant = int(np.bincount(partner).argmax())
-    low, high = np.quantile(relative, ENDS)
-    return ModeChange(
-        mode + 1,
-        int(paired.sum()),
-        float(np.median(relative)),
-        float(low),
-        float(high),
-        dominant + 1,
-        float((partner != dominant).mean()),
-        float(np.median(changes.mac[paired, mode])),
-    )
+    modes = []
+    for mode in range(changes.modes):
+        paired = np.isfinite(changes.relative[:, mode])
+        if not paired.any():
+            modes.append(ModeChange(mode + 1, 0, None, None, None, None, None, None))
+            continue
+        relative, partner = changes.relative[paired, mode], changes.partner[paired, mode]
+        dominant = int(np.bincount(partner).argmax())
+        low, high = np.quantile(relative, ENDS)
+        modes.append(
+            ModeChange(
+                mode + 1,
+                int(paired.sum()),
+                float(np.median(relative)),
+                float(low),
+                float(high),
+                dominant + 1,
+                float((partner != dominant).mean()),
+                float(np.median(changes.mac[paired, mode])),
+            )
+        )
+    return tuple(modes)
 
 
 def _at(first: Model, second: Model, poses: Array, drives: str) -> tuple[NDArray[Any], ...]:
@@ -271,27 +270,15 @@ def _at(first: Model, second: Model, poses: Array, drives: str) -> tuple[NDArray
         )
         at = [first.coordinates.index(name) for name in common]
         mass = first.matrices(poses[both], "nan")[0][:, at][:, :, at]
-        likeness = _mac(phi, psi, mass)
+        size = np.sqrt(((phi @ mass) * phi).sum(axis=-1, keepdims=True))
+        phi = phi / np.where(size > 0.0, size, 1.0)  # a part of a shape is not mass-normalised
+        likeness = mass_weighted_mac(phi @ mass @ np.swapaxes(psi, 1, 2), psi, mass)
         for row, table in zip(both, likeness, strict=True):
-            mine, partners = _pairs(table)
+            # One to one, with the largest sum of MAC.
+            mine, partners = np.arange(len(table)), table.argmax(axis=1)
+            if len(np.unique(partners)) < len(partners):
+                mine, partners = linear_sum_assignment(table, maximize=True)
             partner[row, mine] = partners
             relative[row, mine] = g[row, partners] / f[row, mine] - 1.0
             mac[row, mine] = table[mine, partners]
     return *reached, f, relative, partner, mac
-
-
-def _mac(phi: Array, psi: Array, mass: Array) -> Array:
-    """Return the MAC of the modes of two robots, (N, m, m'), at coordinates that both have."""
-    size = np.sqrt(((phi @ mass) * phi).sum(axis=-1, keepdims=True))
-    phi = phi / np.where(size > 0.0, size, 1.0)
-    products = phi @ mass @ np.swapaxes(psi, 1, 2)
-    return mass_weighted_mac(products, psi, mass)
-
-
-def _pairs(mac: Array) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """Return the one-to-one assignment with the largest sum of MAC."""
-    order = mac.argmax(axis=1)
-    if len(np.unique(order)) == len(order):
-        return np.arange(len(order)), order
-    mine, partners = linear_sum_assignment(mac, maximize=True)
-    return mine, partners

@@ -93,25 +93,17 @@ def _submitter(put: Put, threads: int, scheduler: str | None) -> Iterator[tuple[
     with connected(scheduler) as client:
         executor = client.get_executor(pure=False)
         try:
-            with _failures(scheduler):
-                yield lambda _, task: executor.submit(evaluate, task), sum(client.nthreads().values())
+            yield lambda _, task: executor.submit(evaluate, task), sum(client.nthreads().values())
+        except (PkmodesError, MemoryError):
+            raise
+        except (Exception, CancelledError) as error:  # of Dask, such as that of a lost scheduler
+            reason = " ".join(str(error).split()) or "the connection was lost"
+            problem = f"the workers could not finish: {type(error).__name__}: {reason[:300]}"
+            remedy = "check the scheduler and its workers; with an output file, the same command continues"
+            raise PkmodesError(problem, f"scheduler {shown(scheduler)}", remedy) from error
         finally:
             with suppress(Exception):  # the scheduler is gone
                 executor.shutdown(wait=False)
-
-
-@contextmanager
-def _failures(scheduler: str) -> Iterator[None]:
-    """Replace the errors of Dask, such as a lost scheduler, by one that says what to do."""
-    try:
-        yield
-    except (PkmodesError, MemoryError):
-        raise
-    except (Exception, CancelledError) as error:
-        reason = " ".join(str(error).split()) or "the connection was lost"
-        problem = f"the workers could not finish: {type(error).__name__}: {reason[:300]}"
-        remedy = "check the scheduler and its workers; with an output file, the same command continues"
-        raise PkmodesError(problem, f"scheduler {shown(scheduler)}", remedy) from error
 
 
 @contextmanager

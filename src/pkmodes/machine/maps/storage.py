@@ -111,15 +111,30 @@ def on_disk(folder: Path, plan: dict[str, Any], rows: int, rows_of_a_task: int, 
 
     Raises OutputError if the folder cannot be written, has no room, or holds another map.
     """
+    import zarr
+    from zarr.codecs import Crc32cCodec
+
     group, tasks = folder / GROUP, range(-(-rows // rows_of_a_task))
     size = rows * sum(prod(tail) * np.dtype(dtype).itemsize for tail, dtype in tails.values())
+    arrays: dict[str, Any] = {}
     try:
         if not _continued(group, plan):
-            _begin(group, plan, size)
-        arrays = {
-            name: _array(group / name, (rows, *tail), rows_of_a_task, dtype)
-            for name, (tail, dtype) in tails.items()
-        }
+            if shutil.disk_usage(folder).free < size:  # say so before anything is computed
+                raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+            zarr.create_group(group, overwrite=True, zarr_format=3, attributes=plan)
+        for name, (tail, dtype) in tails.items():
+            # Whatever is there, the plan says what it has to be.
+            (group / name / "zarr.json").unlink(missing_ok=True)
+            arrays[name] = zarr.create_array(
+                group / name,
+                shape=(rows, *tail),
+                chunks=(min(rows_of_a_task, rows), *(max(length, 1) for length in tail)),
+                dtype=dtype,
+                fill_value=missing(dtype),
+                compressors=[Crc32cCodec()],
+                zarr_format=3,
+                config={"write_empty_chunks": True},  # otherwise a task without a valid pose is never done
+            )
         done = [all(_whole(group / name, array, task) for name, array in arrays.items()) for task in tasks]
     except OSError as error:
         raise refusal(error, folder) from None
@@ -144,35 +159,6 @@ def _continued(group: Path, plan: dict[str, Any]) -> bool:
         problem = f"this folder holds an interrupted map that differs in: {', '.join(differing)}"
         raise OutputError(problem, str(group.parent), START_AGAIN)
     return True
-
-
-def _begin(group: Path, plan: dict[str, Any], size: int) -> None:
-    """Make the group, if there is room for arrays of that many bytes."""
-    import zarr
-
-    if shutil.disk_usage(group.parent).free < size:  # say so before anything is computed
-        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
-    zarr.create_group(group, overwrite=True, zarr_format=3, attributes=plan)
-
-
-def _array(place: Path, shape: tuple[int, ...], rows_of_a_task: int, dtype: str) -> Any:
-    """Return an array of the group, with the chunks that it has."""
-    import zarr
-    from zarr.codecs import Crc32cCodec
-
-    # Whatever is there, the plan says what it has to be.
-    (place / "zarr.json").unlink(missing_ok=True)
-    chunks = (min(rows_of_a_task, shape[0]), *(max(length, 1) for length in shape[1:]))
-    return zarr.create_array(
-        place,
-        shape=shape,
-        chunks=chunks,
-        dtype=dtype,
-        fill_value=missing(dtype),
-        compressors=[Crc32cCodec()],
-        zarr_format=3,
-        config={"write_empty_chunks": True},  # otherwise a task without a valid pose is never done
-    )
 
 
 def _whole(place: Path, array: Any, task: int) -> bool:

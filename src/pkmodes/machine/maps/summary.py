@@ -140,12 +140,26 @@ def summary_of(dataset: xarray.Dataset, file: str | None) -> MapSummary:
         for i in range(len(numbers)):
             lowest[i] = _better(lowest[i], kept[..., i], start, highest=False)
             highest[i] = _better(highest[i], kept[..., i], start, highest=True)
-    rows = quantiles(lambda: _frequencies(dataset, leading), list(SHARES.values())).tolist()
+
+    def ordinary_frequencies() -> Iterator[NDArray[Any]]:
+        for _, part in parts(dataset[["frequency", "condition", *MEDIANS]], leading):
+            frequency = part["frequency"].where(ordinary(part)).transpose(*leading, "mode").values
+            yield frequency.reshape(-1, frequency.shape[-1])
+
+    rows = quantiles(ordinary_frequencies, list(SHARES.values())).tolist()
+    # As people read them: swept parameters, then x, y, z, which a dataset has reversed.
+    pose = [dim for dim in leading if "." not in dim and dim != SAMPLE]
+    ranges: dict[str, list[Any]] = {}
+    for dim in (*(dim for dim in leading if dim not in pose), *reversed(pose)):
+        values = dataset[dim].values
+        labels = values.dtype.kind not in "fiu"
+        ends = (values[0], values[-1]) if labels else (values.min(), values.max())
+        ranges[dim] = [end.item() for end in ends]
     return MapSummary(
         robot=dataset.attrs["robot"],
         file=file,
         dimensions={str(name): int(size) for name, size in dataset.sizes.items()},
-        ranges={dim: _range(dataset[dim].values) for dim in _as_read(leading)},
+        ranges=ranges,
         poses=int(np.prod([dataset.sizes[dim] for dim in leading])),
         valid=valid,
         counted=counted,
@@ -176,12 +190,6 @@ def quantiles_in_words(content: dict[str, Any]) -> str:
     return f"Quantiles of each frequency over {count} {poses}, interpolated between its values there"
 
 
-def _as_read(leading: list[str]) -> list[str]:
-    """Return the axes of a map as people read them: swept parameters, then x, y, z, which a dataset has reversed."""
-    pose = [dim for dim in leading if "." not in dim and dim != SAMPLE]
-    return [*(dim for dim in leading if dim not in pose), *reversed(pose)]
-
-
 def _better(extreme: Any, values: NDArray[Any], start: list[int], *, highest: bool) -> Any:
     """Return the more extreme of an extreme with its place, if any, and that of a part; NaN stands for no value."""
     if np.isnan(values).all():
@@ -191,13 +199,6 @@ def _better(extreme: Any, values: NDArray[Any], start: list[int], *, highest: bo
     if extreme is not None and (value <= extreme[0] if highest else value >= extreme[0]):
         return extreme
     return value, [a + int(b) for a, b in zip(start, at, strict=True)]
-
-
-def _frequencies(dataset: xarray.Dataset, leading: list[str]) -> Iterator[NDArray[Any]]:
-    """Yield the frequencies of each part at ordinary poses, (poses, modes)."""
-    for _, part in parts(dataset[["frequency", "condition", *MEDIANS]], leading):
-        frequency = part["frequency"].where(ordinary(part)).transpose(*leading, "mode").values
-        yield frequency.reshape(-1, frequency.shape[-1])
 
 
 def _end(
@@ -212,10 +213,3 @@ def _at(extreme: tuple[float, list[int]] | None, dataset: xarray.Dataset) -> dic
         return None
     condition = dataset["condition"][tuple(extreme[1])]
     return {str(key): coordinate.values.item() for key, coordinate in condition.coords.items()}
-
-
-def _range(values: NDArray[Any]) -> list[Any]:
-    """Return the lowest and highest value along an axis, of labels the first and last."""
-    if values.dtype.kind in "fiu":
-        return [values.min().item(), values.max().item()]
-    return [values[0].item(), values[-1].item()]

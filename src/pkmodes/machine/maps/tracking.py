@@ -91,8 +91,15 @@ def track(
     good = arrays["code"][:] == 0
     steps = _compared(arrays["shape"], *_neighbours(shape, linked, good), masses)
     order, signs = _followed(steps, good, shape)
+    # Events of a step belong to the tracked modes at both rows; a step that contradicts the numbering is uncertain.
     events = np.zeros_like(order)
-    _mark(events, steps, order)
+    mode_of = np.argsort(order, axis=1).astype(np.int8)  # tracked mode of each rank
+    for mode in range(order.shape[1]):
+        event = steps.marks[:, mode].copy()
+        here, there = mode_of[steps.first, mode], mode_of[steps.second, steps.order[:, mode]]
+        event |= np.where(here != there, EVENTS["uncertain"], 0).astype(np.int8)
+        np.bitwise_or.at(events, (steps.first, here), event)
+        np.bitwise_or.at(events, (steps.second, there), event)
     return Tracked(order, signs, events)
 
 
@@ -248,14 +255,3 @@ def _references(part: Index, good: Array, shape: tuple[int, ...]) -> Index:
     _, first = np.unique(of[nearest_first], return_index=True)
     references: Index = rows[nearest_first[first]]
     return references
-
-
-def _mark(events: Array, steps: Steps, order: Array) -> None:
-    """Transfer the events of steps to the tracked modes at both rows, and mark contradictory steps."""
-    mode_of = np.argsort(order, axis=1).astype(np.int8)  # tracked mode of each rank
-    for mode in range(order.shape[1]):
-        event = steps.marks[:, mode].copy()
-        here, there = mode_of[steps.first, mode], mode_of[steps.second, steps.order[:, mode]]
-        event |= np.where(here != there, EVENTS["uncertain"], 0).astype(np.int8)
-        np.bitwise_or.at(events, (steps.first, here), event)
-        np.bitwise_or.at(events, (steps.second, there), event)

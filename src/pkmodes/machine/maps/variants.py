@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -62,44 +62,47 @@ def variants_of(robot: Robot, sweep: Mapping[str, Any] | None, samples: int | No
     Raises RobotFileError if a robot file with these values would be rejected.
     """
     swept = {} if sweep is None else swept_values(sweep, "sweep")
-    drawn, count = _drawn(robot, swept, samples, seed)
-    robots = [
-        _robot(robot, dict(zip(swept, values, strict=True)), drawn, i)
-        for values in itertools.product(*swept.values())
-        for i in range(count)
-    ]
+    draws: list[tuple[dict[str, float], Robot]] = [({}, robot)]
+    if samples is not None:
+        check_argument(samples, POSITIVE_INTEGER, "samples", "for example: 200")
+        check_argument(seed, NATURAL_NUMBER, "seed", "for example: 0")
+        draws = _draws(robot, taken(robot, swept), int(samples), seed)
+    robots = []
+    for values in itertools.product(*swept.values()):
+        changes = {path: float(value) for path, value in zip(swept, values, strict=True)}
+        robots += [robot.with_values({**changes, **draw}) if changes else sample for draw, sample in draws]
+    drawn = {path: np.array([draw[path] for draw, _ in draws]) for path in draws[0][0]}
     return Variants(swept, drawn, samples, tuple(robots))
 
 
-def _robot(robot: Robot, swept: Mapping[str, float], drawn: Mapping[str, Array], i: int) -> Robot:
-    changes = {
-        **{path: float(v) for path, v in swept.items()},
-        **{path: float(v[i]) for path, v in drawn.items()},
-    }
-    return robot.with_values(changes) if changes else robot
+def _draws(
+    robot: Robot, swept_paths: Collection[str], samples: int, seed: int
+) -> list[tuple[dict[str, float], Robot]]:
+    """Draw values by path, each time with the robot that has them.
 
-
-def _drawn(
-    robot: Robot, swept: Mapping[str, Array], samples: int | None, seed: int
-) -> tuple[dict[str, Array], int]:
-    """Draw values; a sample that a robot file could not declare, such as a negative mass, is drawn again."""
-    if samples is None:
-        return {}, 1
-    check_argument(samples, POSITIVE_INTEGER, "samples", "for example: 200")
-    check_argument(seed, NATURAL_NUMBER, "seed", "for example: 0")
-    swept_paths = taken(robot, swept)
+    Values that a robot file could not declare, such as a negative mass, are drawn again.
+    """
     spread = [path for path in sigmas_by_path(robot) if path not in swept_paths]
     if not spread:
         problem = "no value of the robot has a standard deviation from which it could be drawn"
         remedy = 'declare some, such as mass = { value = "1.5 kg", sigma = "1 %" }'
         raise PkmodesError(problem, f"{robot.source}: samples", remedy)
     rng, root = np.random.default_rng(seed), root_of(covariance_of(robot, spread))
-    centre = {path: robot.quantities[path].value for path in spread}
-    draws: dict[str, list[float]] = {path: [] for path in spread}
-    for _ in range(int(samples)):
-        for path, value in _sample(robot, centre, root, rng).items():
-            draws[path].append(value)
-    return {path: np.array(values) for path, values in draws.items()}, int(samples)
+    centre = np.array([robot.quantities[path].value for path in spread])
+    draws: list[tuple[dict[str, float], Robot]] = []
+    for _ in range(samples):
+        for _ in range(DRAWS):
+            away = root @ rng.standard_normal(root.shape[1])
+            values = dict(zip(spread, (centre + away).tolist(), strict=True))
+            try:
+                draws.append((values, robot.with_values(values)))
+                break
+            except PkmodesError as error:
+                refused = error
+        else:
+            message = f"none of {DRAWS} draws gave a robot that can exist: {refused.what}"
+            raise PkmodesError(message, refused.where, "check the standard deviation of this value")
+    return draws
 
 
 def taken(robot: Robot, swept: Mapping[str, Array]) -> set[str]:
@@ -115,19 +118,3 @@ def taken(robot: Robot, swept: Mapping[str, Array]) -> set[str]:
         if {path, lender} & paths:
             paths |= {path, lender}
     return paths
-
-
-def _sample(
-    robot: Robot, spread: Mapping[str, float], root: Array, rng: np.random.Generator
-) -> dict[str, float]:
-    for _ in range(DRAWS):
-        away = root @ rng.standard_normal(root.shape[1])
-        values = dict(zip(spread, (np.array(list(spread.values())) + away).tolist(), strict=True))
-        try:
-            robot.with_values(values)
-        except PkmodesError as error:
-            problem = error
-        else:
-            return values
-    message = f"none of {DRAWS} draws gave a robot that can exist: {problem.what}"
-    raise PkmodesError(message, problem.where, "check the standard deviation of this value")

@@ -102,26 +102,19 @@ def hanging(model: Model, poses: Array) -> Array:
     """
     if not model.has_assemblies:
         return poses
-    sides = model.assembly(poses)
-    beside = _beside_joints(model)
-    if beside is None:
-        rank = Generated(model.mechanism.model, model.robot.parameters).gravity_potential(poses)
-        if model.mechanism.rotations and model.mechanism.drives[0].unit == "N":
-            rank = -rank
-    else:
+    sides, mechanism = model.assembly(poses), model.mechanism
+    beside = np.zeros(len(mechanism.directions))  # from the middle of a platform's joints to its origin
+    if mechanism.rotations:
+        middle = middle_of_joints(mechanism, model.robot.parameters)
+        beside = -middle[["xyz".index(axis) for axis in mechanism.directions]]
+    if mechanism.rotations and np.linalg.norm(beside) > BESIDE * model.characteristic_length:
         rank = -poses[:, : len(beside)] @ beside
+    else:
+        rank = Generated(mechanism.model, model.robot.parameters).gravity_potential(poses)
+        if mechanism.rotations and mechanism.drives[0].unit == "N":
+            rank = -rank
     chosen: Array = poses[sides == min(np.unique(sides), key=lambda side: float(rank[sides == side].mean()))]
     return chosen
-
-
-def _beside_joints(model: Model) -> Array | None:
-    """Return the direction from the middle of a platform's joints to its origin; None if it is in the middle."""
-    mechanism = model.mechanism
-    if not mechanism.rotations:
-        return None
-    middle = middle_of_joints(mechanism, model.robot.parameters)
-    beside = -middle[["xyz".index(axis) for axis in mechanism.directions]]
-    return beside if np.linalg.norm(beside) > BESIDE * model.characteristic_length else None
 
 
 def _workspace_in_words(model: Model) -> str:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from functools import partial
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -51,12 +49,11 @@ def compliance(model: Model, poses: ArrayLike, on_error: OnError = "raise") -> A
             model.robot.source,
             "check the drives of the mechanism",
         )
-    (values,) = model.evaluated(partial(_at_points, model), model.checked(poses, on_error))
+
+    def at_points(points: Array) -> Array:
+        at = RobotAtPoses(held, points, model.robot.source, {})
+        with_fields(model.solver(AUTO, HELD).inner, at, "stiffness_matrix", "platform_motion")
+        return statics.compliance(at["stiffness_matrix"], at["platform_motion"])
+
+    (values,) = model.evaluated(at_points, model.checked(poses, on_error))
     return np.asarray(values)
-
-
-def _at_points(model: Model, points: Array) -> Array:
-    """Return the displacement of the platform per force [m/N] at N poses, (N, components, components)."""
-    at = RobotAtPoses(model.solved(HELD), points, model.robot.source, {})
-    with_fields(model.solver(AUTO, HELD).inner, at, "stiffness_matrix", "platform_motion")
-    return statics.compliance(at["stiffness_matrix"], at["platform_motion"])

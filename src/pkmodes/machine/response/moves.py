@@ -127,7 +127,8 @@ def simulate(
     fine, path, indices = _refined(t, shaped, model)
     _check_path(model, fine, path)
     if damping is not None:
-        model = _with_ratio(model, damping)
+        check_argument(damping, RATIO, "damping", "give the ratio of every mode, such as 0.01")
+        model = model.with_values({"damping.ratio": float(damping)})
     if rigid := model.solved(HELD).rigid_modes:
         problem = f"with motors held the machine still has {rigid} rigid modes: they would drift away"
         raise PkmodesError(problem, model.robot.source, "check the drives of the mechanism")
@@ -147,8 +148,13 @@ def shaped_command(time: Array, command: Array, shaper: Shaper) -> Array:
 
     Raises PkmodesError if the shaper has neither shape, or its delays shorten faster than time passes.
     """
-    amplitudes, delays = _impulses(shaper, len(time))
-    arrival = time[:, None] + delays
+    amplitudes, delays = checked_impulses(shaper)
+    if delays.ndim > 2 or (delays.ndim == 2 and len(delays) != len(time)):
+        problem = (
+            f"expected impulses of shape (n,), or ({len(time)}, n) for as many times, found {delays.shape}"
+        )
+        raise PkmodesError(problem, "shaper", "design one shaper, or one for each time")
+    arrival = time[:, None] + delays  # T, n
     overtaken = np.flatnonzero((np.diff(arrival, axis=0) < 0.0).any(axis=1))
     if len(overtaken):
         problem = f"the delays shorten faster than time passes at {time[overtaken[0]]:.6g} s"
@@ -159,15 +165,6 @@ def shaped_command(time: Array, command: Array, shaper: Shaper) -> Array:
     for i, k in np.ndindex(*parts.shape[1:]):
         shaped[:, k] += np.interp(time, arrival[:, i], parts[:, i, k])
     return shaped
-
-
-def _impulses(shaper: Shaper, count: int) -> tuple[Array, Array]:
-    """Return amplitudes (n,) or (T, n), and delays (T, n), of one shaper, or of one for each of so many times."""
-    amplitudes, delays = checked_impulses(shaper)
-    if delays.ndim > 2 or (delays.ndim == 2 and len(delays) != count):
-        problem = f"expected impulses of shape (n,), or ({count}, n) for as many times, found {delays.shape}"
-        raise PkmodesError(problem, "shaper", "design one shaper, or one for each time")
-    return amplitudes, np.broadcast_to(delays, (count, delays.shape[-1]))
 
 
 def _times(time: ArrayLike) -> Array:
@@ -234,9 +231,3 @@ def _check_path(model: Model, time: Array, poses: Array) -> None:
         at = placed(model.robot.mechanism, poses[k], ".6g")
         problem = f"the path leaves the workspace at {time[k]:.6g} s, {at}: {error.what}"
         raise PoseError(problem, "poses", error.remedy) from None
-
-
-def _with_ratio(model: Model, damping: float) -> Model:
-    check_argument(damping, RATIO, "damping", "give the ratio of every mode, such as 0.01")
-    robot = model.robot.with_values({"damping.ratio": float(damping)})
-    return Model(robot, model.max_condition)

@@ -56,7 +56,9 @@ def deviation_along(model: Model, time: Array, poses: Array, drives: str) -> Arr
     mechanism = model.robot.mechanism
     names = [component.name for component in mechanism.pose]
     moving = [names.index(name) for name in mechanism.components]
-    steps = _evened(np.diff(time))
+    steps = np.diff(time)
+    if np.ptp(steps) <= EQUAL * steps.max():  # equal steps as equal numbers
+        steps = np.full_like(steps, steps.mean())
     still = np.zeros((1, len(moving)))
     moved = _moved(poses[:, moving], mechanism)
     velocity = np.vstack([still, moved / steps[:, None]])  # before each sample
@@ -92,13 +94,6 @@ def _moved(path: Array, mechanism: Mechanism) -> Array:
     return moved
 
 
-def _evened(steps: Array) -> Array:
-    """Return equal time steps as equal numbers."""
-    if np.ptp(steps) <= EQUAL * steps.max():
-        return np.full_like(steps, steps.mean())
-    return steps
-
-
 class _Steps(NamedTuple):
     """From just after each sample to just before the next one.
 
@@ -118,7 +113,9 @@ class _Vibration:
     """
 
     def __init__(self, model: Model, poses: Array, step: float, drives: str) -> None:
-        points, self._of = _distinct(poses)
+        # A machine at rest is evaluated once.
+        points, of = np.unique(poses, axis=0, return_inverse=True)
+        self._of = np.ravel(of)
         at = LinearisedRobot(model, points, drives, AUTO)
         shapes, M, viscous = at.own_shapes, at.matrices[0], at.dissipation[0]
         names = model.system.coordinates
@@ -163,22 +160,14 @@ class _Vibration:
         n = 2 * self.modes
         # Each sample ends one interval and begins the next: equal halves are computed once.
         of = np.concatenate([self._of[:-1], self._of[1:]])
-        begin, end = np.split(self._passed(np.tile(0.5 * duration, 2), of), 2)
+        pairs, where = np.unique(
+            np.column_stack([of, np.tile(0.5 * duration, 2)]), axis=0, return_inverse=True
+        )
+        transitions = expm(self._A[pairs[:, 0].astype(int)] * pairs[:, 1, None, None])
+        begin, end = np.split(np.asarray(transitions)[np.ravel(where)], 2)
         across = np.zeros((len(begin), n, n))
         across[:, : self.modes, : self.modes] = self._positions
         across[:, self.modes :, self.modes :] = self._momenta
         onward = end[:, :n, :n] @ across
         drag = onward @ begin[:, :n, n:] + end[:, :n, n:]
         return _Steps(onward @ begin[:, :n, :n], np.einsum("snj,sj->sn", drag, velocity))
-
-    def _passed(self, duration: Array, of: NDArray[np.intp]) -> Array:
-        """Return the transition matrices over times, each with the matrices of one of the distinct samples."""
-        pairs, where = np.unique(np.column_stack([of, duration]), axis=0, return_inverse=True)
-        matrices = self._A[pairs[:, 0].astype(int)] * pairs[:, 1, None, None]
-        return np.asarray(expm(matrices))[np.ravel(where)]
-
-
-def _distinct(poses: Array) -> tuple[Array, NDArray[np.intp]]:
-    """Return the distinct poses, and the index of each pose among them: a machine at rest is evaluated once."""
-    points, of = np.unique(poses, axis=0, return_inverse=True)
-    return points, np.ravel(of)

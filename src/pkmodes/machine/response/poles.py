@@ -96,7 +96,8 @@ def notes_on_damping(linearised: LinearisedRobot, ratios: Array) -> list[str]:
 
 def poles(damping: ModalDamping) -> Complex:
     """Return the poles, (N, 2 m) [1/s]: ascending magnitude, of a pair the one with positive imaginary part first."""
-    if not _coupled(damping.matrix):
+    D = damping.matrix
+    if np.count_nonzero(D) <= np.count_nonzero(np.diagonal(D, axis1=-2, axis2=-1)):  # it couples no modes
         return _sorted(_of_single_modes(damping))
     values = np.linalg.eigvals(_first_order(damping)).astype(complex)
     for pose, parts in _apart(damping):
@@ -110,11 +111,6 @@ def ratios_of_poles(damping: ModalDamping) -> Array:
     for pose, parts in _apart(damping):
         ratios[pose] = np.concatenate([_ratios_of_poles(part)[0] for part in parts])
     return ratios
-
-
-def _coupled(D: Array) -> bool:
-    """Return whether damping couples modes."""
-    return bool(np.count_nonzero(D) > np.count_nonzero(np.diagonal(D, axis1=-2, axis2=-1)))
 
 
 def _of_single_modes(damping: ModalDamping) -> Complex:

@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 from pkmodes.core.base.drives import FREE, HELD
 from pkmodes.core.base.errors import PkmodesError, nearest_name, shown
 from pkmodes.core.mechanism.directions import unit_direction
-from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.model import Model
 from pkmodes.machine.response.linearised import LinearisedRobot
 from pkmodes_description import Named
@@ -98,7 +97,9 @@ def outputs_of(model: Model, names: Sequence[str | Mapping[str, Any]]) -> tuple[
         if isinstance(output, Mapping):
             for name, direction in output.items():
                 _check_name(name, ports)
-                ports[name] = _direction(name, direction, mechanism)
+                unit = unit_direction(direction, mechanism.directions, f"outputs: {name}")
+                all_components = (*unit.tolist(), *(0.0,) * len(mechanism.rotations))
+                ports[name] = Port(name, mechanism.platform[0].unit, "platform", direction=all_components)
                 selection.append(name)
         else:
             selection.append(output)
@@ -113,12 +114,6 @@ def _check_name(name: Any, ports: Mapping[str, Port]) -> None:
     if not isinstance(name, str) or re.fullmatch(r"[\w. +-]*\w[\w. +-]*", name) is None:
         problem = f"expected the name of a direction, found {shown(name)}"
         raise PkmodesError(problem, "outputs", "use letters, digits, and any of _ . + -")
-
-
-def _direction(name: str, direction: Any, mechanism: Mechanism) -> Port:
-    unit = unit_direction(direction, mechanism.directions, f"outputs: {name}")
-    still = (0.0,) * len(mechanism.rotations)
-    return Port(name, mechanism.platform[0].unit, "platform", direction=(*unit.tolist(), *still))
 
 
 def _driven(drive: Named) -> str:

@@ -276,13 +276,18 @@ def state_space(
     request = ResponseRequest.of(model, inputs, outputs, quantity, drives)
     into, out = request.inputs, request.outputs
     system = model.solved(drives)
-    count = number_of_modes(system)
-    kept = _checked_modes(modes, count, system.rigid_modes)
+    rigid, count = system.rigid_modes, number_of_modes(system)
+    least, kept = max(rigid, 1), count if modes is None else modes
+    is_number = isinstance(kept, int | np.integer) and not isinstance(kept, bool)
+    if modes is not None and not (is_number and least <= kept <= count):
+        problem = f"expected a number of modes from {least} to {count}, found {shown(kept)}"
+        which = f"; the {rigid} rigid ones are counted and kept" if rigid else ""
+        raise PkmodesError(problem, "modes", f"give the number of the lowest modes that are kept{which}")
     checked = model.checked(poses, on_error)
 
     def at(points: Array) -> tuple[Array, ...]:
         vibrating = LinearisedRobot(model, points, drives, backend)
-        parts = _matrices(vibrating, into, out, kept, residual and quantity == "displacement")
+        parts = _matrices(vibrating, into, out, int(kept), residual and quantity == "displacement")
         return _differentiated(parts, QUANTITIES[quantity], into, out, quantity)
 
     A, B, C, D, frequencies = model.evaluated(at, checked)
@@ -295,18 +300,6 @@ def state_space(
         frequencies=frequencies,
         tick=None,
     )
-
-
-def _checked_modes(modes: int | None, count: int, rigid: int) -> int:
-    """Return the number of modes to keep, of a model with some rigid ones."""
-    least = max(rigid, 1)
-    if modes is None:
-        return count
-    if isinstance(modes, bool) or not isinstance(modes, int | np.integer) or not least <= modes <= count:
-        problem = f"expected a number of modes from {least} to {count}, found {shown(modes)}"
-        which = f"; the {rigid} rigid ones are counted and kept" if rigid else ""
-        raise PkmodesError(problem, "modes", f"give the number of the lowest modes that are kept{which}")
-    return int(modes)
 
 
 def _matrices(

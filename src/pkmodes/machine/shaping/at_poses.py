@@ -113,7 +113,7 @@ def check_factors(kind: str, at: Ringing, where: str) -> int:
     """
     count = len(factors(kind))
     if count > at.modes:
-        problem = f"{kind} is for {count} modes, and {at.modes} count"
+        problem = f"{kind} is for {count} modes, but only {at.modes} count"
         raise PkmodesError(problem, where, "leave out a factor, or count more modes")
     return count
 

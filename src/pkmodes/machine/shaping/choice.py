@@ -92,21 +92,13 @@ def choose(
         notes += _as_made(candidates, firmware)
     if short:
         kept = {candidate.kind for candidate in candidates}
-        listed = dict.fromkeys(
-            f"{candidate.kind}{_variant(candidate, at) if candidate.kind in kept else ''}"
-            for candidate in short
-        )
+        listed: dict[str, None] = {}
+        for candidate in short:
+            which = f" of the {at.point_is}" if candidate.follows_pose else ", fixed"
+            listed[f"{candidate.kind}{which if candidate.kind in kept else ''}"] = None
         notes.append(f"{', '.join(listed)}: left out, shorter than two ticks of {1e3 * tick:.3g} ms")
     unshaped = _amplitude(at, at.unshaped)
     return Choice(at, unshaped, candidates, recommended, (*at.notes(), *notes), left, length, firmware)
-
-
-def _per_cent(share: float) -> str:
-    return f"{numbers.plain(100 * share, 2)} %" if share >= 1e-6 else "nothing"
-
-
-def _variant(candidate: Candidate, at: Ringing) -> str:
-    return f" of the {at.point_is}" if candidate.follows_pose else ", fixed"
 
 
 def lines_of(candidate: Candidate) -> dict[str, str | None]:
@@ -195,14 +187,15 @@ def _recommended(
     ]
     if following:
         follower = min(following, key=lambda candidate: (round(candidate.left.worst, 6), candidate.duration))
-        uncertain = follower.left.rms_uncertain
+        worst, uncertain = follower.left.worst, follower.left.rms_uncertain
+        rest = f"{numbers.plain(100 * worst, 2)} %" if worst >= 1e-6 else "nothing"
         spread = (
             ""
             if uncertain is None
             else f", {numbers.plain(100 * uncertain, 2)} % on average with uncertain frequencies"
         )
         notes.append(
-            f"following the {at.point_is}, {follower.kind} leaves {_per_cent(follower.left.worst)} "
+            f"following the {at.point_is}, {follower.kind} leaves {rest} "
             f"{at.where_most}{spread}, and more while the machine moves (pkmodes.Model.simulate)"
         )
     return best, notes

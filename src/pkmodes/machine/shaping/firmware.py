@@ -130,7 +130,11 @@ def change(
     """
     f, name = frequencies[0], VERSIONS[version].firmware
     if name == "klipper":
-        return _klipper_command(kind, f, zeta) if _in_klipper(version, kind, zeta) else None
+        if not _in_klipper(version, kind, zeta):
+            return None
+        axes = [f"SHAPER_FREQ_{axis}={f:.2f}" for axis in "XY"]
+        axes += [f"DAMPING_RATIO_{axis}={zeta:.4f}" for axis in "XY"]
+        return " ".join(["SET_INPUT_SHAPER", f"SHAPER_TYPE={kind}", *axes])
     if name == "marlin":
         return _marlin(kind, f, zeta, by_axis=version == "marlin")
     if named(kind, zeta):
@@ -146,13 +150,6 @@ def named(kind: str, zeta: float) -> bool:
 def _in_klipper(version: str, kind: str, zeta: float) -> bool:
     """Return whether it has a shaper: the oldest version has no limit of its own below 1."""
     return kind in KLIPPER and (version == "klipper-2025-08" or zeta <= KLIPPER[kind])
-
-
-def _klipper_command(kind: str, f: float, zeta: float) -> str:
-    """Return the command of Klipper."""
-    axes = [f"SHAPER_FREQ_{axis}={f:.2f}" for axis in "XY"]
-    axes += [f"DAMPING_RATIO_{axis}={zeta:.4f}" for axis in "XY"]
-    return " ".join(["SET_INPUT_SHAPER", f"SHAPER_TYPE={kind}", *axes])
 
 
 def _marlin(kind: str, f: float, zeta: float, *, by_axis: bool) -> str | None:

@@ -42,7 +42,8 @@ def best_fixed(kind: str, at: Ringing, version: str | None = None) -> tuple[tupl
       `pkmodes.shaping.shaper`, as for products
     """
     names, zeta = factor_names(kind), at.mean_ratio
-    version = None if len(names) > 1 else version
+    k, alike = len(names), len(set(names)) == 1
+    version = None if k > 1 else version
     chosen = _chosen(at.unshaped, MOST // at.frequencies.shape[1])
     modes, weights = (at.frequencies[chosen], at.damping_ratios[chosen]), at.weights[chosen]
 
@@ -51,12 +52,19 @@ def best_fixed(kind: str, at: Ringing, version: str | None = None) -> tuple[tupl
         return float(np.linalg.norm(weights * remaining, axis=-1).max())
 
     low, high = modes[0].min() / BEYOND, modes[0].max() * BEYOND
-    tried = np.geomspace(low, high, _resolution(names))
-    tables = {name: _table(name, tried, zeta, version, *modes) for name in names}
-    starts = _best_combinations([tables[name] for name in names], weights, alike=len(set(names)) == 1)
+    count = TRIED  # frequencies for each factor
+    while (comb(count + k - 1, k) if alike else count**k) > COMBINATIONS:
+        count -= 1
+    tried = np.geomspace(low, high, count)
+    # The squared vibration that a factor leaves, for every frequency that is tried: (count, N, m).
+    tables = {
+        name: np.stack([residual(_fixed(name, f, zeta, version), *modes) ** 2 for f in tried[:, None]])
+        for name in names
+    }
+    starts = _best_combinations([tables[name] for name in names], weights, alike=alike)
     refined = [_refined(worst, np.log(tried), start) for start in starts]
     best = np.exp(min(refined, key=worst))
-    if len(set(names)) == 1:
+    if alike:
         best = np.sort(best)
     if version is not None:
         best = np.array([settled(version, kind, float(best[0]), zeta)])
@@ -80,24 +88,8 @@ def _chosen(unshaped: Array, count: int) -> NDArray[np.intp]:
     return np.concatenate([strongest, even])
 
 
-def _resolution(names: tuple[str, ...]) -> int:
-    """Return how many frequencies are tried for each factor."""
-    k, alike = len(names), len(set(names)) == 1
-    count = TRIED
-    while (comb(count + k - 1, k) if alike else count**k) > COMBINATIONS:
-        count -= 1
-    return count
-
-
-def _table(name: str, tried: Array, zeta: float, version: str | None, f: Array, ratios: Array) -> Array:
-    """Return the squared vibration that a factor leaves, for every frequency that is tried, (G, N, m)."""
-    return np.stack(
-        [residual(_fixed(name, tried[i : i + 1], zeta, version), f, ratios) ** 2 for i in range(len(tried))]
-    )
-
-
 def _best_combinations(tables: list[Array], weights: Array, *, alike: bool) -> list[tuple[int, ...]]:
-    """Return the best combinations of frequencies by index: what factors leave multiplies."""
+    """Return the best combinations of frequencies by index, none next to another: what factors leave multiplies."""
     count, k = len(tables[0]), len(tables)
     combinations = (
         combinations_with_replacement(range(count), k) if alike else product(range(count), repeat=k)
@@ -112,13 +104,9 @@ def _best_combinations(tables: list[Array], weights: Array, *, alike: bool) -> l
         for table, index in zip(small[1:], batch.T[1:], strict=True):
             remaining = remaining * table[index]
         worst[first : first + TOGETHER] = np.einsum("cnm,nm->cn", remaining, squares).max(axis=1)
-    return _apart(indices[np.argsort(worst, kind="stable")])
-
-
-def _apart(combinations: NDArray[np.intp]) -> list[tuple[int, ...]]:
-    """Return the first few combinations that are not neighbours of each other."""
-    chosen = [combinations[0]]
-    for combination in combinations[1:]:
+    ranked = indices[np.argsort(worst, kind="stable")]
+    chosen = [ranked[0]]
+    for combination in ranked[1:]:
         if len(chosen) == STARTS:
             break
         if all(np.abs(combination - accepted).max() >= APART for accepted in chosen):

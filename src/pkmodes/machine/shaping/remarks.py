@@ -6,20 +6,13 @@ from pkmodes.core.support.numbers import plain
 from pkmodes.core.support.ordering import joined
 from pkmodes.machine.shaping.choice import lines_of, recommended_of
 from pkmodes.machine.shaping.firmware import LEAST, MARLIN, NAMES
-from pkmodes.machine.shaping.results import Candidate, Choice
+from pkmodes.machine.shaping.results import Choice
 
 
 def firmware_remarks(choice: Choice) -> list[str]:
     """Return sentences on firmware that lacks the recommended shaper, or makes a different one from its lines."""
     best = choice.candidates[choice.recommended]
-    notes = _substitutes(choice, best)
-    if best.kind in MARLIN and best.damping_ratio < LEAST:
-        notes.append(f"Marlin takes damping ratios from {LEAST:g} on, and its line has that one")
-    return notes
-
-
-def _substitutes(choice: Choice, best: Candidate) -> list[str]:
-    """Name what would be recommended of the shapers that a firmware has, where it lacks the recommended one."""
+    # For a firmware that lacks it, what would be recommended of the shapers that it has.
     lacking: dict[str, list[str]] = {}
     for name in (name for name, line in lines_of(best).items() if line is None):
         index, good = recommended_of(choice.candidates, choice.left, choice.length, name)
@@ -32,4 +25,7 @@ def _substitutes(choice: Choice, best: Candidate) -> list[str]:
             lacking.setdefault(f"{instead} (--shapers {substitute.kind} prints its lines)", []).append(
                 NAMES[name]
             )
-    return [f"no {best.kind} in {joined(names)}; {instead}" for instead, names in lacking.items()]
+    notes = [f"no {best.kind} in {joined(names)}; {instead}" for instead, names in lacking.items()]
+    if best.kind in MARLIN and best.damping_ratio < LEAST:
+        notes.append(f"Marlin takes damping ratios from {LEAST:g} on: its line has that one")
+    return notes

@@ -202,20 +202,20 @@ class Schedule:
         version : str
             Such as ``"klipper"`` or ``"klipper-2025-08"``.
         """
-        pairs = [(step, change(version, *step.best.design)) for step in self.steps]
-        if any(text is None for _, text in pairs):
-            return None
-        return "\n".join(f"; {self._place(step)}\n{text}" for step, text in pairs)
-
-    def _place(self, step: Step) -> str:
-        """Return where a command belongs: from which layer on, or for which values."""
-        where = str(step.setting)
-        if self.parameter is not None and step.serves is not None:
-            low, high = (f"{value:.4g}" for value in step.serves)
-            where = f"{self.parameter} {with_unit(f'{low} to {high}', step.setting.units[self.parameter])}"
-        return (
-            where if step.heights is None else f"from the layer at {1e3 * step.heights[0]:.1f} mm on: {where}"
-        )
+        lines = []
+        for step in self.steps:
+            text = change(version, *step.best.design)
+            if text is None:
+                return None
+            where = str(step.setting)
+            if self.parameter is not None and step.serves is not None:
+                low, high = (f"{value:.4g}" for value in step.serves)
+                served = with_unit(f"{low} to {high}", step.setting.units[self.parameter])
+                where = f"{self.parameter} {served}"
+            if step.heights is not None:
+                where = f"from the layer at {1e3 * step.heights[0]:.1f} mm on: {where}"
+            lines += [f"; {where}", text]
+        return "\n".join(lines)
 
 
 def command_of(candidate: Candidate) -> dict[str, str | None]:

@@ -137,7 +137,10 @@ class Ringing:
             notes.append(
                 f"{self.left_out} {are} left out{of}: not reachable, or a mode does not oscillate there"
             )
-        if self._alike:
+        parts = [self.only(i).frequencies for i in range(len(self.settings))]
+        if len(parts) > 1 and all(
+            part.shape == parts[0].shape and np.allclose(part, parts[0], SAME, 0.0) for part in parts
+        ):
             notes.append(
                 f"no frequency changes with the settings: {' and '.join(self.settings[0].values)} cannot be seen in "
                 "the modes that count"
@@ -152,14 +155,6 @@ class Ringing:
         if not self.damping_ratios.any():
             notes.append("the robot file has no damping: shapers are designed for none; see [damping]")
         return notes
-
-    @property
-    def _alike(self) -> bool:
-        """Whether the settings differ and the frequencies do not."""
-        if len(self.settings) < 2:
-            return False
-        parts = [self.only(i).frequencies for i in range(len(self.settings))]
-        return all(part.shape == parts[0].shape and np.allclose(part, parts[0], SAME, 0.0) for part in parts)
 
     @property
     def mean_ratio(self) -> float:
@@ -212,7 +207,12 @@ def at_settings(
 ) -> Ringing:
     """Evaluate the modes at the poses of each setting: see `ringing`."""
     models = [model.with_values(setting.values) for setting in settings]
-    does = _common_drives(models, settings, drives)
+    give_way = [motors_give_way(variant.robot) for variant in models]
+    if drives != HELD and len(set(give_way)) > 1:
+        soft, none = (settings[give_way.index(gives)] for gives in (True, False))
+        problem = f"at {soft} springs hold the motors, and at {none} none do"
+        raise PkmodesError(problem, "settings", 'give values above 0 only, or take drives="held"')
+    does = drives_in_use(models[0].robot, drives)
     count = min(_count(variant, modes, does) for variant in models)
     parts = []
     for variant, setting in zip(models, settings, strict=True):
@@ -235,19 +235,6 @@ def at_settings(
     )
 
 
-def _common_drives(models: Sequence[Model], settings: Sequence[Setting], drives: str | None) -> str:
-    """Return what the motors do at all settings.
-
-    Raises PkmodesError if some settings have springs on the motors and others none.
-    """
-    give_way = [motors_give_way(variant.robot) for variant in models]
-    if drives != HELD and len(set(give_way)) > 1:
-        soft, none = (settings[give_way.index(gives)] for gives in (True, False))
-        problem = f"at {soft} springs hold the motors, and at {none} none do"
-        raise PkmodesError(problem, "settings", 'give values above 0 only, or take drives="held"')
-    return drives_in_use(models[0].robot, drives)
-
-
 def _at_poses(
     model: Model, poses: ArrayLike, count: int, drives: str, fixed_paths: Collection[str] = ()
 ) -> Ringing:
@@ -265,12 +252,13 @@ def _at_poses(
             problem, "poses", "give poses in the workspace, at which the modes that count oscillate"
         )
     points = checked.points[good]
+    sigmas = spread_of(model, points, drives, known=fixed_paths)
     return Ringing(
         points,
         f[good],
         zeta[good],
         np.linalg.norm(w[good], axis=-1),
-        _spread(model, points, f[good], drives, fixed_paths),
+        None if sigmas is None else np.nan_to_num(sigmas[:, :count]) / f[good],
         int(np.count_nonzero(~good)),
         drives=drives,
         motors=motors_in_words(model.robot, drives),
@@ -293,9 +281,3 @@ def _count(model: Model, modes: int | None, drives: str) -> int:
         problem = f"expected at most the {available} modes that the machine has with {doing}, found {modes}"
         raise PkmodesError(problem, "modes", f"give 1 to {available}")
     return modes
-
-
-def _spread(model: Model, points: Array, f: Array, drives: str, fixed_paths: Collection[str]) -> Array | None:
-    """Return the relative standard deviations of frequencies: declared values err little."""
-    sigmas = spread_of(model, points, drives, known=fixed_paths)
-    return None if sigmas is None else np.nan_to_num(sigmas[:, : f.shape[1]]) / f

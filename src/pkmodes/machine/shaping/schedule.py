@@ -71,7 +71,12 @@ def schedule_of(
     best = [choice.candidates[choice.recommended].shaper for choice in choices]
     scheduled = each_setting(best, at)
     serves, ends = _between(model, poses, at, parameter, best)
-    heights = _heights(serves, height)
+    heights = []  # of the layers between which each shaper serves
+    if serves and height is not None:
+        values, layers = (serves[0][0], serves[-1][1]), tuple(map(float, height))
+        heights = [
+            (float(np.interp(a, values, layers)), float(np.interp(b, values, layers))) for a, b in serves
+        ]
     fixed = whole.candidates[whole.recommended].shaper
     steps = [
         Step(
@@ -102,7 +107,7 @@ def check_heights(height: Any, parameter: str | None) -> None:
     check_argument(height, HEIGHTS, "height", "for example: (0.0, 0.2)")
     if parameter is None:
         problem = (
-            "layer heights belong to one parameter that takes several values, and there is not exactly one"
+            "layer heights belong to one parameter that takes several values, but there is not exactly one"
         )
         raise PkmodesError(problem, "height", "give several values to one parameter, such as a payload")
 
@@ -144,19 +149,6 @@ def _between(
     return list(pairwise([values[0], *halfway, values[-1]])), ends
 
 
-def _heights(
-    serves: Sequence[tuple[float, float]], height: Sequence[float] | None
-) -> list[tuple[float, float]]:
-    """Return the layer heights between which each shaper serves."""
-    if not serves or height is None:
-        return []
-    values, layers = (serves[0][0], serves[-1][1]), tuple(map(float, height))
-    return [
-        (float(np.interp(low, values, layers)), float(np.interp(high, values, layers)))
-        for low, high in serves
-    ]
-
-
 def notes_of(schedule: Schedule) -> list[str]:
     """Return notes on the schedule for the reader."""
     notes, limit = [], f"{plain(100 * schedule.steps[0].choice.left, 3)} %"
@@ -175,11 +167,11 @@ def notes_of(schedule: Schedule) -> list[str]:
     if lacking and schedule.steps[0].choice.firmware is None:
         notes.append(
             f"no schedule for {joined(lacking)}, which lack{'s' if len(lacking) == 1 else ''} one of its shapers; "
-            "--firmware schedules only those that one has"
+            "--firmware NAME schedules only shapers that this firmware has"
         )
     if schedule.steps[0].heights is not None:
         notes.append(
-            f"the heights are those of a print with which {schedule.parameter} grows evenly, as one with the same "
-            "cross-section in every layer"
+            f"the heights are those of a print with which {schedule.parameter} grows evenly, such as one with the "
+            "same cross-section in every layer"
         )
     return notes
