@@ -3,7 +3,7 @@
 A standard deviation has two significant digits, and its value is rounded to the same place: digits below that mean
 nothing, and a single digit would round 0.15 to 0.2 (JCGM 100:2008, 7.2.6).  A value whose fit is surer than its
 standard deviation, which includes what was not observed, keeps the digits of the fit.  Both have the same power of
-ten, which is left out where all their digits can be read without it.  Programs read the exact numbers in the JSON.
+ten, which is left out between 0.01 and 10,000, and where all their digits can be read without it.  Programs read the exact numbers in the JSON.
 
 The text is ASCII, ``(1.92 +- 0.13)e-4``; `pkmodes.pages.plots.labels.typeset` sets it as in print.
 """
@@ -16,7 +16,9 @@ from decimal import Decimal
 
 #: Powers of ten of numbers that are written without one.
 PLAIN = range(-3, 6)
-#: Most zeros that stand for digits below the last significant one: 730 +- 210 has one.
+#: Powers of ten of numbers that never have one, whatever zeros they end with: 2100, not 2.1e3.
+ALWAYS_PLAIN = range(-2, 4)
+#: Most zeros of larger numbers that stand for digits below the last significant one.
 MOST_ZEROS = 1
 #: Most decimals: a float does not hold more digits, even if its standard deviation requires them.
 MOST_DECIMALS = 12
@@ -79,7 +81,7 @@ def rounded(value: float, sigma: float, fit: float | None = None) -> Rounded:
     of_sigma = _exponent(sigma, 2) - 1  # the place of its last digit
     place = min(of_sigma, _exponent(fit, 2) - 1) if fit is not None and 0.0 < fit < sigma else of_sigma
     exponent = max(_exponent(value, _digits(value, place)), of_sigma + 1)
-    shift = 0 if exponent in PLAIN and place <= MOST_ZEROS else exponent
+    shift = _shift(exponent, place)
     if shift - place > MOST_DECIMALS:
         return Rounded(plain(value, MOST_DECIMALS), plain(sigma, 2))
     texts = (
@@ -95,7 +97,7 @@ def plain(value: float, digits: int = 6) -> str:
     if not math.isfinite(value) or not value:
         return f"{value + 0.0:g}"
     exponent = _exponent(value, digits)
-    shift = 0 if exponent in PLAIN and exponent - digits + 1 <= MOST_ZEROS else exponent
+    shift = _shift(exponent, exponent - digits + 1)
     decimals = digits - 1 - exponent + shift
     text = f"{round(_scaled(value, shift), decimals):.{max(decimals, 0)}f}"
     text = text.rstrip("0").rstrip(".") if "." in text else text
@@ -126,6 +128,12 @@ def p_in_words(p_value: float) -> str:
 def p_text(p_value: float) -> str:
     """Return a p-value without its name: ``0.0024``, ``< 1e-6``."""
     return f"< {plain(LEAST_P)}" if p_value < LEAST_P else plain(p_value, 2)
+
+
+def _shift(exponent: int, place: int) -> int:
+    """Return the power of ten to write for a number with an exponent, and a place of its last digit; 0 for none."""
+    plainly = exponent in ALWAYS_PLAIN or (exponent in PLAIN and place <= MOST_ZEROS)
+    return 0 if plainly else exponent
 
 
 def _exponent(value: float, digits: int) -> int:
