@@ -17,6 +17,7 @@ from pkmodes.core.base.arguments import POSITIVE_NUMBER, check_argument
 from pkmodes.core.base.errors import PoseError, shown
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.mechanism.generated import Generated
+from pkmodes.core.support.numbers import plain
 from pkmodes_description import Margin
 
 Array = NDArray[np.float64]
@@ -300,7 +301,7 @@ def _sentence(margin: Margin, values: Array) -> tuple[str, str]:
     """Return what is wrong with a pose that violates a margin, whose values there are (...), and the remedy."""
     if margin.rule == "at_most_limit":
         value = float(values.max())  # NaN if any value is NaN
-        return margin.sentence.format(value=f"{np.inf if np.isnan(value) else value:.3g}"), margin.remedy
+        return margin.sentence.format(value=plain(np.inf if np.isnan(value) else value, 3)), margin.remedy
     place = np.unravel_index(int(np.argmin(values)), values.shape)
     lacking = -float(values[place])
     size = f"{lacking:.4g} {margin.unit}".removesuffix(" 1")

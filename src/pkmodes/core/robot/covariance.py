@@ -24,6 +24,7 @@ from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.robot import schema
 from pkmodes.core.robot.layout import lent
 from pkmodes.core.robot.units import Quantity, dimension_of, with_unit
+from pkmodes.core.support.numbers import plain
 
 COVARIANCE = "covariance"
 PATHS, SIGMA, CORRELATION = "paths", "sigma", "correlation"
@@ -194,7 +195,7 @@ def _correlation(raw: Any, count: int, where: str, problem: Problem) -> tuple[tu
         return None
     least = float(np.linalg.eigvalsh(matrix)[0])
     if least < -ROUNDING:
-        message = f"expected a positive semidefinite matrix, found an eigenvalue of {least:.3g}"
+        message = f"expected a positive semidefinite matrix, found an eigenvalue of {plain(least, 3)}"
         problem(
             where,
             message,

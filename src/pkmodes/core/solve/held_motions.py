@@ -29,6 +29,7 @@ from pkmodes.core.linalg.eigen import (
     without_inertia,
 )
 from pkmodes.core.solve.at_poses import RobotAtPoses
+from pkmodes.core.support.numbers import plain
 from pkmodes.core.system.evaluation import Evaluation
 from pkmodes.core.system.stiffness_parts import StiffnessParts
 
@@ -155,7 +156,7 @@ def lost_in_rounding(
 ) -> PoseError:
     """Return the error that a frequency of vibration has lost its digits, from two eigenvalues."""
     low, high = natural_frequencies(np.array([lowest, highest]))
-    lost = f"vibration at {abs(low):.2g} Hz is lost in rounding against {high:.4g} Hz"
+    lost = f"vibration at {plain(abs(low), 2)} Hz is lost in rounding against {high:.4g} Hz"
     if by_springs:
         springs = " and ".join(map(in_effects, at.system.springs_to_ground))
         return PoseError(f"a {lost}", at.source, f"make the springs to ground softer: {springs}")
@@ -169,7 +170,9 @@ def lost_in_rounding(
 def _too_soft(at: RobotAtPoses, eigenvalue: float, share: float) -> PoseError:
     springs = at.system.springs_to_ground
     low = natural_frequencies(np.array([eigenvalue]))[0]
-    problem = f"springs to ground are so soft that their vibration at {abs(low):.2g} Hz is lost in rounding"
+    problem = (
+        f"springs to ground are so soft that their vibration at {plain(abs(low), 2)} Hz is lost in rounding"
+    )
     if len(springs) > 1 or not 0.0 < share < 1.0 or min(springs.values()) < SMALLEST:
         return PoseError(
             problem, at.source, f"make them stiffer or leave them out: {', '.join(map(in_effects, springs))}"

@@ -3,7 +3,8 @@
 A standard deviation has two significant digits, and its value is rounded to the same place: digits below that mean
 nothing, and a single digit would round 0.15 to 0.2 (JCGM 100:2008, 7.2.6).  A value whose fit is surer than its
 standard deviation, which includes what was not observed, keeps the digits of the fit.  Both have the same power of
-ten, which is left out between 0.01 and 10,000, and where all their digits can be read without it.  Programs read the exact numbers in the JSON.
+ten, which is left out between 0.01 and 10,000, and where all their digits can be read without it.  Programs read the
+exact numbers in the JSON.
 
 The text is ASCII, ``(1.92 +- 0.13)e-4``; `pkmodes.pages.plots.labels.typeset` sets it as in print.
 """

@@ -14,6 +14,7 @@ from pkmodes.core.robot.declaration import Declaration
 from pkmodes.core.robot.layout import by_path, takers
 from pkmodes.core.robot.usable import numbers_of
 from pkmodes.core.support.documents import Document
+from pkmodes.core.support.numbers import plain
 
 
 class ValueDifference(Document, frozen=True):
@@ -128,7 +129,7 @@ def _correlations(first: Declaration, second: Declaration) -> Iterator[ChoiceDif
     before, after = _between(ours), _between(theirs)
     if ours != theirs:
         far = max(abs(ours.get(pair, 0.0) - theirs.get(pair, 0.0)) for pair in ours.keys() | theirs.keys())
-        apart = f", which differ from those by up to {far:.2g}" if ours and theirs else ""
+        apart = f", which differ from those by up to {plain(far, 2)}" if ours and theirs else ""
         yield ChoiceDifference(COVARIANCE, before, after + apart)
     elif ours and _stated(first) != _stated(second):
         yield ChoiceDifference(COVARIANCE, before, f"{after}, the same with other standard deviations")

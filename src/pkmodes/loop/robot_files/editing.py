@@ -224,7 +224,7 @@ class ValueNotation:
         notation = ValueNotation() if "%" in self.after else self
         digits = Decimal(repr(value / notation.scale))
         written = Context(prec=SIGMA_DIGITS, rounding=ROUND_CEILING).plus(digits)
-        return f"{notation.before}{float(written):.{SIGMA_DIGITS}g}{notation.after}"
+        return f"{notation.before}{plain(float(written), SIGMA_DIGITS)}{notation.after}"
 
     def quantity(self, value: float, sigma: float | None, digits: int) -> str:
         """Format a value as TOML, with its standard deviation if it has one."""

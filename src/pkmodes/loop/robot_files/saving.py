@@ -24,6 +24,7 @@ from pkmodes.core.robot.reading import read_robot, robot_from_document
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.units import Quantity
 from pkmodes.core.support.covariance import joined_covariance, sigmas_by_path
+from pkmodes.core.support.numbers import plain
 from pkmodes.core.support.writing import write_file
 from pkmodes.loop.robot_files.editing import Keys, TomlText, ValueNotation
 
@@ -75,7 +76,7 @@ def _edits_of(changes: Mapping[str, Correction], robot: Declaration) -> dict[str
             )
         if path in groups:
             # The standard deviation of a group goes into the comment.
-            deviation = "" if sigma is None else f"sigma of {path} {sigma:.3g} {groups[path].unit}"
+            deviation = "" if sigma is None else f"sigma of {path} {plain(sigma, 3)} {groups[path].unit}"
             note = "; ".join(part for part in (correction.note, deviation) if part)
             try:
                 values = elements_of(robot, groups[path], value)

@@ -12,6 +12,7 @@ from pkmodes.core.model import Model
 from pkmodes.core.robot.covariance import Covariance
 from pkmodes.core.robot.parameter_groups import groups_by_path
 from pkmodes.core.robot.robot import Robot
+from pkmodes.core.support.numbers import plain
 from pkmodes.core.support.writing import write_file
 from pkmodes.loop.diagnosis.verdict.findings import Corrected
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
@@ -44,7 +45,7 @@ def corrections(robot: Robot, diagnosis: Diagnosis) -> Mapping[str, Correction]:
         unit = "" if value.unit == "1" else f" {value.unit}"
         if value.name in explained and value.unseen is not None:
             done = value.unseen.done
-            note += f"; sigma includes what {done} could have done (fit alone: {value.sigma:.2g}{unit})"
+            note += f"; sigma includes what {done} could have done (fit alone: {plain(value.sigma, 2)}{unit})"
         if value.unseen is not None and value.unseen.unbounded:
             note += (
                 f"; sigma leaves out what an unseen {value.unseen.unbounded} could have done, which these data do "

@@ -7,6 +7,7 @@ from pathlib import Path
 from pkmodes.core.base.errors import OutputError
 from pkmodes.core.model import Model
 from pkmodes.core.robot.robot import Robot
+from pkmodes.core.support.numbers import plain
 from pkmodes.core.support.writing import write_file
 from pkmodes.loop.diagnosis.verdict.findings import Corrected
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
@@ -103,7 +104,7 @@ def robot_with_term(robot: Robot | Model, result: Diagnosis) -> str:
     lines = [f"\n# {noun}, found by pkmodes diagnose\n[effects.{effect_name(term)}]\n"]
     for value in added:
         unit = value.unit.replace("*", " ")
-        quantity = f'value = "{value.value:.{DIGITS}g} {unit}", sigma = "{value.sigma:.3g} {unit}"'
+        quantity = f'value = "{value.value:.{DIGITS}g} {unit}", sigma = "{plain(value.sigma, 3)} {unit}"'
         lines.append(f"{best.quantity(term, value)} = {{ {quantity} }}\n")
     return text.rstrip("\n") + "\n" + "".join(lines)
 

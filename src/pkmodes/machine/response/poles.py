@@ -17,6 +17,7 @@ from pkmodes.core.linalg.damping import ModalDamping
 from pkmodes.core.mechanism.poses import OnError
 from pkmodes.core.model import Model
 from pkmodes.core.solve.backends import AUTO
+from pkmodes.core.support.numbers import plain
 from pkmodes.machine.response.linearised import LinearisedRobot, nan_in_both_parts
 
 Array = NDArray[np.float64]
@@ -88,8 +89,8 @@ def notes_on_damping(linearised: LinearisedRobot, ratios: Array) -> list[str]:
     for i in range(linearised.rigid, len(ratios)):
         if abs(ratios[i] - exact[i]) > DIFFERENT * exact[i]:
             notes.append(
-                f"mode {i + 1 - linearised.rigid}: the damping ratio {ratios[i]:.3g} is that of light damping, but "
-                f"that of the pole is {exact[i]:.3g}: use the poles"
+                f"mode {i + 1 - linearised.rigid}: the damping ratio {plain(ratios[i], 3)} is that of light damping, "
+                f"but that of the pole is {plain(exact[i], 3)}: use the poles"
             )
     return notes
 

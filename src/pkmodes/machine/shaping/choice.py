@@ -82,10 +82,9 @@ def choose(
         candidate for candidate in both if all(candidate is not excluded for excluded in short)
     )
     if not any(not candidate.follows_pose for candidate in candidates):
-        longest = max(candidate.duration for candidate in both)
-        problem = (
-            f"the shapers last {1e3 * longest:.3g} ms at most, less than two ticks of {1e3 * tick:.3g} ms"
-        )
+        longest = numbers.plain(1e3 * max(candidate.duration for candidate in both), 3)
+        two_ticks = f"two ticks of {numbers.plain(1e3 * tick, 3)} ms"
+        problem = f"the shapers last {longest} ms at most, less than {two_ticks}"
         raise PkmodesError(problem, "tick", "shorten the tick, or choose a longer kind")
     recommended, notes = _recommended(candidates, left, length, firmware, at)
     if firmware is not None:
@@ -96,7 +95,9 @@ def choose(
         for candidate in short:
             which = f" of the {at.point_is}" if candidate.follows_pose else ", fixed"
             listed[f"{candidate.kind}{which if candidate.kind in kept else ''}"] = None
-        notes.append(f"{', '.join(listed)}: left out, shorter than two ticks of {1e3 * tick:.3g} ms")
+        notes.append(
+            f"{', '.join(listed)}: left out, shorter than two ticks of {numbers.plain(1e3 * tick, 3)} ms"
+        )
     unshaped = _amplitude(at, at.unshaped)
     return Choice(at, unshaped, candidates, recommended, (*at.notes(), *notes), left, length, firmware)
 

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError, shown
+from pkmodes.core.support.numbers import plain
 from pkmodes.modaltest.campaign.boards import Board, boards_together, with_clocks
 from pkmodes.modaltest.campaign.campaign import Campaign, Record
 from pkmodes.modaltest.campaign.mode_estimates import FileFit, FileModes
@@ -52,17 +53,17 @@ def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) ->
             if not recording.gap > 0.0:
                 raise
             # It may be too short only because its gaps split it.
-            problem = (
-                f"{error.what}: {len(recording.pieces) - 1} gaps of {1e3 * recording.gap:.3g} ms split it"
+            problem = f"{error.what}: {len(recording.pieces) - 1} gaps of {plain(1e3 * recording.gap, 3)} ms split it"
+            highest = (
+                f"end the band at {plain(BRIDGED / recording.gap, 3)} Hz or lower, where they are bridged"
             )
-            highest = f"end the band at {BRIDGED / recording.gap:.3g} Hz or lower, where they are bridged"
             raise MeasurementError(problem, error.where, f"{highest}; or {error.remedy}") from None
     shortest = FEWEST_PERIODS / record.band[0]
     short = [piece for piece in recording.pieces if len(piece) * recording.step < shortest]
     if short:
         messages = (
             *messages,
-            f"{recording.source}: {len(short)} pieces between gaps are shorter than {shortest:.3g} s and were "
+            f"{recording.source}: {len(short)} pieces between gaps are shorter than {plain(shortest, 3)} s and were "
             "left out",
         )
     unsigned: dict[str, list[str]] = {}

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError, nearest_name, shown
+from pkmodes.core.support.numbers import plain
 from pkmodes.core.support.progress import say
 from pkmodes.core.support.threads import one_blas_thread
 from pkmodes.loop.measured.measurements import Measurements
@@ -164,15 +165,17 @@ def _readable(mode: IdentifiedMode, pose: str, log: list[str]) -> IdentifiedMode
     """Return the part of a mode that a measurement file may hold, None if there is none; report what is left out."""
     where = f"{pose}: the mode at {mode.frequency:.4g} Hz"
     if mode.sigma >= mode.frequency:
-        log.append(f"{where} is left out: the standard deviation of its frequency is {mode.sigma:.3g} Hz")
+        log.append(
+            f"{where} is left out: the standard deviation of its frequency is {plain(mode.sigma, 3)} Hz"
+        )
         return None
     if not SHAPE_SIGMA.range.holds(np.array(mode.sigma_shape)):
         log.append(
-            f"{where} has no shape: its standard deviation is {mode.sigma_shape:.3g} of the largest component"
+            f"{where} has no shape: its standard deviation is {plain(mode.sigma_shape, 3)} of the largest component"
         )
         mode = replace(mode, shape={}, sigma_shape=np.nan, complexity=np.nan, complex_shape={})
     if not DAMPING.sigma.range.holds(np.array(mode.sigma_damping)):
-        log.append(f"{where} has no damping ratio: its standard deviation is {mode.sigma_damping:.3g}")
+        log.append(f"{where} has no damping ratio: its standard deviation is {plain(mode.sigma_damping, 3)}")
         mode = replace(mode, damping=np.nan, sigma_damping=np.nan)
     return mode
 

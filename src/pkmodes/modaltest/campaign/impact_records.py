@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import MeasurementError, shown
+from pkmodes.core.support.numbers import plain
 from pkmodes.core.support.ordering import listed
 from pkmodes.modaltest.campaign.campaign import Campaign, Record
 from pkmodes.modaltest.campaign.frequency_records import Responses, frf_fit, of_reference, remarks_on
@@ -100,9 +101,8 @@ def _blows(path: Path, record: Record, setup: str, campaign: Campaign) -> _Blows
         raise MeasurementError(problem, signals.source, "check the hammer's cable")
     seconds = len(signals.forces[0]) * signals.step
     if seconds * record.band[0] < PERIODS_OF_BLOWS:
-        problem = (
-            f"expected at least {PERIODS_OF_BLOWS:g} periods of {record.band[0]:g} Hz, found {seconds:.3g} s"
-        )
+        expected = f"expected at least {PERIODS_OF_BLOWS:g} periods of {record.band[0]:g} Hz"
+        problem = f"{expected}, found {plain(seconds, 3)} s"
         raise MeasurementError(problem, signals.source, "measure longer, or narrow the band")
     forces = campaign.forces_in(setup)
     if not forces:

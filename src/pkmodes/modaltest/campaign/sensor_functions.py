@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import MeasurementError, nearest_name, shown
 from pkmodes.core.robot.units import LARGEST, SMALLEST
+from pkmodes.core.support.numbers import plain
 from pkmodes.modaltest.campaign.campaign import Record
 from pkmodes.modaltest.campaign.motion import Motion, motion, motion_or_none
 from pkmodes.modaltest.campaign.sensors import MotionSensor, check_motion, signed
@@ -149,7 +150,7 @@ def check_size(values: NDArray[Any], source: str) -> None:
     """
     size = float(np.nanmax(np.abs(values), initial=0.0))
     if size > 0.0 and not SMALLEST <= size <= LARGEST:
-        problem = f"expected numbers in SI units of moderate size, found up to {size:.3g}"
+        problem = f"expected numbers in SI units of moderate size, found up to {plain(size, 3)}"
         raise MeasurementError(problem, source, "check the units of the sensors")
 
 

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.core.base.errors import MeasurementError, shown
+from pkmodes.core.support.numbers import plain
 from pkmodes.modaltest.campaign.campaign import Campaign, Record
 from pkmodes.modaltest.campaign.grouping import APART
 from pkmodes.modaltest.campaign.mode_estimates import FileFit, FileModes, modes_of_fit
@@ -231,8 +232,10 @@ def with_bridges(
         names = "sigma_frequency", "sigma_damping", "sigma_shape", "sigma_size"
         return replace(mode, **{name: getattr(mode, name) * np.hypot(1.0, moved) for name in names})
 
-    remark = f"interpolating as many further samples moves the modes by {moved:.2g} of their standard deviations, rms"
-    sentence = f"{source}: {remark}: this is added in quadrature"
+    sentence = (
+        f"{source}: interpolating as many further samples moves the modes by {plain(moved, 2)} of their standard "
+        "deviations, rms: this is added in quadrature"
+    )
     return replace(fit, estimate=fit.estimate.changed(wider)), (*messages, sentence)
 
 

@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import MeasurementError
+from pkmodes.core.support.numbers import plain
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -90,7 +91,7 @@ def impact_estimate(
         piece = pulses[start : start + length]
         contact = _contact(piece, step)
         if _bounces(piece, step):
-            messages.append(f"blow {i + 1} at {start * step:.3g} s is a double hit")
+            messages.append(f"blow {i + 1} at {plain(start * step, 3)} s is a double hit")
         impulse += float(piece[contact].sum())
         variance += _noise(piece) ** 2 * float(contact.sum())
         X[i] = np.fft.rfft(sign * np.where(contact, piece, 0.0))

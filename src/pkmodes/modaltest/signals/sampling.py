@@ -201,7 +201,11 @@ def _summed(time: Array, breaks: NDArray[np.intp], usual: float, where: str) -> 
     lost = time[breaks + 1] - time[breaks] - usual
     share = 100.0 * lost.sum() / (time[-1] - time[0])
     least, longest = 1e3 * lost.min(), 1e3 * lost.max()
-    size = f"{longest:.3g} ms" if longest <= 1.05 * least else f"{least:.3g} to {longest:.3g} ms"
+    size = (
+        f"{plain(longest, 3)} ms"
+        if longest <= 1.05 * least
+        else f"{plain(least, 3)} to {plain(longest, 3)} ms"
+    )
     gaps = "1 gap" if breaks.size == 1 else f"{breaks.size} gaps"
     return (
         f"{where}: {gaps} of {size}, {plain(share, 2)} % of the record, the first at {time[breaks[0]]:.6g} s"

@@ -19,6 +19,7 @@ from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.mechanism.length import lengths_of
 from pkmodes.core.support.extras import require
 from pkmodes.core.support.motors import motors_in_words
+from pkmodes.core.support.numbers import plain
 from pkmodes.core.support.ordering import joined
 from pkmodes.core.support.progress import say
 from pkmodes.machine.maps import left_out
@@ -138,7 +139,7 @@ def known_to(spread: NDArray[Any] | None) -> str:
     """Return the uncertainty of the frequencies as a sentence; empty without standard deviations."""
     if spread is None:
         return ""
-    sizes = joined([f"\u00b1{typeset(f'{size:.2g}')}" for size in spread.tolist()])
+    sizes = joined([f"\u00b1{typeset(plain(size, 2))}" for size in spread.tolist()])
     through = "and" if len(spread) == 2 else "to"
     modes = "" if len(spread) == 1 else f" of modes 1 {through} {len(spread)}"
     text = f" From the standard deviations in the robot file, the frequencies{modes} are known to {sizes} Hz"

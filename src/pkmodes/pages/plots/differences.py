@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from pkmodes.core.support.numbers import plain
 from pkmodes.pages.plots import marks
 from pkmodes.pages.plots.drawing import Drawing
 from pkmodes.pages.plots.evidence import PlottedEvidence
@@ -27,7 +28,9 @@ def by_mode(evidence: PlottedEvidence) -> Drawing:
     numbers, names = range(1, evidence.modes + 1), []
     for number in numbers:  # with their typical frequencies if there is room
         of_mode = evidence.measured[mode == number]
-        typical = f"\n{np.median(of_mode):.3g} Hz" if len(of_mode) and evidence.modes <= MOST_NAMED else ""
+        typical = (
+            f"\n{plain(np.median(of_mode), 3)} Hz" if len(of_mode) and evidence.modes <= MOST_NAMED else ""
+        )
         names.append(f"{number}{typical}")
 
     def draw(sheet: Sheet) -> None:

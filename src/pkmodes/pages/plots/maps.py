@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.support.numbers import plain
 from pkmodes.machine.maps.left_out import shown, unstable
 from pkmodes.pages.plots.drawing import Drawing
 from pkmodes.pages.plots.labels import typeset
@@ -65,9 +66,8 @@ def frequencies(plane: Plane, motors: Array | None = None) -> Drawing | str:
         for mode in range(modes)
     ):
         medians = ", ".join(f"{value:.2f}" for value in np.nanmedian(values, axis=(0, 1)))
-        return (
-            f"Every frequency is the same within {100 * SAME * LEAST_SPAN:.2g} % at every pose: {medians} Hz."
-        )
+        within = plain(100 * SAME * LEAST_SPAN, 2)
+        return f"Every frequency is the same within {within} % at every pose: {medians} Hz."
 
     def draw(sheet: Sheet) -> None:
         for mode, panel in mode_panels(sheet, plane, modes, scales="own", line=True):

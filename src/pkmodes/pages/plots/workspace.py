@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.support.numbers import plain
 from pkmodes.pages.plots.drawing import Drawing
 from pkmodes.pages.plots.labels import typeset
 from pkmodes.pages.plots.panels import scale_beside
@@ -50,14 +51,12 @@ def workspace(plane: Plane, volume: Volume | None) -> Drawing | str:
     condition = plane.dataset["condition"].values
     low, high = limits_of(condition, NEAR_SINGULAR)
     if volume is None and same_everywhere(condition):
-        return (
-            f"The condition number of the platform Jacobian is {np.nanmedian(condition):.3g} at every pose."
-        )
+        return f"The condition number of the platform Jacobian is {plain(np.nanmedian(condition), 3)} at every pose."
 
     # A median: poses next to a singular edge would decide a mean.
     finite, median = condition[np.isfinite(condition)], ""
     if len(finite):
-        over = "" if plane.area is None else f"\nover {typeset(f'{plane.area:.2g}')} m\N{SUPERSCRIPT TWO}"
+        over = "" if plane.area is None else f"\nover {typeset(plain(plane.area, 2))} m\N{SUPERSCRIPT TWO}"
         median = f"median {np.median(finite):.2f}{over}"
 
     def draw(sheet: Sheet) -> None:

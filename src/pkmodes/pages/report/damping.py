@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from statistics import median
 
+from pkmodes.core.support.numbers import plain
 from pkmodes.loop.diagnosis.verdict.result import Damping, Diagnosis, key
 from pkmodes.loop.diagnosis.verdict.rows import Row
 from pkmodes.pages.report import explanations
@@ -99,7 +100,7 @@ def factors(result: Diagnosis) -> list[Paragraph]:
         "as diagnosed": damping_result.after,
         "at the held-out poses": damping_result.held_out,
     }
-    parts = [f"{factor:.3g} {name}" for name, factor in named.items() if factor is not None]
+    parts = [f"{plain(factor, 3)} {name}" for name, factor in named.items() if factor is not None]
     errors = [
         row.sigma_damping_used / row.damping
         for row in result.rows

@@ -158,6 +158,6 @@ def _largest(evidence: PlottedEvidence) -> str:
     parts = []
     for stage in evidence.stages:
         if stage.paired.any():
-            away = typeset(f"{np.nanmax(np.abs(stage.predicted.sigmas)):.2g}")
+            away = typeset(plain(np.nanmax(np.abs(stage.predicted.sigmas)), 2))
             parts.append(f"largest {stage.title}: {away} standard deviations")
     return "; ".join(parts)

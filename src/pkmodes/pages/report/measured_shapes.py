@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pkmodes.core.support.numbers import plain
 from pkmodes.loop.measured.comparison import MeasurementsCompared, ModePair
 from pkmodes.loop.measured.shape_changes import PlaceChange
 from pkmodes.loop.measured.strain_energy import most_changed
@@ -34,7 +35,7 @@ def where(result: MeasurementsCompared) -> list[str]:
         increased = place.index > 1.0
         sentences.append(
             f"Of the strain energy at {shortened(place.pose)}, {'more' if increased else 'less'} is between {low} "
-            f"and {high}: index {place.index:.3g} ({deviations_in_words(place.sigmas)}), as where stiffness is "
+            f"and {high}: index {plain(place.index, 3)} ({deviations_in_words(place.sigmas)}), as where stiffness is "
             f"{'lost' if increased else 'gained'} there, or a mass changed."
         )
     trusted, moved = 0, list[tuple[ModePair, list[PlaceChange]]]()

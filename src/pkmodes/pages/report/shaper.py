@@ -88,7 +88,7 @@ def shaper_summary(model: Model, choice: Choice, content: dict[str, Any]) -> Sum
         ),
         notes=[as_sentence(clean(note)) for note in content["notes"]],
         facts=[
-            ("lasts", Cell(f"{1e3 * best.duration:.3g} ms", best.duration)),
+            ("lasts", Cell(f"{plain(1e3 * best.duration, 3)} ms", best.duration)),
             (
                 "largest vibration left, of the largest without",
                 Cell(_per_cent(best.left.worst), best.left.worst, at),
@@ -99,7 +99,9 @@ def shaper_summary(model: Model, choice: Choice, content: dict[str, Any]) -> Sum
             ),
             (
                 "largest vibration without, for a step of 1 m/s\u00b2",
-                Cell(f"{1e6 * unshaped.worst:.3g} \u00b5m", unshaped.worst, pointer("unshaped", "worst")),
+                Cell(
+                    f"{plain(1e6 * unshaped.worst, 3)} \u00b5m", unshaped.worst, pointer("unshaped", "worst")
+                ),
             ),
             *spectrum_facts(content),
         ],
@@ -150,7 +152,7 @@ def machine(model: Model, choice: Choice, content: dict[str, Any]) -> Facts:
         cells = [Cell(text)]
         if at.spread is not None:
             sigma = float(np.median(at.spread[:, k] * at.frequencies[:, k]))
-            cells = [Cell(f"{text},"), Cell(f"standard deviation {sigma:.2g} Hz (median)", sigma)]
+            cells = [Cell(f"{text},"), Cell(f"standard deviation {plain(sigma, 2)} Hz (median)", sigma)]
         entries.append((f"mode {k + 1}", cells))
     return Facts(entries)
 

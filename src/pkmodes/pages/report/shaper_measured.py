@@ -60,7 +60,7 @@ def measured_shaper_summary(choice: Choice, content: dict[str, Any]) -> Summary:
         "in the table, so each counts in full: the share left of all of them together is no larger."
     )
     facts = [
-        ("lasts", Cell(f"{1e3 * best.duration:.3g} ms", best.duration)),
+        ("lasts", Cell(f"{plain(1e3 * best.duration, 3)} ms", best.duration)),
         (
             "most left of a mode as measured [%]",
             number(remaining.worst, ".2g", pointer(*at, "worst"), scale=100.0),
