@@ -234,11 +234,7 @@ class _Explorer:
         far = [entry for entry in best if entry.candidate.name not in near]
         self.progress(f"refitting with the {len(best)} most promising of {len(self.terms)} terms")
         fits = self.search.additions.refitted([(plain, entry) for entry in far])
-        jobs = []
-        for entry in small:
-            term = entry.candidate
-            estimate = self._with(plain, term, plain.values[list(self.fitter.indices(term))] + entry.step)
-            jobs.append((plain.hypothesis.adding(term), [estimate]))
+        jobs = [(plain.hypothesis.adding(entry.candidate), [self._moved(plain, entry)]) for entry in small]
         overlooked = [entry for entry in scores if entry not in best and entry.largest[0] > 0.0]
         begun = [*self._started(plain), *self._large(plain, overlooked)]
         started = [
@@ -263,6 +259,12 @@ class _Explorer:
             (fit.hypothesis, [*values, fit.values]) for (fit, _), values in zip(astray, begun, strict=True)
         ]
         return [*kept, *self.store.roughly(again)]
+
+    def _moved(self, plain: Fit, entry: Score) -> Array:
+        """Return the values of a fit with the linear estimate of a term."""
+        return self._with(
+            plain, entry.candidate, plain.values[list(self.fitter.indices(entry.candidate))] + entry.step
+        )
 
     def _testable(self, plain: Fit, term: Candidate) -> bool:
         """Return whether data are left to test a term."""
