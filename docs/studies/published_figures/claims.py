@@ -2,9 +2,9 @@
 
     python docs/studies/published_figures/claims.py
 
-writes the table in docs/explanation/published-figures.md, and the sentences with numbers below it (sentences.py).  "Upper" and
-"lower" are the ends of the rails with large and small x, as in docs/explanation/published-tables.md; the paper calls
-this direction y in section 5 and x in section 2.
+writes the table in docs/explanation/published-figures.md, and the sentences with numbers below it (sentences.py).
+"Upper" and "lower" are the ends of the rails with large and small x, as in docs/explanation/published-tables.md; the
+paper calls this direction y in section 5 and x in section 2.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The sentences with numbers of docs/explanation/published-figures.md: disagreements with the paper, and dependences."""
+"""Sentences with numbers of docs/explanation/published-figures.md: disagreements with the paper, and dependences."""
 
 from __future__ import annotations
 
