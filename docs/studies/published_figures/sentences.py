@@ -1,4 +1,4 @@
-"""Sentences with numbers of docs/explanation/published-figures.md: disagreements with the paper, and dependences."""
+"""The sentences with numbers of docs/explanation/published-figures.md: disagreements, and dependences."""
 
 from __future__ import annotations
 
