@@ -42,8 +42,8 @@ def test_the_commands_print_what_the_page_shows(place: Path, capsys: pytest.Capt
         capsys.readouterr()
         assert run(arguments) == 0, arguments
         printed[arguments[0]] = capsys.readouterr().out
-    same(SHOWN[0], printed["modes"], fit=True)
-    same(SHOWN[1], printed["diagnose"][: len(SHOWN[1])], fit=True)
+    same(SHOWN[0], printed["modes"], fit=True, shortened=True)
+    same(SHOWN[1], printed["diagnose"], fit=True, shortened=True)
     assert printed["check"].count(": current\n") == 2
     assert "next: pkmodes generate --mechanism build/five_bar corrected.toml --out DIR" in printed["diagnose"]
     assert "payload" in (place / "corrected.toml").read_text(encoding="utf-8")

@@ -17,6 +17,7 @@ from tomlkit.items import AoT, Comment, InlineTable, Item, String, Table, Whites
 
 from pkmodes.core.base.errors import OutputError
 from pkmodes.core.robot.units import NUMBER, QuantityError, dimension_of, parse
+from pkmodes.core.support.numbers import plain
 
 Keys = tuple[str | int, ...]
 SIGMA_DIGITS = 3
