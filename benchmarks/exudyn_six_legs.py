@@ -2,7 +2,7 @@
 
     pip install exudyn==1.13.6
     export PYTHONPATH=src:generated:tests
-    python benchmarks/exudyn_six_legs.py --count 3 --out tests/mechanisms/exudyn_six_legs.json
+    python benchmarks/exudyn_six_legs.py --count 3 --out tests/generated/exudyn_six_legs.json
     python benchmarks/exudyn_six_legs.py --count 200
 
 Exudyn knows rigid bodies with redundant coordinates, joints as constraints, and springs; it linearises by differences

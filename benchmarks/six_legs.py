@@ -4,7 +4,7 @@
     PYTHONPATH=src:generated:tests python benchmarks/six_legs.py --count 200 --engine
 
 Each machine has other effects.  The largest error of each result is printed with the machine that has it, and
-whatever exceeds rounding; the exit code is 1 then.  `tests/mechanisms/test_hexapod_oracle.py` tries a few of them.
+whatever exceeds rounding; the exit code is 1 then.  `tests/generated/test_hexapod_oracle.py` tries a few of them.
 """
 
 from __future__ import annotations

@@ -38,7 +38,7 @@ from pkmodes.core.mechanism import registry
 from pkmodes.core.solve.backends import VARIABLE
 from pkmodes_derive import kept
 
-pytest_plugins = ["helpers.runs.processor_time"]
+pytest_plugins = ["helpers.runs.fixtures", "helpers.runs.processor_time"]
 
 # Made before workers start, which inherit the variable; a folder that a developer names outlives the run.
 _derived = None

@@ -209,6 +209,26 @@ def test_every_folder_of_the_runtime_has_its_place() -> None:
     assert all((file.parent / "__init__.py").is_file() for file in root.rglob("*.py"))
 
 
+#: Folders of tests that no folder of the runtime has the name of: of derive/, generated/ and tests of the rig, then what
+#: tests use.
+BESIDE = {"derive", "generated", "rig", "golden", "helpers", "planar_pair", "pkmodes_rig", "studies"}
+
+
+def test_tests_are_in_folders_with_the_names_of_what_they_test() -> None:
+    folders = {
+        folder.relative_to(ROOT / "tests").as_posix()
+        for folder in (ROOT / "tests").rglob("*")
+        if any(folder.glob("test_*.py"))
+    }
+    outside = {folder for folder in folders if folder.split("/")[0] not in BESIDE}
+    assert {folder.split("/")[0] for folder in outside} == set(ROOMS)
+    assert {folder for folder in outside if not (ROOT / "src/pkmodes" / folder).is_dir()} == {
+        "codegen/own_mechanism"
+    }
+    assert (ROOT / "derive/pkmodes_derive/effects").is_dir()
+    assert {folder for folder in folders if folder.split("/")[0] == "derive"} == {"derive", "derive/effects"}
+
+
 def test_the_page_on_the_architecture_lists_the_folders_and_names_files_that_exist() -> None:
     page = (ROOT / "docs/explanation/architecture.md").read_text(encoding="utf-8")
     expected = [

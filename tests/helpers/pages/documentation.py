@@ -34,18 +34,18 @@ HINT = re.compile(r"(?:file|append): [\w./-]+|exit \d|from a fit|shortened|fragm
 #: Blocks that another test runs, or that nothing can run, by the beginning of their first line.
 ELSEWHERE = {
     ("README.md", "make demo"): "run by .ci/run",
-    ("docs/how-to/adding-a-mechanism.md", ""): "tests/runtime/own_mechanism/test_page.py",
+    ("docs/how-to/adding-a-mechanism.md", ""): "tests/codegen/own_mechanism/test_page.py",
     (
         "docs/how-to/adding-a-mechanism-that-turns.md",
         "",
-    ): "tests/runtime/own_mechanism/test_turning_platform.py",
-    ("docs/how-to/adding-an-effect.md", ""): "tests/effects/test_adding_an_effect.py",
-    ("docs/how-to/an-effect-of-your-own.md", ""): "tests/diagnosis/test_an_effect_of_your_own.py",
-    ("docs/how-to/cluster.md", ""): "tests/maps/test_workers.py without Slurm and Kubernetes",
+    ): "tests/codegen/own_mechanism/test_turning_platform.py",
+    ("docs/how-to/adding-an-effect.md", ""): "tests/derive/effects/test_adding_an_effect.py",
+    ("docs/how-to/an-effect-of-your-own.md", ""): "tests/loop/diagnosis/test_an_effect_of_your_own.py",
+    ("docs/how-to/cluster.md", ""): "tests/machine/maps/test_workers.py without Slurm and Kubernetes",
     (
         "docs/reference/generated-code.md",
         "import linear_delta",
-    ): "for a folder on Python's path; tests/runtime/test_generate.py",
+    ): "for a folder on Python's path; tests/codegen/test_generate.py",
     (
         "docs/reference/generated-code.md",
         "cc -std=c99 -O2 -DPKMODES_FLOAT",
@@ -53,14 +53,17 @@ ELSEWHERE = {
     (
         "docs/reference/json.md",
         "pkmodes diagnose robot.toml",
-    ): "file names of the reader; tests/runtime/test_cli_diagnose.py",
+    ): "file names of the reader; tests/cli/test_diagnose.py",
     (
         "docs/how-to/releasing.md",
         "uv build",
-    ): ".ci/reproducible builds; tests/lanes/test_other_processors.py cross-compiles",
+    ): ".ci/reproducible builds; tests/core/compiled/test_other_processors.py cross-compiles",
     ("docs/explanation/published-tables.md", "python docs/studies"): "tests/test_published_tables.py",
-    ("docs/reference/robot-file.md", "M, K = robot.modal_matrices"): "tests/effects/test_extended_model.py",
-    ("docs/reference/robot-file.md", "error: expected a length"): "tests/runtime/test_units.py",
+    (
+        "docs/reference/robot-file.md",
+        "M, K = robot.modal_matrices",
+    ): "tests/derive/effects/test_extended_model.py",
+    ("docs/reference/robot-file.md", "error: expected a length"): "tests/core/robot/test_units.py",
     ("docs/explanation/voron.md", "python examples/voron"): "tests/test_voron.py",
     ("examples/controller_1khz/README.md", ""): "tests/test_controller_example.py",
 }

@@ -18,7 +18,7 @@ import numpy as np
 import pytest
 
 TESTS = Path(__file__).parents[2]
-FOLDER = TESTS / "rig_measurements"
+FOLDER = TESTS / "rig"
 
 
 class KeptMeasurements:
