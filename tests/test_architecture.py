@@ -209,7 +209,7 @@ def test_every_folder_of_the_runtime_has_its_place() -> None:
     assert all((file.parent / "__init__.py").is_file() for file in root.rglob("*.py"))
 
 
-#: Folders of tests that no folder of the runtime has the name of: of derive/, generated/ and tests of the rig, then what
+#: Folders of tests that are not named after folders of the runtime: of derive/, generated/ and the rig, and what
 #: tests use.
 BESIDE = {"derive", "generated", "rig", "golden", "helpers", "planar_pair", "pkmodes_rig", "studies"}
 

@@ -23,8 +23,8 @@ from pkmodes.cli.options import (
 )
 from pkmodes.cli.reporting import page_of, report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
+from pkmodes.core.base.numbers import plain
 from pkmodes.core.robot.reading import read_robot
-from pkmodes.core.support.numbers import plain
 from pkmodes.core.support.ordering import listed
 from pkmodes.core.support.pasting import pasted
 

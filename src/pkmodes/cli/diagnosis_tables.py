@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from pkmodes.cli.measured_rows import poses_in_words, rows_in_words, settings_in_words
 from pkmodes.cli.terminal import Terminal
 from pkmodes.core.base.drives import HELD
+from pkmodes.core.base.numbers import p_in_words, plain, rounded
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.support.motors import motors_in_words
-from pkmodes.core.support.numbers import p_in_words, plain, rounded
 from pkmodes.core.support.ordering import sorted_labels
 from pkmodes.loop.diagnosis.verdict import naming
 from pkmodes.loop.diagnosis.verdict.findings import (

@@ -15,8 +15,8 @@ from pkmodes.cli.printing import echo
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
 from pkmodes.core.base.drives import motors
+from pkmodes.core.base.numbers import plain
 from pkmodes.core.support.motors import motors_in_words
-from pkmodes.core.support.numbers import plain
 
 if TYPE_CHECKING:
     from pkmodes.modaltest.campaign.campaign import Campaign

@@ -9,8 +9,8 @@ import numpy as np
 from msgspec import Meta
 
 from pkmodes.core.base.drives import Drives
+from pkmodes.core.base.numbers import plain
 from pkmodes.core.support.documents import Count, Document, Number, Size
-from pkmodes.core.support.numbers import plain
 from pkmodes.machine.shaping.measured_modes import LeftOfModes, of_measured
 from pkmodes.machine.shaping.version_lines import VersionLines, lines_by_version, schedule_lines_by_version
 

@@ -11,7 +11,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 import pkmodes
-from pkmodes.core.support.numbers import hertz, p_in_words, plain, rounded, signed, times
+from pkmodes.core.base.numbers import hertz, p_in_words, plain, rounded, signed, times
 from pkmodes.pages.plots.labels import typeset
 
 #: What a rounded number with its standard deviation looks like.

@@ -15,9 +15,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.core.base.arguments import POSITIVE_NUMBER, check_argument
 from pkmodes.core.base.errors import PoseError, shown
+from pkmodes.core.base.numbers import plain
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.mechanism.generated import Generated
-from pkmodes.core.support.numbers import plain
 from pkmodes_description import Margin
 
 Array = NDArray[np.float64]

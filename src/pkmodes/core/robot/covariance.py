@@ -20,11 +20,11 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.arguments import is_number
 from pkmodes.core.base.errors import nearest_name, shown
+from pkmodes.core.base.numbers import plain
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.robot import schema
 from pkmodes.core.robot.layout import lent
 from pkmodes.core.robot.units import Quantity, dimension_of, with_unit
-from pkmodes.core.support.numbers import plain
 
 COVARIANCE = "covariance"
 PATHS, SIGMA, CORRELATION = "paths", "sigma", "correlation"

@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import PoseError
+from pkmodes.core.base.numbers import plain
 from pkmodes.core.linalg.eigen import (
     base_level,
     condensed_eigh,
@@ -29,7 +30,6 @@ from pkmodes.core.linalg.eigen import (
     without_inertia,
 )
 from pkmodes.core.solve.at_poses import RobotAtPoses
-from pkmodes.core.support.numbers import plain
 from pkmodes.core.system.evaluation import Evaluation
 from pkmodes.core.system.stiffness_parts import StiffnessParts
 

@@ -1,1 +1,1 @@
-"""What several applications need besides the core: numbers in words, files, progress, the MAC, covariances."""
+"""What several applications need besides the core: files, progress, the MAC, covariances of values."""

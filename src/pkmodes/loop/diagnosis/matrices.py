@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from pkmodes.core.base.errors import PkmodesError, listed, shown
-from pkmodes.core.support.numbers import plain
+from pkmodes.core.base.numbers import plain
 from pkmodes.loop.diagnosis.problem import (
     Array,
     Batch,

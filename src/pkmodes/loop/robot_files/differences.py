@@ -9,12 +9,12 @@ from typing import Annotated
 from msgspec import Meta
 
 from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.base.numbers import plain
 from pkmodes.core.robot.covariance import COVARIANCE
 from pkmodes.core.robot.declaration import Declaration
 from pkmodes.core.robot.layout import by_path, takers
 from pkmodes.core.robot.usable import numbers_of
 from pkmodes.core.support.documents import Document
-from pkmodes.core.support.numbers import plain
 
 
 class ValueDifference(Document, frozen=True):

@@ -16,8 +16,8 @@ from tomlkit.exceptions import TOMLKitError
 from tomlkit.items import AoT, Comment, InlineTable, Item, String, Table, Whitespace
 
 from pkmodes.core.base.errors import OutputError
+from pkmodes.core.base.numbers import plain
 from pkmodes.core.robot.units import NUMBER, QuantityError, dimension_of, parse
-from pkmodes.core.support.numbers import plain
 
 Keys = tuple[str | int, ...]
 SIGMA_DIGITS = 3

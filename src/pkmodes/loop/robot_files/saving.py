@@ -15,6 +15,7 @@ from typing import NoReturn
 import numpy as np
 
 from pkmodes.core.base.errors import OutputError, PkmodesError, RobotFileError, nearest_name, shown
+from pkmodes.core.base.numbers import plain
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.robot.covariance import CORRELATION, COVARIANCE, PATHS, SIGMA, Covariance
 from pkmodes.core.robot.declaration import Declaration, changeable
@@ -24,7 +25,6 @@ from pkmodes.core.robot.reading import read_robot, robot_from_document
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.units import Quantity
 from pkmodes.core.support.covariance import joined_covariance, sigmas_by_path
-from pkmodes.core.support.numbers import plain
 from pkmodes.core.support.writing import write_file
 from pkmodes.loop.robot_files.editing import Keys, TomlText, ValueNotation
 

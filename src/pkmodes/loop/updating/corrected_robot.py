@@ -7,12 +7,12 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from pkmodes.core.base.errors import PkmodesError, shown
+from pkmodes.core.base.numbers import plain
 from pkmodes.core.mechanism.described import DAMPING_RATIO
 from pkmodes.core.model import Model
 from pkmodes.core.robot.covariance import Covariance
 from pkmodes.core.robot.parameter_groups import groups_by_path
 from pkmodes.core.robot.robot import Robot
-from pkmodes.core.support.numbers import plain
 from pkmodes.core.support.writing import write_file
 from pkmodes.loop.diagnosis.verdict.findings import Corrected
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis

@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 from pkmodes.core.base.errors import OutputError
+from pkmodes.core.base.numbers import plain
 from pkmodes.core.model import Model
 from pkmodes.core.robot.robot import Robot
-from pkmodes.core.support.numbers import plain
 from pkmodes.core.support.writing import write_file
 from pkmodes.loop.diagnosis.verdict.findings import Corrected
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis

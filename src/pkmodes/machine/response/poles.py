@@ -13,11 +13,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.core.base.drives import FREE, checked_drives
+from pkmodes.core.base.numbers import plain
 from pkmodes.core.linalg.damping import ModalDamping
 from pkmodes.core.mechanism.poses import OnError
 from pkmodes.core.model import Model
 from pkmodes.core.solve.backends import AUTO
-from pkmodes.core.support.numbers import plain
 from pkmodes.machine.response.linearised import LinearisedRobot, nan_in_both_parts
 
 Array = NDArray[np.float64]

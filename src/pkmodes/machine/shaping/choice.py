@@ -7,9 +7,9 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.base import numbers
 from pkmodes.core.base.arguments import Constraint, check_argument, is_number, one_of
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.core.support import numbers
 from pkmodes.core.support.ordering import joined
 from pkmodes.core.support.progress import say
 from pkmodes.machine.shaping.at_poses import check_factors, following

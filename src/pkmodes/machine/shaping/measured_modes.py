@@ -18,8 +18,8 @@ from numpy.typing import NDArray
 from pkmodes.core.base.arguments import POSITIVE_INTEGER, Constraint, check_argument, is_number
 from pkmodes.core.base.drives import HELD, motors
 from pkmodes.core.base.errors import MeasurementError
+from pkmodes.core.base.numbers import plain
 from pkmodes.core.support.documents import Document, Size
-from pkmodes.core.support.numbers import plain
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.machine.shaping.choice import TICK, choose, default_kinds
 from pkmodes.machine.shaping.results import LEFT, Candidate, Choice

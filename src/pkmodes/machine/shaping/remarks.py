@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pkmodes.core.support.numbers import plain
+from pkmodes.core.base.numbers import plain
 from pkmodes.core.support.ordering import joined
 from pkmodes.machine.shaping.choice import lines_of, recommended_of
 from pkmodes.machine.shaping.firmware import LEAST, MARLIN, NAMES

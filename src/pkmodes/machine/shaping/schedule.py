@@ -15,8 +15,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.core.base.arguments import Constraint, check_argument, is_number
 from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.base.numbers import plain
 from pkmodes.core.model import Model
-from pkmodes.core.support.numbers import plain
 from pkmodes.core.support.ordering import joined, listed
 from pkmodes.core.support.progress import say
 from pkmodes.machine.shaping.choice import choose, relative, shaped_by

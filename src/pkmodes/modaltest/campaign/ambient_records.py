@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError, shown
-from pkmodes.core.support.numbers import plain
+from pkmodes.core.base.numbers import plain
 from pkmodes.modaltest.campaign.boards import Board, boards_together, with_clocks
 from pkmodes.modaltest.campaign.campaign import Campaign, Record
 from pkmodes.modaltest.campaign.mode_estimates import FileFit, FileModes

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError, nearest_name, shown
-from pkmodes.core.support.numbers import plain
+from pkmodes.core.base.numbers import plain
 from pkmodes.core.support.progress import say
 from pkmodes.core.support.threads import one_blas_thread
 from pkmodes.loop.measured.measurements import Measurements

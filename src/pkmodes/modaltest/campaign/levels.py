@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.stats import t as student
 
-from pkmodes.core.support.numbers import plain
+from pkmodes.core.base.numbers import plain
 from pkmodes.loop.measured.amplitude import DIFFER
 from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate
 from pkmodes.modaltest.identification.level import FALSE_ALARM, LEAST, LevelShift

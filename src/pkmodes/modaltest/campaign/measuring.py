@@ -8,7 +8,7 @@ from functools import partial
 from pathlib import Path
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.core.support.numbers import plain
+from pkmodes.core.base.numbers import plain
 from pkmodes.modaltest.campaign.averaging import averaged
 from pkmodes.modaltest.campaign.boards import UnknownOffsetError
 from pkmodes.modaltest.campaign.campaign import Campaign, Record

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.core.support.numbers import plain
+from pkmodes.core.base.numbers import plain
 from pkmodes.modaltest.campaign.averaging import grouped_means
 from pkmodes.modaltest.campaign.campaign import Record
 from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate

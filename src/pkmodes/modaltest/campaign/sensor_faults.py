@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from pkmodes.core.support.numbers import plain
+from pkmodes.core.base.numbers import plain
 from pkmodes.modaltest.campaign.sensor_functions import dead_channels
 from pkmodes.modaltest.signals.functions import Array, Function
 from pkmodes.modaltest.signals.sensor_faults import clipped

@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import MeasurementError, nearest_name, shown
+from pkmodes.core.base.numbers import plain
 from pkmodes.core.robot.units import LARGEST, SMALLEST
-from pkmodes.core.support.numbers import plain
 from pkmodes.modaltest.campaign.campaign import Record
 from pkmodes.modaltest.campaign.motion import Motion, motion, motion_or_none
 from pkmodes.modaltest.campaign.sensors import MotionSensor, check_motion, signed

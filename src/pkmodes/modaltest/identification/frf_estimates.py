@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.core.support.numbers import plain
+from pkmodes.core.base.numbers import plain
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]

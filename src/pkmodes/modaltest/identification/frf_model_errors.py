@@ -22,7 +22,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.support.numbers import plain
+from pkmodes.core.base.numbers import plain
 from pkmodes.modaltest.identification.frf_covariance import Uncertainty, residual
 from pkmodes.modaltest.identification.frf_lines import FrequencyLines
 from pkmodes.modaltest.identification.frf_noise import LAGS

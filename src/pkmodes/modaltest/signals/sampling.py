@@ -17,7 +17,7 @@ from scipy.interpolate import CubicSpline
 from scipy.ndimage import maximum_filter1d, minimum_filter1d
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.core.support.numbers import plain
+from pkmodes.core.base.numbers import plain
 from pkmodes.modaltest.signals.checks import FEWEST
 from pkmodes.modaltest.signals.functions import Array
 

@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.drives import FREE
 from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.base.numbers import plain
 from pkmodes.core.mechanism.length import lengths_of
 from pkmodes.core.support.extras import require
 from pkmodes.core.support.motors import motors_in_words
-from pkmodes.core.support.numbers import plain
 from pkmodes.core.support.ordering import joined
 from pkmodes.core.support.progress import say
 from pkmodes.machine.maps import left_out

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from pkmodes.core.support.numbers import plain
+from pkmodes.core.base.numbers import plain
 from pkmodes.pages.plots import marks
 from pkmodes.pages.plots.drawing import Drawing
 from pkmodes.pages.plots.evidence import PlottedEvidence

@@ -11,8 +11,8 @@ from itertools import permutations
 import numpy as np
 
 from pkmodes.core.base.drives import FREE
+from pkmodes.core.base.numbers import plain, rounded
 from pkmodes.core.support.motors import motors_in_words
-from pkmodes.core.support.numbers import plain, rounded
 from pkmodes.core.support.ordering import joined
 from pkmodes.loop.diagnosis.posterior.document import NOTHING_MISSING, OUTSIDE
 from pkmodes.loop.diagnosis.problem import Array

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from pkmodes.core.support.numbers import rounded
+from pkmodes.core.base.numbers import rounded
 from pkmodes.loop.diagnosis.states.result import Change
 from pkmodes.loop.diagnosis.states.words import between
 from pkmodes.loop.diagnosis.verdict.findings import Corrected, Value

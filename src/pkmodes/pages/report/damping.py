@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from statistics import median
 
-from pkmodes.core.support.numbers import plain
+from pkmodes.core.base.numbers import plain
 from pkmodes.loop.diagnosis.verdict.result import Damping, Diagnosis, key
 from pkmodes.loop.diagnosis.verdict.rows import Row
 from pkmodes.pages.report import explanations

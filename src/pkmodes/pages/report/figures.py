@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from pkmodes.core.support.numbers import plain
+from pkmodes.core.base.numbers import plain
 from pkmodes.pages.plots import differences, spectrum
 from pkmodes.pages.plots.evidence import PlottedEvidence
 from pkmodes.pages.plots.labels import typeset

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from pkmodes.core.support.numbers import plain
+from pkmodes.core.base.numbers import plain
 from pkmodes.machine.shaping.firmware import ASK
 from pkmodes.pages.report.blocks import Lines, Paragraph
 from pkmodes.pages.report.formatting import clean

@@ -6,8 +6,8 @@ import math
 import re
 from collections.abc import Callable, Mapping
 
-from pkmodes.core.support import numbers
-from pkmodes.core.support.numbers import p_text, plain, rounded, unsigned
+from pkmodes.core.base import numbers
+from pkmodes.core.base.numbers import p_text, plain, rounded, unsigned
 from pkmodes.pages.plots.labels import MINUS, RAISED, TIMES, typeset, visible
 from pkmodes.pages.report.blocks import Cell, Spread
 

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
+from pkmodes.core.base.numbers import plain
 from pkmodes.core.robot.report_fields import head_of
-from pkmodes.core.support.numbers import plain
 from pkmodes.core.support.ordering import listed
 from pkmodes.modaltest.campaign.campaign import Campaign
 from pkmodes.modaltest.campaign.identify import COMPLEX

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
+from pkmodes.core.base.numbers import plain
 from pkmodes.core.support.motors import motors_in_words
-from pkmodes.core.support.numbers import plain
 from pkmodes.core.support.ordering import listed
 from pkmodes.modaltest.campaign.campaign import Campaign
 from pkmodes.modaltest.campaign.inspection import Inspection

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from pkmodes.core.base import numbers
+from pkmodes.core.base.numbers import plain
 from pkmodes.core.robot.declaration import changeable
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.robot.units import SHOWN
 from pkmodes.core.solve.fields import FIELDS
-from pkmodes.core.support import numbers
 from pkmodes.core.support.motors import motors_in_words
-from pkmodes.core.support.numbers import plain
 from pkmodes.machine.maps.left_out import sentences
 from pkmodes.machine.maps.summary import FEW, SHARES, quantiles_in_words
 from pkmodes.pages.plots.labels import MINUS, typeset

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pkmodes.core.support.numbers import plain
+from pkmodes.core.base.numbers import plain
 from pkmodes.loop.measured.comparison import MeasurementsCompared, ModePair
 from pkmodes.loop.measured.shape_changes import PlaceChange
 from pkmodes.loop.measured.strain_energy import most_changed

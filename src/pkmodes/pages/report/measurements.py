@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from pkmodes.core.support.numbers import p_text, plain
+from pkmodes.core.base.numbers import p_text, plain
 from pkmodes.loop.measured.comparison import MeasurementsCompared, ModePair
 from pkmodes.loop.measured.significance import LEAST_COMMON, LEVEL, CommonChange
 from pkmodes.pages.report.blocks import Cell, Column, Summary, Table

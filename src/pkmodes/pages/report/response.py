@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.base import numbers
 from pkmodes.core.mechanism.length import headings, lengths_of, unit_vectors
 from pkmodes.core.mechanism.poses import placed
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.report_fields import head_of
-from pkmodes.core.support import numbers
 from pkmodes.core.support.motors import motors_in_words
 from pkmodes.loop.sensitivity.spread import spread_of
 from pkmodes.machine.response.drawn_channels import DrawnChannels, most_responsive

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pkmodes.core.base.numbers import plain
 from pkmodes.core.mechanism.poses import placed
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.support.motors import motors_in_words
@@ -58,7 +59,7 @@ def sensitivities_summary(
     headline, reason = "No quantity of the robot file changes a frequency", ""
     if first:
         mode = int(relative[first[0]].argmax())
-        change = f"{relative[first[0], mode]:.2g}"
+        change = plain(relative[first[0], mode], 2)
         names = []
         for path in map(clean, percent.names[first[0]]):
             words = clean(meaning_of(model.robot.mechanism, path))

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.base.numbers import plain
 from pkmodes.core.mechanism.poses import placed
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.robot.units import SHOWN
-from pkmodes.core.support.numbers import plain
 from pkmodes.machine.shaping.residual_vibration import residual
 from pkmodes.machine.shaping.settings import with_unit
 from pkmodes.pages.plots import shapers

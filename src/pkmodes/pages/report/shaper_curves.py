@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.support.numbers import plain
+from pkmodes.core.base.numbers import plain
 from pkmodes.core.support.ordering import joined
 from pkmodes.machine.shaping.measured_modes import WITHIN, MeasuredRinging
 from pkmodes.machine.shaping.measured_spectrum import ABOVE, BELOW, MeasuredSpectrum

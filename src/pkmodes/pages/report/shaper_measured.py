@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from pkmodes.core.support.numbers import plain
+from pkmodes.core.base.numbers import plain
 from pkmodes.machine.shaping.measured_modes import WITHIN, of_measured
 from pkmodes.machine.shaping.measured_spectrum import MeasuredSpectrum
 from pkmodes.machine.shaping.results import Choice

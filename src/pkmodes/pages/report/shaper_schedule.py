@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from pkmodes.core.support.numbers import plain
+from pkmodes.core.base.numbers import plain
 from pkmodes.pages.report.blocks import Cell, Column, Table
 from pkmodes.pages.report.formatting import clean, number, pointer, unit
 

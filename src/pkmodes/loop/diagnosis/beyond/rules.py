@@ -7,7 +7,7 @@ or the frequency explains as much.
 
 from __future__ import annotations
 
-from pkmodes.core.support.numbers import p_in_words, plain
+from pkmodes.core.base.numbers import p_in_words, plain
 from pkmodes.loop.diagnosis.beyond.evidence import TermEvidence
 from pkmodes.loop.diagnosis.verdict import rules
 from pkmodes.loop.diagnosis.verdict.classes import distinct_causes, measured

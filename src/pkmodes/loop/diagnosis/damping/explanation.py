@@ -13,7 +13,7 @@ from math import comb
 import numpy as np
 from scipy import stats
 
-from pkmodes.core.support.numbers import plain
+from pkmodes.core.base.numbers import plain
 from pkmodes.loop.diagnosis.damping.fit import NEARLY, LossFit, LossFitter
 
 #: Squared difference below which no measurement separates two explanations.

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 
-from pkmodes.core.support.numbers import plain
+from pkmodes.core.base.numbers import plain
 from pkmodes.loop.diagnosis.damping import words
 from pkmodes.loop.diagnosis.damping.evidence import (
     DampingJudgement,

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pkmodes.core.support.numbers import p_in_words, plain, rounded
+from pkmodes.core.base.numbers import p_in_words, plain, rounded
 from pkmodes.loop.diagnosis.damping.evidence import DampingJudgement
 from pkmodes.loop.diagnosis.damping.explanation import loss_names
 from pkmodes.loop.diagnosis.damping.fit import LossFit, LossFitter

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from pkmodes.core.support.numbers import p_in_words, plain, signed, times
+from pkmodes.core.base.numbers import p_in_words, plain, signed, times
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.match.stage import MatchStage
 from pkmodes.loop.diagnosis.problem import Array

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from pkmodes.core.base.numbers import plain
 from pkmodes.core.support.mac import mac
-from pkmodes.core.support.numbers import plain
 from pkmodes.loop.diagnosis.criteria import ReadingCriteria
 from pkmodes.loop.diagnosis.match.stage import MatchStage
 from pkmodes.loop.diagnosis.problem import Array

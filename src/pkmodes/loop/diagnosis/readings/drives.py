@@ -11,7 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from pkmodes.core.base.drives import other_drives as other
-from pkmodes.core.support.numbers import plain
+from pkmodes.core.base.numbers import plain
 from pkmodes.core.support.ordering import listed
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis

@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from pkmodes.core.base.numbers import plain
 from pkmodes.core.robot.columns import frequency_factor
-from pkmodes.core.support.numbers import plain
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.readings.comparison import Apart, differences
 from pkmodes.loop.measured.measurements import Measurements

@@ -16,7 +16,7 @@ from typing import TypeVar
 import numpy as np
 
 from pkmodes.core.base.errors import PkmodesError, shown
-from pkmodes.core.support.numbers import plain
+from pkmodes.core.base.numbers import plain
 from pkmodes.loop.diagnosis.arguments import checked
 from pkmodes.loop.diagnosis.criteria import Criteria, of_changes
 from pkmodes.loop.diagnosis.fit.fitter import Fitter

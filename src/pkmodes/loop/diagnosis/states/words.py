@@ -6,7 +6,7 @@ import re
 from dataclasses import replace
 from typing import TypeVar
 
-from pkmodes.core.support.numbers import plain
+from pkmodes.core.base.numbers import plain
 from pkmodes.loop.diagnosis.problem import Candidate
 from pkmodes.loop.diagnosis.verdict.findings import Finding
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis

@@ -15,8 +15,8 @@ import msgspec
 from msgspec import Meta
 
 from pkmodes.core.base.drives import Drives, motors_to_be
+from pkmodes.core.base.numbers import Rounded, rounded
 from pkmodes.core.support.documents import Document
-from pkmodes.core.support.numbers import Rounded, rounded
 from pkmodes.loop.diagnosis.verdict.joints import JointAlone
 from pkmodes.loop.diagnosis.verdict.relative import relative_to_mean
 from pkmodes.loop.diagnosis.verdict.verdicts import Word

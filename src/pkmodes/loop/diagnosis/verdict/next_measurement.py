@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from pkmodes.core.base.drives import DRIVES, motors_to_be
-from pkmodes.core.support.numbers import plain
+from pkmodes.core.base.numbers import plain
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.posterior.document import Probabilities

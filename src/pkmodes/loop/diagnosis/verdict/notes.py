@@ -9,7 +9,7 @@ import numpy as np
 from scipy import stats
 
 from pkmodes.core.base.drives import motors
-from pkmodes.core.support.numbers import plain, signed, times
+from pkmodes.core.base.numbers import plain, signed, times
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.fit.store import FitStore

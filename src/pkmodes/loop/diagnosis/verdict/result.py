@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from pkmodes.core.base.attached import Attached
+from pkmodes.core.base.numbers import p_in_words, plain
 from pkmodes.core.support.documents import Document
-from pkmodes.core.support.numbers import p_in_words, plain
 from pkmodes.loop.diagnosis.match.predicted import Predicted
 from pkmodes.loop.diagnosis.posterior.document import Probabilities
 from pkmodes.loop.diagnosis.problem import Array

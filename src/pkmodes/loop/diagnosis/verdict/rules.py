@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from pkmodes.core.support.numbers import p_in_words, p_text, plain
+from pkmodes.core.base.numbers import p_in_words, p_text, plain
 from pkmodes.loop.diagnosis.readings import table
 from pkmodes.loop.diagnosis.verdict.amplitude import depends_on_amplitude
 from pkmodes.loop.diagnosis.verdict.classes import distinct_causes, more_general, parts_alone

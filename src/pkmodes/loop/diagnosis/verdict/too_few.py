@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pkmodes.core.support.numbers import p_in_words
+from pkmodes.core.base.numbers import p_in_words
 from pkmodes.loop.diagnosis.verdict.evidence import Start
 
 #: Effective number of uncertain values that the data may determine although these count as held by their priors.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from pkmodes.core.support.numbers import p_in_words, plain
+from pkmodes.core.base.numbers import p_in_words, plain
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Misfit
 from pkmodes.loop.diagnosis.fit.observations import SHAPE
 from pkmodes.loop.diagnosis.fit.store import FitStore
