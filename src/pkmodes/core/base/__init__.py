@@ -1,1 +1,1 @@
-"""What every other part uses: errors, checks of arguments, numbers as people read them, what the motors do, methods of applications, version."""
+"""What every other part uses: errors, checks of arguments, numbers in words, motors, methods of applications."""
