@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
 import pkmodes
-from pkmodes.core.support.numbers import rounded
+from pkmodes.core.base.numbers import rounded
 from pkmodes.diagnosis import Diagnosis, Measurements
 from pkmodes.updating import compare, diagnose, read
 

@@ -109,6 +109,7 @@ def shown(text: str) -> tuple[float, float]:
     digits, decimals, power = found.groups()
     exponent = int("".join("-0123456789"[RAISED.index(c)] for c in power or "\u2070"))
     unit = 10.0 ** (exponent - len(decimals or ""))
-    if not decimals and len(digits) > 2 and digits.endswith("0"):  # 730 has two significant digits
-        unit *= 10.0
+    if not decimals:  # 730 and 2800 have two significant digits
+        number = digits.lstrip("-\u2212")
+        unit *= 10.0 ** min(len(number) - len(number.rstrip("0")), max(len(number) - 2, 0))
     return float(digits.replace("\u2212", "-")) * 10.0**exponent, 0.5 * unit

@@ -106,7 +106,7 @@ def test_nothing_tells_the_date_or_reaches_outside() -> None:
 
 def python(code: str, folder: Path | None = None, **variables: str) -> str:
     """Run Python with nothing but the sources, and return what it prints."""
-    path = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "tests/plots"))
+    path = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "tests/pages/plots"))
     done = subprocess.run(
         [sys.executable, "-c", code],
         capture_output=True,

@@ -16,7 +16,6 @@ from tomlkit.exceptions import TOMLKitError
 from tomlkit.items import AoT, Comment, InlineTable, Item, String, Table, Whitespace
 
 from pkmodes.core.base.errors import OutputError
-from pkmodes.core.base.numbers import plain
 from pkmodes.core.robot.units import NUMBER, QuantityError, dimension_of, parse
 
 Keys = tuple[str | int, ...]
@@ -183,6 +182,12 @@ def _one_line(text: str) -> str:
     return " ".join("".join(c if c.isprintable() else " " for c in text).split())
 
 
+def sigma_text(value: float) -> str:
+    """Return a standard deviation with three digits, such as 2130 and not 2.13e+03."""
+    text = f"{value:.{SIGMA_DIGITS}g}"
+    return f"{float(text):.0f}" if text.endswith("e+03") else text
+
+
 @dataclass(frozen=True)
 class ValueNotation:
     """A notation for values of one dimension.
@@ -225,7 +230,7 @@ class ValueNotation:
         notation = ValueNotation() if "%" in self.after else self
         digits = Decimal(repr(value / notation.scale))
         written = Context(prec=SIGMA_DIGITS, rounding=ROUND_CEILING).plus(digits)
-        return f"{notation.before}{plain(float(written), SIGMA_DIGITS)}{notation.after}"
+        return f"{notation.before}{sigma_text(float(written))}{notation.after}"
 
     def quantity(self, value: float, sigma: float | None, digits: int) -> str:
         """Format a value as TOML, with its standard deviation if it has one."""

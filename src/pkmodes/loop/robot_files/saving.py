@@ -15,7 +15,6 @@ from typing import NoReturn
 import numpy as np
 
 from pkmodes.core.base.errors import OutputError, PkmodesError, RobotFileError, nearest_name, shown
-from pkmodes.core.base.numbers import plain
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.robot.covariance import CORRELATION, COVARIANCE, PATHS, SIGMA, Covariance
 from pkmodes.core.robot.declaration import Declaration, changeable
@@ -26,7 +25,7 @@ from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.units import Quantity
 from pkmodes.core.support.covariance import joined_covariance, sigmas_by_path
 from pkmodes.core.support.writing import write_file
-from pkmodes.loop.robot_files.editing import Keys, TomlText, ValueNotation
+from pkmodes.loop.robot_files.editing import Keys, TomlText, ValueNotation, sigma_text
 
 DIGITS = 10
 #: Elements of a group are written with more digits, because their rounding errors add up.
@@ -76,7 +75,7 @@ def _edits_of(changes: Mapping[str, Correction], robot: Declaration) -> dict[str
             )
         if path in groups:
             # The standard deviation of a group goes into the comment.
-            deviation = "" if sigma is None else f"sigma of {path} {plain(sigma, 3)} {groups[path].unit}"
+            deviation = "" if sigma is None else f"sigma of {path} {sigma_text(sigma)} {groups[path].unit}"
             note = "; ".join(part for part in (correction.note, deviation) if part)
             try:
                 values = elements_of(robot, groups[path], value)

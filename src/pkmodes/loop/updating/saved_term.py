@@ -5,13 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 
 from pkmodes.core.base.errors import OutputError
-from pkmodes.core.base.numbers import plain
 from pkmodes.core.model import Model
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.support.writing import write_file
 from pkmodes.loop.diagnosis.verdict.findings import Corrected
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes.loop.diagnosis.verdict.terms import DECLARED, TermClass
+from pkmodes.loop.robot_files.editing import sigma_text
 from pkmodes.loop.robot_files.saving import Correction, corrected_text
 from pkmodes.loop.sensitivity.paths import resolve
 from pkmodes.loop.updating import frame
@@ -104,7 +104,7 @@ def robot_with_term(robot: Robot | Model, result: Diagnosis) -> str:
     lines = [f"\n# {noun}, found by pkmodes diagnose\n[effects.{effect_name(term)}]\n"]
     for value in added:
         unit = value.unit.replace("*", " ")
-        quantity = f'value = "{value.value:.{DIGITS}g} {unit}", sigma = "{plain(value.sigma, 3)} {unit}"'
+        quantity = f'value = "{value.value:.{DIGITS}g} {unit}", sigma = "{sigma_text(value.sigma)} {unit}"'
         lines.append(f"{best.quantity(term, value)} = {{ {quantity} }}\n")
     return text.rstrip("\n") + "\n" + "".join(lines)
 
