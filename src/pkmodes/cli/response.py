@@ -176,11 +176,11 @@ def response(options: ResponseOptions) -> None:
         measured = read_response(options.measured)
     files = [ResultFile(options.out, result.as_csv)]
     if options.figure is not None:
-        from pkmodes.pages.figures.files import rendered
+        from pkmodes.pages.figures.files import image_bytes
         from pkmodes.pages.figures.response_picture import response_picture
 
         kind = options.figure.suffix[1:].lower()
-        picture = rendered(response_picture(result, measured, before=first), kind)
+        picture = image_bytes(response_picture(result, measured, before=first), kind)
         files.append(ResultFile(options.figure, lambda: picture))
     if system is not None:
         files.append(ResultFile(options.model_file, system.as_mat))
@@ -194,10 +194,10 @@ def response(options: ResponseOptions) -> None:
     def show() -> None:
         from pkmodes.cli.terminal import Terminal
         from pkmodes.machine.response.drawn_channels import DrawnChannels
-        from pkmodes.pages.report.response import largest, response_summary
+        from pkmodes.pages.report.response import largest_responses_table, response_summary
 
         drawn = DrawnChannels.of(result, measured)
-        Terminal().result(response_summary(model, result, drawn), largest(drawn))
+        Terminal().result(response_summary(model, result, drawn), largest_responses_table(drawn))
 
     deliver(options.json_file, document.as_json(), show, *files)
 

@@ -213,12 +213,12 @@ def shaper(options: ShaperOptions) -> None:
     picture = b""
     if options.figure is not None:
         require("pictures of shapers", "plot", "matplotlib")
-        from pkmodes.pages.figures.files import rendered
+        from pkmodes.pages.figures.files import image_bytes
         from pkmodes.pages.figures.pictures import Picture
 
         drawing, caption = over_frequency(result.choice, spectrum)
         kind = options.figure.suffix[1:].lower()
-        picture = rendered(Picture("shapers", "Input shapers", caption, drawing), kind)
+        picture = image_bytes(Picture("shapers", "Input shapers", caption, drawing), kind)
 
     def show() -> None:
         from pkmodes.cli.terminal import Terminal
