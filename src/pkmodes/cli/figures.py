@@ -12,9 +12,9 @@ from pkmodes.api import load
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import (
     drives_option,
+    errors_name_options,
     json_option,
     mechanism_option,
-    named_as_options,
     overwrite_option,
     robot_argument,
 )
@@ -83,7 +83,7 @@ def figures(
     from pkmodes.pages.figures.files import write_pictures_and_sentences
 
     places = None if grid is None else parse_grid(grid, model.mechanism, "--grid")
-    with named_as_options("grid", folder="--out"):
+    with errors_name_options("grid", folder="--out"):
         written, sentences = write_pictures_and_sentences(
             model, folder, places, tuple(dict.fromkeys(formats)), drives=drives, overwrite=overwrite
         )

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from pkmodes.api import load
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.option_table import OptionTable, entry, option
-from pkmodes.cli.options import comma_list, drives_option, repeated_mechanism_option, robot_argument
+from pkmodes.cli.options import comma_list, drives_option, forwarded_mechanism_option, robot_argument
 from pkmodes.cli.poses import pose_of, pose_option
 from pkmodes.cli.reporting import report_file
 from pkmodes.core.base.drives import Drives
@@ -109,7 +109,7 @@ class SensitivitiesOptions(OptionTable):
         "without it, the ten with the largest relative effect.",
     )
     drives: str = entry(drives_option)
-    mechanism: Path | None = entry(repeated_mechanism_option)
+    mechanism: Path | None = entry(forwarded_mechanism_option)
 
 
 @click.command(
