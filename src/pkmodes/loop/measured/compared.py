@@ -114,6 +114,7 @@ def _mode_pairs(
     common, own_changes = common_and_own(
         np.log(after / before), np.hypot(sigma / before, sigma_after / after)
     )
+    # Without a common change, every significant change of a frequency is the mode's own.
     shared = common is not None and common.differs
     return [
         ModePair(
