@@ -9,7 +9,7 @@ from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.posterior.document import NOTHING_MISSING, OUTSIDE, Probabilities
 
-#: Number of explanations returned, the most probable first.
+#: Maximum number of explanations returned, the most probable first.
 MAX_EXPLANATIONS = 8
 #: A statement less probable than this is left out, unless one of its members survives the tests; a surviving
 #: explanation gets at least this share of the largest probability.
