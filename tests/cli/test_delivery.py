@@ -140,7 +140,7 @@ def test_a_full_disk_is_told_with_the_file_and_nothing_is_left(
     out: str,
     place: str,
 ) -> None:
-    monkeypatch.setattr("pkmodes.pages.figures.files.rendered", lambda *_, **__: b"drawn" * 2000)
+    monkeypatch.setattr("pkmodes.pages.figures.files.image_bytes", lambda *_, **__: b"drawn" * 2000)
     monkeypatch.chdir(tmp_path)
     grid = ["--grid", "x=0.4:0.7:8,y=0:0.1:5,z=-0.245"] if command == "figures" else []
     assert run([command, str(PUBLISHED), "--out", out, *grid]) == 2

@@ -58,7 +58,7 @@ def _drawn_only(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(viewed, "OF_MORE", viewed.OF_MORE._replace(levels=2))
     monkeypatch.setattr(blocks, "inline", lambda *_, **__: SVG)
     monkeypatch.setattr(blocks, "inline_narrow", lambda *_, **__: "")
-    monkeypatch.setattr(files, "rendered", lambda *_, **__: b"drawn")
+    monkeypatch.setattr(files, "image_bytes", lambda *_, **__: b"drawn")
     monkeypatch.setattr(report_of_maps, "pictures", lambda *_, **__: iter(()))
 
 

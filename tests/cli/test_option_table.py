@@ -10,7 +10,7 @@ import click
 import pytest
 
 from pkmodes.cli.option_table import OptionTable, entry, option
-from pkmodes.cli.options import FILE
+from pkmodes.cli.options import PATH
 from pkmodes.core.base.errors import OutputError, PkmodesError
 
 CALLS: list[dict[str, Any]] = []
@@ -20,12 +20,12 @@ CALLS: list[dict[str, Any]] = []
 class ToyOptions(OptionTable):
     """What a made-up command takes."""
 
-    robot: Path | None = entry(click.argument("robot", type=FILE, required=False), reads="robot file")
+    robot: Path | None = entry(click.argument("robot", type=PATH, required=False), reads="robot file")
     grid: str | None = option("--grid", only="a robot file")
     damping: float | None = option("--damping", type=float, passed=True, only="measured modes")
     kinds: str | None = option("--shapers", "kinds", passed=True)
     table: Path | None = option(
-        "--out", "table", type=FILE, metavar="FILE.csv", writes="the table", endings=(".csv",)
+        "--out", "table", type=PATH, metavar="FILE.csv", writes="the table", endings=(".csv",)
     )
     digits: int | None = option("--digits", type=int, needs=("table", "report_to"))
     names: tuple[str, ...] = option("--name", "names", multiple=True, only="a robot file")

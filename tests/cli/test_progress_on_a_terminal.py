@@ -53,7 +53,7 @@ def drawn(*_: object, **__: object) -> bytes:
 def test_figures_says_which_picture_it_draws_and_erases_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr("pkmodes.pages.figures.files.rendered", drawn)
+    monkeypatch.setattr("pkmodes.pages.figures.files.image_bytes", drawn)
     with redirect_stderr(Terminal()) as terminal:
         assert run(["figures", PRINTER, "--out", str(tmp_path / "out"), "--grid", PLANE]) == 0
     printed, received = capsys.readouterr().out, terminal.getvalue()
@@ -69,7 +69,7 @@ def test_figures_says_which_picture_it_draws_and_erases_it(
 def test_nothing_of_it_reaches_a_pipe(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr("pkmodes.pages.figures.files.rendered", drawn)
+    monkeypatch.setattr("pkmodes.pages.figures.files.image_bytes", drawn)
     assert run(["figures", PRINTER, "--out", str(tmp_path / "out"), "--grid", PLANE]) == 0
     notes = capsys.readouterr().err
     assert notes.startswith("note: workspace holds a sentence instead of a picture: ")

@@ -10,14 +10,14 @@ import click
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.diagnosing import failing, progress_lines, split_names
 from pkmodes.cli.options import (
-    FILE,
-    band_of,
+    PATH,
     band_option,
-    check_order,
+    check_file_order,
+    errors_name_options,
+    forwarded_mechanism_option,
     json_option,
     measured_drives_option,
-    named_as_options,
-    repeated_mechanism_option,
+    parse_band_option,
     report_option,
     robot_argument,
 )
@@ -40,7 +40,7 @@ MOST = 10
     "examples/changed_printer/after.csv"
 )
 @robot_argument
-@click.argument("states", metavar="TRUSTED.csv LATER.csv...", type=FILE, nargs=-1, required=True)
+@click.argument("states", metavar="TRUSTED.csv LATER.csv...", type=PATH, nargs=-1, required=True)
 @click.option(
     "--candidates",
     metavar="NAMES",
@@ -74,7 +74,7 @@ MOST = 10
 )
 @band_option
 @measured_drives_option
-@repeated_mechanism_option
+@forwarded_mechanism_option
 @json_option
 def changed(
     robot: Path,
@@ -102,7 +102,7 @@ def changed(
     except those in --fail-on, which give 1, and 2 for bad input.
     """
     for file in states:
-        check_order(robot, file, "pkmodes changed")
+        check_file_order(robot, file, "pkmodes changed")
     check_targets(json_file, [robot, *states], report_target(report_to))
     names = None if candidates is None else split_names(candidates, "--candidates")
     held = None if holdout is None else [] if holdout.strip() == "none" else split_names(holdout, "--holdout")
@@ -110,13 +110,13 @@ def changed(
     from pkmodes.loop import updating  # SciPy is loaded only where it is used
 
     declared = read_robot(robot)
-    campaigns = _campaigns(states, declared, band_of(band), drives)
+    campaigns = _campaigns(states, declared, parse_band_option(band), drives)
     sources = sources_of(
         report_to,
         {"robot file": robot, **{f"measurement file {i}": file for i, file in enumerate(states, start=1)}},
     )
     trusted, *later = campaigns
-    with progress_lines("changed") as progress, named_as_options("candidates", "holdout"):
+    with progress_lines("changed") as progress, errors_name_options("candidates", "holdout"):
         result = updating.changed(
             declared,
             campaigns[trusted],

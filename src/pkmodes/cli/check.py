@@ -10,7 +10,7 @@ import click
 from msgspec import Meta
 
 from pkmodes.cli.delivery import deliver
-from pkmodes.cli.options import FILE, checked_mechanism_option, json_option
+from pkmodes.cli.options import PATH, json_option, unregistered_mechanism_option
 from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import check_targets
 from pkmodes.core.base.errors import PkmodesError
@@ -98,8 +98,8 @@ class CheckDocument(Document, frozen=True):
     epilog="\b\nExamples:\n  pkmodes check\n  pkmodes check build/linear-delta-2022\n"
     "  pkmodes check robots/linear-delta-2022.toml"
 )
-@click.argument("targets", metavar="[DIR or ROBOT.toml ...]", nargs=-1, type=FILE)
-@checked_mechanism_option
+@click.argument("targets", metavar="[DIR or ROBOT.toml ...]", nargs=-1, type=PATH)
+@unregistered_mechanism_option
 @click.option("--brief", is_flag=True, help="Print one line for each folder or robot file, for CI logs.")
 @click.option("--diff", is_flag=True, help="Show the lines of the files that differ, after the reasons.")
 @json_option

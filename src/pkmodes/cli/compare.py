@@ -10,13 +10,13 @@ import click
 from pkmodes.cli.compare_robots import compare_robot_files
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import (
-    FILE,
-    band_of,
+    PATH,
     band_option,
-    check_order,
+    check_file_order,
     json_option,
     measured_drives_option,
     mechanism_option,
+    parse_band_option,
     report_option,
     robot_argument,
 )
@@ -40,7 +40,7 @@ WORST, MOST = 5, 10
     "  pkmodes compare robots/linear-delta-2022.toml \\\n    robots/linear-delta-2022-identified.toml"
 )
 @robot_argument
-@click.argument("modes", metavar="MODES.csv|ROBOT.toml", type=FILE)
+@click.argument("modes", metavar="MODES.csv|ROBOT.toml", type=PATH)
 @grid_option
 @poses_option
 @band_option
@@ -80,9 +80,9 @@ def compare(
         check_targets(json_file, [robot, modes, poses], report_target(report_to))
         for option, value in {"--grid": grid, "--poses": poses, "--report": report_to}.items():
             _refuse(value, option, "does not apply to two measurement files")
-        _compare_measurements((robot, modes), band_of(band), drives, everything, json_file)
+        _compare_measurements((robot, modes), parse_band_option(band), drives, everything, json_file)
         return
-    check_order(robot, modes, "pkmodes compare")
+    check_file_order(robot, modes, "pkmodes compare")
     check_targets(json_file, [robot, modes, poses], report_target(report_to))
     if modes.suffix.lower() == ".toml":
         _refuse(band, "--band", "is for measurements, but two robots are compared")
@@ -93,7 +93,7 @@ def compare(
     from pkmodes.loop import updating  # SciPy is loaded only where it is used
 
     declared = read_robot(robot)
-    data = updating.read(modes, band_of(band), declared, drives=drives)
+    data = updating.read(modes, parse_band_option(band), declared, drives=drives)
     sources = sources_of(report_to, {"robot file": robot, "measurement file": modes})
     result = updating.compare(declared, data)
     report = report_file(report_to, lambda: page_of(result, declared, data, sources))

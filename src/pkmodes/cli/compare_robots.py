@@ -10,7 +10,7 @@ import numpy as np
 
 from pkmodes.api import load
 from pkmodes.cli.delivery import deliver
-from pkmodes.cli.options import named_as_options
+from pkmodes.cli.options import errors_name_options
 from pkmodes.cli.poses import places_given
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.core.base.drives import FREE
@@ -44,7 +44,7 @@ def compare_robot_files(
     first, second = map(load, files)
     check_one_mechanism(first.robot, second.robot)
     places = places_given(first, grid, poses)
-    with named_as_options("grid", poses="--poses" if poses else "--grid"):
+    with errors_name_options("grid", poses="--poses" if poses else "--grid"):
         document = compare_robots(first, second, _points(first, second, places), drives or FREE)
     content = document.as_json()
 

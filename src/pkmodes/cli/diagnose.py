@@ -10,14 +10,14 @@ import click
 from pkmodes.cli.delivery import ResultFile, deliver
 from pkmodes.cli.diagnosing import failing, progress_lines, split_names
 from pkmodes.cli.options import (
-    FILE,
-    band_of,
+    PATH,
     band_option,
-    check_order,
+    check_file_order,
+    errors_name_options,
+    forwarded_mechanism_option,
     json_option,
     measured_drives_option,
-    named_as_options,
-    repeated_mechanism_option,
+    parse_band_option,
     report_option,
     robot_argument,
 )
@@ -44,7 +44,7 @@ MOST_WIDENED = 3
     "    --candidates effects,parameter:axis.span --holdout P3,P7 \\\n    --save-robot corrected.toml"
 )
 @robot_argument
-@click.argument("modes", metavar="MODES.csv", type=FILE)
+@click.argument("modes", metavar="MODES.csv", type=PATH)
 @click.option(
     "--candidates",
     metavar="NAMES",
@@ -61,14 +61,14 @@ MOST_WIDENED = 3
     "--save-robot",
     "save_to",
     metavar="FILE.toml",
-    type=FILE,
+    type=PATH,
     help="Write the robot file with the causes found and the refitted values.",
 )
 @click.option(
     "--save-effect",
     "effect_to",
     metavar="FILE.py",
-    type=FILE,
+    type=PATH,
     help="Write what was found beyond the catalogue as an effect of your own, for generate --effect.",
 )
 @report_option
@@ -103,7 +103,7 @@ MOST_WIDENED = 3
 )
 @band_option
 @measured_drives_option
-@repeated_mechanism_option
+@forwarded_mechanism_option
 @json_option
 def diagnose(
     robot: Path,
@@ -131,7 +131,7 @@ def diagnose(
     These verdicts concern frequencies and shapes.  Measured damping has a verdict of its own; losses that it shows
     are saved, too.
     """
-    check_order(robot, modes, "pkmodes diagnose")
+    check_file_order(robot, modes, "pkmodes diagnose")
     save_target = Target("--save-robot", save_to, "the corrected robot")
     effect_target = Target("--save-effect", effect_to, "the effect")
     check_targets(json_file, [robot, modes], save_target, effect_target, report_target(report_to))
@@ -149,9 +149,11 @@ def diagnose(
     )
     limits = dict(parse_usable(text, "--usable", "write --usable z=40mm,300mm") for text in usable)
     declared = read_robot(robot)
-    data = updating.read(modes, band_of(band), declared, drives=drives, priors=plausible, usable=limits)
+    data = updating.read(
+        modes, parse_band_option(band), declared, drives=drives, priors=plausible, usable=limits
+    )
     sources = sources_of(report_to, {"robot file": robot, "measurement file": modes})
-    options = named_as_options("candidates", "holdout", "usable", priors="--prior")
+    options = errors_name_options("candidates", "holdout", "usable", priors="--prior")
     with progress_lines("diagnose") as progress, options:
         result = updating.diagnose(
             declared,

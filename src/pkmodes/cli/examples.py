@@ -9,7 +9,7 @@ import click
 from msgspec import Meta
 
 from pkmodes.cli.delivery import deliver, unlike
-from pkmodes.cli.options import FILE, json_option, overwrite_option
+from pkmodes.cli.options import PATH, json_option, overwrite_option
 from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import check_targets
 from pkmodes.core.support.documents import Document
@@ -149,7 +149,7 @@ CATALOGUE = (
 @click.option(
     "--out",
     metavar="DIR",
-    type=FILE,
+    type=PATH,
     default=Path(),
     help="Folder in which robots/ and examples/NAME/ are written; by default the current one.",
 )

@@ -12,9 +12,9 @@ from pkmodes.api import load
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import (
     drives_option,
+    errors_name_options,
     json_option,
     mechanism_option,
-    named_as_options,
     overwrite_option,
     robot_argument,
 )
@@ -80,11 +80,11 @@ def figures(
     resolved(folder, "--out")
     model = load(robot)
     from pkmodes.machine.maps.ranges import parse_grid
-    from pkmodes.pages.figures.files import written_pictures
+    from pkmodes.pages.figures.files import write_pictures_and_sentences
 
     places = None if grid is None else parse_grid(grid, model.mechanism, "--grid")
-    with named_as_options("grid", folder="--out"):
-        written, sentences = written_pictures(
+    with errors_name_options("grid", folder="--out"):
+        written, sentences = write_pictures_and_sentences(
             model, folder, places, tuple(dict.fromkeys(formats)), drives=drives, overwrite=overwrite
         )
     document = FiguresDocument(

@@ -9,7 +9,7 @@ import click
 from msgspec import Meta
 
 from pkmodes.cli.delivery import deliver
-from pkmodes.cli.options import FILE, json_option, robot_argument
+from pkmodes.cli.options import PATH, json_option, robot_argument
 from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import check_targets
 from pkmodes.core.base.errors import OutputError
@@ -43,14 +43,14 @@ class GenerateDocument(Document, frozen=True):
 @click.option(
     "--mechanism",
     metavar="FILE.py",
-    type=FILE,
+    type=PATH,
     help="A mechanism of your own: the Python file that defines it, or the folder that was generated from it.",
 )
 @click.option(
     "--effect",
     "effects",
     metavar="FILE.py",
-    type=FILE,
+    type=PATH,
     multiple=True,
     help="An effect of your own beside those of the catalogue: a file of diagnose --save-effect, or as in "
     "docs/how-to/adding-an-effect.md; may be repeated.",

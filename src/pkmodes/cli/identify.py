@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pkmodes.cli.delivery import ResultFile, deliver
-from pkmodes.cli.options import FILE, json_option, mechanism_option, report_option
+from pkmodes.cli.options import PATH, json_option, mechanism_option, report_option
 from pkmodes.cli.printing import echo
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
@@ -24,11 +24,11 @@ if TYPE_CHECKING:
 
 
 @click.command(epilog="\b\nExample:\n  pkmodes identify examples/campaign/campaign.toml --out modes.csv")
-@click.argument("campaign", metavar="CAMPAIGN.toml", type=FILE)
+@click.argument("campaign", metavar="CAMPAIGN.toml", type=PATH)
 @click.option(
     "--out",
     metavar="MODES.csv",
-    type=FILE,
+    type=PATH,
     required=True,
     help="Measurement file to write, for compare and diagnose; an existing file is replaced.",
 )

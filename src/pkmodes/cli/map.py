@@ -13,7 +13,7 @@ import click
 from pkmodes.api import load
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.option_table import OptionTable, entry, option
-from pkmodes.cli.options import FILE, drives_option, repeated_mechanism_option, robot_argument
+from pkmodes.cli.options import PATH, drives_option, forwarded_mechanism_option, robot_argument
 from pkmodes.cli.poses import grid_option, places_given, poses_option
 from pkmodes.cli.progress import duration
 from pkmodes.cli.reporting import report_file
@@ -58,7 +58,7 @@ class MapOptions(OptionTable):
     out: Path | None = option(
         "--out",
         metavar="FILE",
-        type=FILE,
+        type=PATH,
         passed=True,
         writes="the map",
         anywhere=True,
@@ -80,7 +80,7 @@ class MapOptions(OptionTable):
         help="Address of a Dask scheduler whose workers evaluate the map.",
     )
     drives: str = entry(drives_option, passed=True)
-    mechanism: Path | None = entry(repeated_mechanism_option)
+    mechanism: Path | None = entry(forwarded_mechanism_option)
 
 
 @click.command(

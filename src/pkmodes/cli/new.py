@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from pkmodes.cli.delivery import unlike
-from pkmodes.cli.options import FILE, overwrite_option, repeated_mechanism_option
+from pkmodes.cli.options import PATH, forwarded_mechanism_option, overwrite_option
 from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import Target, check_targets
 from pkmodes.core.mechanism import registry
@@ -17,9 +17,9 @@ from pkmodes.core.support.writing import write_file
 
 @click.command(epilog=f"\b\nExample:\n  pkmodes new {registry.supplied()[0]} --out my-robot.toml")
 @click.argument("name", metavar="[MECHANISM]", required=False)
-@click.option("--out", metavar="FILE.toml", type=FILE, help="File to write instead of standard output.")
+@click.option("--out", metavar="FILE.toml", type=PATH, help="File to write instead of standard output.")
 @overwrite_option
-@repeated_mechanism_option
+@forwarded_mechanism_option
 def new(name: str | None, out: Path | None, overwrite: bool, mechanism: Path | None) -> None:
     """Write a robot file to start from: every key, its unit, and what to measure it with.
 

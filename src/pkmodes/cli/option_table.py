@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Self, TypeVar
 
 import click
 
-from pkmodes.cli.options import json_option, named_as_options, report_option
+from pkmodes.cli.options import errors_name_options, json_option, report_option
 from pkmodes.cli.reporting import sources_of
 from pkmodes.cli.targets import Target, check_targets
 from pkmodes.core.base.errors import PkmodesError
@@ -139,7 +139,7 @@ class OptionTable:
         }
 
     def named(self, **renamed: str) -> AbstractContextManager[None]:
-        """Name options in errors that name arguments, as `named_as_options` does.
+        """Name options in errors that name arguments, as `errors_name_options` does.
 
         - renamed: options of arguments that do not have the names of fields
         """
@@ -148,7 +148,7 @@ class OptionTable:
             for name, parameter in _parameters().items()
             if isinstance(parameter, click.Option)
         }
-        return named_as_options(**(options | renamed))
+        return errors_name_options(**(options | renamed))
 
     def _has(self, name: str) -> bool:
         """Return whether an option is given."""

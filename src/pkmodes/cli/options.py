@@ -15,9 +15,9 @@ from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.core.support.pasting import pasted
 
 #: The type of arguments and options that name a file or a folder.
-FILE = click.Path(path_type=Path)
+PATH = click.Path(path_type=Path)
 
-robot_argument = click.argument("robot", metavar="ROBOT.toml", type=FILE)
+robot_argument = click.argument("robot", metavar="ROBOT.toml", type=PATH)
 
 json_option = click.option(
     "--json",
@@ -36,7 +36,7 @@ report_option = click.option(
     "--report",
     "report_to",
     metavar="FILE.html",
-    type=FILE,
+    type=PATH,
     help="Write a report: one page that needs no other file and no network.",
 )
 
@@ -49,15 +49,17 @@ def _add_mechanism(_: click.Context, __: click.Parameter, folder: Path | None) -
     return folder
 
 
-_MECHANISM: dict[str, Any] = {
+_MECHANISM_SETTINGS: dict[str, Any] = {
     "metavar": "FOLDER",
-    "type": FILE,
+    "type": PATH,
     "help": "A mechanism of your own: the folder that generate --mechanism FILE.py wrote.",
 }
-mechanism_option = click.option("--mechanism", expose_value=False, callback=_add_mechanism, **_MECHANISM)
+mechanism_option = click.option(
+    "--mechanism", expose_value=False, callback=_add_mechanism, **_MECHANISM_SETTINGS
+)
 #: The same for a command that prints other commands for the mechanism, and for one that checks the folder.
-repeated_mechanism_option = click.option("--mechanism", callback=_add_mechanism, **_MECHANISM)
-checked_mechanism_option = click.option("--mechanism", **_MECHANISM)
+forwarded_mechanism_option = click.option("--mechanism", callback=_add_mechanism, **_MECHANISM_SETTINGS)
+unregistered_mechanism_option = click.option("--mechanism", **_MECHANISM_SETTINGS)
 
 drives_option = click.option(
     "--drives",
@@ -67,7 +69,7 @@ drives_option = click.option(
     help="Motors: free to turn, or held by position loops far stiffer than the machine.",
 )
 
-#: The same for a command that takes measurements, which may state it themselves.
+#: The same for a command that reads measurements, whose file may state the drives.
 measured_drives_option = click.option(
     "--drives",
     type=click.Choice(DRIVES),
@@ -81,7 +83,7 @@ band_option = click.option(
 )
 
 
-def band_of(text: str | None) -> tuple[float, float] | None:
+def parse_band_option(text: str | None) -> tuple[float, float] | None:
     """Return the band of the option in Hz.
 
     Raises MeasurementError if it is not two frequencies, the lower one first.
@@ -97,7 +99,7 @@ def comma_list(text: str, option: str, example: str, noun: str = "names") -> lis
     """Return names that are separated by commas, each once.
 
     - example: the option as it should be written, for messages
-    - noun: what they are names of, for messages
+    - noun: what the items are called, for messages
 
     Raises PkmodesError if one is empty.
     """
@@ -109,14 +111,16 @@ def comma_list(text: str, option: str, example: str, noun: str = "names") -> lis
     return list(dict.fromkeys(names))
 
 
-def quantity(unit: str, example: str) -> Callable[[click.Context, click.Parameter, str | None], float | None]:
-    """Return what reads an option as a number in SI units, or a number with its unit.
+def quantity_parser(
+    unit: str, example: str
+) -> Callable[[click.Context, click.Parameter, str | None], float | None]:
+    """Return a callback that parses an option, a number in SI units or a number with its unit.
 
     - unit: the SI unit
     - example: a value with its unit, for messages
     """
 
-    def read(_: click.Context, option: click.Parameter, text: str | None) -> float | None:
+    def parse(_: click.Context, option: click.Parameter, text: str | None) -> float | None:
         from pkmodes.core.robot.units import QuantityError, parse_number_or_quantity
 
         if text is None:
@@ -127,10 +131,10 @@ def quantity(unit: str, example: str) -> Callable[[click.Context, click.Paramete
             name = option.opts[0]
             raise PkmodesError(str(error), name, error.remedy or f'for example: {name} "{example}"') from None
 
-    return read
+    return parse
 
 
-def check_order(robot: Path, modes: Path, command: str) -> None:
+def check_file_order(robot: Path, modes: Path, command: str) -> None:
     """Reject swapped robot and measurement files, recognised by their names."""
     if modes.suffix.lower() == ".toml" and robot.suffix.lower() != ".toml":
         problem = f"expected ROBOT.toml before MODES.csv, found {robot} before {modes}"
@@ -140,7 +144,7 @@ def check_order(robot: Path, modes: Path, command: str) -> None:
 
 
 @contextmanager
-def named_as_options(*same: str, **renamed: str) -> Iterator[None]:
+def errors_name_options(*same: str, **renamed: str) -> Iterator[None]:
     """Replace the name of a function argument in an error by that of the option.
 
     The place of an error is an argument, alone or before a colon: ``sweep: platform.mass``.  A remedy may give an

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from pkmodes.cli.options import FILE
+from pkmodes.cli.options import PATH
 from pkmodes.core.base.errors import PoseError
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ grid_option = click.option(
 poses_option = click.option(
     "--poses",
     metavar="FILE.csv",
-    type=FILE,
+    type=PATH,
     help="Table of poses instead of a grid: one row per pose, with a column for each component, such as x,y,z.",
 )
 

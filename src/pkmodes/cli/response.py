@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from pkmodes.api import load
 from pkmodes.cli.delivery import ResultFile, deliver
 from pkmodes.cli.option_table import OptionTable, entry, option
-from pkmodes.cli.options import FILE, comma_list, drives_option, repeated_mechanism_option, robot_argument
+from pkmodes.cli.options import PATH, comma_list, drives_option, forwarded_mechanism_option, robot_argument
 from pkmodes.cli.poses import pose_of, pose_option
 from pkmodes.cli.reporting import report_file
 from pkmodes.core.base.drives import Drives
@@ -80,7 +80,7 @@ class ResponseOptions(OptionTable):
     out: Path | None = option(
         "--out",
         metavar="FILE.csv",
-        type=FILE,
+        type=PATH,
         writes="the table",
         endings=(".csv",),
         help="Table to write: frequency, and the real and the imaginary part of each channel.",
@@ -89,7 +89,7 @@ class ResponseOptions(OptionTable):
         "--state-space",
         "model_file",
         metavar="FILE.mat",
-        type=FILE,
+        type=PATH,
         writes="the state space model",
         endings=(".mat",),
         help="MATLAB file to write: A, B, C, D for the same inputs and outputs.",
@@ -104,7 +104,7 @@ class ResponseOptions(OptionTable):
     figure: Path | None = option(
         "--figure",
         metavar="FILE.svg",
-        type=FILE,
+        type=PATH,
         writes="the picture",
         endings=(".svg", ".png", ".pdf"),
         help="Picture to write: magnitude and phase of each channel; .svg, .png or .pdf.",
@@ -112,7 +112,7 @@ class ResponseOptions(OptionTable):
     measured: Path | None = option(
         "--measured",
         metavar="FILE",
-        type=FILE,
+        type=PATH,
         reads="measured responses",
         needs=("figure", "report_to"),
         help="Measured responses to draw over those of the model: a table like that of --out, a universal or a "
@@ -121,13 +121,13 @@ class ResponseOptions(OptionTable):
     before: Path | None = option(
         "--before",
         metavar="FILE.toml",
-        type=FILE,
+        type=PATH,
         reads="robot file before",
         needs=("figure", "report_to"),
         help="Robot file whose responses are drawn dashed, such as the one that a diagnosis corrected.",
     )
     drives: str = entry(drives_option, passed=True)
-    mechanism: Path | None = entry(repeated_mechanism_option)
+    mechanism: Path | None = entry(forwarded_mechanism_option)
 
 
 @click.command(
@@ -176,11 +176,11 @@ def response(options: ResponseOptions) -> None:
         measured = read_response(options.measured)
     files = [ResultFile(options.out, result.as_csv)]
     if options.figure is not None:
-        from pkmodes.pages.figures.files import rendered
+        from pkmodes.pages.figures.files import image_bytes
         from pkmodes.pages.figures.response_picture import response_picture
 
         kind = options.figure.suffix[1:].lower()
-        picture = rendered(response_picture(result, measured, before=first), kind)
+        picture = image_bytes(response_picture(result, measured, before=first), kind)
         files.append(ResultFile(options.figure, lambda: picture))
     if system is not None:
         files.append(ResultFile(options.model_file, system.as_mat))
@@ -194,10 +194,10 @@ def response(options: ResponseOptions) -> None:
     def show() -> None:
         from pkmodes.cli.terminal import Terminal
         from pkmodes.machine.response.drawn_channels import DrawnChannels
-        from pkmodes.pages.report.response import largest, response_summary
+        from pkmodes.pages.report.response import largest_responses_table, response_summary
 
         drawn = DrawnChannels.of(result, measured)
-        Terminal().result(response_summary(model, result, drawn), largest(drawn))
+        Terminal().result(response_summary(model, result, drawn), largest_responses_table(drawn))
 
     deliver(options.json_file, document.as_json(), show, *files)
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from pkmodes.api import load
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.option_table import OptionTable, entry, option
-from pkmodes.cli.options import comma_list, drives_option, repeated_mechanism_option, robot_argument
+from pkmodes.cli.options import comma_list, drives_option, forwarded_mechanism_option, robot_argument
 from pkmodes.cli.poses import pose_of, pose_option
 from pkmodes.cli.reporting import report_file
 from pkmodes.core.base.drives import Drives
@@ -29,10 +29,10 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 #: An example of --parameters, for messages.
-EXAMPLE = "--parameters platform.mass,axis.span; or omit the option"
-#: Most quantities printed by default, and a note on what is then left out.
-MOST = 10
-ALL = (
+PARAMETERS_EXAMPLE = "--parameters platform.mass,axis.span; or omit the option"
+#: Maximum number of quantities printed by default, and a note on what is then left out.
+MAX_PRINTED = 10
+ALL_NOTE = (
     "--all prints everything, including coordinates, for which one per cent depends on where the origin lies, "
     "effects that the file does not have, and Hz per unit of the value."
 )
@@ -91,7 +91,7 @@ class SensitivitiesDocument(Document, frozen=True):
 
 @dataclass(frozen=True)
 class SensitivitiesOptions(OptionTable):
-    """What the command takes."""
+    """Arguments and options of the command."""
 
     robot: Path = entry(robot_argument, reads="robot file")
     pose: str = entry(pose_option)
@@ -109,7 +109,7 @@ class SensitivitiesOptions(OptionTable):
         "without it, the ten with the largest relative effect.",
     )
     drives: str = entry(drives_option)
-    mechanism: Path | None = entry(repeated_mechanism_option)
+    mechanism: Path | None = entry(forwarded_mechanism_option)
 
 
 @click.command(
@@ -129,7 +129,11 @@ def sensitivities(options: SensitivitiesOptions) -> None:
         raise click.UsageError("--all and --parameters exclude each other", click.get_current_context())
     options.check_files()
     sources = options.sources()
-    paths = None if parameters is None else comma_list(parameters, "--parameters", EXAMPLE, "parameter paths")
+    paths = (
+        None
+        if parameters is None
+        else comma_list(parameters, "--parameters", PARAMETERS_EXAMPLE, "parameter paths")
+    )
     model = load(options.robot)
     point = pose_of(model, options.pose)
     modes = model.modes(point, drives=drives)
@@ -152,43 +156,51 @@ def sensitivities(options: SensitivitiesOptions) -> None:
 
         return sensitivities_report(model, content, sources)
 
-    by_name = paths is not None
+    parameters_given = paths is not None
     report = report_file(options.report_to, page)
-    deliver(options.json_file, content, lambda: _print(model, content, by_name, options.everything), report)
+    deliver(
+        options.json_file,
+        content,
+        lambda: _print(model, content, parameters_given, options.everything),
+        report,
+    )
 
 
-def _print(model: Model, content: dict[str, Any], by_name: bool, everything: bool) -> None:
+def _print(model: Model, content: dict[str, Any], parameters_given: bool, print_all: bool) -> None:
     """Print the derivatives: the largest, or all of those that are asked for.
 
-    - by_name: whether --parameters names them
+    - parameters_given: whether --parameters names them
+    - print_all: whether --all is given
     """
     from pkmodes.cli.terminal import Terminal
     from pkmodes.loop.sensitivity.changes import PERCENT, SIGMA, changes_at
     from pkmodes.pages.report.sensitivity_tables import (
-        acting,
-        per_cent,
-        per_sigma,
-        per_unit,
+        influential_quantities,
+        per_cent_table,
+        per_sigma_table,
+        per_unit_table,
         sensitivities_summary,
     )
 
     terminal, pose, drives = Terminal(), content["pose"], content["drives"]
-    depends, paths = acting(content), content["parameters"]
-    full = by_name or everything
-    chosen = [paths[t] for t in depends if content["values"][t]] if full else None
+    influential, paths = influential_quantities(content), content["parameters"]
+    all_printed = parameters_given or print_all
+    chosen = [paths[t] for t in influential if content["values"][t]] if all_printed else None
     percent = changes_at(model, pose, drives, PERCENT, chosen or None)
     sigma = changes_at(model, pose, drives, SIGMA) if stated_sigmas(model.robot) else None
-    head = sensitivities_summary(model, percent, sigma, content, chosen_only=by_name and bool(chosen))
-    terminal.summary(head)
-    if percent.largest_of_all() and (chosen or not full):
-        terminal.show(per_cent(model, percent, content, None if full else MOST))
-    if sigma is not None and not by_name:
-        terminal.show(per_sigma(model, sigma))
-    if depends and full:
-        terminal.show(per_unit(model, content))
-    if full and len(depends) < len(paths):
-        without_influence = [path for t, path in enumerate(paths) if t not in depends]
+    summary = sensitivities_summary(
+        model, percent, sigma, content, chosen_only=parameters_given and bool(chosen)
+    )
+    terminal.summary(summary)
+    if percent.largest_of_all() and (chosen or not all_printed):
+        terminal.show(per_cent_table(model, percent, content, None if all_printed else MAX_PRINTED))
+    if sigma is not None and not parameters_given:
+        terminal.show(per_sigma_table(model, sigma))
+    if influential and all_printed:
+        terminal.show(per_unit_table(model, content))
+    if all_printed and len(influential) < len(paths):
+        without_influence = [path for t, path in enumerate(paths) if t not in influential]
         terminal.show(Paragraph(f"No frequency depends on {', '.join(without_influence)}."))
-    if not full:
-        terminal.show(Paragraph(ALL))
-    terminal.notes(head)
+    if not all_printed:
+        terminal.show(Paragraph(ALL_NOTE))
+    terminal.notes(summary)

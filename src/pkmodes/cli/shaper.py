@@ -14,7 +14,7 @@ import numpy as np
 from pkmodes.api import load
 from pkmodes.cli.delivery import ResultFile, deliver
 from pkmodes.cli.option_table import OptionTable, entry, option
-from pkmodes.cli.options import FILE, comma_list, quantity, repeated_mechanism_option
+from pkmodes.cli.options import PATH, comma_list, forwarded_mechanism_option, quantity_parser
 from pkmodes.cli.poses import grid_option, places_given, poses_option
 from pkmodes.cli.reporting import report_file
 from pkmodes.cli.settings import height_given, height_option, settings_given, settings_option
@@ -45,12 +45,12 @@ class ShaperOptions(OptionTable):
     """What the command takes; arguments that are passed are those of `pkmodes.Model.shapers`."""
 
     robot: Path | None = entry(
-        click.argument("robot", metavar="[ROBOT.toml]", type=FILE, required=False), reads="robot file"
+        click.argument("robot", metavar="[ROBOT.toml]", type=PATH, required=False), reads="robot file"
     )
     measured: Path | None = option(
         "--measured",
         metavar="MODES.csv",
-        type=FILE,
+        type=PATH,
         reads="measurement file",
         help="Measured modes instead of a robot file, as identify writes them: shapers for these modes, within "
         "their errors.",
@@ -58,7 +58,7 @@ class ShaperOptions(OptionTable):
     spectrum: Path | None = option(
         "--spectrum",
         metavar="FILE",
-        type=FILE,
+        type=PATH,
         reads="measured spectrum",
         help="Measured power spectrum over which the report and the figure draw the shapers, such as Klipper's "
         "resonances_x.csv.",
@@ -91,7 +91,7 @@ class ShaperOptions(OptionTable):
     damping: float | None = option(
         "--damping",
         metavar="RATIO",
-        callback=quantity("1", "5 %"),
+        callback=quantity_parser("1", "5 %"),
         passed=True,
         only=MEASURED,
         help="Damping ratio of measured modes that have none in the table; by default anything from 0 to 10 %.",
@@ -99,7 +99,7 @@ class ShaperOptions(OptionTable):
     left: float = option(
         "--left",
         metavar="SHARE",
-        callback=quantity("1", "10 %"),
+        callback=quantity_parser("1", "10 %"),
         default="10 %",
         show_default=True,
         passed=True,
@@ -109,14 +109,14 @@ class ShaperOptions(OptionTable):
     length: float | None = option(
         "--length",
         metavar="TIME",
-        callback=quantity("s", "60 ms"),
+        callback=quantity_parser("s", "60 ms"),
         passed=True,
         help='Longest duration of the recommended shaper: "60 ms", or a number in s.',
     )
     tick: float = option(
         "--tick",
         metavar="TIME",
-        callback=quantity("s", "1 ms"),
+        callback=quantity_parser("s", "1 ms"),
         default="1 ms",
         show_default=True,
         passed=True,
@@ -137,11 +137,11 @@ class ShaperOptions(OptionTable):
         "far stiffer than the machine; by default as the robot file has them.  With --measured: motors in the "
         "test, if the file does not state it; by default free.",
     )
-    mechanism: Path | None = entry(repeated_mechanism_option)
+    mechanism: Path | None = entry(forwarded_mechanism_option)
     out: Path | None = option(
         "--out",
         metavar="FILE.csv",
-        type=FILE,
+        type=PATH,
         writes="the table",
         endings=(".csv",),
         help="Table to write: what each fixed shaper leaves of a mode, over the frequency of the mode, and the "
@@ -150,7 +150,7 @@ class ShaperOptions(OptionTable):
     figure: Path | None = option(
         "--figure",
         metavar="FILE.svg",
-        type=FILE,
+        type=PATH,
         writes="the picture",
         endings=(".svg", ".png", ".pdf"),
         help="Picture of this table to write; .svg, .png or .pdf.",
@@ -213,12 +213,12 @@ def shaper(options: ShaperOptions) -> None:
     picture = b""
     if options.figure is not None:
         require("pictures of shapers", "plot", "matplotlib")
-        from pkmodes.pages.figures.files import rendered
+        from pkmodes.pages.figures.files import image_bytes
         from pkmodes.pages.figures.pictures import Picture
 
         drawing, caption = over_frequency(result.choice, spectrum)
         kind = options.figure.suffix[1:].lower()
-        picture = rendered(Picture("shapers", "Input shapers", caption, drawing), kind)
+        picture = image_bytes(Picture("shapers", "Input shapers", caption, drawing), kind)
 
     def show() -> None:
         from pkmodes.cli.terminal import Terminal

@@ -177,7 +177,7 @@ class SpectrumDocument(Document, frozen=True):
         from pkmodes.machine.shaping.residual_vibration import residual
 
         best = choice.candidates[choice.recommended]
-        peak, at_mode = spectrum.peak(choice.ringing.frequencies)
+        peak, at_mode = spectrum.highest_peak(choice.ringing.frequencies)
         share = float(residual(best.shaper, peak, best.damping_ratio))
         missing = (
             f"the highest peak of the spectrum, at {peak:.4g} Hz, is at none of the modes: a mode may be missing "

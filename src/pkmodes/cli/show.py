@@ -17,9 +17,9 @@ from pkmodes.api import load
 from pkmodes.cli.delivery import ResultFile, deliver
 from pkmodes.cli.options import (
     drives_option,
+    errors_name_options,
     json_option,
     mechanism_option,
-    named_as_options,
     overwrite_option,
     robot_argument,
 )
@@ -125,7 +125,7 @@ def show(
             )
         content: str | bytes = animation(scene, scene.rigid_modes + mode - 1)
     elif ranges is not None:
-        with named_as_options(values=VARY):
+        with errors_name_options(values=VARY):
             content = page(varied(model, point, ranges, drives=drives))
     else:
         content = page(poses_around(model, point, drives=drives))

@@ -23,5 +23,5 @@ def without_drawing() -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("pkmodes.pages.report.blocks.inline", named)
         patch.setattr("pkmodes.pages.report.blocks.inline_narrow", lambda *_: "")
-        patch.setattr("pkmodes.pages.figures.files.rendered", lambda *_, **__: b"drawn")
+        patch.setattr("pkmodes.pages.figures.files.image_bytes", lambda *_, **__: b"drawn")
         yield

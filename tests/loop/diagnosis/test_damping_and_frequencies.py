@@ -10,7 +10,7 @@ import pytest
 
 from helpers.diagnoses.damped_cases import bare, columns, made, measured, of_frequencies, strange
 from pkmodes import updating
-from pkmodes.loop.diagnosis.damping.words import NO_LOSSES, UNSETTLED
+from pkmodes.loop.diagnosis.damping.words import NO_LOSSES_REASON, UNSETTLED_REASON
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from studies.specimens import robot_of
 
@@ -104,7 +104,7 @@ def unsettled() -> Diagnosis:
 def test_damping_is_not_diagnosed_where_the_frequencies_do_not_settle() -> None:
     found = unsettled()
     assert found.verdict == "unexplained"
-    assert (found.damping.verdict, found.damping.reason) == ("insufficient_data", UNSETTLED)
+    assert (found.damping.verdict, found.damping.reason) == ("insufficient_data", UNSETTLED_REASON)
     assert set(found.damping.undetectable) == LOSSES
     assert found.damping.limits["belt_loss.loss_factor"].value is None
     assert all(row.damping is None for row in found.rows)
@@ -113,7 +113,7 @@ def test_damping_is_not_diagnosed_where_the_frequencies_do_not_settle() -> None:
 def test_damping_is_not_diagnosed_without_a_loss_among_the_candidates() -> None:
     found = updating.diagnose(ROBOT, measured({"rails": 50.0}), candidates=["payload"])
     assert found.verdict == "adequate"
-    assert (found.damping.verdict, found.damping.reason) == ("insufficient_data", NO_LOSSES)
+    assert (found.damping.verdict, found.damping.reason) == ("insufficient_data", NO_LOSSES_REASON)
 
 
 def test_without_a_diagnosis_of_damping_no_row_has_its_keys() -> None:

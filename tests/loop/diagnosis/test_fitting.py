@@ -189,7 +189,9 @@ def test_the_prediction_of_a_left_out_setup_is_that_of_a_fit_without_it() -> Non
             [0.05, 0.002, None, None],
         )
         expected.append(float(np.sum((y[i] - model.base[i] - model.G[i] @ values) ** 2)) / SIGMA**2)
-    squares, leverage = left_out(found, Fitter(model, logs_measured(y, SIGMA)).observations.places())
+    squares, leverage = left_out(
+        found, Fitter(model, logs_measured(y, SIGMA)).observations.data_indices_by_setup()
+    )
     assert squares == pytest.approx(expected, rel=1e-3)
     # A setup's largest leverage: the largest part of a combination of its residuals that the fit takes up.
     J = np.vstack([model.G.reshape(-1, 4) / SIGMA, np.eye(4)[:2] / PRIORS[:, None]])

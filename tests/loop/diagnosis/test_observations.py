@@ -138,7 +138,7 @@ def test_an_added_quantity_has_degrees_and_a_p_value_of_its_own(monkeypatch: pyt
     with_residues(monkeypatch, log)
     fitter = Fitter(frame(), data)
     assert fitter.observations.size == 24
-    assert fitter.observations.degrees(fitter.observations.all_rows) == 24
+    assert fitter.observations.degrees_of_freedom(fitter.observations.all_rows) == 24
     fit = fitter.fit(Hypothesis())
     assert fit is not None
     misfit = fitter.misfit(fit, "residue", stated=True)
@@ -194,11 +194,11 @@ def test_copies_give_each_prediction_the_same_data(monkeypatch: pytest.MonkeyPat
     values = np.array([[1.0, 1.0], [1.2, 1.0], [1.0, 1.3]])
     some = seen.all_rows
     some[3] = False
-    together = list(seen.beside_many(structure, values, [(0, 1)] * 3, [seen.all_rows, some, seen.all_rows]))
-    assert [one.number for one in together] == [0, 1, 2]
+    together = list(seen.evaluate_many(structure, values, [(0, 1)] * 3, [seen.all_rows, some, seen.all_rows]))
+    assert [one.set_index for one in together] == [0, 1, 2]
     for one in together:
-        used = some if one.number == 1 else seen.all_rows
-        alone = structure.predict(values[one.number], (0, 1), shape_rates=True)
+        used = some if one.set_index == 1 else seen.all_rows
+        alone = structure.predict(values[one.set_index], (0, 1), shape_rates=True)
         pairing = seen.pairer.pair(alone, used)
         np.testing.assert_allclose(one.residual, seen.residual(alone, pairing, used), rtol=1e-9, atol=1e-12)
         np.testing.assert_allclose(one.rates, seen.rates(alone, pairing, used), rtol=1e-6, atol=1e-9)

@@ -133,9 +133,12 @@ def test_derivatives_of_the_residual_agree_with_differences() -> None:
         frequency = fitter.observations.frequency_rows
         assert -rates[frequency, column] == pytest.approx(difference[frequency], rel=1e-6)
         residual = fitter.observations.residual(structure.predict(fitter.declared, ()), pairing, used)
-        exact = difference[fitter.observations.part("shape")] @ residual[fitter.observations.part("shape")]
-        assert -rates[fitter.observations.part("shape"), column] @ residual[
-            fitter.observations.part("shape")
+        exact = (
+            difference[fitter.observations.data_slice("shape")]
+            @ residual[fitter.observations.data_slice("shape")]
+        )
+        assert -rates[fitter.observations.data_slice("shape"), column] @ residual[
+            fitter.observations.data_slice("shape")
         ] == pytest.approx(exact, rel=1e-4)
 
 

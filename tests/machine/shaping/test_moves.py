@@ -212,7 +212,7 @@ def test_parts_and_uneven_times_give_the_same_motion(monkeypatch: pytest.MonkeyP
     move = random_move(3, model)
     time = np.arange(0.0, 0.3, 1e-3)
     whole = model.simulate(time, move.poses(time)).deviation
-    monkeypatch.setattr("pkmodes.machine.response.path_vibration.PART", 37)
+    monkeypatch.setattr("pkmodes.machine.response.path_vibration.SAMPLES_AT_ONCE", 37)
     np.testing.assert_allclose(model.simulate(time, move.poses(time)).deviation, whole, rtol=0, atol=1e-12)
     finer = np.union1d(time, np.arange(0.1, 0.15, 2.5e-4))
     other = model.simulate(finer, move.poses(finer)).deviation[np.isin(finer, time)]

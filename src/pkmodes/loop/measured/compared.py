@@ -14,13 +14,19 @@ from pkmodes.core.base.errors import MeasurementError
 from pkmodes.core.support.mac import mac, normalised
 from pkmodes.loop.measured.comparison import Changed, MeasurementsCompared, ModePair
 from pkmodes.loop.measured.measurements import Measurements
-from pkmodes.loop.measured.shape_changes import Aligned, PlaceChange, ShapeChange, aligned, shape_change
+from pkmodes.loop.measured.shape_changes import (
+    AlignedShapes,
+    PlaceChange,
+    ShapeChange,
+    align_shapes,
+    shape_change,
+)
 from pkmodes.loop.measured.significance import (
-    BESIDE,
+    ADDITIONAL_LEVEL,
     CommonChange,
     common_and_own,
-    first_refused,
     holm,
+    holm_threshold,
     two_sided,
 )
 from pkmodes.loop.measured.strain_energy import StrainEnergyChange, strain_energy_changes
@@ -34,37 +40,38 @@ from pkmodes.loop.measured.trust import (
 
 Array = NDArray[np.float64]
 #: Rows of a mode in both files, and the MAC of its shapes.
-Rows = tuple[int, int, float | None]
-#: Largest relative difference between the frequencies of one mode, and the difference that costs as much as shapes
-#: with a MAC of 0.
-FARTHEST, ALIKE = 0.25, 0.1
+RowPair = tuple[int, int, float | None]
+#: Largest difference between the logarithms of the frequencies of one mode.
+MAX_FREQUENCY_DIFFERENCE = 0.25
+#: Difference between the logarithms of two frequencies that costs as much as shapes with a MAC of 0.
+DIFFERENCE_AT_ZERO_MAC = 0.1
 
 
 def compare_measurements(first: Measurements, second: Measurements) -> MeasurementsCompared:
     """Compare two measurements of one machine, such as before and after a repair.
 
-    Modes at one pose are paired so that frequencies and, where both have them, shapes agree best in all.
+    Modes at one pose are paired so that frequencies and, where both have them, shapes agree best overall.
 
-    - first, second: at poses of the same labels, or of one position each under any label
+    - first, second: with the same pose labels, or with a single pose each, whatever its label
 
     Raises MeasurementError if they have the same rows, no pose in common, other components of a pose, or the motors
-    did another thing there.
+    were in different states there.
     """
-    places = list(_common(first, second))
-    if _content(first) == _content(second):
+    pose_pairs = list(_common_poses(first, second))
+    if _row_contents(first) == _row_contents(second):
         problem = f"expected two measurements, found the same rows as in {first.source}"
         raise MeasurementError(problem, second.source, "give the file of the second campaign")
-    rows: list[Rows] = []
-    for pose, second_pose in places:
+    rows: list[RowPair] = []
+    for pose, second_pose in pose_pairs:
         rows += paired_rows(
             first, second, np.flatnonzero(first.pose == pose), np.flatnonzero(second.pose == second_pose)
         )
     rows.sort(key=lambda row: row[:2])
-    shapes, energies = _shapes_compared(first, second, rows)
-    pairs, common = _pairs(first, second, rows, shapes)
+    shapes, energies = _compare_shapes(first, second, rows)
+    pairs, common = _mode_pairs(first, second, rows, shapes)
     relative = np.array([pair.relative for pair in pairs])
-    total = float(sum(pair.sigmas**2 for pair in pairs))
-    p_value = float(chdtrc(len(pairs), total)) if pairs else None
+    chi2 = float(sum(pair.sigmas**2 for pair in pairs))
+    p_value = float(chdtrc(len(pairs), chi2)) if pairs else None
     return MeasurementsCompared(
         first=first.source,
         second=second.source,
@@ -73,17 +80,17 @@ def compare_measurements(first: Measurements, second: Measurements) -> Measureme
         second_unpaired=_unpaired_lines(second, [b for _, b, _ in rows]),
         median_relative=float(np.median(relative)) if pairs else None,
         rms_relative=float(np.sqrt(np.mean(relative**2))) if pairs else None,
-        chi2=total,
+        chi2=chi2,
         p_value=p_value,
-        poses=len(places),
-        changed=_changed(pairs, common, p_value),
+        poses=len(pose_pairs),
+        changed=_kind_of_change(pairs, common, p_value),
         common=common,
         strain_energy=energies,
-        notes=[*notes_on_poses(first, second, places), *notes_on_shapes(pairs, energies)],
+        notes=[*notes_on_poses(first, second, pose_pairs), *notes_on_shapes(pairs, energies)],
     )
 
 
-def _content(data: Measurements) -> list[str]:
+def _row_contents(data: Measurements) -> list[str]:
     """Return the content of each row, in an order that does not depend on the file."""
     columns = {f"shape:{name}": data.shapes[:, k] for k, name in enumerate(data.channels)}
     columns |= {**data.numbers, "sigma_shape": data.shape_sigma}
@@ -94,19 +101,20 @@ def _content(data: Measurements) -> list[str]:
     )
 
 
-def _pairs(
-    first: Measurements, second: Measurements, rows: Sequence[Rows], shapes: Sequence[ShapeChange | None]
+def _mode_pairs(
+    first: Measurements, second: Measurements, rows: Sequence[RowPair], shapes: Sequence[ShapeChange | None]
 ) -> tuple[list[ModePair], CommonChange | None]:
     """Return the modes of both with their changes, and what these have in common."""
     a, b = np.array([row[0] for row in rows], dtype=int), np.array([row[1] for row in rows], dtype=int)
     before, after = first.frequency[a], second.frequency[b]
     sigma, sigma_after = first.sigma[a], second.sigma[b]
-    spread = np.hypot(sigma, sigma_after)
-    sigmas = (after - before) / spread
-    differs, least = holm(two_sided(sigmas)), first_refused(len(rows))
+    sigma_of_difference = np.hypot(sigma, sigma_after)
+    sigmas = (after - before) / sigma_of_difference
+    differs, threshold = holm(two_sided(sigmas)), holm_threshold(len(rows))
     common, own_changes = common_and_own(
         np.log(after / before), np.hypot(sigma / before, sigma_after / after)
     )
+    # Without a common change, every significant change of a frequency is the mode's own.
     shared = common is not None and common.differs
     return [
         ModePair(
@@ -120,19 +128,22 @@ def _pairs(
             second_sigma=float(sigma_after[k]),
             relative=float(after[k] / before[k] - 1.0),
             sigmas=float(sigmas[k]),
-            mac=alike,
+            mac=mac_of_pair,
             differs=bool(differs[k]),
             mode=first.mode[i],
-            noticeable=float(least * spread[k] / before[k]),
+            noticeable=float(threshold * sigma_of_difference[k] / before[k]),
             beyond_common=_number_or_none(own_changes.relative[k]),
             beyond_common_sigmas=_number_or_none(own_changes.sigmas[k]),
             own_change=bool(own_changes.clear[k] if shared else differs[k]),
             shape=shape,
             cautions=cautions_of(
-                close_to_another(first, i) or close_to_another(second, j), alike, bool(differs[k]), shape
+                close_to_another(first, i) or close_to_another(second, j),
+                mac_of_pair,
+                bool(differs[k]),
+                shape,
             ),
         )
-        for k, ((i, j, alike), shape) in enumerate(zip(rows, shapes, strict=True))
+        for k, ((i, j, mac_of_pair), shape) in enumerate(zip(rows, shapes, strict=True))
     ], common
 
 
@@ -141,7 +152,7 @@ def _number_or_none(number: float) -> float | None:
     return float(number) if np.isfinite(number) else None
 
 
-def _changed(pairs: Sequence[ModePair], common: CommonChange | None, p_value: float | None) -> Changed:
+def _kind_of_change(pairs: Sequence[ModePair], common: CommonChange | None, p_value: float | None) -> Changed:
     """Return what the frequencies show."""
     if p_value is None:
         return "no_pairs"
@@ -150,42 +161,51 @@ def _changed(pairs: Sequence[ModePair], common: CommonChange | None, p_value: fl
         return "common_and_single" if single else "common"
     if single:
         return "single"
-    return "together" if p_value <= BESIDE else "nothing"
+    return "together" if p_value <= ADDITIONAL_LEVEL else "nothing"
 
 
-def _shapes_compared(
-    first: Measurements, second: Measurements, rows: Sequence[Rows]
+def _compare_shapes(
+    first: Measurements, second: Measurements, rows: Sequence[RowPair]
 ) -> tuple[list[ShapeChange | None], list[StrainEnergyChange]]:
-    """Return the change of each pair's shape, and of the strain energy at each pose, with what of these is clear."""
-    # Where positions are given, it is a machine: its numbered joints stand beside each other.
-    chain = not (first.points.any() or second.points.any())
-    modes = [aligned(first, second, i, j) for i, j, _ in rows]
-    changes = [None if mode is None else shape_change(mode, chain) for mode in modes]
-    usable: dict[int, list[tuple[int, Aligned]]] = {}
-    for (i, j, alike), mode in zip(rows, modes, strict=True):
-        apart = not (close_to_another(first, i) or close_to_another(second, j))
-        if chain and mode is not None and apart and alike is not None and alike >= LEAST_MAC:
+    """Return each pair's change of shape, and the changes of strain energy; the significant ones are marked."""
+    # Pose coordinates mean a machine, whose numbered joints are in parallel, not in a line.
+    in_series = not (first.points.any() or second.points.any())
+    modes = [align_shapes(first, second, i, j) for i, j, _ in rows]
+    changes = [None if mode is None else shape_change(mode, in_series) for mode in modes]
+    usable: dict[int, list[tuple[int, AlignedShapes]]] = {}
+    for (i, j, mac_of_pair), mode in zip(rows, modes, strict=True):
+        well_separated = not (close_to_another(first, i) or close_to_another(second, j))
+        if (
+            in_series
+            and mode is not None
+            and well_separated
+            and mac_of_pair is not None
+            and mac_of_pair >= LEAST_MAC
+        ):
             usable.setdefault(int(first.pose[i]), []).append((int(first.lines[i]), mode))
     energies = []
     for pose, of_pose in usable.items():
-        stated = [entry for entry in of_pose if np.isfinite(entry[1].errors).all()] or of_pose
+        # A shape without errors would leave the index without a standard deviation.
+        stated = [entry for entry in of_pose if np.isfinite(entry[1].sigmas).all()] or of_pose
         energies += strain_energy_changes(first.labels[pose], *zip(*stated, strict=True))
-    return _clear(changes, energies)
+    return _mark_significant(changes, energies)
 
 
-def _clear(
+def _mark_significant(
     changes: Sequence[ShapeChange | None], energies: Sequence[StrainEnergyChange]
 ) -> tuple[list[ShapeChange | None], list[StrainEnergyChange]]:
-    """Return the changes with what differs, all places of all shapes taken together."""
+    """Mark the significant changes, tested over all channels of all shapes together."""
     shapes = [change for change in changes if change is not None]
-    places = [place for shape in shapes for place in (*shape.components, *shape.curvatures)]
-    sigmas = [place.sigmas for place in places] + [energy.sigmas for energy in energies]
-    clear = iter(holm(two_sided(np.array([z for z in sigmas if z is not None]))).tolist())
+    channels = [channel for shape in shapes for channel in (*shape.components, *shape.curvatures)]
+    sigmas = [channel.sigmas for channel in channels] + [energy.sigmas for energy in energies]
+    # One result for each change with a standard deviation.  The replacements below take them in the order of
+    # `sigmas`: shape by shape the components and then the curvatures, and the energies last.
+    significant = iter(holm(two_sided(np.array([z for z in sigmas if z is not None]))).tolist())
 
-    def marked(places: list[PlaceChange]) -> list[PlaceChange]:
+    def marked(channels: list[PlaceChange]) -> list[PlaceChange]:
         return [
-            place if place.sigmas is None else msgspec.structs.replace(place, differs=next(clear))
-            for place in places
+            channel if channel.sigmas is None else msgspec.structs.replace(channel, differs=next(significant))
+            for channel in channels
         ]
 
     return [
@@ -195,20 +215,20 @@ def _clear(
         )
         for change in changes
     ], [
-        energy if energy.sigmas is None else msgspec.structs.replace(energy, differs=next(clear))
+        energy if energy.sigmas is None else msgspec.structs.replace(energy, differs=next(significant))
         for energy in energies
     ]
 
 
-def _common(first: Measurements, second: Measurements) -> Iterator[tuple[int, int]]:
+def _common_poses(first: Measurements, second: Measurements) -> Iterator[tuple[int, int]]:
     """Yield the poses that both have: those with the same label, or the only pose of each."""
     if len(first.labels) == len(second.labels) == 1:
-        places = [(0, 0)]
+        pose_pairs = [(0, 0)]
     else:
-        places = [
+        pose_pairs = [
             (i, second.labels.index(label)) for i, label in enumerate(first.labels) if label in second.labels
         ]
-    if not places:
+    if not pose_pairs:
         problem = f"expected poses of {first.source}, such as {first.labels[0]}, found {second.labels[0]}"
         raise MeasurementError(
             problem, f"{second.source}: pose", "give the poses of both files the same labels"
@@ -217,7 +237,7 @@ def _common(first: Measurements, second: Measurements) -> Iterator[tuple[int, in
         expected, actual = (", ".join(data.components) for data in (first, second))
         problem = f"expected poses given by {expected}, as in {first.source}, found {actual}"
         raise MeasurementError(problem, f"{second.source}: pose", "compare two measurements of one machine")
-    for first_pose, second_pose in places:
+    for first_pose, second_pose in pose_pairs:
         expected, actual = first.drives[first_pose], second.drives[second_pose]
         if expected != actual:
             problem = f"expected motors {expected}, as in {first.source}, found {actual}"
@@ -228,24 +248,24 @@ def _common(first: Measurements, second: Measurements) -> Iterator[tuple[int, in
 
 def paired_rows(
     first: Measurements, second: Measurements, rows: NDArray[np.intp], second_rows: NDArray[np.intp]
-) -> list[Rows]:
-    """Return pairs of rows at one pose with the MAC of each, so that frequencies and shapes agree best in all.
+) -> list[RowPair]:
+    """Return pairs of rows at one pose with the MAC of each, so that frequencies and shapes agree best overall.
 
     - rows, second_rows: of the pose, in the first and in the second measurement
     """
-    apart = np.abs(np.log(second.frequency[second_rows][None, :] / first.frequency[rows][:, None]))
-    alike = _alike(first, second, rows, second_rows)
-    cost = apart / ALIKE + np.where(np.isfinite(alike), 1.0 - alike, 0.0)
-    far = apart > FARTHEST
+    log_ratios = np.abs(np.log(second.frequency[second_rows][None, :] / first.frequency[rows][:, None]))
+    macs = _mac_matrix(first, second, rows, second_rows)
+    cost = log_ratios / DIFFERENCE_AT_ZERO_MAC + np.where(np.isfinite(macs), 1.0 - macs, 0.0)
+    far = log_ratios > MAX_FREQUENCY_DIFFERENCE
     chosen = zip(*linear_sum_assignment(np.where(far, 1e6, cost)), strict=True)
     return [
-        (int(rows[i]), int(second_rows[j]), float(alike[i, j]) if np.isfinite(alike[i, j]) else None)
+        (int(rows[i]), int(second_rows[j]), float(macs[i, j]) if np.isfinite(macs[i, j]) else None)
         for i, j in chosen
         if not far[i, j]
     ]
 
 
-def _alike(
+def _mac_matrix(
     first: Measurements, second: Measurements, rows: NDArray[np.intp], second_rows: NDArray[np.intp]
 ) -> Array:
     """Return the MAC between all rows of both, NaN where they share fewer than two components."""

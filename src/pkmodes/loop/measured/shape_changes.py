@@ -1,10 +1,10 @@
 """How the shape of a mode changed between two measurements, channel by channel, with its standard deviation.
 
-A shape has any scale and sign, so the second is first scaled to the first by least squares; what is then left is the
-change.  A change at one place thus moves, by a little, what all other channels show.  Where channels are a series of
-sensors along a line, the second difference of the change is that of the curvature, which a local loss of stiffness
-raises at its place (Pandey, Biswas and Samman, J. Sound Vib. 145, 1991, 321-332), but which also has sqrt(6) times
-the noise.
+The scale and sign of a shape are arbitrary, so the second is first scaled to the first by least squares; what is then
+left is the change.  A change at one place therefore slightly affects all other channels.  Where channels are a series
+of sensors along a line, the second difference of the change is the change of curvature, which a local loss of
+stiffness raises at its place (Pandey, Biswas and Samman, J. Sound Vib. 145, 1991, 321-332), but which also has
+sqrt(6) times the noise.
 """
 
 from __future__ import annotations
@@ -62,23 +62,25 @@ class ShapeChange(Document, frozen=True):
 
 
 @dataclass(frozen=True)
-class Aligned:
+class AlignedShapes:
     """The shapes of one mode in two files, at the C channels that both have.
 
     - channels: length C
     - first, second: the first relative to its largest component, and the second scaled to it, (C,)
-    - errors: standard deviation of the components of each, NaN where not stated
+    - sigmas: standard deviation of the components of each, NaN where not stated
     - covariance: that of second - first, (C, C)
     """
 
     channels: tuple[str, ...]
     first: Array
     second: Array
-    errors: tuple[float, float]
+    sigmas: tuple[float, float]
     covariance: Array
 
 
-def aligned(first: Measurements, second: Measurements, row: int, second_row: int) -> Aligned | None:
+def align_shapes(
+    first: Measurements, second: Measurements, row: int, second_row: int
+) -> AlignedShapes | None:
     """Return the shapes of a pair at the channels of both; None where they have no shape at three or more.
 
     - row, second_row: of the mode in each
@@ -90,74 +92,80 @@ def aligned(first: Measurements, second: Measurements, row: int, second_row: int
     a, b = a[measured], b[measured]
     if measured.sum() < FEWEST_CHANNELS or not (a.any() and b.any()):
         return None
+    # The shapes are relative to the largest common component of the first, but sigma_shape to the largest of its row.
     scale = np.abs(a).max()
     a = a / scale
     factor = a @ b / (b @ b)
-    of_first = first.shape_sigma[row] * np.nanmax(np.abs(first.shapes[row])) / scale
-    of_second = second.shape_sigma[second_row] * np.nanmax(np.abs(second.shapes[second_row]))
-    return Aligned(
+    sigma_first = first.shape_sigma[row] * np.nanmax(np.abs(first.shapes[row])) / scale
+    sigma_second = second.shape_sigma[second_row] * np.nanmax(np.abs(second.shapes[second_row]))
+    return AlignedShapes(
         channels=tuple(name for name, used in zip(names, measured, strict=True) if used),
         first=a,
         second=factor * b,
-        errors=(float(of_first), float(abs(factor) * of_second)),
-        covariance=change_covariance(a, b, of_first, of_second),
+        sigmas=(float(sigma_first), float(abs(factor) * sigma_second)),
+        covariance=change_covariance(a, b, sigma_first, sigma_second),
     )
 
 
 def change_covariance(first: Array, second: Array, sigma: float, second_sigma: float) -> Array:
     """Return the covariance of what is left of two shapes, the second scaled to the first by least squares.
 
-    To first order in the errors, with the leading term of second order, which is all that a component has which
-    holds nearly the whole shape.
+    To first order in the errors, plus the leading second-order term, the only one that is left for a component that
+    makes up nearly the whole shape.
 
     - first, second: not zero, (C,)
     - sigma, second_sigma: standard deviations of the components of each, independent of each other
 
     Returns (C, C), of ``factor * second - first``, in the units of the first.
     """
-    size, unit = second @ second, np.eye(len(first))
-    factor = first @ second / size
-    by_first = np.outer(second, second) / size - unit
-    by_second = factor * unit + np.outer(second, first - 2.0 * factor * second) / size
-    linear = sigma**2 * by_first @ by_first.T + second_sigma**2 * by_second @ by_second.T
-    # What is left is across the second shape, which its errors g turn: along itself it is -g (g - e), e of the first.
-    across, turned = len(first) - 1, (factor * second_sigma) ** 2
-    square = (across**2 + 2.0 * across) * turned**2 + across * sigma**2 * turned
-    return np.asarray(linear + square / (first @ first) ** 2 * np.outer(first, first))
+    squared_norm, identity = second @ second, np.eye(len(first))
+    factor = first @ second / squared_norm
+    jacobian_first = np.outer(second, second) / squared_norm - identity
+    jacobian_second = factor * identity + np.outer(second, first - 2.0 * factor * second) / squared_norm
+    linear = (
+        sigma**2 * jacobian_first @ jacobian_first.T + second_sigma**2 * jacobian_second @ jacobian_second.T
+    )
+    # The residual is orthogonal to the second shape, which its errors g rotate; along that shape it is -g (g - e),
+    # with e the errors of the first.
+    transverse_count, rotation_variance = len(first) - 1, (factor * second_sigma) ** 2
+    second_order = (
+        transverse_count**2 + 2.0 * transverse_count
+    ) * rotation_variance**2 + transverse_count * sigma**2 * rotation_variance
+    return np.asarray(linear + second_order / (first @ first) ** 2 * np.outer(first, first))
 
 
-def shape_change(shapes: Aligned, chain: bool) -> ShapeChange:
+def shape_change(shapes: AlignedShapes, in_series: bool) -> ShapeChange:
     """Return the change of a shape at each channel, and of its curvature along series of channels.
 
-    - chain: whether numbered channels are taken as a series along a line
+    - in_series: whether numbered channels are taken as a series along a line
     """
     change = shapes.second - shapes.first
-    total = float(change @ change) / (shapes.errors[0] ** 2 + shapes.errors[1] ** 2)
-    stated = bool(np.isfinite(total))
+    chi2 = float(change @ change) / (shapes.sigmas[0] ** 2 + shapes.sigmas[1] ** 2)
+    stated = bool(np.isfinite(chi2))
     curvatures = []
-    for members in series_of(shapes.channels) if chain else []:
+    for members in series_of(shapes.channels) if in_series else []:
         weights = np.zeros((len(members) - 2, len(change)))
         for i, weight in enumerate(weights):
             weight[members[i : i + 3]] = SECOND_DIFFERENCE
-        curvatures += _places_changed(
+        curvatures += _changes_at_channels(
             [shapes.channels[k] for k in members[1:-1]],
             weights @ shapes.first,
             weights @ shapes.second,
             weights @ shapes.covariance @ weights.T,
         )
     return ShapeChange(
-        chi2=total if stated else None,
-        p_value=float(chdtrc(len(change) - 1, total)) if stated else None,
-        components=_places_changed(shapes.channels, shapes.first, shapes.second, shapes.covariance),
+        chi2=chi2 if stated else None,
+        p_value=float(chdtrc(len(change) - 1, chi2)) if stated else None,
+        components=_changes_at_channels(shapes.channels, shapes.first, shapes.second, shapes.covariance),
         curvatures=curvatures,
     )
 
 
-def _places_changed(
+def _changes_at_channels(
     channels: Sequence[str], first: Array, second: Array, covariance: Array
 ) -> list[PlaceChange]:
     """Return the changes at some channels."""
-    sigmas = np.sqrt(np.diag(covariance))
+    standard_deviations = np.sqrt(np.diag(covariance))
     return [
         PlaceChange(
             channel=channel,
@@ -168,5 +176,5 @@ def _places_changed(
             sigmas=float((b - a) / sigma) if np.isfinite(sigma) else None,
             differs=False,  # until all places are judged together
         )
-        for channel, a, b, sigma in zip(channels, first, second, sigmas, strict=True)
+        for channel, a, b, sigma in zip(channels, first, second, standard_deviations, strict=True)
     ]

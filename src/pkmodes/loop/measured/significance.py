@@ -16,9 +16,9 @@ Array = NDArray[np.float64]
 #: Significance level of a change, over all pairs together, and over all places of all shapes together.
 LEVEL = 0.01
 #: Significance level of the common change, and of all changes taken together, which are tested in addition.
-BESIDE = LEVEL / 2.0
+ADDITIONAL_LEVEL = LEVEL / 2.0
 #: Number of standard deviations from which a common change counts as one.
-LEAST_COMMON = float(-ndtri(BESIDE / 2.0))
+LEAST_COMMON = float(-ndtri(ADDITIONAL_LEVEL / 2.0))
 #: Fewest pairs, and smallest share of all pairs, that can share a change which the others do not.
 FEWEST, MOST_OF_ALL = 3, 0.75
 
@@ -68,7 +68,7 @@ def holm(p: Array, level: float = LEVEL) -> NDArray[np.bool_]:
     return refused
 
 
-def first_refused(count: int) -> float:
+def holm_threshold(count: int) -> float:
     """Return the number of standard deviations that `holm` requires of the largest of several deviations."""
     return float(-ndtri(LEVEL / (2.0 * max(count, 1))))
 
@@ -108,7 +108,7 @@ def common_and_own(factors: Array, errors: Array) -> tuple[CommonChange | None, 
         relative=float(np.expm1(mean)),
         sigma=float(np.exp(mean) * sigma),
         sigmas=float(mean / sigma),
-        differs=bool(two_sided(np.array(mean / sigma)) <= BESIDE),
+        differs=bool(two_sided(np.array(mean / sigma)) <= ADDITIONAL_LEVEL),
         pairs=int(sharing.sum()),
         residual_chi2=residual_chi2,
         residual_p_value=p,

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from pkmodes.core.support.documents import Document, Number, Size
 from pkmodes.loop.measured.series import series_of
-from pkmodes.loop.measured.shape_changes import Aligned
+from pkmodes.loop.measured.shape_changes import AlignedShapes
 
 Array = NDArray[np.float64]
 #: Smallest ratio of the relative motions of a mode to their errors (root mean square) for which it has an index.
@@ -58,7 +58,7 @@ class StrainEnergyChange(Document, frozen=True):
 
 
 def strain_energy_changes(
-    pose: str, lines: Sequence[int], shapes: Sequence[Aligned]
+    pose: str, lines: Sequence[int], shapes: Sequence[AlignedShapes]
 ) -> list[StrainEnergyChange]:
     """Return the damage indices at a pose, of each series of channels.
 
@@ -70,10 +70,10 @@ def strain_energy_changes(
     for line, mode in zip(lines, shapes, strict=True):
         for members in series_of(mode.channels):
             first, second = mode.first[members], mode.second[members]
-            pairs = ((first, mode.errors[0]), (second, mode.errors[1]))
+            pairs = ((first, mode.sigmas[0]), (second, mode.sigmas[1]))
             if all(_moves(motion, error) for motion, error in pairs):
                 names = tuple(mode.channels[k] for k in members)
-                of_series.setdefault(names, []).append((line, first, second, mode.errors))
+                of_series.setdefault(names, []).append((line, first, second, mode.sigmas))
     return [change for names, modes in of_series.items() for change in _of_series(pose, names, modes)]
 
 

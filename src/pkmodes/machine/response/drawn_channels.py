@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +20,17 @@ Array = NDArray[Any]
 NOTHING = 1e-10
 
 
+class MeasuredCurves(NamedTuple):
+    """Measured responses at M frequencies.
+
+    - frequencies: (M,) [Hz]
+    - responses: by channel, each (M,)
+    """
+
+    frequencies: Array
+    responses: Mapping[str, Array]
+
+
 @dataclass(frozen=True, eq=False)
 class DrawnChannels:
     """Responses at a pose by channel, ``OUTPUT/INPUT``.
@@ -27,7 +38,7 @@ class DrawnChannels:
     - frequencies: of the model, (F,) [Hz]
     - model: in the order in which they are drawn, each (F,)
     - units: of the magnitudes
-    - measured: frequencies, and responses by channel
+    - measured: the measured responses
     - silent: channels without a response, which are left out
     - prescribed: channels from a prescribed motion to itself, which are left out
     - text: what is drawn: quantity, robot, pose, and what the motors do
@@ -37,7 +48,7 @@ class DrawnChannels:
     frequencies: Array
     model: Mapping[str, Array]
     units: Mapping[str, str]
-    measured: tuple[Array, Mapping[str, Array]] | None
+    measured: MeasuredCurves | None
     silent: tuple[str, ...]
     prescribed: tuple[str, ...]
     text: str
@@ -70,14 +81,16 @@ class DrawnChannels:
         if measured is not None:
             stated = {"quantity": response.quantity, "drives": response.drives}
             measured.check(stated | {f"unit {name}": unit for name, unit in units.items()})
-        over = None if measured is None else (measured.frequencies, measured.among(list(model)))
+        curves = (
+            None if measured is None else MeasuredCurves(measured.frequencies, measured.among(list(model)))
+        )
         silent = without_response(model, units)
-        if over is not None:  # these first: the number of drawn channels is limited
-            model = {**{name: model[name] for name in over[1]}, **model}
-            silent = [name for name in silent if name not in over[1]]
-        over_names = () if over is None else tuple(over[1])
+        if curves is not None:  # these first: the number of drawn channels is limited
+            model = {**{name: model[name] for name in curves.responses}, **model}
+            silent = [name for name in silent if name not in curves.responses]
+        measured_names = () if curves is None else tuple(curves.responses)
         prescribed = [f"{port}/{port}" for port in response.outputs if port in response.inputs]
-        prescribed = [name for name in prescribed if name not in over_names]
+        prescribed = [name for name in prescribed if name not in measured_names]
         if len(prescribed) + len(silent) < len(model):
             model = {name: values for name, values in model.items() if name not in prescribed}
         else:
@@ -87,7 +100,7 @@ class DrawnChannels:
         else:
             silent = []
         at = placed(response.robot.mechanism, response.poses[where], "g")
-        also = "" if over is None else ", with measured responses"
+        also = "" if curves is None else ", with measured responses"
         also += "" if before is None else f", before: {before.robot.name}"
         quantity = response.quantity.capitalize()
         doing = motors_in_words(response.robot, response.drives)
@@ -95,7 +108,7 @@ class DrawnChannels:
         if silent:
             text += f" No response in {', '.join(silent)}."
         return cls(
-            response.frequencies, model, units, over, tuple(silent), tuple(prescribed), text, first or None
+            response.frequencies, model, units, curves, tuple(silent), tuple(prescribed), text, first or None
         )
 
 

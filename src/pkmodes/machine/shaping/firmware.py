@@ -47,7 +47,7 @@ VERSIONS = {
     "reprapfirmware-3.5": Version("reprapfirmware", ""),
 }
 #: How to ask a machine for its version.
-ASK = {
+HOW_TO_FIND_VERSION = {
     "klipper": "Klipper writes its version at the start of klippy.log, and web interfaces show it; forks have their "
     "own numbers.",
     "marlin": 'Send M493 V: Marlin from October 2025 answers "FTM V2", an older one only "ok". Afterwards M493 by '

@@ -1,4 +1,4 @@
-"""A measured power spectrum, over which shapers are drawn: such as Klipper's ``resonances_*.csv``."""
+"""A measured power spectrum, such as Klipper's ``resonances_*.csv``, on which shapers are plotted."""
 
 from __future__ import annotations
 
@@ -14,14 +14,20 @@ from pkmodes.modaltest.signals.reading import read_signals
 
 Array = NDArray[np.float64]
 #: Range of frequencies considered, relative to the lowest and the highest mode.
-BELOW, ABOVE = 0.5, 1.4
-#: Largest relative distance of a peak from its mode, unless the lines are farther apart: damping and the excitation
-#: shift peaks.
-NEAR = 0.02
-#: Other things that a file may hold, and what to do with them.
-OTHERS = {
-    FunctionKind.TIME: "signals in time: give their spectrum (Klipper writes one with OUTPUT=resonances)",
-    FunctionKind.FRF: "frequency responses: a spectrum has one column for each direction, such as psd_x",
+BAND_START, BAND_END = 0.5, 1.4
+#: Largest relative distance of a peak from its mode, or one line spacing if that is larger; damping and the
+#: excitation shift peaks.
+PEAK_TOLERANCE = 0.02
+#: Other things that a file may hold, each with the remedy.
+UNSUITABLE_KINDS = {
+    FunctionKind.TIME: (
+        "signals in time",
+        "give their spectrum (Klipper writes one with OUTPUT=resonances)",
+    ),
+    FunctionKind.FRF: (
+        "frequency responses",
+        "a spectrum has one column for each direction, such as psd_x",
+    ),
 }
 
 
@@ -44,19 +50,19 @@ class MeasuredSpectrum:
         count = max(2, int(np.searchsorted(self.frequencies, highest, side="right")))
         return replace(self, frequencies=self.frequencies[:count], density=self.density[:count])
 
-    def peak(self, modes: Array) -> tuple[float, bool]:
+    def highest_peak(self, mode_frequencies: Array) -> tuple[float, bool]:
         """Return the frequency of the highest line around some modes [Hz], and whether it is at one of them.
 
-        Below half the lowest mode, the spectrum of a machine that is moved has the movement itself.
+        Lines below half the lowest mode are ignored: there the spectrum shows the motion of the machine itself.
         """
-        low, high = BELOW * modes.min(), ABOVE * modes.max()
+        low, high = BAND_START * mode_frequencies.min(), BAND_END * mode_frequencies.max()
         inside = (self.frequencies >= low) & (self.frequencies <= high)
         if not self.density[inside].any():
             problem = f"expected a density around the modes, from {low:.4g} to {high:.4g} Hz, found none"
             raise MeasurementError(problem, self.source, "give the spectrum of a test that reaches the modes")
         peak = float(self.frequencies[inside][np.argmax(self.density[inside])])
         spacing = float(np.median(np.diff(self.frequencies)))
-        return peak, bool(np.abs(modes - peak).min() <= max(spacing, NEAR * peak))
+        return peak, bool(np.abs(mode_frequencies - peak).min() <= max(spacing, PEAK_TOLERANCE * peak))
 
 
 def read_spectrum(path: str | PathLike[str]) -> MeasuredSpectrum:
@@ -68,15 +74,15 @@ def read_spectrum(path: str | PathLike[str]) -> MeasuredSpectrum:
     Raises MeasurementError if the file cannot be read, holds something else, or its spectra cannot be summed.
     """
     source = fspath(path)
-    read = read_signals(path)
-    spectra = [function for function in read.functions if function.kind is FunctionKind.SPECTRUM]
+    signals = read_signals(path)
+    spectra = [function for function in signals.functions if function.kind is FunctionKind.SPECTRUM]
     if not spectra:
-        kinds = [function.kind for function in read.functions]
-        alternative = next((OTHERS[kind] for kind in OTHERS if kind in kinds), "none")
-        kind_found, _, remedy = alternative.partition(": ")
-        raise MeasurementError(
-            f"expected power spectra, found {kind_found}", source, remedy or "give another file"
+        kinds = [function.kind for function in signals.functions]
+        kind_found, remedy = next(
+            (words for kind, words in UNSUITABLE_KINDS.items() if kind in kinds),
+            ("none", "give another file"),
         )
+        raise MeasurementError(f"expected power spectra, found {kind_found}", source, remedy)
     first = spectra[0]
     for spectrum in spectra:
         if not np.array_equal(spectrum.abscissa, first.abscissa) or spectrum.unit != first.unit:
@@ -85,9 +91,9 @@ def read_spectrum(path: str | PathLike[str]) -> MeasuredSpectrum:
             )
             raise MeasurementError(problem, source, "give spectra that can be added")
     total = np.sum([np.real(spectrum.values) for spectrum in spectra], axis=0)
-    above = (first.abscissa > 0.0) & np.isfinite(total)
-    if np.count_nonzero(above) < 2 or (total[above] < 0.0).any() or not total[above].any():
+    usable = (first.abscissa > 0.0) & np.isfinite(total)
+    if np.count_nonzero(usable) < 2 or (total[usable] < 0.0).any() or not total[usable].any():
         problem = "expected a power spectral density that is not negative and somewhere positive, at two frequencies"
         raise MeasurementError(problem, source, "give the density itself, not its logarithm")
     names = tuple(spectrum.response for spectrum in spectra)
-    return MeasuredSpectrum(source, first.abscissa[above], total[above], names)
+    return MeasuredSpectrum(source, first.abscissa[usable], total[usable], names)

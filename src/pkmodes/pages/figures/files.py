@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from pkmodes.core.model import Model
 
 FORMATS = ("svg", "png", "pdf")
-#: Distance between a figure and the line below it [inch].
-GAP = 0.08
+#: Distance between a figure and the caption below it [inch].
+CAPTION_GAP = 0.08
 
 
 def write_pictures(
@@ -35,7 +35,9 @@ def write_pictures(
     drives: str = FREE,
     overwrite: bool = False,
 ) -> list[Path]:
-    """Draw the figures of a robot and write them, all or none; one that would show the same everywhere is a sentence.
+    """Draw the figures of a robot and write them, all or none.
+
+    A figure that would show the same value everywhere is replaced by a sentence.
 
     Parameters
     ----------
@@ -50,7 +52,7 @@ def write_pictures(
     drives : {"free", "held"}
         As for `pkmodes.Model.modes`.
     overwrite : bool
-        Whether a file with the name of a figure is replaced also where it is no such figure.
+        Whether to replace a file that has the name of a figure but is something else.
 
     Returns
     -------
@@ -62,59 +64,70 @@ def write_pictures(
     PkmodesError, MissingExtraError
         As for `pictures`.
     OutputError
-        If a format is unknown, a file is there that is something else, or the folder cannot be written.
+        If a format is unknown, a file of that name exists and is something else, or the folder cannot be written.
     """
-    return written_pictures(model, folder, grid, formats, drives=drives, overwrite=overwrite)[0]
+    return write_pictures_and_sentences(model, folder, grid, formats, drives=drives, overwrite=overwrite)[0]
 
 
-def written_pictures(
+def write_pictures_and_sentences(
     model: Model, folder: Path, grid: Any, formats: Sequence[str], *, drives: str, overwrite: bool
 ) -> tuple[list[Path], dict[str, str]]:
-    """Do as `write_pictures`; return the files, and the sentences instead of figures by name."""
-    for suffix in formats:
-        check_argument(suffix, one_of(FORMATS), "formats", "choose one of the three", OutputError)
+    """Like `write_pictures`; return the files, and the sentences that replace figures, by figure name."""
+    for file_format in formats:
+        check_argument(file_format, one_of(FORMATS), "formats", "choose one of the three", OutputError)
     for kind in PICTURES:
         problem = "the file exists, and is not such a figure"
-        places = [folder / f"{kind.name}.{suffix}" for suffix in formats]
+        paths = [folder / f"{kind.name}.{file_format}" for file_format in formats]
         remedy = "choose another folder, or replace what is there with overwrite=True (--overwrite)"
-        check_replaced(places, "folder", overwrite, holds(kind.title.encode()), what=problem, remedy=remedy)
+        check_replaced(paths, "folder", overwrite, holds(kind.title.encode()), what=problem, remedy=remedy)
     files: dict[str, bytes] = {}
     sentences: dict[str, str] = {}
     for picture in pictures(model, grid, drives=drives):
         if picture.instead:
             sentences[picture.name] = picture.instead
-        for suffix in formats:
-            files[f"{picture.name}.{suffix}"] = rendered(picture, suffix)
+        for file_format in formats:
+            files[f"{picture.name}.{file_format}"] = image_bytes(picture, file_format)
     return write_files(folder, files), sentences
 
 
-def rendered(picture: Picture, suffix: str) -> bytes:
-    """Return a figure as the content of a file: on white, with what it shows below it, the same at every run."""
+def image_bytes(picture: Picture, file_format: str) -> bytes:
+    """Return the file of a figure: on a white background, with a caption below; the same bytes at every run."""
     fixed_metadata: dict[str, dict[str, Any]] = {
         "svg": {"Date": None, "Description": picture.description},
         "pdf": {"CreationDate": None, "Subject": picture.description},
         "png": {"Software": None, "Description": picture.description},
     }
     target = BytesIO()
-    with styled(), _with_line_below(picture.figure, picture.about):
-        metadata = {**fixed_metadata[suffix], "Title": picture.title}
+    with styled(), _with_caption_below(picture.figure, picture.about):
+        metadata = {**fixed_metadata[file_format], "Title": picture.title}
         picture.figure.savefig(
-            target, format=suffix, metadata=metadata, bbox_inches="tight", pad_inches=0.05, facecolor="white"
+            target,
+            format=file_format,
+            metadata=metadata,
+            bbox_inches="tight",
+            pad_inches=0.05,
+            facecolor="white",
         )
     return target.getvalue()
 
 
 @contextmanager
-def _with_line_below(figure: Figure, line: str) -> Iterator[None]:
-    """Write a line below everything that a figure shows, for as long as it is saved."""
-    if not line:
+def _with_caption_below(figure: Figure, caption: str) -> Iterator[None]:
+    """Write a caption below everything that a figure shows, while it is saved."""
+    if not caption:
         yield
         return
     figure.draw_without_rendering()
     box = figure.get_tightbbox()
     width, height = figure.get_size_inches()
     text = figure.text(
-        box.x0 / width, (box.y0 - GAP) / height, line, va="top", fontsize=7, color=GREY, in_layout=True
+        box.x0 / width,
+        (box.y0 - CAPTION_GAP) / height,
+        caption,
+        va="top",
+        fontsize=7,
+        color=GREY,
+        in_layout=True,
     )
     try:
         yield

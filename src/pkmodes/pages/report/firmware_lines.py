@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 from pkmodes.core.base.numbers import plain
-from pkmodes.machine.shaping.firmware import ASK
+from pkmodes.machine.shaping.firmware import HOW_TO_FIND_VERSION
 from pkmodes.pages.report.blocks import Lines, Paragraph
 from pkmodes.pages.report.formatting import clean
 
 #: Keys of the remaining vibration, in order of preference.
-WORST = ("worst_uncertain", "worst")
+WORST_KEYS = ("worst_uncertain", "worst")
 
 
 def firmware_lines(content: dict[str, Any]) -> list[Paragraph | Lines]:
@@ -19,9 +19,9 @@ def firmware_lines(content: dict[str, Any]) -> list[Paragraph | Lines]:
     - content: the JSON of the command
     """
     remaining = content["shapers"][content["recommended"]]["left"]
-    reported = next(remaining[key] for key in WORST if key in remaining)
+    compared_share = next(remaining[key] for key in WORST_KEYS if key in remaining)
     intro = "For the recommended shaper. Check which axes your firmware shapes: usually x and y, not z."
-    return _blocks(intro, content["firmware_versions"], reported, "", "{} has no such shaper.")
+    return _blocks(intro, content["firmware_versions"], compared_share, "", "{} has no such shaper.")
 
 
 def schedule_lines(content: dict[str, Any]) -> list[Paragraph | Lines]:
@@ -32,48 +32,55 @@ def schedule_lines(content: dict[str, Any]) -> list[Paragraph | Lines]:
     schedule = content["schedule"]
     if schedule is None:
         return []
-    layers = schedule["steps"][0]["heights_m"] is not None
-    where = (
-        "before the first layer that begins at its height or above" if layers else "where its values begin"
+    by_layer = schedule["steps"][0]["heights_m"] is not None
+    insert_at = (
+        "before the first layer that begins at its height or above" if by_layer else "where its values begin"
     )
     intro = (
-        f"For the schedule: G-code, each line to be inserted {where}. Klipper takes it if printer.cfg has a section "
-        "[input_shaper]."
+        f"For the schedule: G-code, each line to be inserted {insert_at}. Klipper takes it if printer.cfg has a "
+        "section [input_shaper]."
     )
-    reported, lacks = schedule["left"]["worst"], "{} lacks a shaper of the schedule."
-    return _blocks(intro, schedule["firmware_versions"], reported, ", schedule", lacks)
+    compared_share, missing_sentence = schedule["left"]["worst"], "{} lacks a shaper of the schedule."
+    return _blocks(intro, schedule["firmware_versions"], compared_share, ", schedule", missing_sentence)
 
 
 def _blocks(
-    intro: str, versions: list[dict[str, Any]], reported: float, suffix: str, lacks: str
+    intro: str, versions: list[dict[str, Any]], compared_share: float, suffix: str, missing_sentence: str
 ) -> list[Paragraph | Lines]:
-    """Return the lines, with the vibration that a version leaves if it differs from what is reported elsewhere."""
-    leaves = {
+    """Return the lines; a version whose remaining vibration differs from `compared_share` shows its own.
+
+    - versions: those of the JSON of the command
+    - suffix: follows the name of a version in the title of its lines
+    - missing_sentence: for a version without lines, with a field for its name
+    """
+    remaining_by_version = {
         version["version"]: _per_cent(version["worst"])
         for version in versions
         if version["worst"] is not None
     }
-    differing = {name for name, share in leaves.items() if share != _per_cent(reported)}
+    differing = {name for name, text in remaining_by_version.items() if text != _per_cent(compared_share)}
     if differing:
         intro += (
             " Some versions turn these lines into other impulses than those compared above: what these leave at "
-            f"most, instead of {_per_cent(reported)}, is beside their names."
+            f"most, instead of {_per_cent(compared_share)}, is beside their names."
         )
     blocks: list[Paragraph | Lines] = [Paragraph(intro)]
     for i, version in enumerate(versions):
         name, firmware = version["version"], version["firmware"]
         if version["lines"]:
-            share = f", leaves {leaves[name]}" if name in differing else ""
+            remaining_text = f", leaves {remaining_by_version[name]}" if name in differing else ""
             blocks.append(
-                Lines(f"{name}{suffix}{share}", [clean(line) for line in version["lines"].splitlines()])
+                Lines(
+                    f"{name}{suffix}{remaining_text}", [clean(line) for line in version["lines"].splitlines()]
+                )
             )
         else:
-            blocks.append(Paragraph(lacks.format(name)))
+            blocks.append(Paragraph(missing_sentence.format(name)))
         so_far, later = (
             [entry["firmware"] for entry in part] for part in (versions[: i + 1], versions[i + 1 :])
         )
         if so_far.count(firmware) > 1 and firmware not in later:
-            blocks.append(Paragraph(ASK[firmware]))
+            blocks.append(Paragraph(HOW_TO_FIND_VERSION[firmware]))
     return blocks
 
 

@@ -43,8 +43,8 @@ if TYPE_CHECKING:
     from pkmodes.machine.response.frequency_response import FrequencyResponse
 
 #: Channels in one figure, two by two.
-TOGETHER = 4
-UNDAMPED = (
+CHANNELS_PER_FIGURE = 4
+UNDAMPED_NOTE = (
     "The robot file has no damping: a resonance has no height of its own, and its peak depends only on how near the "
     "nearest frequency is. Add [damping] ratio."
 )
@@ -73,8 +73,10 @@ def response_report(
     sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources
     drawn = DrawnChannels.of(response, measured, before=before)
     sections = [
-        Section("responses", "Frequency responses", [*_pictures(drawn), largest(drawn)]),
-        Section("modes", "Modes of the model", [_modes(model, response)]),
+        Section(
+            "responses", "Frequency responses", [*_response_figures(drawn), largest_responses_table(drawn)]
+        ),
+        Section("modes", "Modes of the model", [_modes_table(model, response)]),
         origin(sources, model.mechanism),
     ]
     return page(response_summary(model, response, drawn), sections)
@@ -82,24 +84,25 @@ def response_report(
 
 def response_summary(model: Model, response: FrequencyResponse, drawn: DrawnChannels) -> Summary:
     """Return which channel responds most, and where."""
-    at = placed(model.mechanism, response.poses[response.one(())], "g").replace("-", MINUS)
-    measured = {} if drawn.measured is None else drawn.measured[1]
+    pose_text = placed(model.mechanism, response.poses[response.one(())], "g").replace("-", MINUS)
+    measured = {} if drawn.measured is None else drawn.measured.responses
     compared = {name: values for name, values in drawn.model.items() if name in measured} or drawn.model
     name = most_responsive(compared, drawn.units)
-    output, _, into = name.partition("/")
+    output_port, _, input_port = name.partition("/")
     peak = int(np.abs(drawn.model[name]).argmax())
     several = len(drawn.frequencies) > 1
-    # Of one frequency, the channel is what is largest; of several, the frequency too.
+    # With one frequency, only the channel is named; with several, the frequency of the peak too.
     if several:
         headline = (
-            f"{clean(output)} responds most to {clean(into)} at {numbers.hertz(drawn.frequencies[peak])} Hz"
+            f"{clean(output_port)} responds most to {clean(input_port)} at "
+            f"{numbers.hertz(drawn.frequencies[peak])} Hz"
         )
     else:
-        headline = f"At {drawn.frequencies[0]:g} Hz {clean(output)} responds most to {clean(into)}"
+        headline = f"At {drawn.frequencies[0]:g} Hz {clean(output_port)} responds most to {clean(input_port)}"
     if drawn.measured is not None and name in measured:
-        place = _within(drawn, measured[name])
-        if place is not None:
-            headline += f", measured at {numbers.hertz(drawn.measured[0][place])} Hz"
+        index = _largest_measured_index(drawn, measured[name])
+        if index is not None:
+            headline += f", measured at {numbers.hertz(drawn.measured.frequencies[index])} Hz"
     first, last = (float(drawn.frequencies[i]) for i in (0, -1))
     facts = [
         ("channels", Cell(str(len(drawn.model)), len(drawn.model))),
@@ -108,16 +111,20 @@ def response_summary(model: Model, response: FrequencyResponse, drawn: DrawnChan
         else ("frequency", Cell(f"{first:g} Hz")),
     ]
     if drawn.measured is not None:
-        count = len(drawn.measured[1])
+        count = len(drawn.measured.responses)
         facts.append(("of the channels measured", Cell(str(count), count)))
-    reason = f"{response.quantity.capitalize()} at {at}, {motors_in_words(model.robot, response.drives)}."
+    reason = (
+        f"{response.quantity.capitalize()} at {pose_text}, {motors_in_words(model.robot, response.drives)}."
+    )
     if len(drawn.model) > 1:
         which = "measured channels" if measured else "channels"
-        named = unit(drawn.units[name])
-        alike = f"{which} in {named}" if named else f"dimensionless {which}"
-        reason += f" Of the {alike} this one has the largest response."
+        unit_text = unit(drawn.units[name])
+        channel_group = f"{which} in {unit_text}" if unit_text else f"dimensionless {which}"
+        reason += f" Of the {channel_group} this one has the largest response."
     if meanings := [
-        f"{clean(port)} is {words}" for port in (output, into) if (words := _meaning(port, model.mechanism))
+        f"{clean(port)} is {words}"
+        for port in (output_port, input_port)
+        if (words := _port_meaning(port, model.mechanism))
     ]:
         reason += f" Here {', '.join(meanings)}."
     return Summary(
@@ -132,17 +139,17 @@ def response_summary(model: Model, response: FrequencyResponse, drawn: DrawnChan
 
 
 def _notes(robot: Robot, drawn: DrawnChannels) -> Iterator[str]:
-    """Yield what to know of the responses."""
+    """Yield notes on the responses."""
     if not robot.dissipates:
-        yield UNDAMPED
+        yield UNDAMPED_NOTE
     if drawn.prescribed:
-        be = "is" if len(drawn.prescribed) == 1 else "are"
-        yield f"{clean(', '.join(drawn.prescribed))} {be} left out: the motion is prescribed."
+        verb = "is" if len(drawn.prescribed) == 1 else "are"
+        yield f"{clean(', '.join(drawn.prescribed))} {verb} left out: the motion is prescribed."
     if drawn.silent:
         yield f"No response in {clean(', '.join(drawn.silent))}."
 
 
-def _meaning(port: str, mechanism: Mechanism) -> str:
+def _port_meaning(port: str, mechanism: Mechanism) -> str:
     """Return what an input or output is; empty if its name says so, or it has no description."""
     kind, _, which = port.partition("_")
     if kind in ("p", "r", "force", "moment") and which not in ("x", "y", "z"):
@@ -158,19 +165,19 @@ def _meaning(port: str, mechanism: Mechanism) -> str:
     }.get(kind, "")
 
 
-def _within(drawn: DrawnChannels, values: NDArray[Any]) -> int | None:
-    """Return the place of the largest measured response among the frequencies of the model; None if none is there."""
+def _largest_measured_index(drawn: DrawnChannels, values: NDArray[Any]) -> int | None:
+    """Return the index of the largest measured response within the frequency range of the model; None without any."""
     assert drawn.measured is not None
-    f = drawn.measured[0]
-    inside = (f >= drawn.frequencies[0]) & (f <= drawn.frequencies[-1])
+    frequencies = drawn.measured.frequencies
+    inside = (frequencies >= drawn.frequencies[0]) & (frequencies <= drawn.frequencies[-1])
     return int(np.where(inside, np.abs(values), -1.0).argmax()) if inside.any() else None
 
 
-def _pictures(drawn: DrawnChannels) -> list[Block]:
+def _response_figures(drawn: DrawnChannels) -> list[Block]:
     """Return magnitude and phase of every channel, divided into figures that fit on pages."""
     names, blocks = list(drawn.model), list[Block]()
-    for start in range(0, len(names), TOGETHER):
-        chosen = names[start : start + TOGETHER]
+    for start in range(0, len(names), CHANNELS_PER_FIGURE):
+        chosen = names[start : start + CHANNELS_PER_FIGURE]
         drawing = responses(
             drawn.frequencies,
             {name: drawn.model[name] for name in chosen},
@@ -179,9 +186,13 @@ def _pictures(drawn: DrawnChannels) -> list[Block]:
             before=drawn.before,
         )
         shown = ", ".join(clean(name) for name in chosen)
-        title = "Responses" if len(names) <= TOGETHER else f"Responses, {start + 1} to {start + len(chosen)}"
+        title = (
+            "Responses"
+            if len(names) <= CHANNELS_PER_FIGURE
+            else f"Responses, {start + 1} to {start + len(chosen)}"
+        )
         caption = f"Magnitude and phase of {shown}; a phase of \u221290\u00b0 lags behind."
-        if drawn.measured is not None and not drawn.measured[1].keys().isdisjoint(chosen):
+        if drawn.measured is not None and not drawn.measured.responses.keys().isdisjoint(chosen):
             caption += " Broad lines are measured, thin ones the model."
         if drawn.before is not None:
             caption += " Dashed lines are the machine as it was described before."
@@ -189,51 +200,60 @@ def _pictures(drawn: DrawnChannels) -> list[Block]:
     return blocks
 
 
-def largest(drawn: DrawnChannels) -> Table:
+def largest_responses_table(drawn: DrawnChannels) -> Table:
     """Return the table of the first and the largest response in each channel."""
-    over, f = drawn.measured, drawn.frequencies
-    several = len(f) > 1
+    measured, frequencies = drawn.measured, drawn.frequencies
+    several = len(frequencies) > 1
     peaks = [Column(title) for title in ("largest", "at [Hz]", "phase [\u00b0]")]
     of_model = [Column("first"), *peaks] if several else [Column("magnitude"), peaks[-1]]
     titles = [Column("channel", False), Column("unit", False), *of_model]
     groups: list[tuple[str, int]] = []
-    if over is not None:
+    if measured is not None:
         titles += peaks
         groups = [("", 2), ("model", len(of_model)), ("measured", 3)]
     rows = []
     for name, values in drawn.model.items():
         peak = int(np.abs(values).argmax())
         row = [Cell(clean(name)), unit_cell(drawn.units[name])]
-        cells = _cells(f, values, peak, pointer("frequencies_hz", peak))
+        cells = _peak_cells(frequencies, values, peak, pointer("frequencies_hz", peak))
         row += [_four_digits(abs(values[0])), *cells] if several else [cells[0], cells[-1]]
-        if over is not None:
-            place = _within(drawn, over[1][name]) if name in over[1] else None
-            row += [number(None)] * 3 if place is None else _cells(over[0], over[1][name], place)
+        if measured is not None:
+            index = (
+                _largest_measured_index(drawn, measured.responses[name])
+                if name in measured.responses
+                else None
+            )
+            if index is None:
+                row += [number(None)] * 3
+            else:
+                row += _peak_cells(measured.frequencies, measured.responses[name], index)
         rows.append(row)
     caption = (
-        f"Magnitudes at the first of {len(f)} frequencies from {f[0]:g} to {f[-1]:g} Hz, and the largest of each "
-        "channel with its phase"
+        f"Magnitudes at the first of {len(frequencies)} frequencies from {frequencies[0]:g} to "
+        f"{frequencies[-1]:g} Hz, and the largest of each channel with its phase"
         if several
-        else f"Magnitude and phase at {f[0]:g} Hz"
+        else f"Magnitude and phase at {frequencies[0]:g} Hz"
     )
     return table(f"{caption}, for exp(+i\u03c9t).", titles, rows, groups)
 
 
-def _cells(f: NDArray[Any], values: NDArray[Any], peak: int, at: str = "") -> list[Cell]:
+def _peak_cells(
+    frequencies: NDArray[Any], values: NDArray[Any], peak: int, json_pointer: str = ""
+) -> list[Cell]:
     value = complex(values[peak])
     return [
         _four_digits(abs(value)),
-        hertz(float(f[peak]), at),
+        hertz(float(frequencies[peak]), json_pointer),
         number(float(np.degrees(np.angle(value))), ".0f"),
     ]
 
 
 def _four_digits(value: float) -> Cell:
-    """Return a magnitude with four significant digits, zeros among them, so that columns align."""
+    """Return a magnitude with four significant digits, trailing zeros included, so that columns align."""
     return number(value, "#.4g" if 1e-3 <= value < 999.9 else ".3e")
 
 
-def _modes(model: Model, response: FrequencyResponse) -> Block:
+def _modes_table(model: Model, response: FrequencyResponse) -> Block:
     """Return the vibration modes at the pose: frequency, damping, and the direction of the platform."""
     pose = response.poses[response.one(())]
     modes = model.modes(pose, drives=response.drives)
@@ -243,12 +263,12 @@ def _modes(model: Model, response: FrequencyResponse) -> Block:
     moved = unit_vectors(modes.platform_shapes, lengths_of(model.mechanism, model.robot.parameters))
     rows = []
     for i in range(rigid, len(modes.frequencies)):
-        f = float(modes.frequencies[i])
+        frequency = float(modes.frequencies[i])
         sigma = 0.0 if sigmas is None else float(sigmas[i])
         rows.append(
             [
                 Cell(str(i + 1 - rigid)),
-                uncertain_cell(f, sigma) if sigma > 0.0 else hertz(f),
+                uncertain_cell(frequency, sigma) if sigma > 0.0 else hertz(frequency),
                 three_digits(float(modes.damping_ratios[i]), scale=100.0),
                 *(number(float(part) + 0.0, ".3f") for part in moved[i]),
             ]

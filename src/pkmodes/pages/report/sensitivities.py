@@ -13,7 +13,12 @@ from pkmodes.pages.plots.tornado import PANELS, tornado
 from pkmodes.pages.report.blocks import Block, Cell, Paragraph, Picture, Section, Table
 from pkmodes.pages.report.page import need_report, page
 from pkmodes.pages.report.sections import origin
-from pkmodes.pages.report.sensitivity_tables import NAMED, per_cent, per_sigma, sensitivities_summary
+from pkmodes.pages.report.sensitivity_tables import (
+    NAMED,
+    per_cent_table,
+    per_sigma_table,
+    sensitivities_summary,
+)
 from pkmodes.pages.report.sources import Source, known_sources
 
 if TYPE_CHECKING:
@@ -42,7 +47,7 @@ def sensitivities_report(
     sigma = changes_at(model, pose, drives, SIGMA) if stated_sigmas(model.robot) else None
     by_percent: list[Block] = [Paragraph("No frequency depends on any quantity of the robot file.")]
     if percent.largest_of_all():
-        whole = per_cent(model, percent, content)
+        whole = per_cent_table(model, percent, content)
         note = (
             f"{whole.note} Coordinates are left out, since a per cent of a coordinate depends on where the origin "
             "lies; --all and the JSON have everything."
@@ -55,7 +60,7 @@ def sensitivities_report(
         )
     ]
     if sigma is not None:
-        by_sigma = [*_pictures(sigma), *_parts(per_sigma(model, sigma))]
+        by_sigma = [*_pictures(sigma), *_parts(per_sigma_table(model, sigma))]
     sections = [
         Section("percent", "One per cent of each quantity", by_percent),
         Section("sigma", "Standard deviations of the robot file", by_sigma),

@@ -91,7 +91,9 @@ def _quantity(model: Model, paths: Sequence[str]) -> Cell:
     return Cell.named(", ".join(words) if all(words) else "", clean(", ".join(paths)))
 
 
-def per_cent(model: Model, changes: Changes, content: dict[str, Any], max_rows: int | None = None) -> Table:
+def per_cent_table(
+    model: Model, changes: Changes, content: dict[str, Any], max_rows: int | None = None
+) -> Table:
     """Return what one per cent more of each quantity does to every frequency.
 
     - max_rows: most quantities, the first; None for all
@@ -118,7 +120,7 @@ def per_cent(model: Model, changes: Changes, content: dict[str, Any], max_rows: 
     )
 
 
-def per_sigma(model: Model, changes: Changes) -> Table:
+def per_sigma_table(model: Model, changes: Changes) -> Table:
     """Return what one standard deviation more of each value does to every frequency, and all of them together."""
     assert changes.together is not None
     sigmas, rows = stated_sigmas(model.robot), []
@@ -139,15 +141,15 @@ def per_sigma(model: Model, changes: Changes) -> Table:
     )
 
 
-def per_unit(model: Model, content: dict[str, Any]) -> Table:
+def per_unit_table(model: Model, content: dict[str, Any]) -> Table:
     """Return the derivatives of every frequency in Hz per unit, of the quantities on which any depends."""
     rigid, rows = content["rigid_modes"], []
-    depends = acting(content)
+    influential = influential_quantities(content)
     largest = [
         max((abs(derivative or 0.0) for derivative in line[rigid:]), default=0.0)
         for line in content["relative_derivatives"]
     ]
-    for t in sorted(depends, key=lambda t: -float(f"{largest[t]:.6g}")):
+    for t in sorted(influential, key=lambda t: -float(f"{largest[t]:.6g}")):
         path = content["parameters"][t]
         values = [
             number(value, ".4g", pointer("frequency_derivatives", t, rigid + mode))
@@ -161,7 +163,7 @@ def per_unit(model: Model, content: dict[str, Any]) -> Table:
     return Table("Hz per unit of the value.", columns, rows)
 
 
-def acting(content: dict[str, Any]) -> list[int]:
+def influential_quantities(content: dict[str, Any]) -> list[int]:
     """Return the quantities on which a frequency depends, by more than rounding."""
     rigid, frequencies = content["rigid_modes"], np.abs(content["frequencies_hz"])
     rates = np.array(content["frequency_derivatives"], dtype=float).reshape(-1, len(frequencies))

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from pkmodes.core.base.numbers import plain
 from pkmodes.core.support.ordering import joined
 from pkmodes.machine.shaping.measured_modes import WITHIN, MeasuredRinging
-from pkmodes.machine.shaping.measured_spectrum import ABOVE, BELOW, MeasuredSpectrum
+from pkmodes.machine.shaping.measured_spectrum import BAND_END, BAND_START, MeasuredSpectrum
 from pkmodes.machine.shaping.residual_vibration import residual
 from pkmodes.pages.plots import shapers
 from pkmodes.pages.plots.drawing import Drawing
@@ -53,7 +53,7 @@ def over_frequency(choice: Choice, spectrum: MeasuredSpectrum | None) -> tuple[D
     drawn = marked = None
     if spectrum is not None:
         above_movement = (
-            spectrum.frequencies >= BELOW * at.frequencies.min()
+            spectrum.frequencies >= BAND_START * at.frequencies.min()
         )  # lower, the movement itself is higher
         before = 100.0 * np.sqrt(spectrum.density / spectrum.density[above_movement].max())
         after = before * residual(best.shaper, spectrum.frequencies, best.damping_ratio)
@@ -77,7 +77,7 @@ def over_frequency(choice: Choice, spectrum: MeasuredSpectrum | None) -> tuple[D
 def _frequencies(choice: Choice) -> NDArray[np.float64]:
     """Return the frequencies at which curves are drawn [Hz], from above 0 to beyond all modes and designs."""
     designs = [f for candidate in choice.candidates for f in candidate.frequencies]
-    return np.linspace(0.0, ABOVE * max(float(choice.ringing.frequencies.max()), *designs), DRAWN + 1)[1:]
+    return np.linspace(0.0, BAND_END * max(float(choice.ringing.frequencies.max()), *designs), DRAWN + 1)[1:]
 
 
 def _undominated(choice: Choice) -> list[Candidate]:

@@ -53,7 +53,7 @@ def p_outside(tried: Tried, final: Fit) -> float:
         return 1.0
     rng, data = np.random.default_rng(SEED), slice(0, fitter.prior_rows.start)
     used, many = fitter.used(final.hypothesis), search.criteria.claim.many
-    degrees = float(fitter.observations.degrees(used) - plain.leverage[data].sum())
+    degrees = float(fitter.observations.degrees_of_freedom(used) - plain.leverage[data].sum())
     drawn = arbitrary_draws(fitter, plain, DRAWS, rng)
     kinds = [coincidence(search, final, gain, drawn, directions, degrees, final.chi2)]
     # A few directions do not represent what else may be wrong: their combinations are not informative.
@@ -79,7 +79,7 @@ def like_a_law(tried: Tried, final: Fit) -> Law | None:
     """
     store, plain, best = tried.search.store, tried.plain, None
     criteria = store.fitter.criteria
-    price = float(np.log(store.fitter.observations.degrees(store.fitter.used(final.hypothesis))))
+    price = float(np.log(store.fitter.observations.degrees_of_freedom(store.fitter.used(final.hypothesis))))
     survives = criteria.search.survives
     limit = final.chi2 + price * len(final.causes[0].parameters)
     limit += survives if criteria.claim.laws_survive else -survives
@@ -132,7 +132,7 @@ def _functions(tried: Tried) -> Iterator[tuple[str, Array]]:
             yield f"with the square of {component}", scaled**2
     if len(data.labels) > 2:
         yield "with the order of the setups", data.pose / (len(data.labels) - 1.0)
-    log = fitter.observations.log
+    log = fitter.observations.log_frequencies
     if float(log.std()) > 0.0:
         yield "with frequency", (log - log.mean()) / float(log.std())
 

@@ -36,9 +36,9 @@ def with_damping(
     if np.isnan(data.damping).all():
         return result
     if not isinstance(structure, Damped) or not structure.losses:
-        return replace(result, damping=undiagnosed((), words.NO_LOSSES))
+        return replace(result, damping=undiagnosed((), words.NO_LOSSES_REASON))
     if not result.settled or result.stages is None:
-        return replace(result, damping=undiagnosed(structure.losses, words.UNSETTLED))
+        return replace(result, damping=undiagnosed(structure.losses, words.UNSETTLED_REASON))
     predicted = result.stages.after or result.stages.refit
     assert predicted is not None
     all_rows = observed(structure, data, predicted.mode, _states(structure, result), c)
@@ -51,12 +51,14 @@ def with_damping(
     fitter = LossFitter(rows, tuple(structure.losses), c)
     notes = []
     if not informative.all():
-        notes.append(words.unresolved(data.lines[all_rows.index[~informative]].tolist()))
+        notes.append(words.uninformative_note(data.lines[all_rows.index[~informative]].tolist()))
     if strange.any():
-        notes.append(words.other_shape(data.lines[all_rows.index[strange]].tolist(), c.shapes.strange_mac))
+        notes.append(
+            words.other_shape_note(data.lines[all_rows.index[strange]].tolist(), c.shapes.strange_mac)
+        )
     median = float(np.median(rows.ratio[rows.above])) if rows.above.any() else 0.0
     if median > c.damping.most:
-        return replace(result, damping=undiagnosed(structure.losses, words.per_cent(median), notes))
+        return replace(result, damping=undiagnosed(structure.losses, words.per_cent_reason(median), notes))
     trials = {
         change: judge(LossEvidence(fitter.with_changes(errors, priors), ROUGH_DOUBTS), ROUGHLY)
         for change, (errors, priors) in CHANGES.items()
@@ -64,12 +66,14 @@ def with_damping(
     judged = judge(LossEvidence(fitter, DOUBTS, trials, all_rows.some(held & good)), LOSSES)
     if judged.final.outlier is not None:
         i = int(rows.index[judged.final.outlier])
-        notes.append(words.set_aside(int(data.lines[i]), data.labels[data.pose[i]], float(data.damping[i])))
+        notes.append(
+            words.outlier_note(int(data.lines[i]), data.labels[data.pose[i]], float(data.damping[i]))
+        )
     above = rows.above
     if above.any() and rows.ratios(fitter.declared)[above].all():
         away = float(np.median((rows.logarithms - rows.predicted(fitter.declared))[above]))
         if abs(abs(away) - HUNDRED) < CLOSE:
-            notes.append(words.factor_hundred(above=away > 0.0))
+            notes.append(words.factor_hundred_note(above=away > 0.0))
     return with_outcome(
         result, data, DampingStage(fitter, all_rows, held & good, strange, judged, trials, tuple(notes))
     )

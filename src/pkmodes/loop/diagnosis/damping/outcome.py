@@ -21,7 +21,7 @@ from pkmodes.loop.diagnosis.damping.fit import NEARLY, LossFit, LossFitter
 from pkmodes.loop.diagnosis.damping.observations import usable
 from pkmodes.loop.diagnosis.damping.rules import NOT_PREDICTED
 from pkmodes.loop.diagnosis.damping.stage import DampingStage
-from pkmodes.loop.diagnosis.problem import Loss
+from pkmodes.loop.diagnosis.problem import Array, Loss
 from pkmodes.loop.diagnosis.search.limits import ONE_SIDED
 from pkmodes.loop.diagnosis.verdict.findings import (
     Corrected,
@@ -71,7 +71,7 @@ def with_outcome(result: Diagnosis, data: Measurements, stage: DampingStage) -> 
     above, used, held = stage.all_rows.above, stage.used, stage.held
     with np.errstate(divide="ignore", invalid="ignore"):
         before, after = (np.log(stage.all_rows.ratio) - np.log(predicted) for predicted in stage.predicted)
-    held_out = words.factor_of(after[held & above])
+    held_out = _rms_factor(after[held & above])
     notes = list(stage.notes)
     settled = judged.verdict in (ADEQUATE, EFFECT_FOUND)
     held_rows = stage.all_rows.some(held)
@@ -86,7 +86,7 @@ def with_outcome(result: Diagnosis, data: Measurements, stage: DampingStage) -> 
     nuisances = {fitter.losses[j].parameter.name for j in fitter.nuisances}
     damping = Damping(
         verdict=judged.verdict.word,
-        reason=words.sentence(fitter, judged, effects),
+        reason=words.damping_clause(fitter, judged, effects),
         effects=effects,
         survivors=survivors(fitter, judged) if judged.verdict is AMBIGUOUS else (),
         limits=limits,
@@ -97,13 +97,20 @@ def with_outcome(result: Diagnosis, data: Measurements, stage: DampingStage) -> 
         stability=_stability(stage),
         fitted=int(used.sum()),
         scatter=judged.says.scatter,
-        before=words.factor_of(before[used & above]),
-        after=words.factor_of(after[used & above]),
+        before=_rms_factor(before[used & above]),
+        after=_rms_factor(after[used & above]),
         held_out=held_out,
         corrected=corrected,
         correlation=tuple(map(tuple, stage.final.correlation.tolist())),
     )
     return replace(result, rows=_rows(result, data, stage), damping=damping)
+
+
+def _rms_factor(log_differences: Array) -> float | None:
+    """Return the root mean square of differences of logarithms as a factor; None without any."""
+    if not len(log_differences) or not np.isfinite(log_differences).all():
+        return None
+    return float(np.exp(np.sqrt(np.mean(log_differences**2))))
 
 
 def _rows(result: Diagnosis, data: Measurements, stage: DampingStage) -> tuple[Row, ...]:

@@ -24,6 +24,7 @@ from pkmodes.loop.diagnosis.damping.evidence import (
     contradicted,
 )
 from pkmodes.loop.diagnosis.damping.explanation import SAME, LossExplanation, loss_names, nearest_loss
+from pkmodes.loop.diagnosis.damping.fit import LossFit
 from pkmodes.loop.diagnosis.verdict.evidence import Rule, first
 from pkmodes.loop.diagnosis.verdict.verdicts import (
     ADEQUATE,
@@ -88,10 +89,10 @@ def nearly_declared(e: LossEvidence) -> LossSays | None:
     fit = next((fit for fit in e.claim.places[0] if fit.causes == (e.common,)), None)
     if fit is None:
         return None
-    ratio, declared = words.ratio_of(fit, e.common), float(e.fitter.declared[e.common])
+    ratio, declared = _fitted_loss(fit, e.common), float(e.fitter.declared[e.common])
     if not declared or abs(math.log(ratio[0] / declared)) > e.criteria.damping.scatter:
         return None
-    return LossSays(words.nearly_declared(*ratio, declared), scatter=e.scatter_about(e.base))
+    return LossSays(words.nearly_declared_sentence(*ratio, declared), scatter=e.scatter_about(e.base))
 
 
 def common_ratio(e: LossEvidence) -> str:
@@ -103,7 +104,7 @@ def common_ratio(e: LossEvidence) -> str:
         sole = fit.p_value > e.criteria.gate.level
     else:
         sole = e.claim.best.causes == (e.common,) and not e.fitter.losses[e.common].claimable
-    return words.common_ratio(*words.ratio_of(fit, e.common)) if sole else ""
+    return words.common_ratio_sentence(*_fitted_loss(fit, e.common)) if sole else ""
 
 
 def scattered(e: LossEvidence) -> LossSays | None:
@@ -114,13 +115,18 @@ def scattered(e: LossEvidence) -> LossSays | None:
         fit, about = e.base, None
     elif e.common is not None:
         fit = e.fitter.fit((e.common,))
-        about = words.ratio_of(fit, e.common)[0]
+        about = _fitted_loss(fit, e.common)[0]
     else:
         return None
     scatter = e.scatter_about(fit)
     if scatter > e.criteria.damping.scatter:
         return None
-    return LossSays(words.scattered(about, scatter), scatter=scatter)
+    return LossSays(words.scatter_sentence(about, scatter), scatter=scatter)
+
+
+def _fitted_loss(fit: LossFit, loss: int) -> tuple[float, float]:
+    """Return a fitted loss and its standard deviation."""
+    return float(fit.values[loss]), fit.sigma_of(loss)
 
 
 # Doubts about an explanation -----------------------------------------------------------------------------------

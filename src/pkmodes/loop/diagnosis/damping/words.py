@@ -9,40 +9,43 @@ import numpy as np
 from pkmodes.core.base.numbers import p_in_words, plain, rounded
 from pkmodes.loop.diagnosis.damping.evidence import DampingJudgement
 from pkmodes.loop.diagnosis.damping.explanation import loss_names
-from pkmodes.loop.diagnosis.damping.fit import LossFit, LossFitter
-from pkmodes.loop.diagnosis.problem import Array
+from pkmodes.loop.diagnosis.damping.fit import LossFitter
 from pkmodes.loop.diagnosis.verdict.findings import Finding
 from pkmodes.loop.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, INSUFFICIENT_DATA
 
 #: Largest number of lines listed in a note.
-LISTED = 8
+MAX_LISTED_LINES = 8
 #: Why measured damping is not diagnosed.
-NO_LOSSES = "the damping is not diagnosed: no loss is among the candidates"
-UNSETTLED = (
+NO_LOSSES_REASON = "the damping is not diagnosed: no loss is among the candidates"
+UNSETTLED_REASON = (
     "the damping is not diagnosed: without an explanation of the frequencies, its modes may be the wrong ones"
 )
 
 
-def sentence(fitter: LossFitter, judged: DampingJudgement, findings: Sequence[Finding]) -> str:
+def damping_clause(fitter: LossFitter, judgement: DampingJudgement, findings: Sequence[Finding]) -> str:
     """Return a judgement as a clause about the damping.
 
-    For a claimed cause it has no p-value: the cause has its own, and a second one would only contradict it.
+    The clause gives no p-value for a claimed cause, which has its own; two p-values could contradict each other.
     """
-    if judged.verdict is ADEQUATE:
-        return judged.says.text or f"the damping is that of the model ({p_in_words(judged.base.p_value)})"
-    if judged.verdict is EFFECT_FOUND:
-        means = {loss.candidate: loss.sentence for loss in fitter.losses if loss.candidate}
-        causes = [" or ".join(f"{means[name]} ({name})" for name in finding.members) for finding in findings]
+    if judgement.verdict is ADEQUATE:
+        return (
+            judgement.says.text or f"the damping is that of the model ({p_in_words(judgement.base.p_value)})"
+        )
+    if judgement.verdict is EFFECT_FOUND:
+        sentences = {loss.candidate: loss.sentence for loss in fitter.losses if loss.candidate}
+        causes = [
+            " or ".join(f"{sentences[name]} ({name})" for name in finding.members) for finding in findings
+        ]
         return f"the damping is not that of the declared model; explanation: {' and '.join(causes)}"
-    if judged.verdict is AMBIGUOUS:
-        remaining = "; ".join(loss_names(fitter, fit) for fit in judged.says.rivals)
-        return f"of the damping, {len(judged.says.rivals)} different explanations remain: {remaining}"
-    if judged.verdict is INSUFFICIENT_DATA:
-        return f"the damping is not diagnosed: {judged.says.text}"
-    return f"the damping is not that of the model: {judged.says.text}"
+    if judgement.verdict is AMBIGUOUS:
+        remaining = "; ".join(loss_names(fitter, fit) for fit in judgement.says.rivals)
+        return f"of the damping, {len(judgement.says.rivals)} different explanations remain: {remaining}"
+    if judgement.verdict is INSUFFICIENT_DATA:
+        return f"the damping is not diagnosed: {judgement.says.text}"
+    return f"the damping is not that of the model: {judgement.says.text}"
 
 
-def common_ratio(ratio: float, sigma: float) -> str:
+def common_ratio_sentence(ratio: float, sigma: float) -> str:
     """Return the sentence for one ratio that explains the damping of a model that declares none."""
     percent = f"{rounded(100.0 * ratio, 100.0 * sigma)} %"
     return (
@@ -51,22 +54,25 @@ def common_ratio(ratio: float, sigma: float) -> str:
     )
 
 
-def scattered(ratio: float | None, scatter: float) -> str:
+def scatter_sentence(ratio: float | None, scatter: float) -> str:
     """Return the sentence for damping that scatters as in repeated tests, and that no loss explains.
 
     - ratio: the value about which it scatters; None if this is the damping that the file declares
-    - scatter: beyond the stated errors: the standard deviation of the logarithm
+    - scatter: standard deviation of the logarithm, in excess of the stated errors
     """
-    by = f"by a factor of {plain(np.exp(scatter), 2)} beyond their stated errors"
+    excess = f"by a factor of {plain(np.exp(scatter), 2)} beyond their stated errors"
     if ratio is None:
-        return f"the measured ratios scatter about those of the model {by}, as repeated tests do, and name no joint"
+        return (
+            f"the measured ratios scatter about those of the model {excess}, as repeated tests do, and name no "
+            "joint"
+        )
     return (
-        f"the file declares no damping; the measured ratios scatter about {plain(100.0 * ratio, 2)} % {by}, as "
+        f"the file declares no damping; the measured ratios scatter about {plain(100.0 * ratio, 2)} % {excess}, as "
         "repeated tests do, and name no joint"
     )
 
 
-def nearly_declared(ratio: float, sigma: float, declared: float) -> str:
+def nearly_declared_sentence(ratio: float, sigma: float, declared: float) -> str:
     """Return the sentence for a common ratio that differs from the declared one no more than repeated tests do."""
     percent = f"{rounded(100.0 * ratio, 100.0 * sigma)} %"
     return (
@@ -80,7 +86,7 @@ def not_predicted_note(factor: float) -> str:
     return f"the damping of the held-out poses is not predicted: a factor of {plain(factor, 2)} in the mean"
 
 
-def per_cent(ratio: float) -> str:
+def per_cent_reason(ratio: float) -> str:
     """Return the reason where damping ratios seem to be in per cent."""
     return (
         f"the damping ratios, {plain(ratio, 2)} in the median, are not those of a lightly damped machine, and not "
@@ -88,13 +94,13 @@ def per_cent(ratio: float) -> str:
     )
 
 
-def factor_hundred(*, above: bool) -> str:
+def factor_hundred_note(*, above: bool) -> str:
     """Return the note if damping ratios are a hundred times, or a hundredth of, those of the model."""
     multiple = "a hundred times" if above else "a hundredth of"
     return f"the damping ratios are {multiple} those of the model: check the unit, damping or damping [%]"
 
 
-def unresolved(lines: Sequence[int]) -> str:
+def uninformative_note(lines: Sequence[int]) -> str:
     """Return the note on rows whose damping says nothing about the losses."""
     return (
         f"{_of_lines(lines)} is not used: it is 0 without a standard deviation, or the measurements set the "
@@ -102,28 +108,20 @@ def unresolved(lines: Sequence[int]) -> str:
     )
 
 
-def other_shape(lines: Sequence[int], least: float) -> str:
+def other_shape_note(lines: Sequence[int], mac_limit: float) -> str:
     """Return the note on rows whose shapes are not those of the modes with which they are paired."""
-    return f"{_of_lines(lines)} is not used: the shape measured there is not that of its mode (MAC below {least:g})"
+    return (
+        f"{_of_lines(lines)} is not used: the shape measured there is not that of its mode (MAC below "
+        f"{mac_limit:g})"
+    )
 
 
 def _of_lines(lines: Sequence[int]) -> str:
-    listed = ", ".join(map(str, lines[:LISTED])) + (", ..." if len(lines) > LISTED else "")
+    ellipsis = ", ..." if len(lines) > MAX_LISTED_LINES else ""
+    listed = ", ".join(map(str, lines[:MAX_LISTED_LINES])) + ellipsis
     return f"the damping of line{'' if len(lines) == 1 else 's'} {listed}"
 
 
-def set_aside(line: int, label: str, ratio: float) -> str:
+def outlier_note(line: int, label: str, ratio: float) -> str:
     """Return the note on a row whose damping contradicts that of all others."""
     return f"the damping of line {line} ({label}, {plain(100.0 * ratio, 3)} %) is set aside as an outlier: check it"
-
-
-def factor_of(apart: Array) -> float | None:
-    """Return the root mean square of differences of logarithms as a factor; None without any."""
-    if not len(apart) or not np.isfinite(apart).all():
-        return None
-    return float(np.exp(np.sqrt(np.mean(apart**2))))
-
-
-def ratio_of(fit: LossFit, loss: int) -> tuple[float, float]:
-    """Return a fitted loss and its standard deviation."""
-    return float(fit.values[loss]), fit.sigma_of(loss)

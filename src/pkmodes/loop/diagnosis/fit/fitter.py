@@ -101,9 +101,9 @@ class Fitter:
         sums, noise = [np.inf] * len(trials), self.observations.noise
         values = np.array([start for _, start in trials])
         used = [self.used(hypothesis) for hypothesis, _ in trials]
-        for evaluation in self.observations.beside_many(self.structure, values, [()] * len(trials), used):
+        for evaluation in self.observations.evaluate_many(self.structure, values, [()] * len(trials), used):
             white = evaluation.residual / noise.stated
-            sums[evaluation.number] = float(white @ white)
+            sums[evaluation.set_index] = float(white @ white)
         return sums
 
     def unfitted(self, values: Array, used: NDArray[np.bool_]) -> tuple[Pairing, Array, Array, float]:
@@ -240,7 +240,9 @@ class Fitter:
         whitening = self.observations.noise.whitening(
             self._motion(a.values, a.pairing, used), self.used(a.hypothesis), a.scatter
         )
-        between = whitening.whitened(np.where(self.observations.of_rows(used), a.residual - b.residual, 0.0))
+        between = whitening.whitened(
+            np.where(self.observations.data_mask(used), a.residual - b.residual, 0.0)
+        )
         priors = self.priors.residual(a.values) - self.priors.residual(b.values)
         return float(between @ between + priors @ priors)
 
@@ -264,7 +266,7 @@ class Fitter:
 
     def misfit(self, fit: Fit, name: str, *, stated: bool) -> Misfit:
         """Return the misfit of a quantity beside the frequencies, with (or without) stated errors."""
-        observations, quantity = self.observations, self.observations.beside[name]
+        observations, quantity = self.observations, self.observations.other_quantities[name]
         rows = self.used(fit.hypothesis) & quantity.known & (quantity.stated == stated)
         squares = (observations.by_row(name, fit.white) ** 2).sum(axis=1)
         taken = observations.by_row(name, fit.leverage).sum(axis=1)

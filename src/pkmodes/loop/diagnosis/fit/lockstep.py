@@ -114,13 +114,13 @@ class Lockstep:
     def _evaluated(self, fits: Sequence[Descent], values: Sequence[Array]) -> list[Evaluated | None]:
         """Evaluate each fit at given values."""
         evaluated: list[Evaluated | None] = [None] * len(fits)
-        by, sigma = [fit.free for fit in fits], self._observations.noise.stated
-        beside = self._observations.beside_many(
-            self._structure, np.array(values), by, [fit.used for fit in fits]
+        free_parameters, sigma = [fit.free for fit in fits], self._observations.noise.stated
+        evaluated_sets = self._observations.evaluate_many(
+            self._structure, np.array(values), free_parameters, [fit.used for fit in fits]
         )
-        for k, residual, rate, prediction in beside:
+        for k, residual, rate, prediction in evaluated_sets:
             white = np.concatenate([residual / sigma, self._priors.residual(values[k])])
-            jacobian = np.vstack([-rate / sigma[:, None], self._priors.rates(values[k], by[k])])
+            jacobian = np.vstack([-rate / sigma[:, None], self._priors.rates(values[k], free_parameters[k])])
             evaluated[k] = Evaluated(float(white @ white), white, jacobian, residual, prediction)
         return evaluated
 

@@ -29,7 +29,8 @@ from pkmodes.loop.measured.quantities import FREQUENCY
 class ObservationInput(NamedTuple):
     """Arguments from which the data of a quantity are made.
 
-    - scatter: standard deviation of the components of shapes without a stated one, relative to the row's largest
+    - scatter: standard deviation of shape components for which none is stated, relative to the largest component of
+      the row
     """
 
     data: Measurements
@@ -39,7 +40,7 @@ class ObservationInput(NamedTuple):
     criteria: Criteria
 
 
-def shapes(measured: ObservationInput) -> ShapeRows:
+def shape_rows(measured: ObservationInput) -> ShapeRows:
     """Return the shapes of measured modes."""
     data, structure, pairer, scatter, criteria = measured
     units = [structure.channel_units[i] for i in pairer.columns]
@@ -48,17 +49,17 @@ def shapes(measured: ObservationInput) -> ShapeRows:
 
 SHAPE = "shape"
 #: Quantities of a measured mode in addition to its frequency.
-QUANTITIES: dict[str, Callable[[ObservationInput], ComparedQuantity]] = {SHAPE: shapes}
+QUANTITIES: dict[str, Callable[[ObservationInput], ComparedQuantity]] = {SHAPE: shape_rows}
 
 
-class Beside(NamedTuple):
-    """Measurements beside one of several predictions.
+class EvaluatedSet(NamedTuple):
+    """Residuals and derivatives for one of several sets of parameter values, and the prediction.
 
-    - number: of the prediction
+    - set_index: index of the set of values that was evaluated
     - residual, rates: (D,) and (D, T)
     """
 
-    number: int
+    set_index: int
     residual: Array
     rates: Array
     prediction: Prediction
@@ -67,14 +68,14 @@ class Beside(NamedTuple):
 class Observations:
     """Measured modes at the setups of a structure.
 
-    - reference: of the declared model: the motion of its channels weights those of the shapes
+    - reference: prediction of the declared model; the motion of its channels weights the channels of the shapes
     - scatter: see `ObservationInput`
 
     Its attributes:
-    - log, sigma: ln f and its stated standard deviation, (R,)
+    - log_frequencies, sigma: ln f and its stated standard deviation, (R,)
     - size: number D of data
     - frequency_rows: the data that are frequencies
-    - beside: the other quantities
+    - other_quantities: those other than the frequencies, by name
     """
 
     def __init__(
@@ -85,17 +86,19 @@ class Observations:
         scatter: float,
         criteria: Criteria,
     ) -> None:
-        self.log = FREQUENCY.transformed(data)
+        self.log_frequencies = FREQUENCY.transformed(data)
         pairer = Pairer(data, structure.channels, reference, criteria)
         self.sigma = FREQUENCY.transformed_sigma(data)
         self.frequencies = FrequencyRows(pairer, self.sigma[:, None])
         measured = ObservationInput(data, structure, pairer, scatter, criteria)
-        self.beside: Mapping[str, ComparedQuantity] = {name: of(measured) for name, of in QUANTITIES.items()}
-        self._quantities: tuple[ComparedQuantity, ...] = (self.frequencies, *self.beside.values())
+        self.other_quantities: Mapping[str, ComparedQuantity] = {
+            name: make(measured) for name, make in QUANTITIES.items()
+        }
+        self._quantities: tuple[ComparedQuantity, ...] = (self.frequencies, *self.other_quantities.values())
         sizes = [quantity.sigma.size for quantity in self._quantities]
         ends = np.cumsum(sizes).tolist()
         self.frequency_rows, *ranges = (slice(end - size, end) for size, end in zip(sizes, ends, strict=True))
-        self._places = dict(zip(self.beside, ranges, strict=True))
+        self._slices = dict(zip(self.other_quantities, ranges, strict=True))
         self.size: int = ends[-1]
         self.shape_rates = any(quantity.shape_rates for quantity in self._quantities)
         self.noise = Noise(data, self._quantities, criteria.fits.most_shared)
@@ -109,7 +112,7 @@ class Observations:
     @property
     def shapes(self) -> ShapeRows:
         """The measured shapes."""
-        quantity = self.beside[SHAPE]
+        quantity = self.other_quantities[SHAPE]
         assert isinstance(quantity, ShapeRows)
         return quantity
 
@@ -118,42 +121,44 @@ class Observations:
     @property
     def all_rows(self) -> Mask:
         """A mask of all rows, (R,)."""
-        return np.ones(len(self.log), dtype=bool)
+        return np.ones(len(self.log_frequencies), dtype=bool)
 
-    def degrees(self, used: Mask) -> int:
+    def degrees_of_freedom(self, used: Mask) -> int:
         """Return the degrees of freedom of the data of some rows."""
         return sum(int(quantity.count[used].sum()) for quantity in self._quantities)
 
-    def stated(self, used: Mask) -> tuple[Mask, int]:
+    def mask_of_stated(self, used: Mask) -> tuple[Mask, int]:
         """Return the data of some rows with a stated error, as a mask (D,), and their degrees of freedom."""
         rows = [used & quantity.known & quantity.stated for quantity in self._quantities]
         masked = list(zip(self._quantities, rows, strict=True))
         mask = np.concatenate([np.repeat(row_mask, quantity.sigma.shape[1]) for quantity, row_mask in masked])
         return mask, sum(int(quantity.count[row_mask].sum()) for quantity, row_mask in masked)
 
-    def of_rows(self, used: Mask) -> Mask:
+    def data_mask(self, used: Mask) -> Mask:
         """Return a mask of the data of some rows, (D,)."""
         return np.concatenate([np.repeat(used, quantity.sigma.shape[1]) for quantity in self._quantities])
 
-    def place(self, rows: NDArray[np.intp]) -> NDArray[np.intp]:
+    def data_indices(self, rows: NDArray[np.intp]) -> NDArray[np.intp]:
         """Return the indices of the data of some rows."""
         indices = np.arange(self.size)
-        parts = [self.frequency_rows, *self._places.values()]
-        return np.concatenate([indices[part].reshape(len(self.log), -1)[rows].ravel() for part in parts])
+        parts = [self.frequency_rows, *self._slices.values()]
+        return np.concatenate(
+            [indices[part].reshape(len(self.log_frequencies), -1)[rows].ravel() for part in parts]
+        )
 
-    def places(self) -> list[NDArray[np.intp]]:
+    def data_indices_by_setup(self) -> list[NDArray[np.intp]]:
         """Return the indices of the data of each setup."""
-        return [self.place(rows) for rows in self.noise.rows]
+        return [self.data_indices(rows) for rows in self.noise.rows]
 
-    def part(self, name: str) -> slice:
+    def data_slice(self, name: str) -> slice:
         """Return the slice of the data of a quantity other than the frequencies."""
-        return self._places[name]
+        return self._slices[name]
 
     def by_row(self, name: str, data: Array) -> Array:
-        """Return a quantity's part of a vector of all data, perhaps followed by the priors, row by row: (R, n)."""
-        return np.asarray(data[self._places[name]].reshape(self.beside[name].sigma.shape))
+        """Return the part of a data vector that belongs to a quantity, as (R, n); the vector may end with priors."""
+        return np.asarray(data[self._slices[name]].reshape(self.other_quantities[name].sigma.shape))
 
-    # Beside predictions ------------------------------------------------------------------------------------
+    # Comparison with predictions ---------------------------------------------------------------------------
 
     def residual(self, prediction: Prediction, pairing: Pairing, used: Mask) -> Array:
         """Return measured minus model, (D,); 0 for rows that are not used."""
@@ -173,47 +178,61 @@ class Observations:
         return np.asarray(np.where(np.isfinite(rates), rates, 0.0))
 
     def tiled(self, count: int) -> Observations:
-        """Return `count` copies, for predictions of `count` times the setups, the first copy first."""
+        """Return `count` copies, for predictions of `count` times the setups, the first copy first.
+
+        The copy is shallow: `noise`, `size` and the slices still describe one copy.
+        """
         copies = copy.copy(self)
         copies.frequencies, copies._copies = self.frequencies.tiled(count), count
-        copies.beside = {name: quantity.tiled(count) for name, quantity in self.beside.items()}
-        copies._quantities = (copies.frequencies, *copies.beside.values())
+        copies.other_quantities = {
+            name: quantity.tiled(count) for name, quantity in self.other_quantities.items()
+        }
+        copies._quantities = (copies.frequencies, *copies.other_quantities.values())
         return copies
 
-    def of_each(self, values: Array) -> Array:
+    def split_copies(self, values: Array) -> Array:
         """Reshape the data of all copies, (B D, ...), to (B, D, ...)."""
         parts = np.split(values, np.cumsum([quantity.sigma.size for quantity in self._quantities])[:-1])
         reshaped = [part.reshape(self._copies, len(part) // self._copies, *part.shape[1:]) for part in parts]
         return np.concatenate(reshaped, axis=1)
 
-    def beside_many(
-        self, structure: Structure, values: Array, by: Sequence[tuple[int, ...]], used: Sequence[Mask]
-    ) -> Iterator[Beside]:
-        """Yield the measurements beside a structure with several sets of values, evaluated together.
+    def evaluate_many(
+        self,
+        structure: Structure,
+        values: Array,
+        free_parameters: Sequence[tuple[int, ...]],
+        used: Sequence[Mask],
+    ) -> Iterator[EvaluatedSet]:
+        """Yield residuals and derivatives for several sets of parameter values, evaluated together.
 
-        Sets at which it cannot be evaluated are left out.
+        Sets at which the structure cannot be evaluated are left out.
 
         - values: (B, P)
-        - by: parameters with respect to which each is differentiated
-        - used: used rows of each
+        - free_parameters: indices of the parameters with respect to which each set is differentiated
+        - used: used rows of each set
         """
         if not len(values):
             return
-        shape_rates = self.shape_rates and any(by)
-        for batch in structure.predict_many(values, by, shape_rates=shape_rates):
+        shape_rates = self.shape_rates and any(free_parameters)
+        for batch in structure.predict_many(values, free_parameters, shape_rates=shape_rates):
             if not np.isfinite(batch.prediction.eigenvalues).all():
                 continue
-            rows, used_rows = self.tiled(len(batch.sets)), np.concatenate([used[k] for k in batch.sets])
-            pairing = rows.pairer.pair(batch.prediction, used_rows, compare=False)
-            residuals = rows.of_each(rows.residual(batch.prediction, pairing, used_rows))
+            copies, used_rows = self.tiled(len(batch.sets)), np.concatenate([used[k] for k in batch.sets])
+            pairing = copies.pairer.pair(batch.prediction, used_rows, compare=False)
+            residuals = copies.split_copies(copies.residual(batch.prediction, pairing, used_rows))
             rates = np.zeros((*residuals.shape, 0))
-            if any(by):
-                rates = rows.of_each(rows.rates(batch.prediction, pairing, used_rows))
-            together = batch.prediction
-            size = len(together.eigenvalues) // len(batch.sets)
-            for k, number in enumerate(batch.sets.tolist()):
-                part = slice(k * size, (k + 1) * size)
+            if any(free_parameters):
+                rates = copies.split_copies(copies.rates(batch.prediction, pairing, used_rows))
+            prediction_of_all = batch.prediction
+            setup_count = len(prediction_of_all.eigenvalues) // len(batch.sets)
+            for k, set_index in enumerate(batch.sets.tolist()):
+                setups_of_set = slice(k * setup_count, (k + 1) * setup_count)
                 prediction = Prediction(
-                    together.eigenvalues[part], together.rates[part], together.shapes[part], together.rigid
+                    prediction_of_all.eigenvalues[setups_of_set],
+                    prediction_of_all.rates[setups_of_set],
+                    prediction_of_all.shapes[setups_of_set],
+                    prediction_of_all.rigid,
                 )
-                yield Beside(number, residuals[k], rates[k, :, : len(by[number])], prediction)
+                yield EvaluatedSet(
+                    set_index, residuals[k], rates[k, :, : len(free_parameters[set_index])], prediction
+                )

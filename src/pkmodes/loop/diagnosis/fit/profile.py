@@ -150,11 +150,11 @@ class Profiles:
         fitter, by = self.fitter, [request.free for request in requests]
         values, used = np.array([request.values for request in requests]), [self._used] * len(requests)
         priors, whitened = fitter.priors, self._whitening.whitened
-        for evaluation in fitter.observations.beside_many(fitter.structure, values, by, used):
-            request = requests[evaluation.number]
+        for evaluation in fitter.observations.evaluate_many(fitter.structure, values, by, used):
+            request = requests[evaluation.set_index]
             white = np.concatenate([whitened(evaluation.residual), priors.residual(request.values)])
             jacobian = np.vstack([-whitened(evaluation.rates), priors.rates(request.values, request.free)])
-            points[evaluation.number] = ProfilePoint(
+            points[evaluation.set_index] = ProfilePoint(
                 request.values, *without_priors(fitter, white, jacobian, request.without_prior)
             )
         return points

@@ -35,8 +35,8 @@ class FitStore:
         self.fitter = fitter
         earlier = {} if before is None else before._fits
         self._seeds = {k: fit.values for k, fit in earlier.items() if fit is not None}
-        self._rows = len(fitter.observations.log)
-        self._data = fitter.observations.degrees(fitter.observations.all_rows)
+        self._rows = len(fitter.observations.log_frequencies)
+        self._data = fitter.observations.degrees_of_freedom(fitter.observations.all_rows)
         self._fits: dict[Key, Fit | None] = {}
         self._rough: set[Key] = set()
         self._begun: set[Key] = set()
@@ -140,13 +140,15 @@ class FitStore:
     def degrees(self, fit: Fit) -> int:
         """Return the degrees of freedom: data less parameters without prior, excluded rows and the shared error."""
         h, fitter = fit.hypothesis, self.fitter
-        count = fitter.observations.degrees(fitter.used(h))
+        count = fitter.observations.degrees_of_freedom(fitter.used(h))
         return count - sum(fitter.priors.of(i) is None for i in self.added(fit)) - int(h.scatter)
 
     def p_value(self, fit: Fit) -> float:
         """Return the smallest p-value: of the frequencies with priors, and of other quantities with stated errors."""
-        beside = (self.fitter.misfit(fit, name, stated=True) for name in self.fitter.observations.beside)
-        return min(self.frequency_p_value(fit), *(misfit.p_value for misfit in beside))
+        misfits = (
+            self.fitter.misfit(fit, name, stated=True) for name in self.fitter.observations.other_quantities
+        )
+        return min(self.frequency_p_value(fit), *(misfit.p_value for misfit in misfits))
 
     def frequency_p_value(self, fit: Fit) -> float:
         """Return the p-value of the frequencies and priors alone."""
@@ -200,7 +202,7 @@ class FitStore:
         less = self.without(fit, len(fit.causes) - 1 if place is None else place)
         if less is None:
             return True
-        places, priors = self.fitter.observations.places(), self.fitter.prior_rows
+        places, priors = self.fitter.observations.data_indices_by_setup(), self.fitter.prior_rows
         squares, leverage = left_out(fit, places)
         tells = leverage < self.fitter.criteria.claim.alone
         baseline = left_out(less, places)[0]

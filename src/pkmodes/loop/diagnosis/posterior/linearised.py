@@ -91,22 +91,22 @@ def linearised(fitter: Fitter, fit: Fit, plausible: Mapping[int, float]) -> Line
     """
     white, basis, aside = fit.white, fit.basis, set(fit.hypothesis.excluded)
     observations = fitter.observations
-    frequencies, beside = observations.frequency_rows, observations.beside
-    while len(aside) < max(1, len(observations.log) // fitter.criteria.search.rows_per_outlier):
+    frequencies, other_quantities = observations.frequency_rows, observations.other_quantities
+    while len(aside) < max(1, len(observations.log_frequencies) // fitter.criteria.search.rows_per_outlier):
         row = int(np.argmax(np.abs(white[frequencies])))
-        place = observations.place(np.array([row]))
-        if white[place] @ deleted(basis[place], white[place]) <= 2.0 * _price(fitter, row):
+        indices = observations.data_indices(np.array([row]))
+        if white[indices] @ deleted(basis[indices], white[indices]) <= 2.0 * _price(fitter, row):
             break
         aside.add(row)
         white, basis = np.array(white), np.array(basis)
-        white[place] = basis[place] = 0.0
+        white[indices] = basis[indices] = 0.0
         basis = orthonormal(basis)
         white -= basis @ (basis.T @ white)
     kept = fitter.used(fit.hypothesis)
     kept[list(aside)] = False
     leverage = (basis**2).sum(axis=1)
-    counts = [observations.frequencies.count, *(quantity.count for quantity in beside.values())]
-    parts = [frequencies, *map(observations.part, beside)]
+    counts = [observations.frequencies.count, *(quantity.count for quantity in other_quantities.values())]
+    parts = [frequencies, *map(observations.data_slice, other_quantities)]
     degrees = tuple(
         max(float(count[kept].sum() - leverage[part].sum()), 0.0)
         for count, part in zip(counts, parts, strict=True)

@@ -56,7 +56,7 @@ class WiringMisfit:
         frequencies = (white[observations.frequency_rows][used] ** 2).sum()
         count = np.array([used.sum(), *(shapes.count[mask].sum() for mask in masks)], dtype=float)
         smallest = fitter.criteria.shapes.least_scatter / fitter.shape_scatter
-        apart = (residual[observations.part(SHAPE)] ** 2).sum() / max(count[1:].sum(), 1.0)
+        apart = (residual[observations.data_slice(SHAPE)] ** 2).sum() / max(count[1:].sum(), 1.0)
         return cls(
             squares=np.array([frequencies, *(by_row[mask].sum() for mask in masks)]),
             count=count,
@@ -94,7 +94,9 @@ def at_prediction(
     if not np.isfinite(prediction.eigenvalues).all():
         return []
     motion = channel_motion(fitter.structure.predict(fitter.declared, ()).shapes)
-    numbers = len(fitter.observations.log) * prediction.shapes.shape[1] * len(fitter.data.channels)
+    numbers = (
+        len(fitter.observations.log_frequencies) * prediction.shapes.shape[1] * len(fitter.data.channels)
+    )
     batch_size, results = max(AT_ONCE // max(numbers, 1), 1), list[WiringMisfit]()
     for batch in (wirings[start : start + batch_size] for start in range(0, len(wirings), batch_size)):
         rows, tiled = fitter.observations.tiled(len(batch)), np.tile(used, len(batch))
@@ -107,7 +109,7 @@ def at_prediction(
         eigenvalues = np.tile(prediction.eigenvalues, (len(batch), 1))
         stacked = _modes(eigenvalues, np.concatenate(shapes), prediction.rigid)
         pairing = rows.pairer.pair(stacked, tiled, compare=False)
-        residuals = rows.of_each(rows.residual(stacked, pairing, tiled))
+        residuals = rows.split_copies(rows.residual(stacked, pairing, tiled))
         results += [WiringMisfit.of(fitter, used, residual) for residual in residuals]
     return results
 

@@ -29,7 +29,7 @@ class Additions:
         self.store, self.fitter, self.criteria = store, store.fitter, store.fitter.criteria
         self.candidates = tuple(candidates)
         self._progress = progress
-        self._rows, self._setups = len(self.fitter.observations.log), len(self.fitter.data.labels)
+        self._rows, self._setups = len(self.fitter.observations.log_frequencies), len(self.fitter.data.labels)
         self._most_outliers = max(1, self._rows // self.criteria.search.rows_per_outlier)
 
     def room(self, fit: Fit) -> bool:

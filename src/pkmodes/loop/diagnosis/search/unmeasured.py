@@ -34,7 +34,10 @@ def seen(fitter: Fitter, fit: Fit) -> Seen:
         if not len(rows):
             continue
         # A test may have stopped after the highest mode, whatever its band: modes above it carry no information.
-        low, high = observations.log[rows].min() + margin, observations.log[rows].max() - margin
+        low, high = (
+            observations.log_frequencies[rows].min() + margin,
+            observations.log_frequencies[rows].max() - margin,
+        )
         between = np.flatnonzero((logs[setup] > low) & (logs[setup] < high) & visible[setup])
         between = between[between >= fit.prediction.rigid]
         free = between[~np.isin(between, fit.pairing.partner[rows])]
@@ -91,8 +94,8 @@ def never_measured(fitter: Fitter, fit: Fit) -> list[NeverMeasured]:
     measured[fitter.data.pose[paired], fit.pairing.partner[paired]] = True
     low, high = (np.full(len(logs), value) for value in (np.inf, -np.inf))
     if fitter.data.band is None:
-        np.minimum.at(low, fitter.data.pose, fitter.observations.log)
-        np.maximum.at(high, fitter.data.pose, fitter.observations.log)
+        np.minimum.at(low, fitter.data.pose, fitter.observations.log_frequencies)
+        np.maximum.at(high, fitter.data.pose, fitter.observations.log_frequencies)
     else:
         low[:], high[:] = np.log(fitter.data.band)
     inside = (logs > low[:, None] + margin) & (logs < high[:, None] - margin) & visible

@@ -34,7 +34,7 @@ class AllSetups:
 
     def declared_error(self, declared: MatchStage, outlying: NDArray[np.bool_]) -> Error:
         """Return the errors of the declared model, without any fit."""
-        count = len(self.fitter.observations.log)
+        count = len(self.fitter.observations.log_frequencies)
         *_, chi2 = self.fitter.unfitted(declared.values, np.ones(count, dtype=bool))
         return self.error(declared, chi2, count, outlying)
 

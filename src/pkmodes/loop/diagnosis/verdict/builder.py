@@ -23,7 +23,7 @@ from pkmodes.loop.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.loop.diagnosis.verdict.claim import fitted_values, name_of_last_cause
 from pkmodes.loop.diagnosis.verdict.detectable import examined
 from pkmodes.loop.diagnosis.verdict.evidence import Decision, Evidence, Says, Start
-from pkmodes.loop.diagnosis.verdict.explanations import Named
+from pkmodes.loop.diagnosis.verdict.explanations import NamedFits
 from pkmodes.loop.diagnosis.verdict.findings import Corrected, Examined, Finding, Refitted
 from pkmodes.loop.diagnosis.verdict.limits import CandidateLimits
 from pkmodes.loop.diagnosis.verdict.next_measurement import next_measurement
@@ -138,7 +138,7 @@ class DiagnosisBuilder:
         evidence: Evidence,
         decision: Decision[Evidence, Says],
         findings: Sequence[Finding],
-        remaining: Sequence[Named],
+        remaining: Sequence[NamedFits],
     ) -> tuple[CandidateLimits, dict[int, float], tuple[Examined, ...]]:
         """Return the limits of the candidates that are not claimed, all plausible sizes, and all tests.
 

@@ -186,7 +186,10 @@ def more_general(search: Search, final: Fit) -> tuple[Candidate, Candidate] | No
 def _is_special(fitter: Fitter, fit: Fit, special: Candidate, general: Candidate) -> bool:
     """Return whether the signature of one cause lies in the span of another's, and the data can resolve this."""
     used = fitter.used(fit.hypothesis)
-    if fitter.observations.degrees(used) < len(general.parameters) + fitter.criteria.claim.redundancy:
+    if (
+        fitter.observations.degrees_of_freedom(used)
+        < len(general.parameters) + fitter.criteria.claim.redundancy
+    ):
         return False
     rates, basis = _rates(fitter, fit, special), orthonormal(_rates(fitter, fit, general))
     residual = np.linalg.norm(rates - basis @ (basis.T @ rates), axis=0)

@@ -61,7 +61,7 @@ def dispersion(store: FitStore, final: Fit) -> Dispersion | None:
     ]
     if plain is None or not declared:
         return None
-    rows, log = fitter.observations.frequency_rows, fitter.observations.log
+    rows, log = fitter.observations.frequency_rows, fitter.observations.log_frequencies
     laws = (log - log.mean(), np.exp(2.0 * (log - log.max())))
     _, signatures = fitter.signatures(plain, [i for i, _ in declared])
     trials = []

@@ -219,7 +219,7 @@ class Evidence:
         base = store.fit(Hypothesis(excluded=h.excluded, scatter=h.scatter))
         if base is None:
             return ""
-        rows = len(store.fitter.observations.log)
+        rows = len(store.fitter.observations.log_frequencies)
         squares, count = store.frequency_misfit(base)[0], rows - len(h.excluded)
         ratio = max(squares / count, 1.0)
         inflated = store.criterion(base) - squares + count * (1.0 + np.log(ratio))

@@ -108,7 +108,7 @@ def p_held_out(setups: AllSetups, fitter: Fitter, hypothesis: Hypothesis, final:
     - final: to the setups that are not held out
     """
     held = setups.is_held & fitter.used(hypothesis)
-    rows, count = fitter.observations.stated(held)
+    rows, count = fitter.observations.mask_of_stated(held)
     there = fitter.evaluated(hypothesis, final.values, final.scatter)
     if there is None:
         return 0.0
@@ -153,7 +153,7 @@ def _without_one_row(
     fitter, c, h = store.fitter, store.fitter.criteria, again.hypothesis
     worst, sigmas = fitter.worst_rows(again)
     row = next(int(r) for r in worst if setups.is_held[r])
-    enough = len(fitter.observations.log) >= c.search.rows_to_set_aside
+    enough = len(fitter.observations.log_frequencies) >= c.search.rows_to_set_aside
     if not enough or sigmas[row] <= c.reasons.far or again.leverage[row] >= c.search.redundant:
         return again, p_value
     without = store.fit(replace(h, excluded=h.excluded | {row}), again.values)

@@ -16,7 +16,9 @@ def of_frequencies(store: FitStore, fit: Fit) -> Misfit:
     """Return the misfit of the measured frequencies, without the priors."""
     fitter = store.fitter
     rows = fitter.observations.frequency_rows
-    count = len(fitter.observations.log) - len(fit.hypothesis.excluded) - int(fit.hypothesis.scatter)
+    count = (
+        len(fitter.observations.log_frequencies) - len(fit.hypothesis.excluded) - int(fit.hypothesis.scatter)
+    )
     return Misfit(float(fit.white[rows] @ fit.white[rows]), count - float(fit.leverage[rows].sum()))
 
 

@@ -14,7 +14,7 @@ from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.posterior.document import Probabilities
 from pkmodes.loop.diagnosis.problem import Array, Driven, Surrounded
 from pkmodes.loop.diagnosis.verdict.elsewhere import Elsewhere, MeasuringCondition, apart, elsewhere, ways
-from pkmodes.loop.diagnosis.verdict.explanations import Explanation, Named, explanations
+from pkmodes.loop.diagnosis.verdict.explanations import Explanation, NamedFits, explanations
 from pkmodes.loop.diagnosis.verdict.findings import NextMeasurement
 from pkmodes.loop.diagnosis.verdict.information import information, pairs
 
@@ -37,7 +37,7 @@ class _Proposal(NamedTuple):
 
 
 def next_measurement(
-    store: FitStore, probabilities: Probabilities | None, classes: Sequence[Named]
+    store: FitStore, probabilities: Probabilities | None, classes: Sequence[NamedFits]
 ) -> tuple[NextMeasurement | None, str]:
     """Propose a pose, with other motors or a load if that is far more informative than any pose alone.
 

@@ -70,7 +70,7 @@ def extra_modes(e: Evidence) -> str:
     for row in sorted(final.hypothesis.excluded):
         setup = fitter.data.pose[row]
         # Modes that an error could have moved here, without those that were measured as well.
-        apart = np.abs(final.prediction.log_frequencies[setup] - fitter.observations.log[row])
+        apart = np.abs(final.prediction.log_frequencies[setup] - fitter.observations.log_frequencies[row])
         near = apart < e.criteria.pairing.reach
         near[: final.prediction.rigid] = False
         partner = final.pairing.partner[fitter.observations.noise.rows[setup]]
@@ -179,7 +179,7 @@ def not_significant(e: Evidence) -> str:
 
 def two_of_few(e: Evidence) -> str:
     """Two causes would be claimed from fewer than ten measured modes, or two changes at once."""
-    rows, needed = len(e.fitter.observations.log), e.criteria.claim.rows_for_two
+    rows, needed = len(e.fitter.observations.log_frequencies), e.criteria.claim.rows_for_two
     if len(e.final.causes) < 2:
         return ""
     if not e.criteria.claim.several:

@@ -59,7 +59,7 @@ def better_by_shape(store: FitStore, fit: Fit) -> Fit | None:
         return None
 
     def squares(of: Fit) -> float:
-        white = of.white[fitter.observations.part(SHAPE)]
+        white = of.white[fitter.observations.data_slice(SHAPE)]
         return float(white @ white)
 
     excluded = len(fit.hypothesis.excluded)

@@ -90,7 +90,7 @@ def p_coincidence(search: Search, final: Fit) -> float:
     rng = np.random.default_rng(SEED)
     gain, directions = plain.chi2 - final.chi2, search.gate(plain).scores.directions
     used, data = fitter.used(h), slice(0, fitter.prior_rows.start)
-    degrees = float(fitter.observations.degrees(used) - plain.leverage[data].sum())
+    degrees = float(fitter.observations.degrees_of_freedom(used) - plain.leverage[data].sum())
     drawn = arbitrary_draws(fitter, plain, DRAWS, rng)
     p_value = coincidence(search, final, gain, drawn, directions, degrees, final.chi2)
     # A few candidates do not represent what else may be wrong: their combinations are not informative.
@@ -162,7 +162,7 @@ def arbitrary_draws(fitter: Fitter, plain: Fit, count: int, rng: np.random.Gener
     """
     data, changes = fitter.prior_rows.start, modal_changes(fitter, plain)
     drawn = np.zeros((len(plain.white), count))
-    for place in fitter.observations.places():
+    for place in fitter.observations.data_indices_by_setup():
         drawn[place] = changes[place] @ rng.standard_normal((changes.shape[1], count))
     drawn -= plain.basis @ (plain.basis[:data].T @ drawn[:data])
     return drawn

@@ -16,8 +16,11 @@ def too_few(start: Start) -> str:
     """
     fitter = start.fitter
     observations = fitter.observations
-    rows, shapes = len(observations.log), int(observations.shapes.count.sum())
-    if observations.degrees(observations.all_rows) >= start.unknown - HELD + start.criteria.claim.redundancy:
+    rows, shapes = len(observations.log_frequencies), int(observations.shapes.count.sum())
+    if (
+        observations.degrees_of_freedom(observations.all_rows)
+        >= start.unknown - HELD + start.criteria.claim.redundancy
+    ):
         return ""
     uncertain = [fitter.parameters[i].name for i in fitter.nuisances]
     modes = "1 measured mode" if rows == 1 else f"{rows} measured modes"

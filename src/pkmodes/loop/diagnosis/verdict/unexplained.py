@@ -135,7 +135,7 @@ def no_direction(e: Evidence) -> Says | None:
         return None
     best = _best_of_all(e)
     perhaps = "perhaps the stated sigma is too small"
-    if len(e.fitter.observations.log) < c.search.rows_to_set_aside:
+    if len(e.fitter.observations.log_frequencies) < c.search.rows_to_set_aside:
         perhaps = "something outside the candidates, or stated errors that are too small"
     nowhere = "" if best is not None else " and points to no candidate"
     detail = uneven(e.fitter, e.outcome.nuisances) or perhaps
