@@ -18,7 +18,7 @@ from pkmodes.loop.diagnosis.states.counterparts import Index, common_channels
 from pkmodes.loop.measured.measurements import Measurements
 
 #: Minimum MAC with the model's mode for a shape to be scaled to it.
-LEAST_MAC = 0.3
+MIN_MAC = 0.3
 #: Largest standard deviation of a shape, relative to its largest component: it stays below one.
 MAX_SIGMA = 0.99
 
@@ -69,6 +69,6 @@ def corrected_shapes(
 def _scale(model: Array, measured: Array) -> float | None:
     """Return the factor that brings a measured shape closest to that of a mode; None if they are not alike."""
     length, along = float(measured @ measured), float(measured @ model)
-    if length <= 0.0 or along**2 <= LEAST_MAC * length * float(model @ model):
+    if length <= 0.0 or along**2 <= MIN_MAC * length * float(model @ model):
         return None
     return along / length
