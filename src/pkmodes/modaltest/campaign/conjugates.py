@@ -43,8 +43,8 @@ def with_checked_phase(
 ) -> tuple[tuple[Function, ...], tuple[str, ...]]:
     """Return functions with the phase of exp(+i omega t), and messages about them.
 
-    Functions that look like conjugates are returned unchanged, with a remark, if no modes fit their conjugates
-    either.
+    Without `conjugate`, functions that look like conjugates are returned unchanged, with a remark, if no modes fit
+    their conjugates either.
 
     - band: [Hz]
     - conjugate: whether conjugates, which may be only some functions of a file, are corrected; otherwise they are
