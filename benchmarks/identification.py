@@ -23,7 +23,7 @@ from scipy.signal import decimate
 
 from backends_report import paragraph, put, table
 from pkmodes.core.support.threads import one_blas_thread
-from pkmodes.modaltest.identification.estimates import Mode, alike
+from pkmodes.modaltest.identification.estimates import Mode, complex_mac
 from pkmodes.modaltest.identification.frf_identification import identify_frf
 from pkmodes.modaltest.identification.ssi_identification import identify_responses
 from pkmodes_rig.structures import driven, forced
@@ -93,7 +93,7 @@ class Score:
             left.remove(one)
             self.frequency.append(100.0 * (one.frequency / frequency - 1.0))
             self.damping.append(100.0 * (one.damping / damping - 1.0))
-            self.shapes.append(alike(one.shape, shape.astype(complex)))
+            self.shapes.append(complex_mac(one.shape, shape.astype(complex)))
             if np.isfinite(one.sigma):
                 self.covered.append(abs(one.frequency - frequency) <= 2.0 * one.sigma)
         self.others += len(left)

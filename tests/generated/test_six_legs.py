@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 from helpers.robots.six_legs import FILE, POSE, hexapod, lengths, motion
 from pkmodes.cli import run
 from pkmodes.core.base.errors import PoseError
-from pkmodes.core.system.motors import _inert
+from pkmodes.core.system.motors import _without_influence
 from pkmodes.core.system.strain_free import strain_free_motions
 
 
@@ -49,7 +49,7 @@ def test_shapes_of_the_platform_follow_from_the_legs(drives: str) -> None:
 
 
 def test_the_inertia_of_held_motors_and_servos_has_no_influence() -> None:
-    inert = _inert(hexapod().mechanism)
+    inert = _without_influence(hexapod().mechanism)
     assert inert.parameters == ("motor_inertia",)
     assert set(inert.effects) == {"gearbox_inertia.", "servo_stiffness."}
 

@@ -135,9 +135,9 @@ def _continued(out: Path | None, complete: str = "") -> Iterator[None]:
     try:
         yield
     except KeyboardInterrupt:
-        from pkmodes.machine.maps.storage import SUFFIX
+        from pkmodes.machine.maps.storage import PARTIAL_SUFFIX
 
-        kept = out is not None and out.with_name(out.name + SUFFIX).exists()
+        kept = out is not None and out.with_name(out.name + PARTIAL_SUFFIX).exists()
         again = "the same command continues where it stopped" if kept else complete or "run it again"
         raise click.Abort(again) from None
 

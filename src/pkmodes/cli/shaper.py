@@ -32,17 +32,17 @@ if TYPE_CHECKING:
     from pkmodes.pages.report.blocks import Summary
     from pkmodes.pages.report.sources import Source
 
-#: Most measured modes printed.
-MOST = 10
-#: Most poses compared: all are held in memory at once.
-POSES = 1_000_000
-#: Where the modes come from, for options of one of these alone.
+#: Maximum number of measured modes printed.
+MAX_PRINTED_MODES = 10
+#: Maximum number of poses compared: all are held in memory at once.
+MAX_POSES = 1_000_000
+#: Sources of the modes; some options apply to only one.
 ROBOT, MEASURED = "a robot file", "measured modes"
 
 
 @dataclass(frozen=True)
 class ShaperOptions(OptionTable):
-    """What the command takes; arguments that are passed are those of `pkmodes.Model.shapers`."""
+    """What the command takes; options marked `passed` go to the argument of that name of `pkmodes.Model.shapers`."""
 
     robot: Path | None = entry(
         click.argument("robot", metavar="[ROBOT.toml]", type=PATH, required=False), reads="robot file"
@@ -157,14 +157,14 @@ class ShaperOptions(OptionTable):
     )
 
     @property
-    def names(self) -> list[str] | None:
+    def kind_names(self) -> list[str] | None:
         """Names of the shapers; None for all."""
         return None if self.kinds is None else comma_list(self.kinds, "--shapers", "--shapers zv,mzv,zv*zv")
 
 
 @dataclass(frozen=True)
 class _Result:
-    """A choice, its JSON, and what makes its page, and the head and blocks that are printed."""
+    """A choice, its JSON, and functions that render its page and its terminal output."""
 
     choice: Choice
     content: dict[str, Any]
@@ -206,8 +206,8 @@ def shaper(options: ShaperOptions) -> None:
 
         spectrum = read_spectrum(options.spectrum)
     with options.named(kind="--shapers", poses="--poses" if options.poses else "--grid"):
-        of_source = _of_robot if measured is None else _of_measured
-        result = of_source(options, spectrum, sources)
+        choose = _shapers_for_robot if measured is None else _shapers_for_measured
+        result = choose(options, spectrum, sources)
     from pkmodes.pages.report.shaper_curves import curves_csv, over_frequency
 
     picture = b""
@@ -234,16 +234,16 @@ def shaper(options: ShaperOptions) -> None:
     deliver(options.json_file, result.content, show, *files)
 
 
-def _of_robot(
+def _shapers_for_robot(
     options: ShaperOptions, spectrum: MeasuredSpectrum | None, sources: Sequence[Source]
 ) -> _Result:
     """Choose shapers for the modes of a robot file."""
     from pkmodes.cli.shaper_documents import shaper_document
 
-    model, kinds = load(cast("Path", options.robot)), options.names
+    model, kinds = load(cast("Path", options.robot)), options.kind_names
     settings = settings_given(model, options.settings)
     heights = height_given(model, options.height, settings)
-    points = _points(model, options.grid, options.poses, settings)
+    points = _poses(model, options.grid, options.poses, settings)
     choice = model.shapers(
         points, kinds, settings=settings, height=heights, drives=options.drives, **options.passed(ROBOT)
     )
@@ -271,29 +271,29 @@ def _of_robot(
     return _Result(choice, content, page, blocks)
 
 
-def _points(
+def _poses(
     model: Model, grid: str | None, poses: Path | None, swept: Mapping[str, Any] | None
 ) -> NDArray[np.float64]:
     """Return the poses, by default those of the workspace that can be evaluated."""
     from pkmodes.machine.maps.workspace import reachable, within
 
     places = places_given(model, grid, poses)
-    times = math.prod(len(values) for values in (swept or {}).values())
-    count = 0 if places is None else math.prod(places.shape) * times
-    if count > POSES:
-        of = "poses" if times == 1 else "poses times values"
-        problem = f"expected at most {POSES:,} {of}, found {count:,}"
+    combinations = math.prod(len(values) for values in (swept or {}).values())
+    count = 0 if places is None else math.prod(places.shape) * combinations
+    if count > MAX_POSES:
+        noun = "poses" if combinations == 1 else "poses times values"
+        problem = f"expected at most {MAX_POSES:,} {noun}, found {count:,}"
         raise PkmodesError(
             problem, "--grid" if grid else "--poses", "give fewer: shapers differ little between neighbours"
         )
     if places is not None:
         return np.asarray(places.points(np.arange(int(np.prod(places.shape)))))
-    whole = reachable(model)
-    points = whole.points(np.arange(int(np.prod(whole.shape))))
+    workspace_grid = reachable(model)
+    points = workspace_grid.points(np.arange(int(np.prod(workspace_grid.shape))))
     return np.asarray(points[model.check(points).valid & within(model)(points)])
 
 
-def _of_measured(
+def _shapers_for_measured(
     options: ShaperOptions, spectrum: MeasuredSpectrum | None, sources: Sequence[Source]
 ) -> _Result:
     """Choose shapers for measured modes."""
@@ -302,7 +302,7 @@ def _of_measured(
     from pkmodes.machine.shaping.measured_modes import measured_shapers
 
     data = read_any(cast("Path", options.measured), drives=options.drives)
-    choice = measured_shapers(data, options.names, **options.passed(MEASURED))
+    choice = measured_shapers(data, options.kind_names, **options.passed(MEASURED))
     content = measured_document(choice, spectrum).as_json()
 
     def page() -> str:
@@ -314,7 +314,11 @@ def _of_measured(
         from pkmodes.pages.report.firmware_lines import firmware_lines
         from pkmodes.pages.report.shaper_measured import measured_shaper_summary, modes_table, shapers_table
 
-        printed: list[Shown] = [shapers_table(choice), modes_table(content, MOST), *firmware_lines(content)]
+        printed: list[Shown] = [
+            shapers_table(choice),
+            modes_table(content, MAX_PRINTED_MODES),
+            *firmware_lines(content),
+        ]
         return measured_shaper_summary(choice, content), printed
 
     return _Result(choice, content, page, blocks)

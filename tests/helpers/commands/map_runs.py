@@ -14,7 +14,7 @@ import pkmodes
 from helpers.runs.processes import ROOT, environment, interruptible
 from pkmodes.machine.maps import mapping, running
 from pkmodes.machine.maps.evaluating import Task
-from pkmodes.machine.maps.storage import GROUP, SUFFIX
+from pkmodes.machine.maps.storage import GROUP_NAME, PARTIAL_SUFFIX
 
 ROBOT = ROOT / "robots" / "linear-delta-2022.toml"
 #: 330 poses in tasks of 20 rows.
@@ -81,11 +81,11 @@ def started(out: Path, after: int, *options: str, program: str = PROGRAM) -> sub
 
 
 def folder_of(out: Path) -> Path:
-    return out.with_name(out.name + SUFFIX)
+    return out.with_name(out.name + PARTIAL_SUFFIX)
 
 
 def group_of(out: Path) -> Path:
-    return folder_of(out) / GROUP
+    return folder_of(out) / GROUP_NAME
 
 
 def done_in(out: Path) -> int:

@@ -15,7 +15,7 @@ from pkmodes import read_robot, updating
 from pkmodes.core.base.errors import MeasurementError, PkmodesError
 from pkmodes.loop.diagnosis.criteria import Criteria
 from pkmodes.loop.diagnosis.states.counterparts import close_groups, expected_modes, paired_with
-from pkmodes.loop.diagnosis.states.shared_shapes import shapes_without_errors
+from pkmodes.loop.diagnosis.states.shared_shapes import corrected_shapes
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.measured.writing import as_csv
 from pkmodes.loop.updating.changes import exchanged
@@ -253,18 +253,18 @@ def test_the_change_of_a_shape_is_that_of_two_measurements() -> None:
         )
         for shape in (before, after)
     )
-    shapes, sigma = shapes_without_errors(trusted, later, np.array([0]), mode[None], np.ones(3))
+    shapes, sigma = corrected_shapes(trusted, later, np.array([0]), mode[None], np.ones(3))
     # To first order: the scales of least squares take off what is along the shape itself.
     along = mode @ change / (mode @ mode)
     np.testing.assert_allclose(shapes[0], mode + change - along * mode, atol=0.02)
     assert sigma[0] == pytest.approx(np.sqrt(2.0) * 0.02, rel=0.15)
-    same, _ = shapes_without_errors(trusted, trusted, np.array([0]), mode[None], np.ones(3))
+    same, _ = corrected_shapes(trusted, trusted, np.array([0]), mode[None], np.ones(3))
     np.testing.assert_allclose(same[0], mode, atol=1e-12)
-    alone, own = shapes_without_errors(trusted, later, np.array([-1]), mode[None], np.ones(3))
+    alone, own = corrected_shapes(trusted, later, np.array([-1]), mode[None], np.ones(3))
     np.testing.assert_array_equal(alone, later.shapes)
     np.testing.assert_array_equal(own, later.shape_sigma)
     # Where the sensors stand, the mode of the model does not move.
-    still, _ = shapes_without_errors(trusted, later, np.array([0]), np.zeros((1, 3)), np.ones(3))
+    still, _ = corrected_shapes(trusted, later, np.array([0]), np.zeros((1, 3)), np.ones(3))
     assert np.isnan(still).all()
 
 

@@ -11,7 +11,7 @@ import zarr
 
 from helpers.commands.map_runs import model
 from pkmodes.core.base.errors import OutputError
-from pkmodes.machine.maps.storage import GROUP, LOCK
+from pkmodes.machine.maps.storage import GROUP_NAME, LOCK_NAME
 
 POSE = {"x": 0.6, "y": 0.0, "z": -0.245}
 OTHER = {"x": 0.5, "y": 0.0, "z": -0.245}
@@ -112,7 +112,7 @@ def test_a_folder_of_the_user_with_the_name_of_that_for_interrupted_maps(tmp_pat
     """Nothing in it is touched, whatever its files are called."""
     mine = tmp_path / "map.nc.partial"
     mine.mkdir()
-    for name in ("thesis.tex", GROUP, "lock"):
+    for name in ("thesis.tex", GROUP_NAME, "lock"):
         (mine / name).write_text("mine")
     error = refused(tmp_path / "map.nc")
     assert (
@@ -121,17 +121,17 @@ def test_a_folder_of_the_user_with_the_name_of_that_for_interrupted_maps(tmp_pat
     assert error.where == str(mine)
     assert error.remedy == "move or rename it, or choose another output"
     assert {file.name: file.read_text() for file in mine.iterdir()} == dict.fromkeys(
-        ("thesis.tex", GROUP, "lock"), "mine"
+        ("thesis.tex", GROUP_NAME, "lock"), "mine"
     )
 
 
 def test_a_file_that_the_user_adds_to_an_interrupted_map_survives_it(tmp_path: Path) -> None:
     mine = tmp_path / "map.nc.partial"
     mine.mkdir()
-    (mine / LOCK).touch()
+    (mine / LOCK_NAME).touch()
     (mine / "notes.txt").write_text("mine")
     model().map(POSE, out=tmp_path / "map.nc").close()
-    assert [(file.name, file.read_text()) for file in mine.iterdir() if file.name != LOCK] == [
+    assert [(file.name, file.read_text()) for file in mine.iterdir() if file.name != LOCK_NAME] == [
         ("notes.txt", "mine")
     ]
 
@@ -149,13 +149,13 @@ def test_a_link_in_the_place_of_the_folder_for_interrupted_maps(tmp_path: Path) 
 
 
 @pytest.mark.parametrize(
-    "name", [LOCK, GROUP, f"{GROUP}/frequency", f"{GROUP}/frequency/zarr.json", "new.nc"]
+    "name", [LOCK_NAME, GROUP_NAME, f"{GROUP_NAME}/frequency", f"{GROUP_NAME}/frequency/zarr.json", "new.nc"]
 )
 def test_links_in_a_received_folder_are_not_followed(tmp_path: Path, name: str) -> None:
     other, folder = tmp_path / "other", tmp_path / "map.nc.partial"
     other.write_text("mine")
     folder.mkdir()
-    (folder / LOCK).touch()
+    (folder / LOCK_NAME).touch()
     (folder / name).unlink(missing_ok=True)
     (folder / name).parent.mkdir(parents=True, exist_ok=True)
     (folder / name).symlink_to(other)
@@ -241,7 +241,7 @@ def test_an_old_store_is_put_back_after_a_kill_between_the_two_renames(
     out, folder = tmp_path / "map.zarr", tmp_path / "map.zarr.partial"
     model().map(POSE, out=out).close()
     folder.mkdir()
-    (folder / LOCK).touch()
+    (folder / LOCK_NAME).touch()
     out.rename(folder / "replaced.zarr")
 
     def full(*_: object, **__: object) -> None:

@@ -31,7 +31,7 @@ from helpers.commands.map_runs import (
 )
 from pkmodes.core.base.errors import OutputError
 from pkmodes.machine.maps import mapping
-from pkmodes.machine.maps.storage import GROUP, Store, locked, on_disk
+from pkmodes.machine.maps.storage import GROUP_NAME, Store, disk_store, folder_lock
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="sends POSIX signals")
 
@@ -255,23 +255,23 @@ def test_rows_that_are_damaged_while_the_map_is_computed(
 
 def test_a_field_that_is_empty_at_each_pose_does_not_keep_a_task_from_being_done(tmp_path: Path) -> None:
     """As the frequencies of a robot without modes."""
-    tails = {"frequency": ((0,), "f8"), "condition": ((), "f8"), "code": ((), "i1")}
+    layouts = {"frequency": ((0,), "f8"), "condition": ((), "f8"), "code": ((), "i1")}
 
     def opened() -> Store:
-        return on_disk(tmp_path, {"version": "1"}, 10, 4, tails)
+        return disk_store(tmp_path, {"version": "1"}, 10, 4, layouts)
 
     values = {"frequency": np.empty((4, 0)), "condition": np.full(4, np.nan), "code": np.zeros(4, "i1")}
-    opened().put(slice(4, 8), values)
+    opened().write_rows(slice(4, 8), values)
     assert opened().done.tolist() == [False, True, False]
     assert opened().arrays["frequency"][:].shape == (10, 0)
 
 
 def test_a_folder_in_which_nothing_was_begun_is_removed(tmp_path: Path) -> None:
     empty, begun = tmp_path / "empty", tmp_path / "begun"
-    with pytest.raises(ZeroDivisionError), locked(empty):
+    with pytest.raises(ZeroDivisionError), folder_lock(empty):
         raise ZeroDivisionError
-    with locked(begun):
-        (begun / GROUP).mkdir()
+    with folder_lock(begun):
+        (begun / GROUP_NAME).mkdir()
     assert [path.name for path in tmp_path.iterdir()] == ["begun"]
 
 

@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from pkmodes.modaltest.campaign.averaging import averaged, mean_shape
+from pkmodes.modaltest.campaign.averaging import mean_modes, mean_shape
 from pkmodes.modaltest.campaign.grouping import _apart, grouped, reunited
 from pkmodes.modaltest.campaign.joining import joined_setups
 from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate, mac
@@ -124,7 +124,7 @@ def seconds(count: int) -> float:
         for value, of in zip(f, shapes, strict=True)
     ]
     start = time.process_time()
-    assert len(averaged(grouped([modes]))) == count
+    assert len(mean_modes(grouped([modes]))) == count
     assert (
         len(grouped([modes, [ModeEstimate(mode.frequency, shape=mode.shape) for mode in modes[::4]]]))
         == count
@@ -188,7 +188,7 @@ def test_scatter_within_visits_is_taken_off_that_between_them(truth: float, with
             for _ in range(4)
         ]
         record = SimpleNamespace(point={"x": 0.0}, settings={}, drives="free")
-        records.append((record, averaged(grouped(files))))
+        records.append((record, mean_modes(grouped(files))))
     value, message = revisited(records, "c.toml")
     # 132 degrees of freedom; what is taken off has an error of its own.
     assert value == pytest.approx(truth, rel=0.2 if truth > within else 0.6)
@@ -275,7 +275,7 @@ def test_a_weak_mode_does_not_blur_the_shapes_and_damping_of_strong_ones() -> No
                 for _ in range(3)
             ]
             groups.append(dict(enumerate(modes)))
-        for noise, mean in zip(noises, averaged(groups), strict=True):
+        for noise, mean in zip(noises, mean_modes(groups), strict=True):
             values = np.array([mean.shape[name].real for name in "abcd"])
             # No uncertainty of the identification is added here: the scatter alone.
             inside[noise][0] += int((np.abs(values / values[0] - shape)[1:] < 2.0 * mean.shape_scatter).sum())

@@ -13,7 +13,7 @@ from helpers.pages.page_reading import read
 from modaltest.campaign.structures import identify, refused
 from pkmodes import updating
 from pkmodes.loop.measured.reading import read_modes
-from pkmodes.modaltest.campaign.averaging import averaged
+from pkmodes.modaltest.campaign.averaging import mean_modes
 from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate
 
 ROOT = Path(__file__).parents[3]
@@ -180,7 +180,7 @@ def test_two_sigma_cover_the_truth_with_few_repeats(tmp_path: Path, n: int) -> N
         f = 50.0 * (1.0 + np.arange(6.0))
         draws = f * np.exp(scatter * rng.normal(size=(n, 6)))
         groups = [{i: ModeEstimate(float(draws[i, k])) for i in range(n)} for k in range(6)]
-        for k, mean in enumerate(averaged(groups)):
+        for k, mean in enumerate(mean_modes(groups)):
             error = np.log(mean.frequency / f[k])
             covered.append(abs(error) <= 2.0 * mean.scatter)
             ratio.append((error**2, mean.scatter**2))

@@ -16,7 +16,7 @@ from pkmodes.loop.sensitivity.changes import PERCENT, Changes
 from pkmodes.pages.figures import tornado_picture
 from pkmodes.pages.plots.style import BLUE, GREY
 from pkmodes.pages.plots.svg import inline
-from pkmodes.pages.plots.tornado import broken
+from pkmodes.pages.plots.tornado import wrapped_name
 
 PRINTER, AT = "robots/corexy-printer.toml", [0.1, 0.15]
 
@@ -108,8 +108,8 @@ def test_by_something_else_or_without_sigmas_is_refused() -> None:
 
 
 def test_long_names_are_broken() -> None:
-    assert broken("belt.width") == "belt.width"
-    assert broken("effects.gearbox_compliance.compliance") == "effects.gearbox_compliance\n.compliance"
+    assert wrapped_name("belt.width") == "belt.width"
+    assert wrapped_name("effects.gearbox_compliance.compliance") == "effects.gearbox_compliance\n.compliance"
 
 
 def test_of_all_modes_the_largest_fraction_of_a_frequency_comes_first() -> None:

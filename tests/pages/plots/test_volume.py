@@ -11,7 +11,7 @@ import xarray
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 
-from pkmodes.pages.plots.volume import _cells, volume
+from pkmodes.pages.plots.volume import _draw_outer_faces, volume
 
 
 def ball(radius: float) -> xarray.Dataset:
@@ -63,7 +63,7 @@ def test_each_side_has_the_place_and_the_colour_of_its_cell(monkeypatch: pytest.
     values[0, 1] = values[1, 2, 3] = np.nan
     edges = [np.array([0.0, 1.0, 3.0]), np.arange(4.0), np.array([-4.0, -2.0, -1.0, 0.0, 5.0])]
     colours = ScalarMappable(Normalize(0.0, 23.0))
-    _cells(SimpleNamespace(add_collection3d=lambda _: None), edges, values, colours)
+    _draw_outer_faces(SimpleNamespace(add_collection3d=lambda _: None), edges, values, colours)
     ((sides, faces),) = taken
     expected = {}
     for cell in np.ndindex(values.shape):

@@ -26,61 +26,66 @@ def groups_by_path(mechanism: Mechanism) -> dict[str, ParameterGroup]:
     return {group.path: group for group in mechanism.parameter_groups}
 
 
-def items_of(mechanism: Mechanism, group: ParameterGroup) -> list[Item]:
+def group_items(mechanism: Mechanism, group: ParameterGroup) -> list[Item]:
     """Return the pairs or vectors that a group changes."""
     return [item for item in items(mechanism) if item.key.field == group.field]
 
 
 def group_value(robot: Declaration, group: ParameterGroup) -> float:
     """Return the value of a group in SI units."""
-    first = _vectors(robot, group)[0]
-    return float(first[1] - first[0]) if group.kind == "span" else float(np.linalg.norm(first))
+    first_vector = _vectors(robot, group)[0]
+    if group.kind == "span":
+        return float(first_vector[1] - first_vector[0])
+    return float(np.linalg.norm(first_vector))
 
 
-def weights_of(robot: Declaration, group: ParameterGroup) -> dict[Slot, float]:
-    """Return the change of each number per unit of the group; empty if a vector is zero and has no direction."""
+def group_weights(robot: Declaration, group: ParameterGroup) -> dict[Slot, float]:
+    """Return the derivative of each number with respect to the group's value.
+
+    It is empty if a vector is zero and has no direction.
+    """
     vectors = _vectors(robot, group)
     if group.kind == "span":
-        rates = np.tile([-0.5, 0.5], (len(vectors), 1))
+        weights = np.tile([-0.5, 0.5], (len(vectors), 1))
     else:
         norms = np.linalg.norm(vectors, axis=1, keepdims=True)
         if not norms.all():
             return {}
-        rates = vectors / norms
+        weights = vectors / norms
     return {
-        number.slot: rate
-        for item, row in zip(items_of(robot.mechanism, group), rates.tolist(), strict=True)
-        for number, rate in zip(item.numbers, row, strict=True)
-        if rate != 0.0 and number.slot is not None
+        number.slot: weight
+        for item, row in zip(group_items(robot.mechanism, group), weights.tolist(), strict=True)
+        for number, weight in zip(item.numbers, row, strict=True)
+        if weight != 0.0 and number.slot is not None
     }
 
 
-def elements_of(robot: Declaration, group: ParameterGroup, value: float) -> dict[str, float]:
-    """Return the elements by path that give a group another value.
+def elements_at_value(robot: Declaration, group: ParameterGroup, value: float) -> dict[str, float]:
+    """Return the elements, keyed by path, at which the group takes the given value.
 
-    Raises PkmodesError if a vector is zero and has no direction, or would shrink to zero.
+    Raises PkmodesError if a vector is zero and has no direction, or its length would become zero or negative.
     """
     vectors = _vectors(robot, group).tolist()
     elements: dict[str, float] = {}
-    for item, vector in zip(items_of(robot.mechanism, group), vectors, strict=True):
+    for item, vector in zip(group_items(robot.mechanism, group), vectors, strict=True):
         if group.kind == "span":
-            moved = _apart(vector, value - (vectors[0][1] - vectors[0][0]))
+            changed = _with_span_changed(vector, value - (vectors[0][1] - vectors[0][0]))
         else:
-            moved = _along(vector, value - math.hypot(*vectors[0]), item, robot.source)
-        for number, before, after in zip(item.numbers, vector, moved, strict=True):
+            changed = _with_length_changed(vector, value - math.hypot(*vectors[0]), item, robot.source)
+        for number, before, after in zip(item.numbers, vector, changed, strict=True):
             if group.kind == "span" or before != 0.0:
                 elements[number.path] = after
     return elements
 
 
-def _apart(pair: Sequence[float], change: float) -> list[float]:
+def _with_span_changed(pair: Sequence[float], change: float) -> list[float]:
     low, high = pair
-    moved = (low - change / 2.0, high + change / 2.0)
+    changed = (low - change / 2.0, high + change / 2.0)
     # Rounding must not turn a limit of 0 into 1e-17 m.
-    return [0.0 if abs(value) < 1e-12 * (high - low) else value for value in moved]
+    return [0.0 if abs(value) < 1e-12 * (high - low) else value for value in changed]
 
 
-def _along(vector: Sequence[float], change: float, item: Item, source: str) -> list[float]:
+def _with_length_changed(vector: Sequence[float], change: float, item: Item, source: str) -> list[float]:
     before = math.hypot(*vector)
     if before == 0.0 or before + change <= 0.0:
         name, unit = item.key.name, item.numbers[0].unit
@@ -96,4 +101,4 @@ def _along(vector: Sequence[float], change: float, item: Item, source: str) -> l
 def _vectors(robot: Declaration, group: ParameterGroup) -> Array:
     """Return one row for each pair or vector."""
     field = np.asarray(getattr(robot.parameters, group.field))
-    return np.array([field[item.index] for item in items_of(robot.mechanism, group)])
+    return np.array([field[item.index] for item in group_items(robot.mechanism, group)])

@@ -18,7 +18,7 @@ from pkmodes.core.robot import schema
 from pkmodes.core.robot.covariance import COVARIANCE, Covariance, with_sigmas
 from pkmodes.core.robot.declaration import Declaration, changeable, unit_of
 from pkmodes.core.robot.layout import EFFECTS, Number, by_path, items, lent, takers
-from pkmodes.core.robot.parameter_groups import elements_of, groups_by_path, items_of
+from pkmodes.core.robot.parameter_groups import elements_at_value, group_items, groups_by_path
 from pkmodes.core.robot.report_fields import REPORT
 from pkmodes.core.robot.tables import FORMAT
 from pkmodes.core.robot.units import Quantity
@@ -169,7 +169,7 @@ def _elements(robot: Declaration, path: str, raw: Any, source: str) -> dict[str,
     raw = _plain(raw, unit, f"{source}: {path}")
     if path in (of_mechanism := groups_by_path(robot.mechanism)):
         group = of_mechanism[path]
-        return dict(elements_of(robot, group, _value_of_group(robot, group, raw, source)))
+        return dict(elements_at_value(robot, group, _value_of_group(robot, group, raw, source)))
     if unit is not None:
         overrides = [item.path for item in takers(robot.mechanism).get(path, ())]
         if overrides and all(taker in robot.quantities for taker in overrides):  # it would have no effect
@@ -225,7 +225,7 @@ def _value_of_group(robot: Declaration, group: ParameterGroup, raw: Any, source:
     if isinstance(raw, Mapping):
         raw = {key: value for key, value in raw.items() if key != "sigma"}
     try:
-        return schema.quantity(raw, items_of(robot.mechanism, group)[0].key.dimension, above=0.0).value
+        return schema.quantity(raw, group_items(robot.mechanism, group)[0].key.dimension, above=0.0).value
     except schema.RefusedError as error:
         raise PkmodesError(error.what, where, error.remedy) from None
 

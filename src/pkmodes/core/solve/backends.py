@@ -114,7 +114,7 @@ class HeldSolver(Solver):
                 return codes
         codes = self._inner.compute(held, inner_arrays, threads)
         if SHAPES in arrays:
-            arrays[SHAPES][...] = self._system.part_with_free_motors(inner_arrays[SHAPES])
+            arrays[SHAPES][...] = self._system.to_free_motor_coordinates(inner_arrays[SHAPES])
         return codes
 
     def alone(self, tails: Mapping[str, tuple[int, ...]]) -> Alone | None:
@@ -137,7 +137,7 @@ class HeldSolver(Solver):
             if fields is None:
                 return None
             if SHAPES in fields:
-                fields[SHAPES] = system.part_with_free_motors(fields[SHAPES])
+                fields[SHAPES] = system.to_free_motor_coordinates(fields[SHAPES])
             if free is None:
                 return fields
             in_all = free(point)

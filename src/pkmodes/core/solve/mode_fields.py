@@ -294,7 +294,7 @@ def _given_by_motors(system: Evaluation, solved: Evaluation) -> dict[str, Any]:
     if held or springs_on_motors(system.mechanism, system.springs_to_ground):
         quantities["strain_free_motions"] = StrainFreeMotions(system)
     if isinstance(solved, MotorsHeld):
-        quantities["kept"] = None if solved.rigid_modes else solved.motions()[0]
+        quantities["kept"] = None if solved.rigid_modes else solved.kept_and_motor_motions()[0]
     return quantities
 
 

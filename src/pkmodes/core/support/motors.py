@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from pkmodes.core.base.drives import FREE, HELD, checked_drives, motors
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.robot.declaration import Declaration
-from pkmodes.core.system.motors import springs_among, springs_on_motors
+from pkmodes.core.system.motors import motor_springs_among, springs_on_motors
 
 
 def motors_in_words(
@@ -21,7 +21,7 @@ def motors_in_words(
     """
     words = motors([drives] if isinstance(drives, str) else drives)
     mechanism = robot.mechanism
-    for name in (*springs_on_motors(mechanism, robot.effects), *springs_among(mechanism, causes)):
+    for name in (*springs_on_motors(mechanism, robot.effects), *motor_springs_among(mechanism, causes)):
         return words.replace(FREE, f"on their {name.replace('_', ' ')}")
     return words
 

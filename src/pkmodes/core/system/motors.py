@@ -25,15 +25,15 @@ from pkmodes.core.system.rigid_motions import rigid_motions
 
 Array = NDArray[np.float64]
 #: Derivatives below this fraction of the largest are zero.
-ZERO = 1e-12
+RELATIVE_ZERO = 1e-12
 
 
 class MotorsHeld(ExtendedSystem):
     """The evaluation of a robot with every motor at rest.
 
-    The coordinates r are those of the robot with free motors, but for the rotors that are driven: these are replaced
-    by the angles of the motors, q = T r, and then locked.  The inertia of the motors and springs between them and
-    ground have no influence, and are left out: nothing large cancels.
+    The coordinates r, q = T r, are those of the robot with free motors, except that each driven rotor's coordinate is
+    replaced by its motor angle, which is then locked.  The inertia of the motors and springs between them and ground
+    have no influence, and are left out: nothing large cancels.
 
     - system: the robot with free motors
 
@@ -47,15 +47,15 @@ class MotorsHeld(ExtendedSystem):
     basis: Array
 
     def __init__(self, system: ExtendedSystem) -> None:
-        mechanism, inert = system.mechanism, _inert(system.mechanism)
+        mechanism, inert = system.mechanism, _without_influence(system.mechanism)
         parameters = system.parameters._replace(
             **{name: np.zeros_like(getattr(system.parameters, name)) for name in inert.parameters}
         )
         effects = {path: v for path, v in system.given.items() if not path.startswith(inert.effects)}
         super().__init__(mechanism, parameters, effects)
         motion = np.asarray(self.generated.motor_motion())
-        remaining = _remaining(mechanism, motion.tobytes(), self.free.tobytes())
-        self._listed, self.free, self.basis = self.free, remaining.free, remaining.basis
+        remaining = _held_coordinates(mechanism, motion.tobytes(), self.free.tobytes())
+        self._unlocked_with_free_motors, self.free, self.basis = self.free, remaining.free, remaining.basis
         self.coordinates, self.rotors = remaining.coordinates, remaining.rotors
         self.first -= len(motion)
         springs = spring_fields(self.springs_to_ground)
@@ -63,35 +63,35 @@ class MotorsHeld(ExtendedSystem):
 
     @cached_property
     def massless(self) -> NDArray[np.bool_]:
-        """Which coordinates have no inertia: released ones that remain, if no rotor that follows them has any."""
-        none = np.ones(len(self.basis), dtype=bool)
-        none[self._listed] = self.without_inertia
-        massless: NDArray[np.bool_] = (none[:, None] | (self.basis == 0.0)).all(axis=0)[self.free]
+        """Which coordinates have no inertia: released coordinates that remain and move no rotor that has inertia."""
+        no_inertia = np.ones(len(self.basis), dtype=bool)
+        no_inertia[self._unlocked_with_free_motors] = self.without_inertia
+        massless: NDArray[np.bool_] = (no_inertia[:, None] | (self.basis == 0.0)).all(axis=0)[self.free]
         massless[: self.first] = False
         return massless
 
     @property
     def without_inertia(self) -> NDArray[np.bool_]:
         """Which coordinates with free motors move no inertia, (n,)."""
-        return self._zero_inertia(self._listed)
+        return self._zero_inertia(self._unlocked_with_free_motors)
 
-    def motions(self) -> tuple[Array, Array]:
+    def kept_and_motor_motions(self) -> tuple[Array, Array]:
         """Return all coordinates with free motors per unit of those that remain, (n, r), and of motors, (n, j)."""
-        listed = self.basis[self._listed]
-        return listed[:, self.free], listed[:, self.rotors]
+        unlocked = self.basis[self._unlocked_with_free_motors]
+        return unlocked[:, self.free], unlocked[:, self.rotors]
 
     @cached_property
-    def _remaining_in_all(self) -> Array:
-        """Those that remain, (r, n): each row is one of them in all coordinates with free motors."""
-        return self.basis[np.ix_(self._listed, self.free)].T
+    def _remaining_basis(self) -> Array:
+        """The remaining coordinates, each row expressed in the free-motor coordinates, (r, n)."""
+        return self.basis[np.ix_(self._unlocked_with_free_motors, self.free)].T
 
-    def part_with_free_motors(self, vectors: Array) -> Array:
-        """Return vectors in the coordinates that remain, (..., r), in those with free motors, (..., n)."""
-        return np.asarray(vectors @ self._remaining_in_all)
+    def to_free_motor_coordinates(self, vectors: Array) -> Array:
+        """Return vectors in the remaining coordinates, (..., r), converted to free-motor coordinates, (..., n)."""
+        return np.asarray(vectors @ self._remaining_basis)
 
 
-class _Remaining(NamedTuple):
-    """What remains of some coordinates: see `MotorsHeld`."""
+class _HeldCoordinates(NamedTuple):
+    """The coordinates that remain: see `MotorsHeld`."""
 
     free: NDArray[np.intp]
     rotors: list[int]
@@ -100,17 +100,17 @@ class _Remaining(NamedTuple):
 
 
 @lru_cache(256)  # a diagnosis requests the same few repeatedly
-def _remaining(mechanism: Mechanism, motion: bytes, listed: bytes) -> _Remaining:
-    """Return what remains where the motors are held.
+def _held_coordinates(mechanism: Mechanism, motion: bytes, unlocked: bytes) -> _HeldCoordinates:
+    """Return the coordinates that remain where the motors are held.
 
     - motion: the angle of each motor per unit of each coordinate
-    - listed: the coordinates that are not locked with free motors
+    - unlocked: the coordinates that are not locked with free motors
     """
     first, names = len(mechanism.coordinates), mechanism.extended.COORDINATES
-    of_all = np.frombuffer(motion).reshape(-1, len(names))
-    rotors, basis = _following(of_all, first)
-    free = np.setdiff1d(np.frombuffer(listed, dtype=np.intp), rotors)
-    return _Remaining(free, rotors, tuple(names[i] for i in free), basis)
+    motor_rows = np.frombuffer(motion).reshape(-1, len(names))
+    rotors, basis = _motor_coordinates(motor_rows, first)
+    free = np.setdiff1d(np.frombuffer(unlocked, dtype=np.intp), rotors)
+    return _HeldCoordinates(free, rotors, tuple(names[i] for i in free), basis)
 
 
 class _Inert(NamedTuple):
@@ -120,7 +120,7 @@ class _Inert(NamedTuple):
     effects: tuple[str, ...]
 
 
-def _following(motion: Array, first: int) -> tuple[list[int], Array]:
+def _motor_coordinates(motion: Array, first: int) -> tuple[list[int], Array]:
     """Return the driven rotors, and T, which has the angle of its motor in the place of each.
 
     - motion: the angle of each motor per unit of each coordinate, (drives, n)
@@ -135,38 +135,42 @@ def _following(motion: Array, first: int) -> tuple[list[int], Array]:
 
 
 @cache
-def _inert(mechanism: Mechanism) -> _Inert:
+def _without_influence(mechanism: Mechanism) -> _Inert:
     """Return what changes neither M nor K of a sample robot with held motors."""
     extended, plain = mechanism.extended, sample(mechanism)
     generated = Generated(extended, plain, extended.Effects())
     p = sample_pose(mechanism)
-    rotors, T = _following(np.asarray(generated.motor_motion()), len(mechanism.coordinates))
+    rotors, T = _motor_coordinates(np.asarray(generated.motor_motion()), len(mechanism.coordinates))
     T = np.delete(T, rotors, axis=1)
     rates = [matrix_rates[0] for matrix_rates in value_rates(mechanism, plain, extended.Effects(), p[None])]
     starts = [0, 0]
     influences: dict[str, set[bool]] = {}
-    for field, _, *places in extended.VALUE_SENSITIVITIES:
-        for k, (entries, all_rates) in enumerate(zip(places, rates, strict=True)):
-            part = np.zeros(2 * (len(extended.COORDINATES),))
+    for field, _, *entry_lists in extended.VALUE_SENSITIVITIES:
+        for k, (entries, all_rates) in enumerate(zip(entry_lists, rates, strict=True)):
+            derivative = np.zeros(2 * (len(extended.COORDINATES),))
             for i, (row, column) in enumerate(entries, starts[k]):
-                part[row, column] = part[column, row] = all_rates[i]
+                derivative[row, column] = derivative[column, row] = all_rates[i]
             starts[k] += len(entries)
-            if part.any():
-                reduced = np.abs(T.T @ part @ T).max()
-                influences.setdefault(field, set()).add(bool(reduced > ZERO * np.abs(part).max()))
-    without = {field for field, moves in influences.items() if moves == {False}}
+            if derivative.any():
+                reduced = np.abs(T.T @ derivative @ T).max()
+                influences.setdefault(field, set()).add(
+                    bool(reduced > RELATIVE_ZERO * np.abs(derivative).max())
+                )
+    ineffective = {field for field, outcomes in influences.items() if outcomes == {False}}
     inertias = {key.field for key in declared(mechanism) if key.dimension in INERTIAS}
-    effects = [name for name, effect in mechanism.effects.items() if _all_of(name, effect, without)]
-    return _Inert(tuple(sorted(inertias & without)), tuple(f"{name}." for name in effects))
+    effects = [
+        name for name, effect in mechanism.effects.items() if _has_no_influence(name, effect, ineffective)
+    ]
+    return _Inert(tuple(sorted(inertias & ineffective)), tuple(f"{name}." for name in effects))
 
 
-def _all_of(name: str, effect: Any, without: set[str]) -> bool:
+def _has_no_influence(name: str, effect: Any, ineffective: set[str]) -> bool:
     fields = [f"{name}_{parameter.name}" for parameter in effect.parameters]
-    return not effect.coordinates and all(field in without for field in fields)
+    return not effect.coordinates and all(field in ineffective for field in fields)
 
 
 def springs_on_motors(mechanism: Mechanism, effects: Mapping[str, float]) -> tuple[str, ...]:
-    """Return the effects of a robot through which its motors hang on springs: motors that give way.
+    """Return the effects of a robot that mount its motors on springs (compliant motors).
 
     They tie the robot to ground, and have no influence once the motors are held.
 
@@ -177,13 +181,13 @@ def springs_on_motors(mechanism: Mechanism, effects: Mapping[str, float]) -> tup
 
 @lru_cache(256)
 def _springs_on_motors(mechanism: Mechanism, effects: tuple[tuple[str, float], ...]) -> tuple[str, ...]:
-    return springs_among(mechanism, active_effects(mechanism, dict(effects)))
+    return motor_springs_among(mechanism, active_effects(mechanism, dict(effects)))
 
 
-def springs_among(mechanism: Mechanism, names: Iterable[str]) -> tuple[str, ...]:
-    """Return which of some names are effects through which motors hang on springs."""
+def motor_springs_among(mechanism: Mechanism, names: Iterable[str]) -> tuple[str, ...]:
+    """Return which of some names are effects that mount motors on springs."""
     grounding = [name for name in names if name in mechanism.effects and mechanism.effects[name].grounds]
-    return tuple(name for name in grounding if f"{name}." in _inert(mechanism).effects)
+    return tuple(name for name in grounding if f"{name}." in _without_influence(mechanism).effects)
 
 
 def motor_motion(system: Evaluation) -> Array:
@@ -209,7 +213,7 @@ def solved_system(system: Evaluation, drives: str) -> Evaluation:
 
 
 def extended_system(system: Evaluation) -> ExtendedSystem:
-    """Return a system evaluated by the extended model, the only one with motors."""
+    """Return a system evaluated by the extended model, which alone represents motors."""
     if isinstance(system, ExtendedSystem):
         return system
     return ExtendedSystem(system.mechanism, system.parameters, {})

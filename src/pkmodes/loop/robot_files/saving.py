@@ -19,7 +19,7 @@ from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.robot.covariance import CORRELATION, COVARIANCE, PATHS, SIGMA, Covariance
 from pkmodes.core.robot.declaration import Declaration, changeable
 from pkmodes.core.robot.layout import EFFECTS, by_path, lent
-from pkmodes.core.robot.parameter_groups import elements_of, groups_by_path
+from pkmodes.core.robot.parameter_groups import elements_at_value, groups_by_path
 from pkmodes.core.robot.reading import read_robot, robot_from_document
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.units import Quantity
@@ -78,7 +78,7 @@ def _edits_of(changes: Mapping[str, Correction], robot: Declaration) -> dict[str
             deviation = "" if sigma is None else f"sigma of {path} {sigma_text(sigma)} {groups[path].unit}"
             note = "; ".join(part for part in (correction.note, deviation) if part)
             try:
-                values = elements_of(robot, groups[path], value)
+                values = elements_at_value(robot, groups[path], value)
             except PkmodesError as error:
                 _refuse(error.what, error.where, error.remedy)
             changed = {

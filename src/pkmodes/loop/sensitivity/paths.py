@@ -15,7 +15,7 @@ import numpy as np
 from pkmodes.core.base.errors import PkmodesError, nearest_name, shown
 from pkmodes.core.robot.declaration import changeable
 from pkmodes.core.robot.layout import EFFECTS, Item, Slot, by_path, effect_parameters, items, lent, takers
-from pkmodes.core.robot.parameter_groups import group_value, groups_by_path, items_of, weights_of
+from pkmodes.core.robot.parameter_groups import group_items, group_value, group_weights, groups_by_path
 from pkmodes.core.robot.robot import Robot
 
 #: The unit of a path, and the weight with which each number changes along it.
@@ -78,7 +78,7 @@ def _resolved(robot: Robot, path: str, available: Mapping[str, Moves]) -> Parame
     unit, weights = available[path]
     group = groups_by_path(robot.mechanism).get(path)
     if group is not None and not weights:
-        item = items_of(robot.mechanism, group)[0]
+        item = group_items(robot.mechanism, group)[0]
         problem = f"{path} cannot vary: a {item.key.name} that is zero has no direction"
         raise PkmodesError(problem, robot.source, f"use elements such as {item.numbers[0].path}")
     if group is not None:
@@ -136,7 +136,9 @@ def _available(robot: Robot) -> dict[str, Moves]:
                 unit, weights_of_end = available[end.path]
                 middle = (borrowed.removeprefix(f"{EFFECTS}."), ())
                 available[end.path] = unit, {**weights_of_end, middle: 0.5}
-    available |= {group.path: (group.unit, weights_of(robot, group)) for group in mechanism.parameter_groups}
+    available |= {
+        group.path: (group.unit, group_weights(robot, group)) for group in mechanism.parameter_groups
+    }
     # The quantities of single entries, whether they override the shared value or take it.
     entries = [item for item in items(mechanism) if item.entry is not None]
     for item in sorted(entries, key=lambda item: (item.entry, not item.shared)):

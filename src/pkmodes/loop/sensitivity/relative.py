@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from pkmodes.core.mechanism.regular import extent
 from pkmodes.core.model import Model
 from pkmodes.core.robot.layout import effect_parameters, items
-from pkmodes.core.robot.parameter_groups import group_value, groups_by_path, weights_of
+from pkmodes.core.robot.parameter_groups import group_value, group_weights, groups_by_path
 from pkmodes.core.robot.robot import Robot
 from pkmodes.loop.sensitivity.alike import Alike, alike
 from pkmodes.loop.sensitivity.paths import ParameterPath, paths
@@ -47,7 +47,7 @@ def scalable(robot: Robot) -> list[str]:
     wholes = [
         path
         for path, whole in groups_by_path(mechanism).items()
-        if weights_of(robot, whole) and _scales(group_value(robot, whole))
+        if group_weights(robot, whole) and _scales(group_value(robot, whole))
     ]
     return [*(path for path in nonzero if path in single), *effects, *wholes]
 

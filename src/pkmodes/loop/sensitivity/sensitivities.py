@@ -340,7 +340,7 @@ def _of_modes(
     if with_shapes:
         fields["eigenvalues"], fields["shapes"] = _of_shapes(derivatives, at, group, sizes)
         if isinstance(extended, MotorsHeld):
-            fields["shapes"] = extended.part_with_free_motors(fields["shapes"])
+            fields["shapes"] = extended.to_free_motor_coordinates(fields["shapes"])
     elif {"eigenvalues", "frequencies"} & set(requested):
         fields["eigenvalues"] = _rates(derivatives, eigenvalues, shapes, group)
     if "frequencies" in requested:

@@ -18,7 +18,7 @@ import numpy as np
 
 from pkmodes.core.base.errors import PkmodesError, nearest_name, shown
 from pkmodes.core.robot.layout import GRAVITY, Item, by_path, lent, takers
-from pkmodes.core.robot.parameter_groups import groups_by_path, items_of, weights_of
+from pkmodes.core.robot.parameter_groups import group_items, group_weights, groups_by_path
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.units import with_unit
 from pkmodes.core.support.covariance import Prior, priors_of
@@ -225,7 +225,7 @@ def refuse_declared(subject: str, sigmas: Sequence[float | None]) -> None:
 
 def _elements(robot: Robot, whole: ParameterGroup) -> list[str]:
     """Return the paths of the elements of a whole."""
-    return [number.path for item in items_of(robot.mechanism, whole) for number in item.numbers]
+    return [number.path for item in group_items(robot.mechanism, whole) for number in item.numbers]
 
 
 def _paths(effect: Effect, parameters: Iterable[EffectParameter]) -> list[str]:
@@ -278,7 +278,7 @@ def _suspected(robot: Robot) -> dict[str, Candidate]:
             suspected.append(path)
     for whole in robot.mechanism.parameter_groups:
         free = all(robot.quantities[element].sigma is None for element in _elements(robot, whole))
-        if free and weights_of(robot, whole):
+        if free and group_weights(robot, whole):
             suspected.append(whole.path)
     local = {path: any(part.isdigit() for part in path.split(".")) for path in suspected}
     candidates = [

@@ -19,7 +19,7 @@ from pkmodes.core.robot.usable import SingularAngle, not_singular
 from pkmodes.core.robot.usable_poses import inside, limits_of
 from pkmodes.core.support.motors import motors_give_way
 from pkmodes.core.system.evaluation import ExtendedSystem
-from pkmodes.core.system.motors import springs_among
+from pkmodes.core.system.motors import motor_springs_among
 from pkmodes.loop.diagnosis.problem import Batch, Candidate, Loss, Parameter, Prediction, Sensor
 from pkmodes.loop.sensitivity.locked import locked_joints
 from pkmodes.loop.sensitivity.matrices import POSE
@@ -143,7 +143,7 @@ class RobotStructure:
         """Return whether a measurement with held motors may be proposed: motors that give way only if some were."""
         if any(self.loads.cases[c].drives == HELD for c in set(self.loads.of.tolist())):
             return True
-        return not (motors_give_way(self.robot) or springs_among(self._mechanism, causes))
+        return not (motors_give_way(self.robot) or motor_springs_among(self._mechanism, causes))
 
     def loaded(self) -> list[tuple[dict[str, float], RobotStructure]]:
         """Return payloads (values by path), each with the robot at its poses under it."""

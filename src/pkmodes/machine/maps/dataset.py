@@ -45,7 +45,7 @@ def dataset_of(
     """Return the dataset of a map.
 
     - robot: as declared
-    - arrays: the fields of `pkmodes.machine.maps.evaluating.tails`, each (rows, ...)
+    - arrays: the fields of `pkmodes.machine.maps.evaluating.field_layouts`, each (rows, ...)
     - tracked: modes by shape instead of by rank
 
     Raises MissingExtraError if xarray is not installed.
@@ -118,9 +118,8 @@ def _fields_of(
 ) -> dict[str, Any]:
     """Return the fields of a map.
 
-    - arrays: the fields of `pkmodes.machine.maps.evaluating.tails`, each (rows, ...); stored ones become Dask arrays,
-    so that
-      a map can be written without having it in memory
+    - arrays: the fields of `pkmodes.machine.maps.evaluating.field_layouts`, each (rows, ...); stored ones become Dask
+      arrays, so that a map can be written without having it in memory
     - shape: of the map; rows are in C order
     - reasons: by code
     - tracked: modes by shape instead of by rank

@@ -68,7 +68,7 @@ class MapLayout:
         return replace(self, conditions=self.conditions - {SHAPES})
 
 
-def tails(robot: Robot, layout: MapLayout) -> dict[str, tuple[tuple[int, ...], str]]:
+def field_layouts(robot: Robot, layout: MapLayout) -> dict[str, tuple[tuple[int, ...], str]]:
     """Return the shape at one pose, and the type, of each field."""
     coordinates = len(layout.coordinates)
     independent = coordinates if layout.shapes else None
@@ -121,7 +121,7 @@ def code_of(mechanism: Mechanism) -> str:
 def evaluate(task: Task) -> dict[str, Array]:
     """Evaluate the rows of a task.
 
-    Returns arrays, each (rows, ...): as in `tails`; ``code`` indexes `codes`.
+    Returns arrays, each (rows, ...): as in `field_layouts`; ``code`` indexes `codes`.
     Raises PkmodesError if the generated code here is not that of the task.
     """
     mechanism = task.pieces[0][0].mechanism
@@ -150,7 +150,7 @@ def _piece(robot: Robot, points: Array, task: Task) -> dict[str, Array]:
         given={"normal": task.normal},
     )
     arrays = {"code": checked.codes.copy()}
-    sizes, independent = tails(robot, layout), robot.mechanism.independent
+    sizes, independent = field_layouts(robot, layout), robot.mechanism.independent
     for field in fields:
         shape, dtype = sizes[field.variable]
         array = arrays[field.variable] = np.full((len(points), *shape), missing(dtype), dtype)

@@ -23,11 +23,18 @@ from pkmodes.core.system.motors import solved_system
 from pkmodes.machine.dataset.attributes import imported
 from pkmodes.machine.dataset.robot_text import text_of
 from pkmodes.machine.maps.dataset import dataset_of
-from pkmodes.machine.maps.evaluating import MapLayout, Task, code_of, layout_of, tails
+from pkmodes.machine.maps.evaluating import MapLayout, Task, code_of, field_layouts, layout_of
 from pkmodes.machine.maps.map_file import MapFile
 from pkmodes.machine.maps.poses import Places, PoseGrid, places_of
 from pkmodes.machine.maps.running import run_tasks
-from pkmodes.machine.maps.storage import SUFFIX, Store, damage_refused, in_memory, locked, on_disk
+from pkmodes.machine.maps.storage import (
+    PARTIAL_SUFFIX,
+    Store,
+    checksum_errors_explained,
+    disk_store,
+    folder_lock,
+    memory_store,
+)
 from pkmodes.machine.maps.tracking import Tracked, track
 from pkmodes.machine.maps.variants import SAMPLE, Variants, variants_of
 from pkmodes.machine.maps.workspace import bounds_of, reachable
@@ -203,12 +210,12 @@ def map_of(
             problem = "modes cannot be tracked across robots with different coordinates"
             remedy = "sweep an effect from a value above zero, or leave out tracked"
             raise PkmodesError(problem, "tracked", remedy)
-    sizes = tails(model.robot, layout)
+    sizes = field_layouts(model.robot, layout)
 
     def computed(store: Store) -> xarray.Dataset:
         _fill(plan, store, thread_count, scheduler, progress)
         if not (store.codes() == 0).any():
-            store.remove()
+            store.remove_files()
             _refuse_outside(plan)
         tracked_modes = track_plan(plan, store.arrays) if tracked else None
         saved_layout = layout if shapes else layout.without_shapes()
@@ -216,20 +223,20 @@ def map_of(
 
     if file is None:
         try:
-            store = in_memory(plan.rows, plan.task_count, sizes)
+            store = memory_store(plan.rows, plan.task_count, sizes)
         except (MemoryError, ValueError):  # ValueError: more than an array can have
             problem = f"a map of {plan.rows:,} poses does not fit in memory"
             remedy = "write it to a file with out (--out), or make the grid coarser"
             raise PkmodesError(problem, "map", remedy) from None
         return computed(store)
-    folder = file.path.with_name(file.path.name + SUFFIX)
-    with locked(folder):
-        store = on_disk(folder, plan.record, plan.rows, ROWS, sizes)
-        with damage_refused(folder):
+    folder = file.path.with_name(file.path.name + PARTIAL_SUFFIX)
+    with folder_lock(folder):
+        store = disk_store(folder, plan.record, plan.rows, ROWS, sizes)
+        with checksum_errors_explained(folder):
             dataset = computed(store)
             file.write(dataset, folder)
             kept: xarray.Dataset | None = dataset.load() if file.is_table else None
-        store.remove()
+        store.remove_files()
     return file.opened() if kept is None else kept
 
 
@@ -244,7 +251,7 @@ def _fill(
             yield number, plan.task(number)
 
     def put(number: int, values: Mapping[str, Array]) -> None:
-        store.put(plan.rows_of(number), values)
+        store.write_rows(plan.rows_of(number), values)
 
     def finish(number: int) -> None:
         nonlocal done

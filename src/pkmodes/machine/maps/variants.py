@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from pkmodes.core.base.arguments import NATURAL_NUMBER, POSITIVE_INTEGER, check_argument
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.robot.layout import lent
-from pkmodes.core.robot.parameter_groups import elements_of, groups_by_path
+from pkmodes.core.robot.parameter_groups import elements_at_value, groups_by_path
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.support.axes import swept_values
 from pkmodes.core.support.covariance import covariance_of, root_of, sigmas_by_path
@@ -113,7 +113,7 @@ def taken(robot: Robot, swept: Mapping[str, Array]) -> set[str]:
     paths = set(swept)
     for path, values in swept.items():
         if path in groups_by_path(robot.mechanism):
-            paths |= set(elements_of(robot, groups_by_path(robot.mechanism)[path], float(values[0])))
+            paths |= set(elements_at_value(robot, groups_by_path(robot.mechanism)[path], float(values[0])))
     for path, lender in lent(robot.mechanism).items():
         if {path, lender} & paths:
             paths |= {path, lender}

@@ -60,7 +60,7 @@ class LinearisedRobot:
         n, motors = len(model.system.coordinates), len(model.robot.mechanism.drives)
         self.kept, self.prescribed = np.eye(n), np.zeros((n, motors))
         if isinstance(system, MotorsHeld):
-            self.kept, self.prescribed = system.motions()
+            self.kept, self.prescribed = system.kept_and_motor_motions()
         self.eigenvalues, self.own_shapes = self._with_exact_rigid_modes()
 
     def _with_exact_rigid_modes(self) -> tuple[Array, Array]:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from pkmodes.core.base.attached import Attached
 from pkmodes.machine.shaping.firmware import NAMES, change, command
 from pkmodes.machine.shaping.ringing import Ringing
-from pkmodes.machine.shaping.settings import Setting, with_unit
+from pkmodes.machine.shaping.settings import Setting, append_unit
 from pkmodes.machine.shaping.shapers import Shaper
 
 Array = NDArray[np.float64]
@@ -210,7 +210,7 @@ class Schedule:
             where = str(step.setting)
             if self.parameter is not None and step.serves is not None:
                 low, high = (f"{value:.4g}" for value in step.serves)
-                served = with_unit(f"{low} to {high}", step.setting.units[self.parameter])
+                served = append_unit(f"{low} to {high}", step.setting.units[self.parameter])
                 where = f"{self.parameter} {served}"
             if step.heights is not None:
                 where = f"from the layer at {1e3 * step.heights[0]:.1f} mm on: {where}"

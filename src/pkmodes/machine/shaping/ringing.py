@@ -23,7 +23,7 @@ from pkmodes.core.support.motors import drives_in_use, motors_give_way, motors_i
 from pkmodes.core.support.progress import say
 from pkmodes.core.system.evaluation import number_of_modes
 from pkmodes.loop.sensitivity.spread import spread_of
-from pkmodes.machine.shaping.settings import Setting, settings_of
+from pkmodes.machine.shaping.settings import Setting, setting_combinations
 
 Array = NDArray[np.float64]
 #: Default number of modes considered, the lowest ones.
@@ -199,7 +199,7 @@ def ringing(
     if settings is None or (isinstance(settings, Mapping) and not settings):
         does = drives_in_use(model.robot, drives)
         return _at_poses(model, poses, _count(model, modes, does), does)
-    return at_settings(model, poses, modes, settings_of(model, settings), drives)
+    return at_settings(model, poses, modes, setting_combinations(model, settings), drives)
 
 
 def at_settings(

@@ -15,8 +15,8 @@ from pkmodes.core.model import Model
 from pkmodes.core.robot.declaration import changeable
 from pkmodes.core.support.axes import swept_values
 
-#: Most settings: shapers are designed anew for each.
-MOST = 200
+#: Maximum number of settings: each needs its own shaper design.
+MAX_SETTINGS = 200
 
 
 @dataclass(frozen=True)
@@ -26,7 +26,7 @@ class Setting:
     Attributes
     ----------
     values : mapping of str to float
-        By path [SI].
+        Values in SI units, keyed by parameter path.
     units : mapping of str to str
         SI units by path.
     """
@@ -35,27 +35,27 @@ class Setting:
     units: Mapping[str, str]
 
     def __str__(self) -> str:
-        return ", ".join(f"{path} {self.value_of(path)}" for path in self.values)
+        return ", ".join(f"{path} {self.value_text(path)}" for path in self.values)
 
-    def value_of(self, path: str) -> str:
+    def value_text(self, path: str) -> str:
         """Return a value with its unit."""
-        return with_unit(f"{self.values[path]:.4g}", self.units[path])
+        return append_unit(f"{self.values[path]:.4g}", self.units[path])
 
 
-def with_unit(text: str, unit: str) -> str:
+def append_unit(text: str, unit: str) -> str:
     """Return numbers with an SI unit; ratios have none."""
     return text if unit == "1" else f"{text} {unit}"
 
 
-def settings_of(model: Model, swept: Mapping[str, Any]) -> tuple[Setting, ...]:
-    """Return every combination of values, those of each parameter ascending, the last parameter fastest.
+def setting_combinations(model: Model, swept: Mapping[str, Any]) -> tuple[Setting, ...]:
+    """Return all combinations; values ascend, and the last parameter varies fastest.
 
-    Raises PkmodesError if they are not values by path, or too many.
+    Raises PkmodesError if `swept` does not map paths to values, or there are too many combinations.
     """
     values = {path: np.sort(axis) for path, axis in swept_values(swept, "settings").items()}
     count = prod(map(len, values.values()))
-    if count > MOST:
-        problem = f"expected at most {MOST} settings, found {count:,}"
+    if count > MAX_SETTINGS:
+        problem = f"expected at most {MAX_SETTINGS} settings, found {count:,}"
         raise PkmodesError(problem, "settings", "give fewer values: shapers differ little between neighbours")
     units = changeable(model.robot)
     return tuple(

@@ -1,12 +1,12 @@
 """The mean of a mode over repeats, and its standard deviation.
 
 Few repeats tell little of their own scatter.  So the scatter of all modes of a record is pooled, and that of each
-mode is drawn towards it: the posterior variance of Smyth, Stat. Appl. Genet. Mol. Biol. 3 (2004), with a prior worth
-`PRIOR` degrees of freedom.  Frequencies scatter because the machine changes: relative to the frequency, alike for all
-modes.  Damping ratios and shapes scatter mostly by noise, which weak modes feel more: relative to what the
-identification leaves open of each.
-Student's t turns the result into a standard deviation two of which cover 95 % of errors.  The uncertainty of the
-identification itself is added: repeats at one place do not show it.
+mode is shrunk towards it: the posterior variance of Smyth, Stat. Appl. Genet. Mol. Biol. 3 (2004), with a prior worth
+`PRIOR_DOF` degrees of freedom.  Frequencies scatter because the machine changes; their relative scatter is about the
+same for all modes.  The damping ratio and the shape of a mode scatter mostly by noise, which weak modes feel more: in
+proportion to its identification uncertainty.
+Student's t turns the result into an effective standard deviation such that +-2 sigma covers 95 % of errors.  The
+uncertainty of the identification itself is added: repeats at one place do not show it.
 """
 
 from __future__ import annotations
@@ -23,14 +23,15 @@ from pkmodes.modaltest.campaign.levels import between_files, widest
 from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate
 
 Complex = NDArray[np.complex128]
-#: Weight of the pooled scatter against that of a single mode, in repeats: the published value for similar variances.
-PRIOR = 4.0
-#: Share of errors that two standard deviations cover.
-COVERED = 0.95
+#: Weight of the pooled scatter against that of a single mode, in degrees of freedom: the published value for similar
+#: variances.
+PRIOR_DOF = 4.0
+#: Share of errors that +-2 standard deviations cover.
+COVERAGE = 0.95
 
 
-def averaged(groups: Sequence[Mapping[int, ModeEstimate]]) -> list[ModeEstimate]:
-    """Return the means of the modes of one record, in their order; their sigmas are those of the identification."""
+def mean_modes(groups: Sequence[Mapping[int, ModeEstimate]]) -> list[ModeEstimate]:
+    """Return the means of the modes of one record, in order; their `sigma_*` come from the identification alone."""
     repeats = [list(group.values()) for group in groups]
     logs = [np.log([mode.frequency for mode in modes]) for modes in repeats]
     damping_logs = [np.log([mode.damping for mode in modes if mode.damping > 0.0]) for modes in repeats]
@@ -39,18 +40,18 @@ def averaged(groups: Sequence[Mapping[int, ModeEstimate]]) -> list[ModeEstimate]
         for modes in repeats
     ]
     frequency_scatters, damping_scatters = (
-        _scatter(
+        _moderated_scatters(
             [float(np.var(values, ddof=1)) if len(values) > 1 else np.nan for values in logarithms],
             [len(values) for values in logarithms],
-            left_open,
+            sigmas,
         )
-        for logarithms, left_open in ((logs, None), (damping_logs, _left_open(damping_sigmas)))
+        for logarithms, sigmas in ((logs, None), (damping_logs, _rms_sigmas(damping_sigmas)))
     )
     shapes = [mean_shape([mode.shape for mode in modes]) for modes in repeats]
-    shape_scatters = _scatter(
+    shape_scatters = _moderated_scatters(
         [_component_variance(residuals) for _, residuals in shapes],
         [len(modes) for modes in repeats],
-        _left_open([[mode.sigma_shape for mode in modes] for modes in repeats]),
+        _rms_sigmas([[mode.sigma_shape for mode in modes] for modes in repeats]),
     )
     between = between_files(groups)
     return [
@@ -67,9 +68,9 @@ def averaged(groups: Sequence[Mapping[int, ModeEstimate]]) -> list[ModeEstimate]
     ]
 
 
-def grouped_means(visits: Sequence[Sequence[ModeEstimate]]) -> list[dict[int, ModeEstimate]]:
-    """Group the means that belong to one mode, each keyed by the index of its setup or label in the list."""
-    return [{i: visits[i][k] for i, k in group.items()} for group in reunited(visits)]
+def group_by_mode(setups: Sequence[Sequence[ModeEstimate]]) -> list[dict[int, ModeEstimate]]:
+    """Group the estimates of the same mode; each group maps the index of a setup to its estimate."""
+    return [{i: setups[i][k] for i, k in group.items()} for group in reunited(setups)]
 
 
 def _mean(modes: Sequence[ModeEstimate], shape: dict[str, complex]) -> ModeEstimate:
@@ -81,8 +82,8 @@ def _mean(modes: Sequence[ModeEstimate], shape: dict[str, complex]) -> ModeEstim
 
     damping_ratios = [mode.damping for mode in modes if np.isfinite(mode.damping)]
     order_counts = [mode.found_in for mode in modes if mode.found_in is not None]
-    participation, apart = _participation(modes, shape)
-    of_fits = pooled([mode.sigma_size for mode in modes])
+    participation, size_sigma = _mean_participations(modes, shape)
+    fit_sigma = pooled([mode.sigma_size for mode in modes])
     return ModeEstimate(
         float(np.mean([mode.frequency for mode in modes])),
         float(np.mean(damping_ratios)) if damping_ratios else np.nan,
@@ -96,11 +97,11 @@ def _mean(modes: Sequence[ModeEstimate], shape: dict[str, complex]) -> ModeEstim
         resolution=max(mode.resolution for mode in modes),
         shift=widest([mode.shift for mode in modes]),
         participation=participation,
-        sigma_size=max((sigma for sigma in (of_fits, apart) if np.isfinite(sigma)), default=np.nan),
+        sigma_size=max((sigma for sigma in (fit_sigma, size_sigma) if np.isfinite(sigma)), default=np.nan),
     )
 
 
-def _participation(
+def _mean_participations(
     modes: Sequence[ModeEstimate], shape: Mapping[str, complex]
 ) -> tuple[dict[str, complex], float]:
     """Return the mean participations that match the mean shape, and the relative standard deviation of their size."""
@@ -120,39 +121,42 @@ def _participation(
     return means, float(np.std(values, ddof=1) / np.sqrt(len(values)) / abs(means[largest]))
 
 
-def _left_open(stated: Sequence[Sequence[float]]) -> list[float] | None:
+def _rms_sigmas(sigmas: Sequence[Sequence[float]]) -> list[float] | None:
     """Return the identification's uncertainty of each mode, rms over files; None unless it is known for all."""
-    positive = [[sigma for sigma in sigmas if sigma > 0.0] for sigmas in stated]
-    return [float(np.sqrt(np.mean(np.square(sigmas)))) for sigmas in positive] if all(positive) else None
+    positive = [[sigma for sigma in mode_sigmas if sigma > 0.0] for mode_sigmas in sigmas]
+    if not all(positive):
+        return None
+    return [float(np.sqrt(np.mean(np.square(mode_sigmas)))) for mode_sigmas in positive]
 
 
-def _scatter(
-    variances: Sequence[float], counts: Sequence[int], sizes: Sequence[float] | None = None
+def _moderated_scatters(
+    variances: Sequence[float], counts: Sequence[int], scales: Sequence[float] | None = None
 ) -> list[tuple[float, float]]:
     """Return relative standard deviations and variances of means over n repeats; NaN for single ones.
 
-    Scatters are pooled relative to `sizes`, which are all 1 by default.
+    Scatters are pooled relative to `scales`, which are all 1 by default.
     """
-    if sizes is not None:
-        relative = [v / size**2 for v, size in zip(variances, sizes, strict=True)]
-        relative_scatters = _scatter(relative, counts)
-        return [(s * size, v * size**2) for (s, v), size in zip(relative_scatters, sizes, strict=True)]
+    if scales is not None:
+        relative = [v / scale**2 for v, scale in zip(variances, scales, strict=True)]
+        relative_scatters = _moderated_scatters(relative, counts)
+        return [(s * scale, v * scale**2) for (s, v), scale in zip(relative_scatters, scales, strict=True)]
     repeated = [(v, n - 1) for v, n in zip(variances, counts, strict=True) if n > 1 and np.isfinite(v)]
     if not repeated:
         return [(np.nan, np.nan)] * len(counts)
-    freedom = sum(n for _, n in repeated)
-    pooled = sum(v * n for v, n in repeated) / freedom
-    prior = min(PRIOR, freedom)  # the pooled variance itself is known no better
+    total_dof = sum(n for _, n in repeated)
+    pooled = sum(v * n for v, n in repeated) / total_dof
+    # The prior cannot have more degrees of freedom than the pooled data.
+    largest_prior_dof = min(PRIOR_DOF, total_dof)
     scatters = []
     for v, n in zip(variances, counts, strict=True):
         if n < 2 or not np.isfinite(v):
             scatters.append((np.nan, np.nan))
             continue
-        own_freedom = n - 1
+        own_dof = n - 1
         # The mode is part of the pool: if it is the only one, its variance is its own.
-        worth = prior if freedom > own_freedom else 0.0
-        variance = (worth * pooled + own_freedom * v) / (worth + own_freedom)
-        quantile = student.ppf(0.5 + 0.5 * COVERED, worth + own_freedom) / 2.0
+        prior_dof = largest_prior_dof if total_dof > own_dof else 0.0
+        variance = (prior_dof * pooled + own_dof * v) / (prior_dof + own_dof)
+        quantile = student.ppf(0.5 + 0.5 * COVERAGE, prior_dof + own_dof) / 2.0
         scatters.append((float(quantile * np.sqrt(variance / n)), variance / n))
     return scatters
 
@@ -167,11 +171,15 @@ def mean_shape(shapes: Sequence[Mapping[str, complex]]) -> tuple[dict[str, compl
     if not names:
         return {}, np.empty((0, 0), dtype=complex)
     table = np.array([[shape.get(name, np.nan) for name in names] for shape in shapes], dtype=complex)
-    whole = [row for row in table if np.isfinite(row).all()]
-    start = whole[0] if whole else np.nan_to_num(table[int(np.argmax(np.isfinite(table).sum(axis=1)))])
+    complete_rows = [row for row in table if np.isfinite(row).all()]
+    start = (
+        complete_rows[0]
+        if complete_rows
+        else np.nan_to_num(table[int(np.argmax(np.isfinite(table).sum(axis=1)))])
+    )
     mean = start / np.abs(start).max()
     for _ in range(20):
-        scaled = np.array([row * _scale(row, mean) for row in table])
+        scaled = np.array([row * _fit_scale(row, mean) for row in table])
         count = np.isfinite(scaled).sum(axis=0)
         before, mean = mean, np.where(count > 0, np.nansum(scaled, axis=0) / np.maximum(count, 1), np.nan)
         mean = mean / mean[np.nanargmax(np.abs(mean))]
@@ -182,7 +190,7 @@ def mean_shape(shapes: Sequence[Mapping[str, complex]]) -> tuple[dict[str, compl
     return shape, (scaled - mean)[:, finite]
 
 
-def _scale(row: Complex, mean: Complex) -> complex:
+def _fit_scale(row: Complex, mean: Complex) -> complex:
     """Return the factor that makes a shape most like the mean, NaN if they have no component in common."""
     common = np.isfinite(row) & np.isfinite(mean)
     size = float(np.vdot(row[common], row[common]).real)

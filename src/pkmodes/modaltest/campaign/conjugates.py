@@ -4,8 +4,9 @@ The impulse response of a structure is zero before the blow, and that of a conju
 time tell them apart (as Bendat and Piersol, Random Data, 4th edition, 2010, section 2.1: physically realisable
 systems), function by function, before any fit.
 
-So do the energies of what is no response to the force: noise in a few lines, such as drift or what other sources make
-of a resonance, comes before the blow as often as after it.  Functions are conjugates only if modes fit them as such.
+Signals that are not responses to the force can mimic this: the energy of noise in a few lines, such as drift or a
+resonance excited by other sources, lies before the blow as often as after it.  Functions are conjugates only if modes
+fit them as such.
 """
 
 from __future__ import annotations
@@ -16,43 +17,51 @@ from collections.abc import Sequence
 import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.modaltest.identification.estimates import alike
+from pkmodes.modaltest.identification.estimates import complex_mac
 from pkmodes.modaltest.identification.frf_identification import identify_frf
 from pkmodes.modaltest.signals.functions import Array, Complex, Function, computed
 
-#: Excess over one half of the share of energy before the blow that marks a conjugate: the least, and a multiple of
+#: Excess over one half of the share of energy before the blow that marks a conjugate: its minimum, and a multiple of
 #: 1/sqrt(lines).  For noise the share is one half, with a standard deviation of 0.7/sqrt(lines).
-LEAST, NOISE = 0.15, 2.8
-#: Samples beside the blow that are not counted: the window of the band spreads an instantaneous response over them.
-BESIDE = 3
-#: Most functions of a file that are fitted.
-MOST_FITTED = 24
-#: Least share of the power of conjugates that a fit explains: over all lines (0.5 with as much noise as response),
-#: and weighted by the power of the fit (0.92 or more).  At least one is lower for responses to other forces.
-EXPLAINED, AT_PEAKS = 0.4, 0.9
-#: Fewest lines in the band from which the share is estimated.
-FEWEST = 16
-#: Line spacings that differ by less than this, relative, are even.
-EVEN = 0.01
+MIN_EXCESS, NOISE_FACTOR = 0.15, 2.8
+#: Samples on either side of the blow that are not counted: the window of the band spreads an instantaneous response
+#: over them.
+GUARD_SAMPLES = 3
+#: Maximum number of functions of a file that are fitted.
+MAX_FITTED = 24
+#: Minimum share of the power of conjugates that a fit explains: over all lines (0.5 with as much noise as response),
+#: and weighted by the power of the fit (0.92 or more).  Responses to other forces fail at least one of the two.
+MIN_EXPLAINED, MIN_EXPLAINED_AT_PEAKS = 0.4, 0.9
+#: Minimum number of lines in the band from which the share is estimated.
+MIN_LINES = 16
+#: Relative difference up to which line spacings count as even.
+SPACING_TOLERANCE = 0.01
 
 
-def phase_checked(
+def with_checked_phase(
     functions: Sequence[Function], band: tuple[float, float], conjugate: bool, source: str
 ) -> tuple[tuple[Function, ...], tuple[str, ...]]:
     """Return functions with the phase of exp(+i omega t), and messages about them.
+
+    Without `conjugate`, functions that look like conjugates are returned unchanged, with a remark, if no modes fit
+    their conjugates either.
 
     - band: [Hz]
     - conjugate: whether conjugates, which may be only some functions of a file, are corrected; otherwise they are
       refused
 
-    Raises MeasurementError if a function is a conjugate, and `conjugate` is false.
+    Raises MeasurementError if functions are conjugates, which modes fit, and `conjugate` is false.
     """
-    shares = [_early(function.abscissa, np.asarray(function.values), band) for function in functions]
+    shares = [
+        _energy_share_before(function.abscissa, np.asarray(function.values), band) for function in functions
+    ]
     lines = int(np.count_nonzero((functions[0].abscissa >= band[0]) & (functions[0].abscissa <= band[1])))
-    surely = [share > _limit(lines) for share in shares]
-    mostly = bool(np.mean(shares) > (0.5 if conjugate else _limit(lines * len(shares))))
-    clearly = [share < 1.0 - _limit(lines) for share in shares]
-    wrong = [bad or (mostly and not good) for bad, good in zip(surely, clearly, strict=True)]
+    is_conjugate = [share > _threshold(lines) for share in shares]
+    majority_conjugate = bool(np.mean(shares) > (0.5 if conjugate else _threshold(lines * len(shares))))
+    is_causal = [share < 1.0 - _threshold(lines) for share in shares]
+    wrong = [
+        bad or (majority_conjugate and not good) for bad, good in zip(is_conjugate, is_causal, strict=True)
+    ]
     if conjugate:
         mended = (
             computed(function, np.conj) if bad else function
@@ -64,7 +73,7 @@ def phase_checked(
         which = [name for name, bad in zip(names, wrong, strict=True) if bad]
         examples = f"{', '.join(which[:4])}{', ...' if len(which) > 4 else ''}"
         suspects = [function for function, bad in zip(functions, wrong, strict=True) if bad]
-        if not _fitted([computed(function, np.conj) for function in suspects], band):
+        if not _explained_by_modes([computed(function, np.conj) for function in suspects], band):
             remark = (
                 f"{source}: {len(which)} of {len(names)} functions ({examples}) hold more vibration before the force "
                 "than after it, and no modes fit their complex conjugates either: they are mostly not responses "
@@ -80,9 +89,9 @@ def phase_checked(
     return tuple(functions), ()
 
 
-def _fitted(functions: Sequence[Function], band: tuple[float, float]) -> bool:
+def _explained_by_modes(functions: Sequence[Function], band: tuple[float, float]) -> bool:
     """Return whether modes explain most of the power of functions."""
-    chosen = [functions[i] for i in range(0, len(functions), math.ceil(len(functions) / MOST_FITTED))]
+    chosen = [functions[i] for i in range(0, len(functions), math.ceil(len(functions) / MAX_FITTED))]
     f = chosen[0].abscissa
     inside = (f >= band[0]) & (f <= band[1])
     values = np.stack([np.asarray(function.values, complex) for function in chosen], axis=1)
@@ -97,21 +106,29 @@ def _fitted(functions: Sequence[Function], band: tuple[float, float]) -> bool:
     # The share of the power that the fit explains at its best scale is the MAC of the two.
     measured, fit = estimate.measured.ravel(), estimate.synthesised.ravel()
     weights = np.abs(fit)
-    return alike(measured, fit) > EXPLAINED and alike(weights * measured, weights * fit) > AT_PEAKS
+    return (
+        complex_mac(measured, fit) > MIN_EXPLAINED
+        and complex_mac(weights * measured, weights * fit) > MIN_EXPLAINED_AT_PEAKS
+    )
 
 
-def _limit(lines: int) -> float:
-    return 0.5 + max(LEAST, NOISE / math.sqrt(max(lines, 1)))
+def _threshold(lines: int) -> float:
+    """Return the share of energy before the blow above which functions with so many lines are conjugates."""
+    return 0.5 + max(MIN_EXCESS, NOISE_FACTOR / math.sqrt(max(lines, 1)))
 
 
-def _early(frequencies: Array, values: Complex, band: tuple[float, float]) -> float:
-    """Return the share of an impulse response's energy that comes before its blow; 0.5 if it cannot be told."""
+def _energy_share_before(frequencies: Array, values: Complex, band: tuple[float, float]) -> float:
+    """Return the share of an impulse response's energy that lies before its blow; 0.5 if it cannot be told."""
     inside = (frequencies >= band[0]) & (frequencies <= band[1])
     f, H = frequencies[inside], values[inside]
-    steps = np.diff(f)
-    if len(f) < FEWEST or np.ptp(steps) > EVEN * steps.mean() or not np.isfinite(H).all():
+    spacings = np.diff(f)
+    if (
+        len(f) < MIN_LINES
+        or np.ptp(spacings) > SPACING_TOLERANCE * spacings.mean()
+        or not np.isfinite(H).all()
+    ):
         return 0.5
     h = np.abs(np.fft.ifft(np.hanning(len(H)) * H / max(np.abs(H).max(), 1e-300))) ** 2
     half = len(h) // 2
-    late, early = h[BESIDE + 1 : half].sum(), h[len(h) - half + 1 : len(h) - BESIDE].sum()
+    late, early = h[GUARD_SAMPLES + 1 : half].sum(), h[len(h) - half + 1 : len(h) - GUARD_SAMPLES].sum()
     return float(early / (early + late)) if early + late > 0.0 else 0.5

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.modaltest.campaign.campaign import Campaign, Record
-from pkmodes.modaltest.campaign.conjugates import phase_checked
+from pkmodes.modaltest.campaign.conjugates import with_checked_phase
 from pkmodes.modaltest.campaign.mode_estimates import NAMELESS, FileFit, FileModes, ModeEstimate, modes_of_fit
 from pkmodes.modaltest.campaign.quotients import force_factor, inverted
 from pkmodes.modaltest.campaign.sensor_functions import (
@@ -112,7 +112,7 @@ def read_responses(path: Path, record: Record, setup: str, campaign: Campaign) -
     read = functions.read
     if record.invert:
         functions = replace(functions, used=inverted(functions.used, read.source))
-    checked, doubts = phase_checked(functions.used, record.band, record.conjugate, read.source)
+    checked, doubts = with_checked_phase(functions.used, record.band, record.conjugate, read.source)
     functions = replace(functions, used=checked)
     responses = responses_of(functions, sensors, campaign.forces_in(setup), campaign.channels)
     low, high = record.band
@@ -194,7 +194,7 @@ def responses_of(
     dead = tuple(name for i, name in enumerate(rows) if not np.nan_to_num(values[:, i]).any())
     coherence = _coherence(read.functions, rows, columns, f)
     named = [name for name in columns if name not in NAMELESS or len(columns) == 1]
-    acting = {name: force for name in named if (force := of_reference(name, forces)) is not None}
+    acting = {name: force for name in named if (force := force_of_reference(name, forces)) is not None}
     unnamed = [name for name in columns if name and name not in acting]
     messages: tuple[str, ...] = ()
     if unnamed and acting:
@@ -224,7 +224,7 @@ def _coherence(
     return coherence if np.isfinite(coherence).any() else None
 
 
-def of_reference(name: str, forces: Mapping[str, Transducer]) -> Transducer | None:
+def force_of_reference(name: str, forces: Mapping[str, Transducer]) -> Transducer | None:
     """Return the force of a reference, ignoring signs in names; a nameless reference is that of the only force."""
     named = next(
         (place for force_name, place in forces.items() if unsigned(force_name) == unsigned(name)), None

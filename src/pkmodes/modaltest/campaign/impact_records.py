@@ -1,7 +1,8 @@
 """Records of hammer blows in time: the functions of a file, or of all points over which a hammer roved.
 
-In front of sensors that stay, the points that are hit are the places of the shape and the sensors its references.
-Their functions, though measured one after the other, are those of one structure, and are fitted together.
+When the hammer roves and the sensors stay, the points hit become the shape's degrees of freedom and the sensors its
+references.  Their functions, though measured one after the other, are those of one structure, and are fitted
+together.
 """
 
 from __future__ import annotations
@@ -17,21 +18,21 @@ from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.core.base.numbers import plain
 from pkmodes.core.support.ordering import listed
 from pkmodes.modaltest.campaign.campaign import Campaign, Record
-from pkmodes.modaltest.campaign.frequency_records import Responses, frf_fit, of_reference, remarks_on
+from pkmodes.modaltest.campaign.frequency_records import Responses, force_of_reference, frf_fit, remarks_on
 from pkmodes.modaltest.campaign.mode_estimates import NAMELESS, FileFit, FileModes
 from pkmodes.modaltest.campaign.roving import RovingPoint
-from pkmodes.modaltest.campaign.sensor_functions import asked_of, in_file
+from pkmodes.modaltest.campaign.sensor_functions import in_file, signal_request
 from pkmodes.modaltest.campaign.sensors import Transducer, unsigned
 from pkmodes.modaltest.campaign.time_records import TimeSignals, time_signals, with_bridges, with_levels
 from pkmodes.modaltest.identification.estimates import Mode
-from pkmodes.modaltest.identification.frf_estimates import impact_estimate, samples_of_blows
+from pkmodes.modaltest.identification.frf_estimates import ImpactEstimate, impact_estimate, samples_of_blows
 from pkmodes.modaltest.signals.functions import MOST_NAMES
 from pkmodes.modaltest.signals.reading import read_signals
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 #: Shortest record of blows, in periods of the lower end of the band.
-PERIODS_OF_BLOWS = 2.0
+MIN_RECORD_PERIODS = 2.0
 #: Largest relative difference between the rates of two files that counts as rounding.
 ROUNDING = 1e-9
 
@@ -41,7 +42,7 @@ class _Blows:
     """The signals of a file of blows, and the campaign's force that acts in it; None if the campaign has none."""
 
     signals: TimeSignals
-    acting: Transducer | None
+    force: Transducer | None
 
 
 def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
@@ -49,8 +50,8 @@ def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> 
 
     Raises MeasurementError if the file is faulty, has no force, or has fewer blows than the campaign states.
     """
-    blows = _blows(path, record, setup, campaign)
-    names = () if blows.acting is None else (blows.acting.name,)
+    blows = _read_blows(path, record, setup, campaign)
+    names = () if blows.force is None else (blows.force.name,)
     file_modes = _modes([blows], names, record, campaign, blows.signals.source)
     unnamed = (blows.signals.force,) if not names and blows.signals.force not in NAMELESS else ()
     names_in_file = blows.signals.names_in_file | set(map(unsigned, names))
@@ -64,7 +65,7 @@ def roving_modes(points: Mapping[str, RovingPoint], record: Record, campaign: Ca
 
     Raises MeasurementError if a file is faulty, or they differ in their sensors or rates.
     """
-    files = [_blows(point.path, record, setup, campaign) for setup, point in points.items()]
+    files = [_read_blows(point.path, record, setup, campaign) for setup, point in points.items()]
     first = files[0].signals
     for signals in (file.signals for file in files):
         if signals.names_in_file != first.names_in_file or abs(signals.step / first.step - 1.0) > ROUNDING:
@@ -75,18 +76,18 @@ def roving_modes(points: Mapping[str, RovingPoint], record: Record, campaign: Ca
         problem = "expected a sensor that is not silent at any point that was hit, found none"
         raise MeasurementError(problem, record.pose, "check the sensors and their cables")
     files = [replace(file, signals=file.signals.of(names)) for file in files]
-    acting = [file.acting.key for file in files if file.acting is not None]
-    return _modes(files, acting, record, campaign, record.pose, list(points.values()))
+    force_keys = [file.force.key for file in files if file.force is not None]
+    return _modes(files, force_keys, record, campaign, record.pose, list(points.values()))
 
 
-def _blows(path: Path, record: Record, setup: str, campaign: Campaign) -> _Blows:
+def _read_blows(path: Path, record: Record, setup: str, campaign: Campaign) -> _Blows:
     """Read a file of blows.
 
     Raises MeasurementError if it is faulty, or its force is none of the campaign's, or could be any of several.
     """
     signals = time_signals(path, record, setup, campaign)
     if not signals.forces:
-        functions = read_signals(path, replace(asked_of(record), force=False)).functions
+        functions = read_signals(path, replace(signal_request(record), force=False)).functions
         names = list(dict.fromkeys(function.response for function in functions))
         remedy = f"state in the record which of {listed([*map(shown, names)], MOST_NAMES)} it is, names = {{ "
         remedy += (
@@ -100,20 +101,20 @@ def _blows(path: Path, record: Record, setup: str, campaign: Campaign) -> _Blows
         problem = "expected blows, found a constant force"
         raise MeasurementError(problem, signals.source, "check the hammer's cable")
     seconds = len(signals.forces[0]) * signals.step
-    if seconds * record.band[0] < PERIODS_OF_BLOWS:
-        expected = f"expected at least {PERIODS_OF_BLOWS:g} periods of {record.band[0]:g} Hz"
+    if seconds * record.band[0] < MIN_RECORD_PERIODS:
+        expected = f"expected at least {MIN_RECORD_PERIODS:g} periods of {record.band[0]:g} Hz"
         problem = f"{expected}, found {plain(seconds, 3)} s"
         raise MeasurementError(problem, signals.source, "measure longer, or narrow the band")
     forces = campaign.forces_in(setup)
     if not forces:
         return _Blows(signals, None)
-    acting = of_reference(signals.force, forces)
-    if acting is None:
+    force = force_of_reference(signals.force, forces)
+    if force is None:
         problem = "expected a force of the campaign, "
         problem += f"{', '.join(map(shown, forces))}, found {shown(signals.force)}"
         remedy = 'name each [[force]] as in the files; where these say only "force", give each its setup'
         raise MeasurementError(problem, signals.source, remedy)
-    return _Blows(signals, acting)
+    return _Blows(signals, force)
 
 
 def _modes(
@@ -125,17 +126,19 @@ def _modes(
     points: Sequence[RovingPoint] = (),
 ) -> FileModes:
     """Return the modes of files of blows, with shapes at the named forces, or else at the sensors."""
-    signals = [file.signals for file in files]
+    recordings = [file.signals for file in files]
     fit, bridge_messages = with_bridges(
-        lambda recordings: _fit(recordings, forces, record, campaign, source, points), signals, source
+        lambda bridged: _fit(bridged, forces, record, campaign, source, points), recordings, source
     )
-    messages = (*(message for recording in signals for message in recording.messages), *bridge_messages)
-    joint = replace(signals[0], pieces=tuple(piece for recording in signals for piece in recording.pieces))
+    messages = (*(message for recording in recordings for message in recording.messages), *bridge_messages)
+    joint = replace(
+        recordings[0], pieces=tuple(piece for recording in recordings for piece in recording.pieces)
+    )
     return with_levels(fit, messages, joint, record.exponential)
 
 
 def _fit(
-    signals: Sequence[TimeSignals],
+    recordings: Sequence[TimeSignals],
     forces: Sequence[str],
     record: Record,
     campaign: Campaign,
@@ -143,15 +146,15 @@ def _fit(
     points: Sequence[RovingPoint],
 ) -> tuple[FileFit, tuple[str, ...]]:
     """Return the fit of files of blows, and messages about it."""
-    hits, step, sensors = record.hits, signals[0].step, signals[0].names
+    hits, step, sensors = record.hits, recordings[0].step, recordings[0].names
     messages = list[str]()
-    lengths, values, coherences, sizes = list[int](), list[Complex](), list[Array | None](), list[float]()
-    for recording in signals:
+    lengths, values, estimates = list[int](), list[Complex](), list[ImpactEstimate]()
+    for recording in recordings:
         with in_file(recording.source):
             lengths.append(samples_of_blows(step, recording.forces[0], hits))
-    for recording in signals:
+    for recording in recordings:
         with in_file(recording.source):
-            functions = impact_estimate(
+            estimate = impact_estimate(
                 step,
                 recording.forces[0],
                 recording.pieces[0],
@@ -159,35 +162,37 @@ def _fit(
                 exponential=record.exponential,
                 longest=min(lengths),
             )
-        messages += [f"{recording.source}: {message}" for message in functions.messages]
-        f = functions.frequencies
-        values.append(functions.H * recording.as_accelerations(2j * np.pi * f)[:, :, None])
-        coherences.append(functions.coherence)
-        sizes.append(functions.sigma_size)
-    stated = [coherence for coherence in coherences if coherence is not None]
-    coherence = np.concatenate(stated, axis=2) if len(stated) == len(signals) else None
-    reference = signals[0].force if len(signals) == 1 else ""
+        messages += [f"{recording.source}: {message}" for message in estimate.messages]
+        values.append(estimate.H * recording.as_accelerations(2j * np.pi * estimate.frequencies)[:, :, None])
+        estimates.append(estimate)
+    last = estimates[-1]  # all have the same lines and averages
+    f, record_length = last.frequencies, float(1.0 / last.frequencies[1])
+    known_coherences = [estimate.coherence for estimate in estimates if estimate.coherence is not None]
+    coherence = np.concatenate(known_coherences, axis=2) if len(known_coherences) == len(recordings) else None
+    size_sigmas = [estimate.sigma_size for estimate in estimates]
+    reference = recordings[0].force if len(recordings) == 1 else ""
     responses = Responses(f, np.concatenate(values, axis=2), coherence, sensors, (), (reference,))
     if forces:
         responses = responses.roving(range(len(forces)), forces)
     if points:
         changes = [
-            point.change(f, [force], sensors, record.exponential, float(1.0 / f[1]))
+            point.change(f, [force], sensors, record.exponential, record_length)
             for point, force in zip(points, forces, strict=True)
         ]
         responses = replace(responses, values=responses.values + np.concatenate(changes, axis=1))
     with in_file(source):
-        fit = frf_fit(responses, functions.averages, record, campaign)
+        fit = frf_fit(responses, last.averages, record, campaign)
     messages += remarks_on(fit, source)
 
-    def complete(mode: Mode) -> Mode:
-        # The record of a blow, 1 / f[1] long, cuts off the decays; participations are those of complete ones.
+    def with_full_decay(mode: Mode) -> Mode:
+        # The record of a blow cuts off the decays; participations are those of complete ones.
         pole = mode.pole - (1.0 / record.exponential if record.exponential else 0.0)
-        whole = np.asarray(mode.participation) / (1.0 - np.exp(pole * float(1.0 / f[1])))
-        mode = replace(mode, participation=whole)
-        # The functions of a file share an error of size: that of one component of the shape, or of all.
-        if len(signals) > 1:
-            return replace(mode, sigma_shape=float(np.hypot(mode.sigma_shape, max(sizes))))
-        return replace(mode, sigma_size=float(np.hypot(mode.sigma_size, max(sizes))))
+        full_participation = np.asarray(mode.participation) / (1.0 - np.exp(pole * record_length))
+        mode = replace(mode, participation=full_participation)
+        # The functions of a file share a relative scale error, common to one shape component (several files) or
+        # all (one file).
+        if len(recordings) > 1:
+            return replace(mode, sigma_shape=float(np.hypot(mode.sigma_shape, max(size_sigmas))))
+        return replace(mode, sigma_size=float(np.hypot(mode.sigma_size, max(size_sigmas))))
 
-    return replace(fit, estimate=fit.estimate.changed(complete)), tuple(messages)
+    return replace(fit, estimate=fit.estimate.changed(with_full_decay)), tuple(messages)

@@ -14,7 +14,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from pkmodes.modaltest.campaign.averaging import grouped_means, mean_shape
+from pkmodes.modaltest.campaign.averaging import group_by_mode, mean_shape
 from pkmodes.modaltest.campaign.levels import widest
 from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate
 
@@ -35,7 +35,7 @@ def joined_setups(
         return list(next(iter(setups.values())))
     names = list(setups)
     joined, moved = list[ModeEstimate](), list[tuple[float, float]]()
-    for group in grouped_means(list(setups.values())):
+    for group in group_by_mode(list(setups.values())):
         members = [group[i] for i in sorted(group)]
         ends = _differing(members, repeatability)
         mode, apart = _together(members, ends)

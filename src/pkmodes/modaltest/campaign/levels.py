@@ -24,7 +24,7 @@ Array = NDArray[np.float64]
 
 #: Fewest files for a regression.
 FEWEST = 3
-#: Weight of the pooled scatter against that of a single mode, in repeats, as in `averaging`.
+#: Weight of the pooled scatter against that of a single mode, in degrees of freedom, as in `averaging`.
 PRIOR = 4.0
 
 

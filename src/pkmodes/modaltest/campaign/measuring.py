@@ -9,7 +9,7 @@ from pathlib import Path
 
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.core.base.numbers import plain
-from pkmodes.modaltest.campaign.averaging import averaged
+from pkmodes.modaltest.campaign.averaging import mean_modes
 from pkmodes.modaltest.campaign.boards import UnknownOffsetError
 from pkmodes.modaltest.campaign.campaign import Campaign, Record
 from pkmodes.modaltest.campaign.copies import copied_repeats
@@ -199,7 +199,7 @@ def _together(
     points = points_of(files, campaign)
     if not points:
         return setups
-    change = change_of({name: averaged(setups[name].groups()) for name in files})
+    change = change_of({name: mean_modes(setups[name].groups()) for name in files})
     apart = plain(100.0 * change.apart, 2)
     differ = f"{record.pose}: the frequencies differ by {apart} % between the points that were hit"
     if change.apart > change.allowed:
@@ -258,7 +258,7 @@ def _averaged_record(
             else:
                 added_groups[frequency] = group
         all_groups = [*groups, *added_groups.values()]
-        averages = averaged(all_groups)
+        averages = mean_modes(all_groups)
         modes[name] = averages[: len(groups)]
         for frequency, mode in zip(added_groups, averages[len(groups) :], strict=True):
             added[frequency][name] = mode

@@ -13,7 +13,7 @@ from pkmodes.core.support.ordering import joined, listed
 from pkmodes.modaltest.campaign.campaign import Campaign, Record
 from pkmodes.modaltest.campaign.kinds import RecordKind
 from pkmodes.modaltest.campaign.mode_estimates import FileModes
-from pkmodes.modaltest.campaign.sensor_functions import asked_of
+from pkmodes.modaltest.campaign.sensor_functions import signal_request
 from pkmodes.modaltest.campaign.sensors import MotionSensor, Transducer, unsigned
 from pkmodes.modaltest.signals.reading import read_signals
 
@@ -108,7 +108,7 @@ def _numbered(kind: str, places: Sequence[Transducer]) -> dict[str, Transducer]:
 
 def _names(path: Path, record: Record, sensors: bool) -> Iterator[str]:
     """Yield the names of the sensors in a file, or of the forces and references."""
-    read = read_signals(path, asked_of(record))
+    read = read_signals(path, signal_request(record))
     for function in read.functions:
         name = function.response if sensors or function.force else function.reference
         if name and not (sensors and function.force):

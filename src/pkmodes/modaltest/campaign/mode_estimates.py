@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.core.robot.units import LARGEST, SMALLEST
-from pkmodes.modaltest.identification.estimates import Estimate, Mode, alike
+from pkmodes.modaltest.identification.estimates import Estimate, Mode, complex_mac
 from pkmodes.modaltest.identification.level import LevelShift
 
 #: References that do not say where the force acts: it may act at a different place in each setup.
@@ -74,7 +74,7 @@ def mac(first: Mapping[str, complex], second: Mapping[str, complex]) -> float:
     common = [name for name in first if name in second]
     if len(common) < 2:
         return 1.0
-    return alike(*(np.array([shape[name] for name in common]) for shape in (first, second)))
+    return complex_mac(*(np.array([shape[name] for name in common]) for shape in (first, second)))
 
 
 def check_shape(shape: Mapping[str, complex], where: str) -> None:

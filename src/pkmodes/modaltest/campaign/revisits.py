@@ -8,7 +8,7 @@ import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.core.base.numbers import plain
-from pkmodes.modaltest.campaign.averaging import grouped_means
+from pkmodes.modaltest.campaign.averaging import group_by_mode
 from pkmodes.modaltest.campaign.campaign import Record
 from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate
 
@@ -29,7 +29,7 @@ def revisited(records: Sequence[tuple[Record, Sequence[ModeEstimate]]], source: 
         alike.setdefault(key, []).append(modes)
     squares, freedom, count = 0.0, 0, 0
     for visits in alike.values():
-        for group in grouped_means(visits):
+        for group in group_by_mode(visits):
             if len(group) < 2:
                 continue
             members = list(group.values())

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.modaltest.campaign.averaging import grouped_means
+from pkmodes.modaltest.campaign.averaging import group_by_mode
 from pkmodes.modaltest.campaign.campaign import Campaign
 from pkmodes.modaltest.campaign.mode_estimates import FileModes, ModeEstimate
 from pkmodes.modaltest.identification.modes import IdentifiedModes
@@ -114,7 +114,7 @@ def change_of(points: Mapping[str, Sequence[ModeEstimate]]) -> RovingChange:
     """
     groups = [
         {i: mode for i, mode in group.items() if mode.sigma_frequency < _allowed(mode)}
-        for group in grouped_means(list(points.values()))
+        for group in group_by_mode(list(points.values()))
     ]
     groups = [group for group in groups if len(group) > 1]
     if not groups:

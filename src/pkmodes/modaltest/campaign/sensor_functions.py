@@ -45,7 +45,7 @@ class SensorFunctions:
     used: tuple[Function, ...]
 
 
-def asked_of(record: Record, names: frozenset[str] | None = None) -> SignalRequest:
+def signal_request(record: Record, names: frozenset[str] | None = None) -> SignalRequest:
     """Return the request for a file of a record: the functions of some sensors, all by default."""
     blows = record.kind == "impact"
     return SignalRequest(record.rate, names, record.header, record.band, names=record.names, force=blows)
@@ -63,7 +63,7 @@ def sensor_functions(
 
     Raises MeasurementError if the file is faulty or has none of them, or their times or frequencies differ.
     """
-    request = asked_of(record, names or None)
+    request = signal_request(record, names or None)
     read = read_signals(path, request)
     if signs:
         read = replace(read, functions=tuple(map(signed, read.functions)))

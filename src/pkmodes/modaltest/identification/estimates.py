@@ -103,7 +103,7 @@ class Estimate:
         return replace(self, modes=tuple(map(change, self.modes)), added=added)
 
 
-def alike(first: Complex, second: Complex) -> float:
+def complex_mac(first: Complex, second: Complex) -> float:
     """Return the modal assurance criterion of two complex shapes (S,); 0 if one of them is zero.
 
     References

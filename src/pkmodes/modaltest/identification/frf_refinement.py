@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from scipy.stats import gamma
 
 from pkmodes.modaltest.identification.clusters import HIGHEST_DAMPING
-from pkmodes.modaltest.identification.estimates import alike
+from pkmodes.modaltest.identification.estimates import complex_mac
 from pkmodes.modaltest.identification.frf_covariance import (
     Uncertainty,
     between,
@@ -292,4 +292,4 @@ def copies(modes: IdentifiedModes, i: int, k: int, near: float = COPY_NEAR) -> b
     """Return whether two modes are closer than a fraction of a bandwidth and so similar that they may be one."""
     width = abs(modes.poles[i].real) + abs(modes.poles[k].real)
     close = abs(modes.poles[i].imag - modes.poles[k].imag) < near * width
-    return bool(close and alike(modes.shapes[i], modes.shapes[k]) > COPY_ALIKE)
+    return bool(close and complex_mac(modes.shapes[i], modes.shapes[k]) > COPY_ALIKE)

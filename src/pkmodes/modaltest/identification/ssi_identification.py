@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from pkmodes.core.support.ordering import joined
 from pkmodes.modaltest.identification.asked import NOTHING, RequestedModes, nearest_frequency, replaced
-from pkmodes.modaltest.identification.estimates import Estimate, Mode, Stabilisation, alike
+from pkmodes.modaltest.identification.estimates import Estimate, Mode, Stabilisation, complex_mac
 from pkmodes.modaltest.identification.ssi_bands import PreparedRecord, parts, prepared, usable_pieces
 from pkmodes.modaltest.identification.ssi_lines import lines_among
 from pkmodes.modaltest.identification.ssi_parts import FIRST, ORDERS, PartMode, Wanted, modes_of_part
@@ -186,7 +186,7 @@ def distinct_modes(part_modes: Sequence[PartMode]) -> list[PartMode]:
             if kept_mode.part is candidate.part:
                 continue
             apart = 2 * math.pi * abs(f - kept_mode.mode.frequency) / (rate + kept_mode.mode.rate)
-            if apart < 0.5 or (apart < 2.0 and alike(candidate.mode.shape, kept_mode.mode.shape) > 0.8):
+            if apart < 0.5 or (apart < 2.0 and complex_mac(candidate.mode.shape, kept_mode.mode.shape) > 0.8):
                 break
         else:
             if candidate.part.low <= f <= candidate.part.high or _eccentricity(candidate) < 1.3:

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.modaltest.identification.estimates import alike
+from pkmodes.modaltest.identification.estimates import complex_mac
 from pkmodes.modaltest.identification.ssi_bands import SpectralLines
 from pkmodes.modaltest.identification.ssi_likelihood import PeakFit, Powers, fit_peaks
 
@@ -135,7 +135,7 @@ def _accepted(
         return None
     for neighbour in reach:
         apart = 2.0 * math.pi * abs(f - neighbour.frequency) / (rate + neighbour.rate)
-        if apart < 0.5 and alike(mode.shape, neighbour.shape) > 0.9:
+        if apart < 0.5 and complex_mac(mode.shape, neighbour.shape) > 0.9:
             return None
     return Refined(f, rate, fit.covariance[0], mode.shape, gain)
 

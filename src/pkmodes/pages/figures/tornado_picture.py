@@ -12,7 +12,7 @@ from pkmodes.core.support.extras import require
 from pkmodes.core.support.motors import motors_in_words
 from pkmodes.loop.sensitivity.changes import PERCENT, Changes, changes_at
 from pkmodes.pages.figures.pictures import Picture
-from pkmodes.pages.plots.tornado import MOST, tornado
+from pkmodes.pages.plots.tornado import MAX_BARS, tornado
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
@@ -66,7 +66,7 @@ def describe(changes: Changes) -> str:
     )
     text = (
         f"The change of each frequency for {step}, to first order, the largest on top: filled bars for more of it, "
-        f"open bars for less; at most {MOST} in a panel."
+        f"open bars for less; at most {MAX_BARS} in a panel."
     )
     if changes.together is not None:
         text += " The grey bar is the standard deviation of the frequency from all values together."

@@ -37,8 +37,8 @@ def by_mode(evidence: PlottedEvidence) -> Drawing:
         sheet.groups(len(stages), 1, 0.7 + 1.75 * len(stages), share_x=True, share_y=True)
         for panel, stage in zip(sheet.panels, stages, strict=True):
             percent = 100.0 * evidence.difference(stage)
-            marks.zero(panel)
-            marks.rows(panel, evidence, np.where(mode > 0, place, np.nan), percent)
+            marks.draw_zero_line(panel)
+            marks.mark_rows(panel, evidence, np.where(mode > 0, place, np.nan), percent)
             for number in numbers:
                 of_mode = percent[(mode == number) & ~evidence.outlier & np.isfinite(percent)]
                 if len(of_mode):
@@ -55,7 +55,7 @@ def by_mode(evidence: PlottedEvidence) -> Drawing:
         low, high = float(shown.min(initial=0.0)), float(shown.max(initial=0.0))
         panel.axes.set_ylim(low - MARGIN * (high - low), high + MARGIN * (high - low))
         panel.axes.set_xlim(0.45, evidence.modes + 0.55)
-        marks.legend(sheet, sheet.panels[0])
+        marks.add_legend(sheet, sheet.panels[0])
 
     return Drawing(draw)
 
@@ -67,13 +67,13 @@ def by_setup(evidence: PlottedEvidence) -> Drawing:
     def draw(sheet: Sheet) -> None:
         sheet.groups(len(stages), 1, 0.8 + 1.75 * len(stages), share_x=True)
         for panel, stage in zip(sheet.panels, stages, strict=True):
-            marks.noise(panel, stage.predicted.sigmas)
-            marks.zero(panel)
-            marks.rows(panel, evidence, evidence.setup.astype(float), stage.predicted.sigmas)
-            setups = marks.setups(panel, evidence, grid=panel is not sheet.panels[-1])
+            marks.shade_noise_band(panel, stage.predicted.sigmas)
+            marks.draw_zero_line(panel)
+            marks.mark_rows(panel, evidence, evidence.setup.astype(float), stage.predicted.sigmas)
+            setups = marks.label_setups(panel, evidence, grid=panel is not sheet.panels[-1])
             panel.label(f"Model {stage.title}", x=setups, y=SIGMAS)
         panel.axes.set_xlim(-0.7, len(evidence.labels) - 0.3)
-        marks.legend(sheet, sheet.panels[0])
+        marks.add_legend(sheet, sheet.panels[0])
 
     return Drawing(draw)
 
@@ -96,10 +96,10 @@ def against_pose(evidence: PlottedEvidence) -> Drawing | None:
         for number, panel in enumerate(sheet.panels):
             row, column = divmod(number, count)
             stage, k = stages[row], varying[column]
-            marks.noise(panel, stage.predicted.sigmas)
-            marks.zero(panel)
+            marks.shade_noise_band(panel, stage.predicted.sigmas)
+            marks.draw_zero_line(panel)
             place = evidence.points[evidence.setup, k]
-            marks.rows(panel, evidence, place, stage.predicted.sigmas, size=12.0)
+            marks.mark_rows(panel, evidence, place, stage.predicted.sigmas, size=12.0)
             panel.axes.locator_params(axis="x", nbins=3)
             if column:  # the panels of a stage stand side by side
                 panel.inner.add("title")
@@ -108,6 +108,6 @@ def against_pose(evidence: PlottedEvidence) -> Drawing | None:
                 x=short(f"{evidence.components[k]} [{evidence.units[k]}]"),
                 y=SIGMAS,
             )
-        marks.legend(sheet, sheet.panels[count - 1], beside=count > 1)
+        marks.add_legend(sheet, sheet.panels[count - 1], may_extend_left=count > 1)
 
     return Drawing(draw)

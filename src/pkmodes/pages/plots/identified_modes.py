@@ -69,7 +69,7 @@ def scatter_of_repeats(setups: Sequence[Repeats]) -> Drawing:
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(2.3)
         axes = panel.axes
-        marks.zero(panel)
+        marks.draw_zero_line(panel)
         for k, repeats in enumerate(several):
             for file in range(len(repeats.files)):
                 pairs = [(mode[file], np.mean(list(mode.values()))) for mode in repeats.modes if file in mode]

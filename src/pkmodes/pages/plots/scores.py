@@ -60,7 +60,7 @@ def candidate_scores(result: Diagnosis) -> Drawing | None:
         end = panel.axes.get_xlim()[1]
         panel.axes.set_xlim(-LEFT * end, end)
         panel.label(x="score: \u2212log\u2081\u2080 of the p-value of this candidate alone [1]")
-        marks.legend(sheet, panel)
+        marks.add_legend(sheet, panel)
 
     return Drawing(draw)
 
@@ -103,7 +103,7 @@ def pulls(values: Sequence[Corrected], words: Callable[[str], str] | None = None
         panel = sheet.panel(0.8 + ROW * len(labels))
         axes = panel.axes
         axes.axvspan(-1.0, 1.0, color=GREY, alpha=0.16, linewidth=0, label="prior, \u00b11 \u03c3")
-        marks.zero_across(panel)
+        marks.draw_vertical_zero_line(panel)
         panel.error_bars(
             away,
             range(len(shown)),
@@ -118,6 +118,6 @@ def pulls(values: Sequence[Corrected], words: Callable[[str], str] | None = None
         axes.set_xlim(-limit, limit)
         axes.grid(visible=False, axis="y")
         panel.label(x="value \u2212 declared value [\u03c3 of the prior]")
-        marks.legend(sheet, panel)
+        marks.add_legend(sheet, panel)
 
     return Drawing(draw)

@@ -37,21 +37,26 @@ def spectrum(evidence: PlottedEvidence) -> Drawing:
         for stage, style in zip(evidence.stages, STYLES[-len(evidence.stages) :], strict=True):
             setup, mode = np.nonzero(stage.predicted.spectrum <= highest)
             y, ends = stage.predicted.spectrum[setup, mode], np.stack([setup - HALF, setup + HALF], axis=1)
-            many, label = len(y) > marks.MANY, f"model {stage.title}"
+            many, label = len(y) > marks.RASTERIZE_ABOVE, f"model {stage.title}"
             panel.lines(ends, y[:, None], label=label, zorder=2, rasterized=many, **style)
         if evidence.spread is not None:
             _bands(panel, evidence.stages[0].predicted.spectrum, evidence.spread, highest)
         place = evidence.setup.astype(float)
         paired = evidence.mode() > 0
-        marks.rows(panel, evidence, np.where(paired, place, np.nan), evidence.measured)
+        marks.mark_rows(panel, evidence, np.where(paired, place, np.nan), evidence.measured)
         if not paired.all():
             panel.scatter(
-                place[~paired], evidence.measured[~paired], s=26, linewidth=1.3, zorder=4, **marks.UNMATCHED
+                place[~paired],
+                evidence.measured[~paired],
+                s=26,
+                linewidth=1.3,
+                zorder=4,
+                **marks.UNMATCHED_STYLE,
             )
         axes.set_ylim(0.0, highest)
         axes.set_xlim(-0.7, len(evidence.labels) - 0.3)
-        panel.label(x=marks.setups(panel, evidence), y="frequency [Hz]")
-        marks.legend(sheet, panel)
+        panel.label(x=marks.label_setups(panel, evidence), y="frequency [Hz]")
+        marks.add_legend(sheet, panel)
 
     return Drawing(draw)
 
@@ -68,7 +73,7 @@ def _bands(panel: Panel, spectrum: NDArray[np.float64], spread: NDArray[np.float
     low, high = (y[setup, mode] + side * sigma[setup, mode] for side in (-1.0, 1.0))
     corners = [(setup - HALF, low), (setup + HALF, low), (setup + HALF, high), (setup - HALF, high)]
     boxes = np.stack([np.stack(corner, axis=-1) for corner in corners], axis=1)
-    many = len(setup) > marks.MANY
+    many = len(setup) > marks.RASTERIZE_ABOVE
     bands = PolyCollection(
         list(boxes), facecolor=GREY, alpha=SHADE, linewidth=0, zorder=1, rasterized=many, label=BAND
     )

@@ -22,12 +22,12 @@ if TYPE_CHECKING:
     import xarray
 
 Array = NDArray[Any]
-#: Most poses along each axis: cells that the eye can still tell apart.
-FINEST = 30
-#: Fraction of an axis at each end that has no numbers: those of two axes would collide there.
-CORNER = 0.1
+#: Maximum number of cells along each axis: the eye can still tell them apart.
+MAX_CELLS_PER_AXIS = 30
+#: Fraction of an axis at each end without tick labels: those of two axes would collide there.
+UNLABELLED_FRACTION = 0.1
 #: Brightness of the cell faces normal to the three axes, which makes edges visible.
-LIGHT = (0.82, 0.92, 1.0)
+FACE_BRIGHTNESS = (0.82, 0.92, 1.0)
 
 
 def volume(dataset: xarray.Dataset, across: Sequence[str]) -> Drawing:
@@ -36,15 +36,17 @@ def volume(dataset: xarray.Dataset, across: Sequence[str]) -> Drawing:
     - dataset: a map with the axes `across` alone
     - across: the three components of the pose, to be drawn as x, y and z
     """
-    part = dataset.isel(_around(dataset, across)).load().transpose(*across, ...)
-    evaluated = part["valid"].values & ~unstable(part).values
-    values = np.where(evaluated, part["frequency"].values[..., 0], np.nan)
-    shown = [SHOWN[part[name].attrs["units"]] for name in across]
-    places = [part[name].values * factor for name, (_, factor) in zip(across, shown, strict=True)]
+    part = dataset.isel(_thinned_slices(dataset, across)).load().transpose(*across, ...)
+    stable = part["valid"].values & ~unstable(part).values
+    values = np.where(stable, part["frequency"].values[..., 0], np.nan)
+    display_units = [SHOWN[part[name].attrs["units"]] for name in across]
+    coordinates = [
+        part[name].values * factor for name, (_, factor) in zip(across, display_units, strict=True)
+    ]
     half = part.sizes[across[1]] // 2
     cut = values.copy()
-    cut[:, :half] = np.nan  # what is towards the viewer
-    at = f"{across[1]} = {typeset(f'{_edges(places[1])[half]:.4g}')} {shown[1][0]}"
+    cut[:, :half] = np.nan  # remove the half that faces the viewer
+    cut_label = f"{across[1]} = {typeset(f'{_edges(coordinates[1])[half]:.4g}')} {display_units[1][0]}"
     low, high = widened(*limits_of(values))
 
     def draw(sheet: Sheet) -> None:
@@ -55,11 +57,17 @@ def volume(dataset: xarray.Dataset, across: Sequence[str]) -> Drawing:
         sheet.figure.set_size_inches(WIDTH, 0.42 * WIDTH)
         both_axes = [sheet.figure.add_subplot(1, 2, i, projection="3d") for i in (1, 2)]
         for axes, cells, title in zip(
-            both_axes, (values, cut), ("from outside", f"cut at {at}"), strict=True
+            both_axes, (values, cut), ("from outside", f"cut at {cut_label}"), strict=True
         ):
-            _cells(axes, [_edges(axis_places) for axis_places in places], cells, colours)
+            _draw_outer_faces(
+                axes, [_edges(axis_coordinates) for axis_coordinates in coordinates], cells, colours
+            )
             axes.set_title(title, y=0.95)
-            _frame(axes, places, [f"{name} [{unit}]" for name, (unit, _) in zip(across, shown, strict=True)])
+            _style_axes(
+                axes,
+                coordinates,
+                [f"{name} [{unit}]" for name, (unit, _) in zip(across, display_units, strict=True)],
+            )
         sheet.figure.colorbar(
             colours, ax=both_axes, shrink=0.6, aspect=25, extend="both", pad=0.08, label="f [Hz], mode 1"
         )
@@ -67,55 +75,62 @@ def volume(dataset: xarray.Dataset, across: Sequence[str]) -> Drawing:
     return Drawing(draw, narrow=False)
 
 
-def _around(dataset: xarray.Dataset, across: Sequence[str]) -> dict[str, slice]:
-    """Return the part of a map that has frequencies, thinned out where it is finer than a picture."""
+def _thinned_slices(dataset: xarray.Dataset, across: Sequence[str]) -> dict[str, slice]:
+    """Return the slices of a map that hold its frequencies, thinned out where cells would be too small to see."""
     chosen = {}
     for name in across:
         other_dims = [dim for dim in dataset["valid"].dims if dim != name]
         inside = np.flatnonzero(dataset["valid"].any(other_dims).values)
         first, last = max(inside[0] - 1, 0), min(inside[-1] + 1, dataset.sizes[name] - 1)
-        chosen[name] = slice(int(first), int(last) + 1, -(-int(last - first + 1) // FINEST))
+        chosen[name] = slice(int(first), int(last) + 1, -(-int(last - first + 1) // MAX_CELLS_PER_AXIS))
     return chosen
 
 
-def _edges(places: Array) -> Array:
-    """Return the ends of the cells around places."""
-    middles = 0.5 * (places[1:] + places[:-1])
+def _edges(coordinates: Array) -> Array:
+    """Return the cell boundaries for cell centres at these coordinates."""
+    middles = 0.5 * (coordinates[1:] + coordinates[:-1])
     return np.concatenate(
-        [[1.5 * places[0] - 0.5 * places[1]], middles, [1.5 * places[-1] - 0.5 * places[-2]]]
+        [
+            [1.5 * coordinates[0] - 0.5 * coordinates[1]],
+            middles,
+            [1.5 * coordinates[-1] - 0.5 * coordinates[-2]],
+        ]
     )
 
 
-def _cells(axes: Any, edges: list[Array], values: Array, colours: Any) -> None:
-    """Draw the sides of cells with a value that no other such cell touches."""
+def _draw_outer_faces(axes: Any, edges: list[Array], values: Array, colours: Any) -> None:
+    """Draw only the exposed faces: those between a cell with a value and one without."""
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
     filled = np.pad(np.isfinite(values), 1)
     padded = np.pad(values, 1, constant_values=np.nan)
-    sides, faces = [], []
+    quads, face_colours = [], []
     for axis in range(3):
-        low, high = ([slice(None)] * 3 for _ in range(2))
-        low[axis], high[axis] = slice(None, -1), slice(1, None)
-        boundary = np.argwhere(filled[tuple(low)] != filled[tuple(high)])
-        below, above = (padded[tuple(side)][tuple(boundary.T)] for side in (low, high))
-        at = boundary - 1  # of the cells, which have a border
-        at[:, axis] += 1  # the edge between both
-        corners = np.repeat(at[:, None], 4, axis=1)
+        lower_slices, upper_slices = ([slice(None)] * 3 for _ in range(2))
+        lower_slices[axis], upper_slices[axis] = slice(None, -1), slice(1, None)
+        # Faces normal to this axis, between neighbours of which one has a value.
+        boundary = np.argwhere(filled[tuple(lower_slices)] != filled[tuple(upper_slices)])
+        below, above = (padded[tuple(side)][tuple(boundary.T)] for side in (lower_slices, upper_slices))
+        # The four corners of each face.
+        corner_index = boundary - 1  # index without the padding
+        corner_index[:, axis] += 1  # the boundary between both cells
+        corners = np.repeat(corner_index[:, None], 4, axis=1)
         tangential = [index for index in range(3) if index != axis]
         corners[:, [1, 2], tangential[0]] += 1
         corners[:, [2, 3], tangential[1]] += 1
-        sides.append(np.stack([edges[k][corners[..., k]] for k in range(3)], axis=-1))
+        quads.append(np.stack([edges[k][corners[..., k]] for k in range(3)], axis=-1))
+        # The colour of the cell that has the value.
         colour = colours.to_rgba(np.where(np.isfinite(below), below, above))
-        colour[:, :3] *= LIGHT[axis]
-        faces.append(colour)
-    quads = Poly3DCollection(
-        np.concatenate(sides), facecolors=np.concatenate(faces), edgecolors="none", rasterized=True
+        colour[:, :3] *= FACE_BRIGHTNESS[axis]
+        face_colours.append(colour)
+    collection = Poly3DCollection(
+        np.concatenate(quads), facecolors=np.concatenate(face_colours), edgecolors="none", rasterized=True
     )
-    axes.add_collection3d(quads)
+    axes.add_collection3d(collection)
 
 
-def _frame(axes: Any, places: list[Array], labels: list[str]) -> None:
-    ends = [_edges(axis_places)[[0, -1]] for axis_places in places]
+def _style_axes(axes: Any, coordinates: list[Array], labels: list[str]) -> None:
+    ends = [_edges(axis_coordinates)[[0, -1]] for axis_coordinates in coordinates]
     axes.set(xlim=ends[0], ylim=ends[1], zlim=ends[2])
     for letter, label in zip("xyz", labels, strict=True):
         getattr(axes, f"set_{letter}label")(label, labelpad={"x": -2, "y": 2, "z": 2}[letter])
@@ -123,5 +138,5 @@ def _frame(axes: Any, places: list[Array], labels: list[str]) -> None:
     axes.view_init(ELEVATION, AZIMUTH)
     bare(axes)
     for axis, (low, high) in zip((axes.xaxis, axes.yaxis, axes.zaxis), ends, strict=True):
-        beside = CORNER * (high - low)
-        axis.set_ticks([at for at in axis.get_majorticklocs() if low + beside <= at <= high - beside])
+        margin = UNLABELLED_FRACTION * (high - low)
+        axis.set_ticks([tick for tick in axis.get_majorticklocs() if low + margin <= tick <= high - margin])

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from pkmodes.loop.sensitivity.changes import PERCENT, SIGMA, Changes, changes_at
 from pkmodes.loop.sensitivity.spread import stated_sigmas
 from pkmodes.pages.figures.tornado_picture import describe
-from pkmodes.pages.plots.tornado import PANELS, tornado
+from pkmodes.pages.plots.tornado import MAX_PANELS, tornado
 from pkmodes.pages.report.blocks import Block, Cell, Paragraph, Picture, Section, Table
 from pkmodes.pages.report.page import need_report, page
 from pkmodes.pages.report.sections import origin
@@ -73,11 +73,11 @@ def _pictures(changes: Changes) -> list[Block]:
     """Return the tornado charts, divided into figures that fit on pages."""
     blocks: list[Block] = []
     count, text = len(changes.frequencies), describe(changes)
-    for start in range(0, count, PANELS):
-        modes = range(start, min(start + PANELS, count))
+    for start in range(0, count, MAX_PANELS):
+        modes = range(start, min(start + MAX_PANELS, count))
         drawn = tornado(changes, modes)
         title = "Largest changes" if changes.by == PERCENT else "Largest changes by standard deviations"
-        if count > PANELS:
+        if count > MAX_PANELS:
             title += f", modes {modes[0] + 1} to {modes[-1] + 1}"
         blocks.append(Picture.of(drawn, title, text, text if not start else f"{title}."))
     return blocks

@@ -13,7 +13,7 @@ from pkmodes.core.mechanism.poses import placed
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.robot.units import SHOWN
 from pkmodes.machine.shaping.residual_vibration import residual
-from pkmodes.machine.shaping.settings import with_unit
+from pkmodes.machine.shaping.settings import append_unit
 from pkmodes.pages.plots import shapers
 from pkmodes.pages.plots.labels import typeset
 from pkmodes.pages.report.blocks import Cell, Column, Facts, Paragraph, Picture, Section, Summary, Table
@@ -142,7 +142,7 @@ def machine(model: Model, choice: Choice, content: dict[str, Any]) -> Facts:
     for path, symbol in at.settings[0].units.items() if at.settings else ():
         values = np.array([setting.values[path] for setting in at.settings])
         count = len(set(values.tolist()))
-        extent = with_unit(_range(values, ".4g"), symbol) + (f" ({count} values)" if count > 1 else "")
+        extent = append_unit(_range(values, ".4g"), symbol) + (f" ({count} values)" if count > 1 else "")
         entries.append((clean(path), [minus(extent)]))
     for i, component in enumerate(model.mechanism.pose):
         unit, factor = SHOWN[component.unit]

@@ -23,7 +23,7 @@ from pkmodes.core.support.mac import channel_motion
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.problem import Array, Prediction, Structure
 from pkmodes.loop.diagnosis.states.counterparts import expected_modes, paired_with
-from pkmodes.loop.diagnosis.states.shared_shapes import shapes_without_errors
+from pkmodes.loop.diagnosis.states.shared_shapes import corrected_shapes
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.measured.quantities import FREQUENCY
 
@@ -147,7 +147,7 @@ def shared_errors(
         deviations, components = weights * np.sqrt(of_shapes[:, columns]), weights * there[paired]
         size = np.abs(components).max(axis=1, initial=0.0)
         spread[paired] = deviations.max(axis=1, initial=0.0) / np.where(size > 0.0, size, 1.0)
-    shapes, shape_sigma = shapes_without_errors(data, later, counterpart, modes, weights)
+    shapes, shape_sigma = corrected_shapes(data, later, counterpart, modes, weights)
     unmatched = counterpart < 0
     shapes[unmatched], shape_sigma[unmatched] = less_certain(
         shapes[unmatched], shape_sigma[unmatched], shape_error, spread[unmatched]

@@ -1,7 +1,7 @@
-r"""Shapes of a later state without the errors that the model's shapes have in the trusted state.
+r"""Shapes of a later state, corrected for the model errors seen in the trusted state.
 
 A shape of the later state, :math:`\psi_b`, differs from that of the trusted one, :math:`\psi_a`, by what changed.
-Both in the scale of the mode of the model, :math:`\phi`, the shape that is compared with the model is
+With both scaled to the model's mode :math:`\phi`, the shape compared with the model is
 
 .. math:: \phi + s_b \psi_b - s_a \psi_a
 
@@ -17,53 +17,58 @@ from pkmodes.loop.diagnosis.problem import Array
 from pkmodes.loop.diagnosis.states.counterparts import Index, common_channels
 from pkmodes.loop.measured.measurements import Measurements
 
-#: Below this MAC with the mode of the model a shape has no scale.
-LEAST_MAC = 0.3
+#: Minimum MAC with the model's mode for a shape to be scaled to it.
+MIN_MAC = 0.3
+#: Largest standard deviation of a shape, relative to its largest component: it stays below one.
+MAX_SIGMA = 0.99
 
 
-def shapes_without_errors(
-    trusted: Measurements, later: Measurements, counterpart: Index, modes: Array, weights: Array
+def corrected_shapes(
+    trusted: Measurements, later: Measurements, trusted_rows: Index, model_shapes: Array, weights: Array
 ) -> tuple[Array, Array]:
-    """Return the shapes of a later state without the errors of the model's shapes, and their standard deviations.
+    """Return the corrected shapes of a later state, and their standard deviations.
 
-    They have the components that both states have, and none if a scale is unknown.  Rows without a counterpart stay
-    as they are.
+    Only components measured in both states are finite; if a scale is unknown, all are NaN.  Rows without a
+    counterpart stay as they are.
 
-    - counterpart: row of the trusted state with the same mode at the same setup, (R,); -1 where there is none
-    - modes: shape of the mode of the model, at the channels of the later state, (R, C); NaN where a row has none
+    - trusted_rows: row of the trusted state with the same mode at the same setup, (R,); -1 where there is none
+    - model_shapes: mode shapes of the model at the channels of the later state, (R, C); NaN where a row has none
     - weights: factors by which the channels of the later state are comparable, (C,)
 
     Returns shapes and sigma, (R, C) and (R,).
     """
     shapes, sigma = later.shapes.copy(), later.shape_sigma.copy()
-    mine, later_columns = common_channels(trusted, later)
-    for row in np.flatnonzero(counterpart >= 0):
-        before, after = trusted.shapes[counterpart[row]][mine], later.shapes[row][later_columns]
-        shape, w = modes[row][later_columns], weights[later_columns]
+    trusted_columns, later_columns = common_channels(trusted, later)
+    for row in np.flatnonzero(trusted_rows >= 0):
+        before, after = trusted.shapes[trusted_rows[row]][trusted_columns], later.shapes[row][later_columns]
+        model_shape, channel_weights = model_shapes[row][later_columns], weights[later_columns]
         shapes[row] = np.nan
-        common = np.isfinite(before) & np.isfinite(after) & np.isfinite(shape)
+        common = np.isfinite(before) & np.isfinite(after) & np.isfinite(model_shape)
         if common.sum() < 2:
             continue
         scales = [
-            _scale(w[common] * shape[common], w[common] * measured[common]) for measured in (after, before)
+            _scale(channel_weights[common] * model_shape[common], channel_weights[common] * measured[common])
+            for measured in (after, before)
         ]
         if None in scales:
             continue
-        a, b = (float(scale or 0.0) for scale in scales)
-        compared = np.where(common, shape + a * after - b * before, np.nan)
+        later_scale, trusted_scale = (float(scale or 0.0) for scale in scales)
+        compared = np.where(common, model_shape + later_scale * after - trusted_scale * before, np.nan)
         shapes[row, later_columns] = compared
-        largest = np.nanmax(np.abs(w * compared))
+        largest = np.nanmax(np.abs(channel_weights * compared))
         spread = np.hypot(
-            a * later.shape_sigma[row] * np.nanmax(np.abs(w * after)[common]),
-            b * trusted.shape_sigma[counterpart[row]] * np.nanmax(np.abs(w * before)[common]),
+            later_scale * later.shape_sigma[row] * np.nanmax(np.abs(channel_weights * after)[common]),
+            trusted_scale
+            * trusted.shape_sigma[trusted_rows[row]]
+            * np.nanmax(np.abs(channel_weights * before)[common]),
         )
-        sigma[row] = min(spread / largest, 0.99) if largest > 0.0 else np.nan
+        sigma[row] = min(spread / largest, MAX_SIGMA) if largest > 0.0 else np.nan
     return shapes, sigma
 
 
 def _scale(model: Array, measured: Array) -> float | None:
     """Return the factor that brings a measured shape closest to that of a mode; None if they are not alike."""
     length, along = float(measured @ measured), float(measured @ model)
-    if length <= 0.0 or along**2 <= LEAST_MAC * length * float(model @ model):
+    if length <= 0.0 or along**2 <= MIN_MAC * length * float(model @ model):
         return None
     return along / length
