@@ -19,7 +19,7 @@ from matplotlib.figure import Figure
 import pkmodes
 from pkmodes import updating
 from pkmodes.figures import pictures
-from pkmodes.figures.files import rendered
+from pkmodes.figures.files import image_bytes
 from pkmodes.pages.plots.animation import animation
 from pkmodes.view import scene
 
@@ -146,7 +146,7 @@ def plane(model: pkmodes.Model) -> bytes:
     """Draw the frequencies over the working plane, as ``pkmodes figures`` does."""
     grid = {"x": np.linspace(0.3, 0.8, 101), "y": np.linspace(-0.1, 0.1, 41), "z": POSE[2]}
     drawn = next(picture for picture in pictures(model, grid) if picture.name == "frequencies")
-    return rendered(drawn, "png")
+    return image_bytes(drawn, "png")
 
 
 def moving(model: pkmodes.Model) -> bytes:
