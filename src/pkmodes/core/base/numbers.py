@@ -15,11 +15,11 @@ import math
 from dataclasses import dataclass
 from decimal import Decimal
 
-#: Powers of ten of numbers that are written without one.
+#: Exponents of numbers that are written without a power of ten, unless too many of their zeros are not significant.
 PLAIN = range(-3, 6)
-#: Powers of ten of numbers that never have one, whatever zeros they end with: 2100, not 2.1e3.
+#: Exponents of numbers that are always written without one: 2100, not 2.1e3.
 ALWAYS_PLAIN = range(-2, 4)
-#: Most zeros of larger numbers that stand for digits below the last significant one.
+#: Maximum number of zeros that are not significant, outside `ALWAYS_PLAIN`.
 MOST_ZEROS = 1
 #: Most decimals: a float does not hold more digits, even if its standard deviation requires them.
 MOST_DECIMALS = 12
@@ -132,9 +132,10 @@ def p_text(p_value: float) -> str:
 
 
 def _shift(exponent: int, place: int) -> int:
-    """Return the power of ten to write for a number with an exponent, and a place of its last digit; 0 for none."""
-    plainly = exponent in ALWAYS_PLAIN or (exponent in PLAIN and place <= MOST_ZEROS)
-    return 0 if plainly else exponent
+    """Return the power of ten to write, from a number's exponent and the place of its last digit; 0 for none."""
+    if exponent in ALWAYS_PLAIN or (exponent in PLAIN and place <= MOST_ZEROS):
+        return 0
+    return exponent
 
 
 def _exponent(value: float, digits: int) -> int:
