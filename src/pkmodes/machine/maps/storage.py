@@ -54,7 +54,7 @@ class Store:
     folder: Path | None = None
 
     def write_rows(self, rows: slice, values: Mapping[str, Array]) -> None:
-        """Write the values of a task, which has these rows; several threads may store different tasks.
+        """Write the values of a task, which has these rows; several threads may write different tasks.
 
         Raises OutputError if they cannot be written.
         """

@@ -147,19 +147,11 @@ def summary_of(dataset: xarray.Dataset, file: str | None) -> MapSummary:
             yield frequency.reshape(-1, frequency.shape[-1])
 
     rows = quantiles(ordinary_frequencies, list(SHARES.values())).tolist()
-    # As people read them: swept parameters, then x, y, z, which a dataset has reversed.
-    pose = [dim for dim in leading if "." not in dim and dim != SAMPLE]
-    ranges: dict[str, list[Any]] = {}
-    for dim in (*(dim for dim in leading if dim not in pose), *reversed(pose)):
-        values = dataset[dim].values
-        labels = values.dtype.kind not in "fiu"
-        ends = (values[0], values[-1]) if labels else (values.min(), values.max())
-        ranges[dim] = [end.item() for end in ends]
     return MapSummary(
         robot=dataset.attrs["robot"],
         file=file,
         dimensions={str(name): int(size) for name, size in dataset.sizes.items()},
-        ranges=ranges,
+        ranges=_ranges(dataset, leading),
         poses=int(np.prod([dataset.sizes[dim] for dim in leading])),
         valid=valid,
         counted=counted,
@@ -188,6 +180,21 @@ def quantiles_in_words(content: dict[str, Any]) -> str:
         return "At 96 % of the poses a frequency lies between its 2 % and its 98 % quantile"
     poses = "pose" if count == 1 else "poses"
     return f"Quantiles of each frequency over {count} {poses}, interpolated between its values there"
+
+
+def _ranges(dataset: xarray.Dataset, leading: list[str]) -> dict[str, list[Any]]:
+    """Return the lowest and highest value along each axis of a map; of labels the first and last.
+
+    As people read them: swept parameters, then x, y, z, which a dataset has reversed.
+    """
+    pose = [dim for dim in leading if "." not in dim and dim != SAMPLE]
+    ranges: dict[str, list[Any]] = {}
+    for dim in (*(dim for dim in leading if dim not in pose), *reversed(pose)):
+        values = dataset[dim].values
+        labels = values.dtype.kind not in "fiu"
+        ends = (values[0], values[-1]) if labels else (values.min(), values.max())
+        ranges[dim] = [end.item() for end in ends]
+    return ranges
 
 
 def _better(extreme: Any, values: NDArray[Any], start: list[int], *, highest: bool) -> Any:

@@ -107,7 +107,7 @@ def hanging(model: Model, poses: Array) -> Array:
     if mechanism.rotations:
         middle = middle_of_joints(mechanism, model.robot.parameters)
         beside = -middle[["xyz".index(axis) for axis in mechanism.directions]]
-    if mechanism.rotations and np.linalg.norm(beside) > BESIDE * model.characteristic_length:
+    if np.linalg.norm(beside) > BESIDE * model.characteristic_length:
         rank = -poses[:, : len(beside)] @ beside
     else:
         rank = Generated(mechanism.model, model.robot.parameters).gravity_potential(poses)

@@ -24,6 +24,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.linalg import expm
 
+from pkmodes.core.base.arguments import is_integer
 from pkmodes.core.base.drives import FREE
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.core.mechanism.poses import OnError
@@ -278,8 +279,7 @@ def state_space(
     system = model.solved(drives)
     rigid, count = system.rigid_modes, number_of_modes(system)
     least, kept = max(rigid, 1), count if modes is None else modes
-    is_number = isinstance(kept, int | np.integer) and not isinstance(kept, bool)
-    if modes is not None and not (is_number and least <= kept <= count):
+    if modes is not None and not (is_integer(kept) and least <= kept <= count):
         problem = f"expected a number of modes from {least} to {count}, found {shown(kept)}"
         which = f"; the {rigid} rigid ones are counted and kept" if rigid else ""
         raise PkmodesError(problem, "modes", f"give the number of the lowest modes that are kept{which}")

@@ -38,8 +38,7 @@ def best_fixed(kind: str, at: Ringing, version: str | None = None) -> tuple[tupl
 
     - at: of the machine
     - version: of the firmware whose impulses count, a key of `pkmodes.machine.shaping.firmware.VERSIONS`; by default
-    those of
-      `pkmodes.shaping.shaper`, as for products
+      those of `pkmodes.shaping.shaper`, as for products
     """
     names, zeta = factor_names(kind), at.mean_ratio
     k, alike = len(names), len(set(names)) == 1

@@ -27,5 +27,5 @@ def firmware_remarks(choice: Choice) -> list[str]:
             )
     notes = [f"no {best.kind} in {joined(names)}; {instead}" for instead, names in lacking.items()]
     if best.kind in MARLIN and best.damping_ratio < LEAST:
-        notes.append(f"Marlin takes damping ratios from {LEAST:g} on: its line has that one")
+        notes.append(f"Marlin takes no damping ratio below {LEAST:g}: its line has this value")
     return notes

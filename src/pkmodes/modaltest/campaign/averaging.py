@@ -19,13 +19,10 @@ from numpy.typing import NDArray
 from scipy.stats import t as student
 
 from pkmodes.modaltest.campaign.grouping import reunited
-from pkmodes.modaltest.campaign.levels import between_files, widest
+from pkmodes.modaltest.campaign.levels import PRIOR_DOF, between_files, widest
 from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate
 
 Complex = NDArray[np.complex128]
-#: Weight of the pooled scatter against that of a single mode, in degrees of freedom: the published value for similar
-#: variances.
-PRIOR_DOF = 4.0
 #: Share of errors that +-2 standard deviations cover.
 COVERAGE = 0.95
 

@@ -191,8 +191,9 @@ def _places(
             meaning = worded(likely_meaning(cell, standard_columns, {*places, *meant}))[0]
             meant |= {meaning: cell} if meaning else {}
         likely = meant if "frequency" in meant else {"frequency": "f0", **meant}
-        keys = [f'"{name}"' if ":" in name else name for name in likely]
-        example = ", ".join(f"{key} = {shown(cell)}" for key, cell in zip(keys, likely.values(), strict=True))
+        example = ", ".join(
+            f"{shown(key) if ':' in key else key} = {shown(cell)}" for key, cell in likely.items()
+        )
         remedy = (
             f"name it in the record: columns = {{ {example} }}; the table has {', '.join(map(shown, names))}"
         )

@@ -86,7 +86,7 @@ def identify(campaign: Campaign, *, keep_going: bool = False, inspect: bool = Fa
 
 
 def _result(measured: MeasuredRecord, campaign: Campaign, repeatability: float) -> RecordResult:
-    """Return the rows of a record: its modes as edited, with what a measurement file may hold of them."""
+    """Return the rows of a record: its modes after the user's edits, as far as a measurement file may hold them."""
     record, log, pose = measured.record, measured.log, measured.record.pose
     places = {} if KINDS[record.kind].by_channel else campaign.places_at(record)
     modes = [_row(mode, places, repeatability) for mode in measured.modes]

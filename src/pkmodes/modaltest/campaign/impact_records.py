@@ -89,10 +89,9 @@ def _read_blows(path: Path, record: Record, setup: str, campaign: Campaign) -> _
     if not signals.forces:
         functions = read_signals(path, replace(signal_request(record), force=False)).functions
         names = list(dict.fromkeys(function.response for function in functions))
-        remedy = f"state in the record which of {listed([*map(shown, names)], MOST_NAMES)} it is, names = {{ "
-        remedy += (
-            'force = "NAME" }, or give its type in a universal file; without a force the kind is ambient'
-        )
+        signal_names = listed([*map(shown, names)], MOST_NAMES)
+        remedy = f'state in the record which of {signal_names} it is, names = {{ force = "NAME" }}'
+        remedy += ", or give its type in a universal file; without a force the kind is ambient"
         raise MeasurementError("expected a force, found none", signals.source, remedy)
     if len(signals.pieces) > 1:
         problem = f"expected one piece of even sampling, found {len(signals.pieces)}"
@@ -110,8 +109,8 @@ def _read_blows(path: Path, record: Record, setup: str, campaign: Campaign) -> _
         return _Blows(signals, None)
     force = force_of_reference(signals.force, forces)
     if force is None:
-        problem = "expected a force of the campaign, "
-        problem += f"{', '.join(map(shown, forces))}, found {shown(signals.force)}"
+        expected = ", ".join(map(shown, forces))
+        problem = f"expected a force of the campaign, {expected}, found {shown(signals.force)}"
         remedy = 'name each [[force]] as in the files; where these say only "force", give each its setup'
         raise MeasurementError(problem, signals.source, remedy)
     return _Blows(signals, force)

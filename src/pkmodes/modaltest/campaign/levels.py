@@ -24,8 +24,9 @@ Array = NDArray[np.float64]
 
 #: Fewest files for a regression.
 FEWEST = 3
-#: Weight of the pooled scatter against that of a single mode, in degrees of freedom, as in `averaging`.
-PRIOR = 4.0
+#: Weight of the pooled scatter against that of a single mode, in degrees of freedom: the value of Smyth (see
+#: `averaging`) for similar variances.
+PRIOR_DOF = 4.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,7 +67,7 @@ def _regression(modes: Sequence[ModeEstimate]) -> _Regression | None:
 
 def _shift(fit: _Regression, pooled: float, freedom: int) -> LevelShift | None:
     high, low = math.exp(fit.fitted[fit.level.argmax()]), math.exp(fit.fitted[fit.level.argmin()])
-    worth = min(PRIOR, freedom) if freedom > fit.freedom else 0.0
+    worth = min(PRIOR_DOF, freedom) if freedom > fit.freedom else 0.0
     variance = (worth * pooled + fit.squares) / (worth + fit.freedom)
     t = math.sqrt(float(((fit.fitted - fit.fitted.mean()) ** 2).sum()) / max(variance, fit.of_fits, 1e-300))
     shift = LevelShift(high, low, math.exp(float(np.ptp(fit.level))))

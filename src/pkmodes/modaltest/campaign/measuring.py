@@ -86,8 +86,7 @@ def measured(
         setups = _read_setups(record, kind, campaign, keep_going, inspect, log)
     except UnknownOffsetError as error:
         record = replace(record, clocks={})
-        message = f"{record.pose}: each board is identified alone, with no phase between them: {error}"
-        log = [message, *copied_repeats(record)]
+        log.insert(0, f"{record.pose}: each board is identified alone, with no phase between them: {error}")
         setups = _read_setups(record, kind, campaign, keep_going, inspect, log)
     return _averaged_record(record, setups, campaign, log)
 
@@ -95,7 +94,10 @@ def measured(
 def _read_setups(
     record: Record, kind: RecordKind, campaign: Campaign, keep_going: bool, inspect: bool, log: list[str]
 ) -> dict[str, _Setup]:
-    """Read the files of a record, setup by setup; those of a roving hammer are merged into one setup."""
+    """Read the files of a record, setup by setup; those of a roving hammer are merged into one setup.
+
+    - log: unchanged if a file is refused, so that the record can be read in another way
+    """
     setups, messages = dict[str, _Setup](), list[str]()
     for name, paths in record.separate.items():
         files = {str(path): partial(_find, path, record, name, kind, campaign) for path in paths}
@@ -242,7 +244,7 @@ def _together(
 def _averaged_record(
     record: Record, setups: Mapping[str, _Setup], campaign: Campaign, log: list[str]
 ) -> MeasuredRecord:
-    """Average the modes of each setup over its repeats, and join the setups; the same of the modes that users add."""
+    """Average the modes of each setup over its repeats, and join the setups; likewise for modes that users add."""
     requested = campaign.asked(record).add
     modes: dict[str, list[ModeEstimate]] = {}
     added: dict[float, dict[str, ModeEstimate | str]] = {frequency: {} for frequency in requested}

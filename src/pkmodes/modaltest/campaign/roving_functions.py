@@ -48,7 +48,7 @@ def roving_frf_modes(points: Mapping[str, RovingPoint], record: Record, campaign
         read = read_responses(point.path, record, setup, campaign)
         of_file, forces = read.responses, campaign.forces_in(setup)
         names = tuple(forces[name].key for name in of_file.names)
-        # As of the machine in mid-change.
+        # Corrected to the machine halfway through its change.
         change = point.change(of_file.frequencies, names, of_file.references, record.exponential)
         files.append(replace(read, responses=replace(of_file, names=names, values=of_file.values + change)))
     responses, left_out = points_together(files, record.band)

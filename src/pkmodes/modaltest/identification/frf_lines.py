@@ -97,7 +97,7 @@ def used_lines(
     stated = coherence is not None and averages is not None
     if coherence is not None:
         by_coherence = coherence_variance(values, coherence[used], averages or 2)
-        if not stated:  # only its course over the lines is known
+        if not stated:  # the coherence shows how the variance changes over the lines, not its size
             by_coherence = by_coherence * np.median(variance / np.maximum(by_coherence, 1e-300), axis=0)
         variance = by_coherence
         variance = _smoothed(np.maximum(variance, 1e-3 * difference_variance(values)))

@@ -186,9 +186,9 @@ def _on_skirts(data: FrequencyLines, modes: IdentifiedModes) -> NDArray[np.bool_
     strong_only, _ = settled(data, modes.only(strong))
     errors = slow_errors(data, strong_only)
     errors = np.sort(errors[np.isfinite(errors)])
-    # What at least half of the peaks have; 0 if it is known at too few.
-    at_most_peaks = float(errors[(len(errors) - 1) // 2]) if len(errors) >= PEAKS else 0.0
-    return np.asarray(~strong & (size < SPURIOUS * at_most_peaks))
+    # The lower median, which at least half of the peaks reach; 0 if too few are known.
+    median = float(errors[(len(errors) - 1) // 2]) if len(errors) >= PEAKS else 0.0
+    return np.asarray(~strong & (size < SPURIOUS * median))
 
 
 def _relative_sizes(data: FrequencyLines, modes: IdentifiedModes) -> Array:

@@ -157,9 +157,9 @@ def _decays(z: Complex, step: float, rate: float) -> Iterator[tuple[Complex, flo
         lowest = max(ABOVE * noise, level[first] / FALLEN)
         while end < len(z) and free[end] and level[end] > lowest:
             end += 1
-        after_top = level[max(end, top + 1) - 1 :]
-        risen = np.flatnonzero(after_top > RISE * np.minimum.accumulate(after_top))
-        free[top : max(end, top + 1) - 1 + int(risen[0]) if risen.size else len(level)] = False
+        last = max(end - 1, top)
+        risen = np.flatnonzero(level[last:] > RISE * np.minimum.accumulate(level[last:]))
+        free[top : last + int(risen[0]) if risen.size else len(level)] = False
         part = z[first:end:FINE]
         if len(part) >= FEWEST * SAMPLES and _decays_freely(part, FINE * step, rate):
             yield part, noise

@@ -75,7 +75,7 @@ def lines_among(
     line_tones: dict[int, Tone] = {}
     for i, (mode, amplitude) in enumerate(zip(modes, amplitudes, strict=True)):
         if amplitude.off < 1.0 and amplitude.statistic < min(quantile(0.01, mode.rate * seconds), CONSTANT):
-            constant = "its amplitude is as constant as that of a tone, and of no mode"
+            constant = "its amplitude is as constant as that of a tone, unlike that of a mode"
             line_tones[i] = Tone(mode.frequency, f"{mode.undamped:.4g} Hz is a line: {constant}")
     known_lines, searching = [*tones, *line_tones.values()], True
     while searching:  # each order found may lead to others

@@ -126,7 +126,7 @@ def functions_of(
 def _by_name(
     variables: Sequence[FileVariable], request: SignalRequest, source: str
 ) -> dict[str, FileVariable]:
-    """Return variables by their names here: of fields of structs, the field alone where only one is called so."""
+    """Return variables by name; a field of a struct goes by its own name alone if no other field has that name."""
     by_name: dict[str, FileVariable] = {}
     fields = Counter(variable.name.rpartition(".")[2] for variable in variables)
     for variable in variables:

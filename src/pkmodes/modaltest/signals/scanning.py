@@ -110,6 +110,13 @@ class Scanner:
         while not is_delimiter(self.line("a line -1 that closes the dataset")):
             pass
 
+    def skip_binary(self, binary: Binary) -> None:
+        """Skip a binary dataset up to and including the line that closes it."""
+        for number in range(binary.lines):
+            self.line(f"line {number + 1} of the header")
+        self.skip_bytes(binary.bytes)
+        self.close()
+
     def close(self) -> None:
         """Read the line that closes a dataset, which may follow binary data without a line end."""
         line = self.line("a line -1 that closes the dataset")

@@ -110,10 +110,7 @@ def _read(path: Path, request: SignalRequest, units: FileUnits) -> tuple[SignalF
                 points = read_points(scanner, dataset.binary, path)
                 outcome = function_of(points, units, abscissas, request)
             elif dataset.binary is not None:
-                for number in range(dataset.binary.lines):
-                    scanner.line(f"line {number + 1} of the header")
-                scanner.skip_bytes(dataset.binary.bytes)
-                scanner.close()
+                scanner.skip_binary(dataset.binary)
             elif dataset.number in MODES:
                 outcome = MODES[dataset.number](scanner)
             elif dataset.number == UNITS:
@@ -134,7 +131,8 @@ def _read(path: Path, request: SignalRequest, units: FileUnits) -> tuple[SignalF
                 modes.append(outcome)
             elif outcome is not None:
                 skipped.setdefault(outcome, []).append(dataset.where)
-    if functions and contradictions:  # shapes of modes have no unit
+    # Units apply to the whole file, wherever they are stated; shapes of modes have none.
+    if functions and contradictions:
         where, *systems = contradictions[0]
         first, second = (
             f"{system.length or 'another length'} and {system.force or 'another force'}" for system in systems
