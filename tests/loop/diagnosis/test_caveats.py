@@ -65,10 +65,10 @@ def test_the_reason_of_a_decision_is_followed_by_its_caveats_each_once() -> None
     far = caveats.Caveats(
         conspicuous="n is 4.0 sigma from its declared value", unseen="these data cannot show b"
     )
-    assert far.behind("why") == "why; n is 4.0 sigma from its declared value; these data cannot show b"
+    assert far.appended_to("why") == "why; n is 4.0 sigma from its declared value; these data cannot show b"
     refit = replace(far, refitted="n from 0 to 4 (+4.0 sigma)")
-    assert refit.behind("why") == "why: n from 0 to 4 (+4.0 sigma); these data cannot show b"
-    assert caveats.Caveats().behind("why") == "why"
+    assert refit.appended_to("why") == "why: n from 0 to 4 (+4.0 sigma); these data cannot show b"
+    assert caveats.Caveats().appended_to("why") == "why"
 
 
 def measured(n: float) -> Diagnosis:

@@ -89,6 +89,9 @@ def test_every_kind_of_value_keeps_its_unit(
         ),
         ('{sigma = "0.2 cm", value = 0.4}', 0.41, 0.001, "{sigma = 0.001, value = 0.41}"),
         ('{ value = "400 mm", sigma = "1 cm" }', 0.41, None, '{ value = "410 mm", sigma = "1 cm" }'),
+        # Below 10,000 a deviation has no power of ten.
+        ('"400e3 \u00b5m"', 0.41, 0.00213, '{ value = "410000 \u00b5m", sigma = "2130 \u00b5m" }'),
+        ('"400e3 \u00b5m"', 0.41, 0.0213, '{ value = "410000 \u00b5m", sigma = "2.13e+04 \u00b5m" }'),
         # A deviation of 2 % stays 8 mm when it is not corrected itself.
         ('{ value = "400 mm", sigma = "2 %" }', 0.41, None, '{ value = "410 mm", sigma = "8 mm" }'),
     ],

@@ -54,8 +54,8 @@ def compare_measurements(first: Measurements, second: Measurements) -> Measureme
 
     - first, second: with the same pose labels, or with a single pose each, whatever its label
 
-    Raises MeasurementError if they have the same rows, no pose in common, other components of a pose, or the motors
-    were in different states there.
+    Raises MeasurementError if they have the same rows, no pose in common, or poses of different components, or if
+    the motors were in different states at a common pose.
     """
     pose_pairs = list(_common_poses(first, second))
     if _row_contents(first) == _row_contents(second):
@@ -194,7 +194,7 @@ def _compare_shapes(
 def _mark_significant(
     changes: Sequence[ShapeChange | None], energies: Sequence[StrainEnergyChange]
 ) -> tuple[list[ShapeChange | None], list[StrainEnergyChange]]:
-    """Mark the significant changes, tested over all channels of all shapes together."""
+    """Return the changes with the significant ones marked, tested over all channels of all shapes together."""
     shapes = [change for change in changes if change is not None]
     channels = [channel for shape in shapes for channel in (*shape.components, *shape.curvatures)]
     sigmas = [channel.sigmas for channel in channels] + [energy.sigmas for energy in energies]

@@ -135,7 +135,7 @@ def corrected_text(
     - changes: by path: a declared value (``platform.mass``, ``axis.1.origin.x``); an override for one axis
       (``axis.1.belt.width``); ``frame.mass``; an effect parameter (``effects.payload.mass``); or a group such as
       ``axis.span``: its value is that of the first element, and its change applies to all
-    - covariance: how the errors of changed values belong together.  Tables of the file that correlate any of these
+    - covariance: the correlations of the errors of changed values.  Tables of the file that correlate any of these
       become one, in the place of the first: these values, and the others as they were.
 
     The values are in the units of the file.  Lines without a changed value are unchanged.  The standard deviation of

@@ -32,8 +32,8 @@ from pkmodes_description import Effect, Key, Table
 WIDTH = 110
 #: Notes on the notation, before the first key.
 NOTATION = (
-    "Replace the values of the example by your own, a table at a time.  The comment of a value "
-    "says, after the brackets, how to find it.",
+    "Replace the values of the example by your own, a table at a time.  The comment of a value says, after the "
+    "brackets, how to find it.",
     "A line that begins with # and no space is optional: remove the # to use it.  The value there is the default, or "
     "an example where there is none.",
     'A quantity is text with any unit of its kind, such as "400 mm", or a number in the SI unit that its comment has '

@@ -237,7 +237,7 @@ class MatrixDerivatives:
         """
         phi = np.zeros((*shapes.shape[:-1], self.size))
         phi[..., self.free] = shapes
-        phi = self.system.of_model(phi)
+        phi = self.system.of_model(phi)  # in all coordinates of the generated model, (N, m, e)
         parts = []
         for matrix in (0, 1):
             # The entries that change along any path.

@@ -298,9 +298,8 @@ def _at(
     if not MATRICES.issuperset(requested):
         derivatives, fields = _of_modes(resolved, p, close, requested, solvers.solved)
     if not MATRICES.isdisjoint(requested):
-        if derivatives is None or isinstance(
-            resolved.extended, MotorsHeld
-        ):  # M and K are those with free motors
+        # M and K are those with free motors.
+        if derivatives is None or isinstance(resolved.extended, MotorsHeld):
             terms = resolved.terms_of_listed
             derivatives = derivatives_of(
                 solvers.free, resolved.listed, p, [resolved.paths], None, terms, RATES_OF_MATRICES

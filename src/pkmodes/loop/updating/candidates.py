@@ -358,7 +358,7 @@ def _parameter(robot: Robot, move: ParameterPath, prior: Prior) -> Parameter:
         if sigma is None and move.value > 0.0:
             lower, upper = move.value / FACTOR, move.value * FACTOR
     elif sigma is None:
-        # That of a factor of three of the vector, of which it is an element.
+        # The largest plausible deviation of an element is that of a vector that is wrong by a factor of three.
         farthest = (FACTOR - 1.0) * _largest(robot, item) or np.inf
         lower, upper = move.value - farthest, move.value + farthest
     unit = move.unit.replace(" ", "*")

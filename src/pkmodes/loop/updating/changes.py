@@ -54,9 +54,9 @@ def changed(
 ) -> Change:
     """Find what changed on a robot since a trusted campaign.
 
-    Uncertain values of the robot are fitted to the trusted campaign, and what the model is then wrong by is taken off
-    the later one: differences are compared with differences.  The stiffness that all belts, legs or reducers share
-    may differ by 1.5 % from one day to another.
+    Uncertain values of the robot are fitted to the trusted campaign, and the error that the model then has there is
+    subtracted from the later one: differences are compared with differences.  The stiffness that all belts, legs or
+    reducers share may differ by 1.5 % from one day to another.
 
     Parameters
     ----------
@@ -103,10 +103,10 @@ def changed(
             progress(f"comparing {name} with {names[0]}")
         measured_structure = _extended(measured.structure(candidates, priors), wrong)
         # Values of the trusted state that are in no candidate.
-        there = {p.name for p in measured_structure.parameters}
-        kept = {path: resolve(baseline, path) for path in common.values if path not in there}
-        parameters = [Parameter(path, move.value, move.unit) for path, move in kept.items()]
-        structure = with_known(_extended(measured_structure, (parameters, kept)), common.values)
+        in_candidates = {p.name for p in measured_structure.parameters}
+        moves = {path: resolve(baseline, path) for path in common.values if path not in in_candidates}
+        parameters = [Parameter(path, move.value, move.unit) for path, move in moves.items()]
+        structure = with_known(_extended(measured_structure, (parameters, moves)), common.values)
         ask = partial(
             common.changed_to,
             name,

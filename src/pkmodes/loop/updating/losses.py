@@ -139,7 +139,7 @@ def rates_of_losses(at: Solved, losses: Sequence[Loss]) -> Array:
             if not loss.effect:
                 rates[part, rigid:, j] = 1.0
                 continue
-            # This effect dissipates, and no other.
+            # Only this effect dissipates.
             lossy = replace(
                 robot, effects={**conservative, loss.parameter.name.removeprefix(f"{EFFECTS}."): PART}
             )

@@ -116,7 +116,7 @@ class MeasuredRobot:
         parameters, causes, moves = suspects(self.robot, without_losses(self.robot, candidates), self.loads)
         parameters = of_frame(parameters, self.data)
         cause_names = {cause.name for cause in causes}
-        # A prior of the measurements says nothing of a candidate that is not among those chosen.
+        # A prior of the measurements says nothing about a candidate that is not among those chosen.
         stated = {n: prior for n, prior in self.data.priors.items() if candidates is None or n in cause_names}
         causes = _with_priors(self.robot, parameters, causes, joined_with(stated, priors or {}, "priors"))
         return ExtensibleRobot(self.robot, self.data.points, parameters, causes, moves, self.loads, losses)

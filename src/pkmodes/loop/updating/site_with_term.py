@@ -94,7 +94,7 @@ def matrices_with(site: Site, present: PresentTerm, held: int) -> TermMatrices:
     """Return M and K of a site with a term, which holds some of the rigid motions (`held_motions`)."""
     system = site.system
     change = change_of(present.place.term, present.values, site.around)
-    e = site.matrices[0].shape[-1]
+    e = site.matrices[0].shape[-1]  # coordinates of the robot; the term may add further ones
     M, K = (
         np.array(np.broadcast_to(added, (len(matrix), *added.shape[1:])), dtype=float)
         for matrix, added in zip(site.matrices, change, strict=True)

@@ -69,14 +69,20 @@ def with_damping(
         notes.append(
             words.outlier_note(int(data.lines[i]), data.labels[data.pose[i]], float(data.damping[i]))
         )
-    above = rows.above
-    if above.any() and rows.ratios(fitter.declared)[above].all():
-        away = float(np.median((rows.logarithms - rows.predicted(fitter.declared))[above]))
-        if abs(abs(away) - HUNDRED) < CLOSE:
-            notes.append(words.factor_hundred_note(above=away > 0.0))
+    if power := _hundreds(fitter):
+        notes.append(words.factor_hundred_note(above=power > 0))
     return with_outcome(
         result, data, DampingStage(fitter, all_rows, held & good, strange, judged, trials, tuple(notes))
     )
+
+
+def _hundreds(fitter: LossFitter) -> int:
+    """Return 1 if measured ratios are about a hundred times those of the declared model, -1 if a hundredth, or 0."""
+    rows, above = fitter.observations, fitter.observations.above
+    if not above.any() or not rows.ratios(fitter.declared)[above].all():
+        return 0
+    away = float(np.median((rows.logarithms - rows.predicted(fitter.declared))[above]))
+    return int(np.sign(away)) if abs(abs(away) - HUNDRED) < CLOSE else 0
 
 
 def _states(structure: Structure, result: Diagnosis) -> list[Array]:

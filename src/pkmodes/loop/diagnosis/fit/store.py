@@ -227,9 +227,12 @@ class FitStore:
             first, *further = self.fitter.indices(cause)
             added.append(first)
             for i in further:
-                zero = self.fitter.parameters[i].value == 0.0
-                absent = zero and abs(float(fit.values[i])) <= ABSENT * fit.sigma_of(i)
-                if not (cause.form and absent):
+                absent = (
+                    cause.form
+                    and self.fitter.parameters[i].value == 0.0
+                    and abs(float(fit.values[i])) <= ABSENT * fit.sigma_of(i)
+                )
+                if not absent:
                     added.append(i)
         return added
 

@@ -134,14 +134,7 @@ class Trusted:
             else None
             for row in shared.counterpart.tolist()
         )
-        change = of_difference(
-            result,
-            (self.name, name),
-            data,
-            shared,
-            counterparts,
-            self.model_error,
-        )
+        change = of_difference(result, (self.name, name), data, shared, counterparts, self.model_error)
         return replace(change, notes=(*change.notes, *self._notes(name, data, shared)))
 
     def _check(self, name: str, data: Measurements) -> None:

@@ -116,9 +116,7 @@ def shared_errors(
     rows = TrustedRows(residual, sigma, pairing.partner, data.pose)
     errors = errors_of_modes(rows, same, after.eigenvalues.shape[1])
     columns = [structure.channels.index(name) for name in later.channels]
-    # Channels are comparable in units of their motion over all modes and setups.
-    motion = channel_motion(before.shapes).max(axis=0) if structure.channels else np.zeros(0)
-    weights = np.where(motion > 0.0, 1.0 / np.where(motion > 0.0, motion, 1.0), 0.0)[columns]
+    weights = _weights(before, structure.channels)[columns]
     partner, counterpart = np.full((2, len(later.frequency)), -1, dtype=np.intp)
     for setup, nearest in enumerate(_nearest(data, later, same.across)):
         expected = expected_modes(
@@ -143,10 +141,7 @@ def shared_errors(
     if fitted is not None and fitted.names and len(paired):
         of_logs, of_shapes = fitted.variances(structure, partner[paired], later.pose[paired])
         variance[paired] += of_logs
-        # The largest standard deviation of a component, relative to the largest component.
-        deviations, components = weights * np.sqrt(of_shapes[:, columns]), weights * there[paired]
-        size = np.abs(components).max(axis=1, initial=0.0)
-        spread[paired] = deviations.max(axis=1, initial=0.0) / np.where(size > 0.0, size, 1.0)
+        spread[paired] = _relative_spread(weights * np.sqrt(of_shapes[:, columns]), weights * there[paired])
     shapes, shape_sigma = corrected_shapes(data, later, counterpart, modes, weights)
     unmatched = counterpart < 0
     shapes[unmatched], shape_sigma[unmatched] = less_certain(
@@ -161,6 +156,18 @@ def shared_errors(
         shapes,
         shape_sigma,
     )
+
+
+def _weights(modes: Prediction, channels: tuple[str, ...]) -> Array:
+    """Return factors that make channels comparable: 1 / their motion over all modes and setups, (C,)."""
+    motion = channel_motion(modes.shapes).max(axis=0) if channels else np.zeros(0)
+    return np.asarray(np.where(motion > 0.0, 1.0 / np.where(motion > 0.0, motion, 1.0), 0.0))
+
+
+def _relative_spread(sigma: Array, shapes: Array) -> Array:
+    """Return the largest standard deviation of a component, relative to the largest component, (R,)."""
+    size = np.abs(shapes).max(axis=1, initial=0.0)
+    return np.asarray(sigma.max(axis=1, initial=0.0) / np.where(size > 0.0, size, 1.0))
 
 
 def less_certain(shapes: Array, sigma: Array, error: float, spread: Array) -> tuple[Array, Array]:

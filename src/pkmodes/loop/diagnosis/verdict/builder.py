@@ -44,10 +44,10 @@ class _Models:
 
     - last: of the last model; None if there are too few data to fit any
     - outlying: rows that it sets aside, (R,)
-    - limits: of the candidates that are not claimed
-    - corrected: its values
+    - corrected: values of the last model
     - notes: on its fit
     - without: its spectrum without its causes, (S, m)
+    - limits: of the candidates that are not claimed
     """
 
     last: Fit | None

@@ -19,7 +19,7 @@ MOST_VALUES, MOST_NAMES = 3, 4
 
 @dataclass(frozen=True)
 class Caveats:
-    """What a decision says against itself; each is empty where there is nothing to say.
+    """The caveats of a settled decision; a field is empty where it does not apply.
 
     - refitted: which values were refitted, where the residual is noise only because of that
     - conspicuous: which refitted values are also in the headline
@@ -30,7 +30,7 @@ class Caveats:
     conspicuous: str = ""
     unseen: str = ""
 
-    def behind(self, reason: str) -> str:
+    def appended_to(self, reason: str) -> str:
         """Return a reason followed by the caveats; the refitted values include the conspicuous ones."""
         clauses = (
             f"{reason}: {self.refitted}" if self.refitted else reason,

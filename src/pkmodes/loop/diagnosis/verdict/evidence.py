@@ -301,7 +301,7 @@ class Rule(Generic[T, A]):
 
 @dataclass(frozen=True)
 class Decision(Generic[T, A]):
-    """The rule that gave the verdict, its answer, and what the decision says against itself."""
+    """The rule that gave the verdict, its answer, and its caveats."""
 
     rule: Rule[T, A]
     says: A
@@ -315,7 +315,7 @@ class Decision(Generic[T, A]):
     @property
     def reason(self) -> str:
         """The answer with the caveats."""
-        return self.caveats.behind(self.says.text)
+        return self.caveats.appended_to(self.says.text)
 
 
 def first(rules: Sequence[Rule[T, A]], evidence: T) -> Decision[T, A] | None:

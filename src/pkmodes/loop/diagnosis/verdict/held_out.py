@@ -75,10 +75,14 @@ def predicted(setups: AllSetups, search: Search, final: Fit, rivals: Sequence[Fi
     if instead is None and rivals is None:
         # The best single cause, remote ones included, that explains all setups.
         single = [*full_search.additions.singles(), *full_search.alone()]
-        single = [
-            fit for fit in sorted(single, key=full_search.store.criterion) if fit.causes != again.causes
-        ]
-        instead = next((fit for fit in single if full_search.gate(fit).passed), None)
+        instead = next(
+            (
+                fit
+                for fit in sorted(single, key=full_search.store.criterion)
+                if fit.causes != again.causes and full_search.gate(fit).passed
+            ),
+            None,
+        )
     hint = f"; {names(instead.causes)} would explain all poses: look there" if instead else ""
     return HeldOut(f"{fitted}, but not the held-out ones ({p_in_words(p_value)}){hint}")
 

@@ -78,9 +78,9 @@ def _trial(
     search: Search, final: Fit, contenders: list[Fit], members: Sequence[set[str]], change: str
 ) -> Trial:
     errors, priors = CHANGES[change]
-    fitter = search.store.fitter
-    data = fitter.data if errors == 1.0 else with_errors(fitter.data, errors)
-    fitter = Fitter(fitter.structure, data, fitter.criteria, fitter.shape_scatter, widened=priors)
+    as_stated = search.store.fitter
+    data = as_stated.data if errors == 1.0 else with_errors(as_stated.data, errors)
+    fitter = Fitter(as_stated.structure, data, as_stated.criteria, as_stated.shape_scatter, widened=priors)
     store, c = FitStore(fitter), fitter.criteria
     plain = store.fit(replace(final.hypothesis, causes=()))
     refitted = [store.fit(fit.hypothesis, fit.values) for fit in contenders]
