@@ -32,7 +32,12 @@ def channel_weights(model: Array, moves: Array) -> Array:
     """
     if not (moves > 0.0).all():
         moves = np.where(moves > 0.0, moves, channel_motion(model))
-    return np.where(moves > 0.0, 1.0 / np.where(moves > 0.0, moves, 1.0), 0.0)[..., None, :]
+    return motion_weights(moves)[..., None, :]
+
+
+def motion_weights(moves: Array) -> Array:
+    """Return the factors that make channels comparable: 1 / motion, 0 for a channel that does not move."""
+    return np.asarray(np.where(moves > 0.0, 1.0 / np.where(moves > 0.0, moves, 1.0), 0.0))
 
 
 def mac(shapes: Array, model: Array, measured: NDArray[np.bool_]) -> Array:

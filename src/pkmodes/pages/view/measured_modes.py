@@ -19,7 +19,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.support.mac import channel_motion
+from pkmodes.core.support.mac import channel_motion, motion_weights
 
 Array = NDArray[np.float64]
 
@@ -80,6 +80,4 @@ def scale_factor(measured: Array, model: Array, weights: Array) -> float:
 
 def weights_of(shapes: Array) -> Array:
     """Return the weight of each channel from the shapes of all modes there, (m, C): 1 / motion; 0 without motion."""
-    moves = channel_motion(shapes)
-    weights: Array = np.where(moves > 0.0, 1.0 / np.where(moves > 0.0, moves, 1.0), 0.0)
-    return weights
+    return motion_weights(channel_motion(shapes))

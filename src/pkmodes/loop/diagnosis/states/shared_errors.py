@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import stats
 
-from pkmodes.core.support.mac import channel_motion
+from pkmodes.core.support.mac import channel_motion, motion_weights
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.problem import Array, Prediction, Structure
 from pkmodes.loop.diagnosis.states.counterparts import expected_modes, paired_with
@@ -116,7 +116,8 @@ def shared_errors(
     rows = TrustedRows(residual, sigma, pairing.partner, data.pose)
     errors = errors_of_modes(rows, same, after.eigenvalues.shape[1])
     columns = [structure.channels.index(name) for name in later.channels]
-    weights = _weights(before, structure.channels)[columns]
+    motion = channel_motion(before.shapes).max(axis=0) if structure.channels else np.zeros(0)
+    weights = motion_weights(motion)[columns]
     partner, counterpart = np.full((2, len(later.frequency)), -1, dtype=np.intp)
     for setup, nearest in enumerate(_nearest(data, later, same.across)):
         expected = expected_modes(
@@ -156,12 +157,6 @@ def shared_errors(
         shapes,
         shape_sigma,
     )
-
-
-def _weights(modes: Prediction, channels: tuple[str, ...]) -> Array:
-    """Return factors that make channels comparable: 1 / their motion over all modes and setups, (C,)."""
-    motion = channel_motion(modes.shapes).max(axis=0) if channels else np.zeros(0)
-    return np.asarray(np.where(motion > 0.0, 1.0 / np.where(motion > 0.0, motion, 1.0), 0.0))
 
 
 def _relative_spread(sigma: Array, shapes: Array) -> Array:
