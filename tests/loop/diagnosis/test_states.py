@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -29,6 +30,8 @@ from pkmodes.loop.diagnosis.states.shared_errors import (
 from pkmodes.loop.diagnosis.states.words import between
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
+#: Says what is found in these states.
+PAGE = (EXAMPLES.parent / "docs/explanation/changes.md").read_text(encoding="utf-8")
 #: Relative errors of frequencies.
 SIGMA = 0.002
 
@@ -79,6 +82,9 @@ def test_a_changed_storey_of_the_real_structure_is_named(three_storeys: ModuleTy
     (fitted,) = cause.alternatives[name]
     assert abs(fitted.value - value) < 2.5 * fitted.sigma
     assert cause.state == f"state {state}"
+    printed = re.search(rf"{name} = ([\d.]+) \+- ([\d.]+)", str(found))
+    assert printed is not None
+    assert " ± ".join(f"{100 * float(number):.1f}" for number in printed.groups()) in PAGE
 
 
 @pytest.mark.parametrize("state", [2, 3, 10, 11, 12, 13, 14])
