@@ -153,7 +153,7 @@ class ShaperOptions(OptionTable):
         type=PATH,
         writes="the picture",
         endings=(".svg", ".png", ".pdf"),
-        help="Picture of this table to write; .svg, .png or .pdf.",
+        help="Picture to write, of the same curves as in --out; .svg, .png or .pdf.",
     )
 
     @property
