@@ -14,9 +14,9 @@ from pkmodes.cli.options import (
     band_option,
     check_file_order,
     errors_name_options,
-    forwarded_mechanism_option,
     json_option,
     measured_drives_option,
+    mechanism_option,
     parse_band_option,
     report_option,
     robot_argument,
@@ -74,12 +74,11 @@ MOST = 10
 )
 @band_option
 @measured_drives_option
-@forwarded_mechanism_option
+@mechanism_option
 @json_option
 def changed(
     robot: Path,
     states: tuple[Path, ...],
-    mechanism: Path | None,
     candidates: str | None,
     holdout: str | None,
     report_to: Path | None,

@@ -197,7 +197,7 @@ def diagnose(
 
 
 def _saved(file: Path, mechanism: Path | None, robot: Robot, result: Diagnosis) -> list[str]:
-    """Say how to generate the code of the saved robot, what it has, and what is missing in it."""
+    """Return how to generate the code of the saved robot, what it has, and what is missing in it."""
     from pkmodes.cli.terminal import Terminal
     from pkmodes.loop.diagnosis.verdict import naming
     from pkmodes.loop.updating.corrected_robot import widened

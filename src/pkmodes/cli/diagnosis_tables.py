@@ -94,10 +94,8 @@ def _class(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected]) 
             terminal.line("these data cannot distinguish it from", "  ")
         relative, reason = effect.relative(member), effect.member(member).implausible
         values = ", ".join(f"{_short(v)} = {_with_sigma(v)}" for v in relative or effect.alternatives[member])
-        mean, also = (
-            " relative to their mean" if relative else "",
-            f" (implausible: {reason})" if reason else "",
-        )
+        mean = " relative to their mean" if relative else ""
+        also = f" (implausible: {reason})" if reason else ""
         assumed = f", for {text}" if (text := effect.member(member).assumed) else ""
         terminal.line(f"{values}{mean}{assumed}{also}", "    " if place else "  ")
     remarks = ["+- by the fit alone"]

@@ -87,7 +87,7 @@ def identify(
 
 
 def _print(identification: Identification, campaign: Campaign, content: dict[str, Any]) -> None:
-    """Print a table of each record, and what its columns are."""
+    """Print a table of each record, and what its columns mean."""
     from pkmodes.cli.terminal import Terminal
     from pkmodes.pages.report.identified_record import meanings, modes_table
 

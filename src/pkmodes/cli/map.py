@@ -23,7 +23,7 @@ from pkmodes.core.support.progress import say
 
 @dataclass(frozen=True)
 class MapOptions(OptionTable):
-    """What the command takes; arguments that are passed are those of `pkmodes.Model.map`."""
+    """Arguments and options of the command; those marked `passed` are arguments of `pkmodes.Model.map`."""
 
     robot: Path = entry(robot_argument, reads="robot file")
     grid: str | None = entry(grid_option)
@@ -146,11 +146,11 @@ def _counted() -> Callable[[int, int], None]:
     """Return a function that reports how many poses are done, and how long the others will take."""
     begin: list[tuple[float, int]] = []
 
-    def told(done: int, total: int) -> None:
+    def report(done: int, total: int) -> None:
         begin.append((time.monotonic(), done))
         (first, before), (now, _) = begin[0], begin[-1]
         rate = (done - before) / (now - first) if now > first else 0.0
         remaining = f", about {duration((total - done) / rate)} left" if 0 < done < total and rate else ""
         say(f"{done:,} of {total:,} poses{remaining}")
 
-    return told
+    return report

@@ -93,8 +93,13 @@ def modes_document() -> type[Document]:
     """Return the class of the JSON document: its keys are fields of the modes (`pkmodes.core.solve.fields`)."""
     fields = [FIELDS[name] for name in of_modes() if FIELDS[name].key]
     keys: list[tuple[str, Any, str]] = []
-    for field in (field for field in fields if not field.same_as):
-        kind: Any = float | None if field.nullable else float
+    of_some: list[Any] = []
+    for field in fields:
+        if field.same_as:  # of some mechanisms only
+            kind: Any = Annotated[list[float] | UnsetType, Meta(description=field.key_text)]
+            of_some.append((field.key, kind, UNSET))
+            continue
+        kind = float | None if field.nullable else float
         for _ in field.dims:
             kind = list[kind]
         if field.dims == (INDEPENDENT,):
@@ -105,11 +110,10 @@ def modes_document() -> type[Document]:
     declared: list[Any] = [
         (name, Annotated[kind, Meta(description=text)]) for name, kind, text in (*keys, *_AFTER)
     ]
-    for field in (field for field in fields if field.same_as):  # of some mechanisms only
-        kind = Annotated[list[float] | UnsetType, Meta(description=field.key_text)]
-        declared.append((field.key, kind, UNSET))
     text = "The modes at a pose: n coordinates, m modes, the rigid-body ones first."
-    document = msgspec.defstruct("ModesDocument", declared, bases=(_AtPose,), namespace={"__doc__": text})
+    document = msgspec.defstruct(
+        "ModesDocument", [*declared, *of_some], bases=(_AtPose,), namespace={"__doc__": text}
+    )
     return cast("type[Document]", document)
 
 
@@ -185,8 +189,8 @@ def _table(model: Model, result: Modes, sigmas: Array | None) -> Table:
 
     rigid = result.rigid_modes
     numbers = [str(i + 1 - rigid) if i >= rigid else "rigid" for i in range(len(result.frequencies))]
-    zero = ZERO_FREQUENCY * float(np.abs(result.frequencies).max(initial=0.0))
-    rows = [["f [Hz]", *(_fixed(f, zero) for f in result.frequencies)]]
+    rounding = _rounding(result.frequencies)
+    rows = [["f [Hz]", *(_fixed(f, rounding) for f in result.frequencies)]]
     if sigmas is not None:
         rows.append(["+- [Hz]", *map(_sigma, sigmas)])
     if model.robot.dissipates:
@@ -220,8 +224,7 @@ def _sentences(model: Model, result: Modes, statics: Statics, with_sigmas: bool)
     if with_sigmas:
         yield "+-: one standard deviation, from those that the robot file states"
     rigid = result.frequencies[: result.rigid_modes]
-    zero = ZERO_FREQUENCY * float(np.abs(result.frequencies).max(initial=0.0))
-    if not (np.abs(rigid) < zero).all():
+    if not (np.abs(rigid) < _rounding(result.frequencies)).all():
         grounded = model.solved(result.drives).held_motions
         reason = "only gravity acts"
         if grounded:
@@ -248,8 +251,7 @@ def _of_motors(model: Model, result: Modes) -> Iterator[str]:
         result.frequencies[result.rigid_modes :],
         frequencies_otherwise[model.solved(drives).rigid_modes :],
     ):
-        size = np.abs(frequencies)
-        moving = frequencies[size > ZERO_FREQUENCY * size.max(initial=0.0)]  # more than rounding
+        moving = frequencies[np.abs(frequencies) > _rounding(frequencies)]
         if not len(moving):
             return
         lowest.append(float(moving[0]))
@@ -262,6 +264,11 @@ def _of_motors(model: Model, result: Modes) -> Iterator[str]:
         f"{motors_in_words(model.robot, result.drives)}; {doing} the first mode of vibration "
         f"is at {first_otherwise:.4g} Hz"
     )
+
+
+def _rounding(frequencies: Array) -> float:
+    """Return the size below which frequencies are rounding [Hz]."""
+    return ZERO_FREQUENCY * float(np.abs(frequencies).max(initial=0.0))
 
 
 def _sigma(value: float) -> str:

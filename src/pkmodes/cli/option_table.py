@@ -1,6 +1,6 @@
 """The options of a command as a table: a class with a field for each, which says what is done with its value.
 
-Commands of few options have them as click does.
+Commands with few options have click's decorators instead.
 """
 
 from __future__ import annotations
@@ -30,12 +30,12 @@ ENTRY = "entry"
 class OptionEntry:
     """An option of a command.
 
-    - option: what adds it to the command, such as ``click.option(...)``; its name is that of the field
-    - passed: whether its value goes as it is to the argument of the same name
-    - only: what it is for alone, such as "measured modes"
-    - needs: options of files of which one must be written with it
-    - reads: of a file that is read, its role on the report; "" if the report does not list it
-    - writes: of a file that is written, what it will be, such as "the table"
+    - option: the decorator that adds it to the command, such as ``click.option(...)``; its name is that of the field
+    - passed: whether its value is passed unchanged as the argument of the same name
+    - only: the only source to which it applies, such as "measured modes"; "" if it applies to all
+    - needs: options that name files to write, at least one of which must be given with it
+    - reads: for a file that is read, its role on the report; "" if the report does not list it
+    - writes: for a file that is written, its label, such as "the table"
     - endings, anywhere: as for `Target`
     """
 
@@ -71,7 +71,7 @@ class OptionTable:
     def entries(cls) -> dict[str, OptionEntry]:
         """Return the entries by name."""
         entries = {part.name: part.metadata[ENTRY] for part in fields(cls)}
-        last = {name: entries.pop(name) for name in OptionTable.__annotations__}
+        last = {part.name: entries.pop(part.name) for part in fields(OptionTable)}
         return entries | last
 
     @classmethod
@@ -98,7 +98,9 @@ class OptionTable:
         check_targets(self.json_file, inputs, *targets)
 
     def check_only(self, source: str) -> None:
-        """Refuse options that are for something else alone.
+        """Refuse options that apply only to another source.
+
+        - source: the source of this run, as in `OptionEntry.only`
 
         Raises click.UsageError.
         """
@@ -108,7 +110,7 @@ class OptionTable:
                 raise click.UsageError(problem, click.get_current_context())
 
     def check_needs(self) -> None:
-        """Refuse options for files none of which is written.
+        """Refuse options that need a file to be written where none is.
 
         Raises PkmodesError.
         """
@@ -131,7 +133,7 @@ class OptionTable:
         )
 
     def passed(self, source: str = "") -> dict[str, Any]:
-        """Return the values that are arguments as they are, without those for something else alone."""
+        """Return the arguments of the call by name, without those that apply only to another source."""
         return {
             name: getattr(self, name)
             for name, part in self.entries().items()

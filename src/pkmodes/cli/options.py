@@ -57,7 +57,8 @@ _MECHANISM_SETTINGS: dict[str, Any] = {
 mechanism_option = click.option(
     "--mechanism", expose_value=False, callback=_add_mechanism, **_MECHANISM_SETTINGS
 )
-#: The same for a command that prints other commands for the mechanism, and for one that checks the folder.
+#: The same with the folder as its value: for a command that prints other commands for the mechanism, or has a table
+#: of options.  The second leaves the mechanism unregistered, for the command that checks the folder.
 forwarded_mechanism_option = click.option("--mechanism", callback=_add_mechanism, **_MECHANISM_SETTINGS)
 unregistered_mechanism_option = click.option("--mechanism", **_MECHANISM_SETTINGS)
 

@@ -44,7 +44,7 @@ class ResponseDocument(Document, frozen=True):
 
 @dataclass(frozen=True)
 class ResponseOptions(OptionTable):
-    """What the command takes; arguments that are passed are those of `pkmodes.Model.frf`."""
+    """Arguments and options of the command; those marked `passed` are arguments of `pkmodes.Model.frf`."""
 
     robot: Path = entry(robot_argument, reads="robot file")
     pose: str = entry(pose_option)

@@ -42,7 +42,7 @@ ROBOT, MEASURED = "a robot file", "measured modes"
 
 @dataclass(frozen=True)
 class ShaperOptions(OptionTable):
-    """What the command takes; options marked `passed` go to the argument of that name of `pkmodes.Model.shapers`."""
+    """Arguments and options of the command; those marked `passed` are arguments of `pkmodes.Model.shapers`."""
 
     robot: Path | None = entry(
         click.argument("robot", metavar="[ROBOT.toml]", type=PATH, required=False), reads="robot file"
@@ -153,7 +153,7 @@ class ShaperOptions(OptionTable):
         type=PATH,
         writes="the picture",
         endings=(".svg", ".png", ".pdf"),
-        help="Picture of this table to write; .svg, .png or .pdf.",
+        help="Picture to write, of the same curves as in --out; .svg, .png or .pdf.",
     )
 
     @property
@@ -240,7 +240,8 @@ def _shapers_for_robot(
     """Choose shapers for the modes of a robot file."""
     from pkmodes.cli.shaper_documents import shaper_document
 
-    model, kinds = load(cast("Path", options.robot)), options.kind_names
+    kinds = options.kind_names  # refused before a file is read
+    model = load(cast("Path", options.robot))
     settings = settings_given(model, options.settings)
     heights = height_given(model, options.height, settings)
     points = _poses(model, options.grid, options.poses, settings)
@@ -301,8 +302,9 @@ def _shapers_for_measured(
     from pkmodes.loop.updating.reading import read_any
     from pkmodes.machine.shaping.measured_modes import measured_shapers
 
+    kinds = options.kind_names  # refused before a file is read
     data = read_any(cast("Path", options.measured), drives=options.drives)
-    choice = measured_shapers(data, options.kind_names, **options.passed(MEASURED))
+    choice = measured_shapers(data, kinds, **options.passed(MEASURED))
     content = measured_document(choice, spectrum).as_json()
 
     def page() -> str:

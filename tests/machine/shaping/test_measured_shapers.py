@@ -337,6 +337,12 @@ def test_spectra_that_are_none_are_refused_with_what_to_do(tmp_path: Path) -> No
             ["--measured", "MODES", "--shapers", "zv*zv*zv"],
             "zv*zv*zv is for 3 modes, but only 2 count (--shapers)",
         ),
+        # Refused before a file is read: there is none.
+        (["none.toml", "--shapers", "zv,"], 'names separated by commas, found "zv," (--shapers)'),
+        (
+            ["--measured", "none.csv", "--shapers", "zv,"],
+            'names separated by commas, found "zv," (--shapers)',
+        ),
         (["--measured", "MODES", "--out", "curves.txt"], "expected a name that ends in .csv"),
     ],
 )

@@ -141,6 +141,22 @@ def test_a_declared_value_is_to_be_measured_again() -> None:
     assert found["inspect"] == "The width of each belt: measure or look it up again."
 
 
+@pytest.mark.parametrize(("count", "rest"), [(6, None), (8, "2 further places: see the explanations below.")])
+def test_six_places_are_listed_and_the_rest_is_counted(count: int, rest: str | None) -> None:
+    result, _ = made_up(4, 3)
+    names = tuple(f"parameter:axis.{k}.leg.stiffness" for k in range(1, count + 1))
+    effect = Finding(names[0], names, (), dict.fromkeys(names, ()), 1e-9, "")
+    claimed = replace(result, verdict="effect_found", effects=(effect,))
+    entries = action(claimed, ReportSetting("", None, None, (), None)).entries
+    places = [
+        " ".join(cell.typed for cell in cells) for title, cells in entries if title in ("inspect", "or")
+    ]
+    assert len(places) == 6 + (rest is not None)
+    for k, place in enumerate(places[:6], start=1):
+        assert f"axis.{k}.leg.stiffness" in place
+    assert places[6:] == ([] if rest is None else [rest])
+
+
 def test_the_documentation_says_how_often_each_word_is_right() -> None:
     """From the table that the suites wrote: the explanations with a probability from each limit to the next."""
     rows = [

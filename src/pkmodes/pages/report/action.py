@@ -201,8 +201,8 @@ def _sure(result: Diagnosis) -> list[Cell]:
     several, one_of = len(result.effects) > 1, any(len(effect.members) > 1 for effect in result.effects)
     who = "these" if several else "one of these" if one_of else "this"
     like = f", or what acts like {'this' if who == 'this' else 'these'}," if alike else ""
-    what = f"{who}{like} {'are the causes' if several else 'is the cause'}"
-    claim = VERDICTS[result.verdict].sure.format(likely=likely, what=what)
+    causes = f"{who}{like} {'are the causes' if several else 'is the cause'}"
+    claim = VERDICTS[result.verdict].sure.format(likely=likely, what=causes)
     sentences = [claim if p is None else f"{claim} (probability {_percent(p)})"]
     if alike:
         sentences.append("the tests exclude all others that act alike")
@@ -309,8 +309,8 @@ def _next(result: Diagnosis, setting: ReportSetting) -> list[Cell]:
             motors = motors_in_words(setting.robot, proposed.drives, claimed)
         text += f" {motors},"
     first, second = (_explanation(name, result) for name in proposed.separates)
-    told = f"which is expected to separate the explanations best: {first} and {second} differ there by"
+    contrast = f"which is expected to separate the explanations best: {first} and {second} differ there by"
     caveat = f" {sentence(proposed.caveat)}" if proposed.caveat else ""
     load = [Cell("Set"), setting.load(proposed.load)] if proposed.load else []
     sigmas = number(proposed.sigmas, ".0f", pointer(at, "sigmas"))
-    return [*cells, Cell(f"{text} {told}"), sigmas, Cell(f"standard deviations.{caveat}"), *load]
+    return [*cells, Cell(f"{text} {contrast}"), sigmas, Cell(f"standard deviations.{caveat}"), *load]

@@ -159,24 +159,21 @@ def candidate_blocks(result: Diagnosis) -> list[Block]:
             if limit.value is not None
         ]
         if limits:
-            what = Paragraph(
+            intro = Paragraph(
                 "How far a value of a candidate may be from the declared one at 95 %, if everything else is as "
                 "declared within its \u03c3; nothing bounds the others within their plausible range:"
             )
-            about = [what, Facts(limits), *about]
+            about = [intro, Facts(limits), *about]
         return [Paragraph("No candidate was tested."), *about]
     figure = scores.candidate_scores(result)
     blocks: list[Block] = []
     if figure is not None:
-        ranked, count = (
-            sorted(result.candidates, key=lambda candidate: candidate.p_value),
-            len(result.candidates),
-        )
-        name, shown = clean(ranked[0].name), ranked[: scores.MOST]
+        ranked = sorted(result.candidates, key=lambda candidate: candidate.p_value)
+        name, count = clean(ranked[0].name), len(ranked)
         which = f" (the {scores.MOST} most significant of {count})" if count > scores.MOST else ""
-        open_marks = " Open marks are candidates that these data cannot detect, listed below the table."
-        if all(candidate.detectable for candidate in shown):
-            open_marks = ""
+        open_marks = ""
+        if not all(candidate.detectable for candidate in ranked[: scores.MOST]):
+            open_marks = " Open marks are candidates that these data cannot detect, listed below the table."
         blocks.append(
             Picture.of(
                 figure,
@@ -190,11 +187,11 @@ def candidate_blocks(result: Diagnosis) -> list[Block]:
         )
     blocks += [_table(result), *_probabilities(result)]
     if result.undetectable:
-        what = Paragraph(
+        intro = Paragraph(
             "Not detectable with these data: nothing bounds them within their plausible range, and no explanation "
             "contains them. That they were not found says nothing about them:"
         )
-        blocks += [what, Listing([named(name, result.sentences) for name in result.undetectable])]
+        blocks += [intro, Listing([named(name, result.sentences) for name in result.undetectable])]
     return blocks
 
 
@@ -229,33 +226,7 @@ def _first_names(names: Sequence[str]) -> str:
 
 def _table(result: Diagnosis) -> Table:
     order = sorted(range(len(result.candidates)), key=lambda k: result.candidates[k].p_value)
-    rows = []
-    for k in order[:MOST]:
-        candidate = result.candidates[k]
-        # A row for each parameter: the smallest visible size, and the limit.
-        sizes = {value.name.removeprefix("effects."): value for value in candidate.visible_from}
-        limited = [name for name, limit in result.limits.items() if limit.candidate == candidate.name]
-        names = [*dict.fromkeys([*limited, *sizes])] or [""]
-        for name in names:
-            parameter = "" if len(names) == 1 else f".{name.removeprefix(f'{candidate.name}.')}"
-            visible = sizes.get(name) if candidate.detectable else None
-            limit, symbol, size = result.limits.get(name), "", Cell(NOTHING)
-            if visible is not None:
-                at = pointer("candidates", k, "visible_from", key(visible), "value")
-                symbol, size = unit(visible.unit), figures(visible.value, 2, at)
-            elif limit is not None and limit.value is not None:
-                symbol = unit(limit.unit)
-            rows.append(
-                [
-                    Cell.named(clean(candidate.sentence), clean(f"{candidate.name}{parameter}")),
-                    Cell(standing(result, candidate.name)),
-                    p_value(candidate.p_value, pointer("candidates", k, "p_value")),
-                    size,
-                    _limit(result, name),
-                    Cell(symbol),
-                    Cell("yes" if candidate.detectable else "no"),
-                ]
-            )
+    rows = [row for k in order[:MOST] for row in _rows(result, k)]
     columns = [Column("candidate", False), Column("standing", False)]
     columns += [
         Column("p of its score"),
@@ -277,6 +248,35 @@ def _table(result: Diagnosis) -> Table:
         "plausible range. That nothing was found is no proof that an effect is absent."
     )
     return table(caption, columns, rows, note=note)
+
+
+def _rows(result: Diagnosis, k: int) -> list[list[Cell]]:
+    """Return a row for each parameter of a candidate: the smallest visible size, and the limit."""
+    candidate, rows = result.candidates[k], []
+    sizes = {value.name.removeprefix("effects."): value for value in candidate.visible_from}
+    limited = [name for name, limit in result.limits.items() if limit.candidate == candidate.name]
+    names = [*dict.fromkeys([*limited, *sizes])] or [""]
+    for name in names:
+        parameter = "" if len(names) == 1 else f".{name.removeprefix(f'{candidate.name}.')}"
+        visible = sizes.get(name) if candidate.detectable else None
+        limit, symbol, size = result.limits.get(name), "", Cell(NOTHING)
+        if visible is not None:
+            at = pointer("candidates", k, "visible_from", key(visible), "value")
+            symbol, size = unit(visible.unit), figures(visible.value, 2, at)
+        elif limit is not None and limit.value is not None:
+            symbol = unit(limit.unit)
+        rows.append(
+            [
+                Cell.named(clean(candidate.sentence), clean(f"{candidate.name}{parameter}")),
+                Cell(standing(result, candidate.name)),
+                p_value(candidate.p_value, pointer("candidates", k, "p_value")),
+                size,
+                _limit(result, name),
+                Cell(symbol),
+                Cell("yes" if candidate.detectable else "no"),
+            ]
+        )
+    return rows
 
 
 def _limit(result: Diagnosis, name: str) -> Cell:

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from pkmodes.core.base.numbers import plain
 from pkmodes.machine.shaping.firmware import HOW_TO_FIND_VERSION
 from pkmodes.pages.report.blocks import Lines, Paragraph
-from pkmodes.pages.report.formatting import clean
+from pkmodes.pages.report.formatting import clean, per_cent
 
 #: Keys of the remaining vibration, in order of preference.
 WORST_KEYS = ("worst_uncertain", "worst")
@@ -54,15 +53,13 @@ def _blocks(
     - missing_sentence: for a version without lines, with a field for its name
     """
     remaining_by_version = {
-        version["version"]: _per_cent(version["worst"])
-        for version in versions
-        if version["worst"] is not None
+        version["version"]: per_cent(version["worst"]) for version in versions if version["worst"] is not None
     }
-    differing = {name for name, text in remaining_by_version.items() if text != _per_cent(compared_share)}
+    differing = {name for name, text in remaining_by_version.items() if text != per_cent(compared_share)}
     if differing:
         intro += (
             " Some versions turn these lines into other impulses than those compared above: what these leave at "
-            f"most, instead of {_per_cent(compared_share)}, is beside their names."
+            f"most, instead of {per_cent(compared_share)}, is beside their names."
         )
     blocks: list[Paragraph | Lines] = [Paragraph(intro)]
     for i, version in enumerate(versions):
@@ -82,8 +79,3 @@ def _blocks(
         if so_far.count(firmware) > 1 and firmware not in later:
             blocks.append(Paragraph(HOW_TO_FIND_VERSION[firmware]))
     return blocks
-
-
-def _per_cent(share: float) -> str:
-    """Return a share in per cent, as sentences give it."""
-    return f"{plain(100.0 * share, 2)} %"

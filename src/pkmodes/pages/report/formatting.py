@@ -148,6 +148,16 @@ def thousands(count: int) -> str:
     return f"{count:,}".replace(",", "\u2009")
 
 
+def per_cent(share: float) -> str:
+    """Return a share in per cent with two digits, as sentences give it."""
+    return f"{plain(100.0 * share, 2)} %"
+
+
+def file_name(path: str) -> str:
+    """Return the name of a file from its path, with slashes of either kind."""
+    return path.replace("\\", "/").rpartition("/")[2]
+
+
 def pointer(*parts: object) -> str:
     """Return a JSON pointer (RFC 6901); characters that are not visible are escaped."""
     return "".join("/" + visible(part).replace("~", "~0").replace("/", "~1") for part in parts)

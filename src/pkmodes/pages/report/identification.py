@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from pkmodes.core.base.numbers import plain
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.support.ordering import listed
 from pkmodes.modaltest.campaign.campaign import Campaign
@@ -15,7 +14,7 @@ from pkmodes.modaltest.campaign.identify import COMPLEX
 from pkmodes.modaltest.campaign.results import Identification, IdentifiedMode, RecordResult
 from pkmodes.pages.plots import identified_modes
 from pkmodes.pages.report.blocks import Block, Cell, Column, Picture, Section, Summary
-from pkmodes.pages.report.formatting import clean, hertz, number, plural, pointer, shortened
+from pkmodes.pages.report.formatting import clean, hertz, number, per_cent, plural, pointer, shortened
 from pkmodes.pages.report.identified_record import SHOWN, auto_macs, record_section
 from pkmodes.pages.report.page import need_report, page
 from pkmodes.pages.report.sections import origin
@@ -108,19 +107,15 @@ def _facts(identified: Identification, modes: Sequence[IdentifiedMode]) -> list[
         ("modes", Cell(str(len(modes)), len(modes))),
         (
             "median \u03c3 of a frequency",
-            Cell(_per_cent(float(np.median(relative))), float(np.median(relative))),
+            Cell(per_cent(float(np.median(relative))), float(np.median(relative))),
         ),
-        ("largest \u03c3 of a frequency", Cell(_per_cent(float(relative.max())), float(relative.max()))),
-        ("of which repeatability", Cell(_per_cent(identified.repeatability), identified.repeatability, at)),
+        ("largest \u03c3 of a frequency", Cell(per_cent(float(relative.max())), float(relative.max()))),
+        ("of which repeatability", Cell(per_cent(identified.repeatability), identified.repeatability, at)),
     ]
     if damped.size:
         middle = float(np.median(damped))
-        facts.append(("median relative \u03c3 of a damping ratio", Cell(_per_cent(middle), middle)))
+        facts.append(("median relative \u03c3 of a damping ratio", Cell(per_cent(middle), middle)))
     return facts
-
-
-def _per_cent(share: float) -> str:
-    return f"{plain(100.0 * share, 2)} %"
 
 
 def _attention(identified: Identification) -> list[tuple[str, list[str]]]:

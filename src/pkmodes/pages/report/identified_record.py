@@ -28,6 +28,7 @@ from pkmodes.pages.report.blocks import (
 )
 from pkmodes.pages.report.formatting import (
     clean,
+    file_name,
     hertz,
     number,
     plural,
@@ -87,10 +88,7 @@ def record_section(
             [Paragraph(f"{plural(omitted, 'further message')} in the output of --json.")] if omitted else []
         )
     if result.left_out:
-        faulty = []
-        for omission in result.left_out:
-            name = omission.file.replace("\\", "/").rpartition("/")[2]
-            faulty.append(clean(f"{name}: {omission.reason}"))
+        faulty = [clean(f"{file_name(omission.file)}: {omission.reason}") for omission in result.left_out]
         blocks += [Paragraph("Files that were left out:"), Listing(faulty)]
     for inspection in result.inspections:
         blocks += _fit(inspection, result, campaign)

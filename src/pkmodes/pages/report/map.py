@@ -23,7 +23,7 @@ from pkmodes.pages.report.blocks import (
     Section,
 )
 from pkmodes.pages.report.explorer import explorer_of
-from pkmodes.pages.report.formatting import clean, shortened
+from pkmodes.pages.report.formatting import clean, file_name, shortened
 from pkmodes.pages.report.map_planes import declared_values, plane_of, swept_paths, swept_pictures
 from pkmodes.pages.report.map_summary import axis_units, ranges, summary_of_map
 from pkmodes.pages.report.page import need_report, page
@@ -79,7 +79,7 @@ def map_report(
     explorer = explorer_of(model, dataset, axis_units(model), machine=view is not None)
     about = [("rigid-body modes", [Cell(str(content["rigid_modes"]))])]
     if content["file"]:
-        about.append(("map", [Cell(shortened(content["file"].replace("\\", "/").rpartition("/")[2]))]))
+        about.append(("map", [Cell(shortened(file_name(content["file"])))]))
     sections = [
         Section("modes", "Range of each frequency", [ranges(model, content)]),
         *([Section("explore", "Pose by pose", [explorer])] if explorer is not None else []),

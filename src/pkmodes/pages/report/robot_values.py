@@ -60,10 +60,8 @@ def different_values(first: Model, content: dict[str, Any], max_rows: int | None
     note = ""
     if max_rows is not None and len(numbered) > max_rows:
         # Those without a relative difference first, then the largest ones.
-        ranks = {
-            i: -math.inf if value["relative"] is None else -abs(value["relative"]) for i, value in numbered
-        }
-        numbered = sorted(numbered, key=lambda entry: ranks[entry[0]])[:max_rows]
+        sizes = [math.inf if value["relative"] is None else abs(value["relative"]) for _, value in numbered]
+        numbered = sorted(numbered, key=lambda entry: -sizes[entry[0]])[:max_rows]
         note = f"The {max_rows} that differ most of {len(content['values'])}; all: --all, --json or --report."
     if numbered:
         shown = [value for _, value in numbered]
