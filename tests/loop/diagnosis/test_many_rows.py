@@ -64,9 +64,8 @@ def elements(poses: int) -> int:
 
 def test_the_work_of_a_comparison_is_proportional_to_the_rows() -> None:
     """Sixteen times the rows: 256 times as many elements where every row is compared with all."""
-    assert elements(800) == pytest.approx(
-        16 * elements(50), rel=0.05
-    )  # few of them do not depend on the rows
+    # A few do not depend on the rows.
+    assert elements(800) == pytest.approx(16 * elements(50), rel=0.05)
 
 
 @pytest.mark.parametrize("seed", range(5))
