@@ -8,7 +8,6 @@ engines and closed forms.  Machines are random, each with other effects; two hun
 from __future__ import annotations
 
 import json
-from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -32,30 +31,14 @@ from helpers.robots.six_legged import MACHINES, Case, drawn, effects, rotation, 
 NAMES = tuple(MACHINES)
 TABLE = Path(__file__).with_name("exudyn_six_legs.json")
 
-#: What the tests need of pkmodes and it does not have yet: to be deleted with `tried` when it does.
-PAYLOAD_ASIDE = True  #: payload.offset
-MODES = True  #: modes of platforms that turn, with either drives
-
-
-def tried(name: str, *, modes: bool = False, payload: bool = False) -> None:
-    """Skip a test of what is not there yet."""
-    if not find_spec(f"pkmodes_generated.{name}"):
-        pytest.skip(f"{name} is not derived yet")
-    if modes and not MODES:
-        pytest.skip("modes of platforms that turn are not there yet")
-    if payload and not PAYLOAD_ASIDE:
-        pytest.skip("a payload aside is not there yet")
-
 
 @pytest.mark.parametrize("seed", range(7))
 @pytest.mark.parametrize("name", NAMES)
 def test_random_machines(name: str, seed: int, tmp_path: Path) -> None:
     """The first without effects, the second with all."""
     case = drawn(name, seed)
-    tried(name, payload="payload" in case.machine["effects"])
     model, expected = load(case.machine, tmp_path), result(*case)
     assert not disagreements(matrix_errors(model, case, expected))
-    tried(name, modes=True)
     assert not disagreements(mode_errors(model, case, expected))
 
 
@@ -64,7 +47,6 @@ def test_each_effect_by_itself(subtests: pytest.Subtests, tmp_path: Path) -> Non
         case = MACHINES[name](8)
         for effect in effects(case):
             with subtests.test(f"{name}, {effect}"):
-                tried(name, payload=effect == "payload")
                 one = with_effects(case, [effect])
                 expected, model = result(*one), load(one.machine, tmp_path)
                 assert model.coordinates == expected.coordinates
@@ -74,7 +56,6 @@ def test_each_effect_by_itself(subtests: pytest.Subtests, tmp_path: Path) -> Non
 
 
 def test_a_frame_that_yields_by_direction(tmp_path: Path) -> None:
-    tried("hexapod", modes=True)
     case = MACHINES["hexapod"](2)
     yields = {f"compliance_{axis}": c for axis, c in zip("xyz", (1e-7, 3e-7, 2e-8), strict=True)}
     one = Case({**case.machine, "effects": {"frame_compliance": yields}}, case.pose)
@@ -83,7 +64,6 @@ def test_a_frame_that_yields_by_direction(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("weight", [False, True])
 def test_two_legs_along_each_axis(weight: bool, tmp_path: Path) -> None:
-    tried("hexapod")
     case, by_hand = orthogonal(weight=weight)
     model = load(case.machine, tmp_path)
     M, K = model.matrices(case.pose)
@@ -91,7 +71,6 @@ def test_two_legs_along_each_axis(weight: bool, tmp_path: Path) -> None:
     assert relative(M, by_hand.M) < tolerance
     assert relative(K, by_hand.K) < 1e-13
     assert relative(model.statics(case.pose).torques, by_hand.statics) < tolerance
-    tried("hexapod", modes=True)
     held = model.modes(case.pose, drives="held").frequencies
     np.testing.assert_allclose(held, by_hand.held, rtol=tolerance)
     if not weight:
@@ -101,7 +80,6 @@ def test_two_legs_along_each_axis(weight: bool, tmp_path: Path) -> None:
 
 
 def test_six_vertical_legs_are_singular(tmp_path: Path) -> None:
-    tried("hexapod")
     case, _ = vertical()
     model = load(case.machine, tmp_path)
     assert model.check(case.pose).reason == "singular"
@@ -111,7 +89,6 @@ def test_six_vertical_legs_are_singular(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("with_all", [False, True])
 def test_pairs_of_parallel_rods_are_a_linear_delta(with_all: bool, tmp_path: Path) -> None:
-    tried("hexaglide")
     it = pairs(0, effects=with_all)
     delta, six = load(it.delta, tmp_path), load(it.six.machine, tmp_path)
     S = together(six.coordinates, delta.coordinates)
@@ -125,7 +102,6 @@ def test_pairs_of_parallel_rods_are_a_linear_delta(with_all: bool, tmp_path: Pat
     "entry", json.loads(TABLE.read_text(encoding="utf-8")), ids=lambda e: e["machine"]["name"]
 )
 def test_frequencies_by_exudyn(entry: dict[str, Any], tmp_path: Path) -> None:
-    tried(entry["machine"]["mechanism"], modes=True)
     model = load(entry["machine"], tmp_path)
     for drives in ("free", "held"):
         found = model.modes(entry["pose"], drives=drives)
@@ -135,7 +111,6 @@ def test_frequencies_by_exudyn(entry: dict[str, Any], tmp_path: Path) -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_gravity_is_what_changes_the_forces_of_the_drives(name: str, tmp_path: Path) -> None:
     """Of neighbouring poses: K_g by the drives' coordinates is the slope of the forces there, without any oracle."""
-    tried(name)
     case = MACHINES[name](3)
     model = load(case.machine, tmp_path)
     weightless = load({**case.machine, "name": "weightless", "gravity": [0.0, 0.0, 0.0]}, tmp_path)

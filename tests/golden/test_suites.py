@@ -1,6 +1,6 @@
 """What the diagnosis makes of cases on the virtual rig is frozen: verdict and its rule, classes, values of causes.
 
-Here a few of each suite are run; in tests/diagnosis, where outcomes are held against the truth, each of them
+Here a few of each suite are run; in tests/loop/diagnosis, where outcomes are held against the truth, each of them
 is compared, too.  With ``--whole-suites`` every case runs: an hour and a half on one core.
 A change that is meant is written by ``--update-golden``, and reviewed.
 """

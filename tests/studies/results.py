@@ -73,7 +73,7 @@ def page(folder: Path = FOLDER) -> str:
         text = re.sub(r"\s+", " ", section.text)
         for name in re.findall(r"\{([^}]+)\}", text):
             text = text.replace(f"{{{name}}}", facts[name])
-        every = facts.get("cases of the suites", cases := facts.get("cases", ""))
+        cases, every = _cases(facts)
         if cases != every:
             text += f" **Not every case was run: {cases} of {every}.**"
         if (small := facts.get("none large enough", "0")) != "0":
@@ -86,6 +86,12 @@ def page(folder: Path = FOLDER) -> str:
         files = ", ".join(f"[{name}](../results/{section.name}/{name}.csv)" for name in sorted(tables))
         lines += [*_filled(f"CSV: {files}."), ""]
     return "\n".join(lines[:-1]) + "\n"
+
+
+def _cases(facts: Mapping[str, str]) -> tuple[str, str]:
+    """Return how many cases were run, and how many the suites have."""
+    cases = facts.get("cases", facts.get("cases drawn", ""))
+    return cases, facts.get("cases of the suites", cases)
 
 
 def _filled(text: str) -> list[str]:
@@ -101,8 +107,7 @@ def _overview(suites: Mapping[str, Tables]) -> Table:
         asked = [record for record in _records(tables, "requirements") if record["met"]]
         met = sum(record["met"] != NOT_MET for record in asked)
         anchor = section.title.lower().replace(" ", "-")
-        cases = facts.get("cases", facts.get("cases drawn", ""))
-        every = facts.get("cases of the suites", cases)
+        cases, every = _cases(facts)
         cases = cases if cases == every else f"{cases} of {every}"
         rows.append((f"[{section.title}](#{anchor})", cases, f"{met} of {len(asked)}" if asked else ""))
     return Table.of(("suite", "cases", "requirements met"), rows)
@@ -139,54 +144,49 @@ def _pivot(
     return Table.of((title, *columns), rows)
 
 
-def _what(record: Record) -> str:
-    return f"{record['group']}: {record['requirement']}"
-
-
 def _plain(tables: Tables) -> list[Table]:
     """Return one column of requirements."""
-    return [_pivot(_records(tables, "requirements"), "requirement", _what, lambda _: "measured")]
-
-
-def _by_motors(tables: Tables) -> list[Table]:
-    return [
-        _pivot(_records(tables, "requirements"), "suite: requirement", _what, lambda record: record["motors"])
-    ]
-
-
-def _by_mechanism(tables: Tables) -> list[Table]:
-    """Return a column for each mechanism: a group is called "corexy, one effect"."""
-
-    def split(record: Record) -> tuple[str, str]:
-        mechanism, comma, rest = record["group"].partition(", ")
-        return (mechanism, rest) if comma else ("all", mechanism)
-
     return [
         _pivot(
             _records(tables, "requirements"),
-            "suite: requirement",
-            lambda record: f"{split(record)[1]}: {record['requirement']}",
-            lambda record: split(record)[0],
+            "requirement",
+            lambda record: f"{record['group']}: {record['requirement']}",
+            lambda _: "measured",
         )
     ]
 
 
-def _by_mechanism_and_motors(tables: Tables) -> list[Table]:
-    """Return a column for each mechanism and what its motors did: "corexy, one effect, motors held"."""
+def _by(split: Callable[[Record], tuple[str, str]]) -> Callable[[Tables], list[Table]]:
+    """Return a function that shows requirements in columns; `split` gives the column, and the suite of its row."""
 
-    def split(record: Record) -> tuple[str, str]:
-        mechanism, _, rest = record["group"].partition(", ")
-        suite, _, drives = rest.partition(", motors ")
-        return f"{mechanism}, {drives or DRIVES[0]}", suite
+    def shown(tables: Tables) -> list[Table]:
+        return [
+            _pivot(
+                _records(tables, "requirements"),
+                "suite: requirement",
+                lambda record: f"{split(record)[1]}: {record['requirement']}",
+                lambda record: split(record)[0],
+            )
+        ]
 
-    return [
-        _pivot(
-            _records(tables, "requirements"),
-            "suite: requirement",
-            lambda record: f"{split(record)[1]}: {record['requirement']}",
-            lambda record: split(record)[0],
-        )
-    ]
+    return shown
+
+
+def _motors(record: Record) -> tuple[str, str]:
+    return record["motors"], record["group"]
+
+
+def _mechanism(record: Record) -> tuple[str, str]:
+    """Return the parts of a group: "corexy, one effect"; one without a mechanism is of all."""
+    mechanism, comma, suite = record["group"].partition(", ")
+    return (mechanism, suite) if comma else ("all", mechanism)
+
+
+def _mechanism_and_motors(record: Record) -> tuple[str, str]:
+    """Return the parts of a group: "corexy, one effect, motors held"."""
+    mechanism, _, rest = record["group"].partition(", ")
+    suite, _, drives = rest.partition(", motors ")
+    return f"{mechanism}, {drives or DRIVES[0]}", suite
 
 
 def _by_suite(tables: Tables) -> list[Table]:
@@ -204,15 +204,14 @@ def _by_suite(tables: Tables) -> list[Table]:
     ]
 
 
-def _rows(name: str, by: str = "", without: Sequence[str] = ()) -> Callable[[Tables], list[Table]]:
+def _rows(name: str, by: str = "") -> Callable[[Tables], list[Table]]:
     """Return a function that shows a table as it is, or the part of it where the first column has a name."""
 
     def shown(tables: Tables) -> list[Table]:
         table = tables[name]
-        rows = [row[1:] if by else row for row in table.rows if not by or row[0] == by]
-        head = (by, *table.head[2:]) if by else table.head
-        kept = [i for i, title in enumerate(head) if title not in without]
-        return [Table.of((head[i] for i in kept), ([row[i] for i in kept] for row in rows))]
+        if not by:
+            return [table]
+        return [Table.of((by, *table.head[2:]), (row[1:] for row in table.rows if row[0] == by))]
 
     return shown
 
@@ -317,7 +316,7 @@ in every fifth case, and true values of the uncertain parameters drawn from thei
 suites, and with few rows, missed modes and outliers, a laboratory is drawn for each case: 15 % of the modes
 missed, a band, few sensors or none, errors that differ from row to row and may all be wrong by a common factor;
 some specimens are frames of three to five storeys.  Motors are free, held, or held at every second pose (mixed).""",
-        _by_motors,
+        _by(_motors),
         _listed(),
     ),
     Section(
@@ -328,7 +327,7 @@ some specimens are frames of three to five storeys.  Motors are free, held, or h
 modes missed in every second one.  A CoreXY has two vibration modes per pose, a rotary delta three, so that causes
 are harder to tell apart.  `one_run`, a soft end of one run of a belt, turned out to be exactly equivalent to a
 longer free length, which the catalogue has; its cases count as wrong, because the judging was fixed beforehand.""",
-        _by_mechanism_and_motors,
+        _by(_mechanism_and_motors),
         _listed(),
     ),
     Section(
@@ -340,7 +339,7 @@ of its own.  Causes are sized by their signal in the modes that were found: one 
 25, outside the catalogue 9 to 50.  36 cases were diagnosed again with each pose alone held out ({splits} splits).
 In {not named, but among several that remain} of the {not named} cases that were not named, the truth is among
 several explanations that remain.""",
-        _by_mechanism,
+        _by(_mechanism),
         _listed(),
     ),
     Section(
@@ -351,7 +350,7 @@ several explanations that remain.""",
 drawn for each case in a box of positions and rotations.  Every second case has sensors on the platform, the others
 on the legs or carriages.  A hose along a leg acts as a stiffer leg does: the claim that legs are not equally stiff
 is then correct in effect, and counted as wrong.""",
-        _by_mechanism,
+        _by(_mechanism),
         _listed(),
     ),
     Section(

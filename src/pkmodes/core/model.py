@@ -408,7 +408,7 @@ class Model:
     def condition(self, poses: ArrayLike, on_error: OnError = "raise", *, out: Array | None = None) -> Array:
         """Compute the condition number of the platform Jacobian D_p: its largest singular value over its smallest.
 
-        Rotations count times the characteristic length of the platform (docs/model.md).
+        Rotations are multiplied by the characteristic length of the platform (docs/model.md).
 
         Parameters
         ----------

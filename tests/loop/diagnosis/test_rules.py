@@ -45,7 +45,7 @@ SHOWN_BY = {
     "claims.default": "tests/loop/diagnosis/test_what_a_value_includes.py",
     "claims.dispersion": "tests/loop/diagnosis/test_dispersion.py",
     "claims.more_general": "tests/loop/diagnosis/test_nested.py",
-    "claims.one_term": "tests/loop/diagnosis/test_beyond.py",
+    "claims.one_term": "tests/loop/diagnosis/test_terms_and_causes.py",
     **dict.fromkeys(
         (
             *("claims.better_shapes", "claims.not_settled"),
