@@ -5,8 +5,8 @@ The law of propagation of uncertainty, with exact derivatives g and the covarian
 .. math:: \sigma_f^2 = g^T C \, g
 
 Values are independent unless a table ``[[covariance]]`` of the robot file correlates them
-(`pkmodes.core.robot.covariance`).  It is exact to first order: good where the standard deviations are small compared with
-the values.
+(`pkmodes.core.robot.covariance`).  It is exact to first order: good where the standard deviations are small compared
+with the values.
 
 References
 ----------
