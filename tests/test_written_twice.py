@@ -57,7 +57,7 @@ def written(tmp_path_factory: pytest.TempPathFactory) -> dict[str, list[dict[str
     """The files of two runs; the clock of the libraries, which counts seconds, goes on between them."""
     found: dict[str, list[dict[str, bytes]]] = {name: [] for name in WRITTEN}
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(dataset, "CHUNK", 10)  # several parts, which threads would write in any order
+        patch.setattr(dataset, "CHUNK_POSES", 10)  # several parts, which threads would write in any order
         for run_name in ("first", "second"):
             for name, write in WRITTEN.items():
                 folder = tmp_path_factory.mktemp(f"{run_name}-{name}")

@@ -52,7 +52,7 @@ def _drawn_only(monkeypatch: pytest.MonkeyPatch) -> None:
 
     The viewer has few poses: with every effect NumPy solves each.  Few are drawn to find the workspace, too.
     """
-    monkeypatch.setattr(workspace, "DRAWS", 20_000)
+    monkeypatch.setattr(workspace, "DRAWS_PER_ROUND", 20_000)
     few = {count: grid._replace(levels=2) for count, grid in viewed.GRIDS.items()}
     monkeypatch.setattr(viewed, "GRIDS", few)
     monkeypatch.setattr(viewed, "OF_MORE", viewed.OF_MORE._replace(levels=2))

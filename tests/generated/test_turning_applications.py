@@ -12,7 +12,7 @@ from pkmodes.loop.updating import frame
 from pkmodes.loop.updating.candidates import suspects
 from pkmodes.loop.updating.channels import channels, sensors
 from pkmodes.loop.updating.robot_structure import RobotStructure
-from pkmodes.machine.maps.workspace import box_of, resting
+from pkmodes.machine.maps.workspace import box_of, fixed_components
 from pkmodes.pages.plots import maps
 from pkmodes.pages.plots.plane import Plane, where
 
@@ -87,13 +87,13 @@ def test_maps_leave_rotations_as_they_are() -> None:
 def test_the_workspace_is_that_of_a_platform_that_stands_and_does_not_turn(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr("pkmodes.machine.maps.workspace.DRAWS", 20_000)
+    monkeypatch.setattr("pkmodes.machine.maps.workspace.DRAWS_PER_ROUND", 20_000)
     model = hexapod()
     low, high = box_of(model)
     assert low[2] > 0.15  # below the base is another assembly of the same legs
     np.testing.assert_array_equal([low[3:], high[3:]], 0.0)
     assert low[2] == pytest.approx(0.2, abs=0.01)
-    assert resting(model, POSE) == {3: POSE[3], 4: POSE[4], 5: POSE[5]}
+    assert fixed_components(model, POSE) == {3: POSE[3], 4: POSE[4], 5: POSE[5]}
 
 
 def test_pictures_of_a_plane_of_rotations_draw_no_directions() -> None:

@@ -18,7 +18,7 @@ from typing import Any, Generic, TypeVar
 
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.loop.diagnosis.posterior.document import Probabilities
-from pkmodes.machine.maps.running import connected
+from pkmodes.machine.maps.running import connect
 
 C = TypeVar("C")
 R = TypeVar("R")
@@ -110,7 +110,7 @@ class Pool:
             return
         with ExitStack() as stack:
             try:
-                client = stack.enter_context(connected(self.scheduler))
+                client = stack.enter_context(connect(self.scheduler))
                 if (threads := max(client.nthreads().values())) > 1:
                     what = f"expected workers with one thread each, found one with {threads}"
                     remedy = f"start them with: dask worker {self.scheduler} --nworkers N --nthreads 1"

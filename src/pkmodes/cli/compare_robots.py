@@ -19,7 +19,7 @@ from pkmodes.core.support.progress import say
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
-    from pkmodes.machine.maps.poses import Places
+    from pkmodes.machine.maps.poses import MapPoses
 
 #: Approximate number of poses in a workspace, and most poses compared: all are held in memory at once.
 POSES, MOST = 20_000, 1_000_000
@@ -70,17 +70,17 @@ def compare_robot_files(
     deliver(json_file, content, show, report_file(report_to, page))
 
 
-def _points(first: Model, second: Model, places: Places | None) -> np.ndarray:
+def _points(first: Model, second: Model, places: MapPoses | None) -> np.ndarray:
     """Return the poses, by default those of the workspaces that one of the robots uses."""
     from pkmodes.machine.maps.poses import PoseGrid
-    from pkmodes.machine.maps.workspace import reachable_by, within
+    from pkmodes.machine.maps.workspace import grid_over_workspaces, limits_test
 
     if places is None:
-        places = reachable_by([first, second], POSES)
+        places = grid_over_workspaces([first, second], POSES)
     count = math.prod(places.shape)
     if count > MOST:
         raise PkmodesError(f"expected at most {MOST:,} poses, found {count:,}", "poses", "give fewer")
     points = np.asarray(places.points(np.arange(count)))
-    if isinstance(places, PoseGrid) and places.used:
-        points = points[within(first)(points) | within(second)(points)]
+    if isinstance(places, PoseGrid) and places.usable_only:
+        points = points[limits_test(first)(points) | limits_test(second)(points)]
     return points

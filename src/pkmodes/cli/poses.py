@@ -14,7 +14,7 @@ from pkmodes.core.base.errors import PoseError
 if TYPE_CHECKING:
     from pkmodes.core.mechanism.registry import Mechanism
     from pkmodes.core.model import Model
-    from pkmodes.machine.maps.poses import Places
+    from pkmodes.machine.maps.poses import MapPoses
 
 pose_option = click.option(
     "--pose",
@@ -90,7 +90,7 @@ def pose_of(model: Model, text: str) -> list[float]:
     return point
 
 
-def places_given(model: Model, grid: str | None, poses: Path | None) -> Places | None:
+def places_given(model: Model, grid: str | None, poses: Path | None) -> MapPoses | None:
     """Return the poses of the two options, None without either.
 
     Raises click.UsageError if both are given.
@@ -98,13 +98,13 @@ def places_given(model: Model, grid: str | None, poses: Path | None) -> Places |
     if grid is not None and poses is not None:
         raise click.UsageError("--grid and --poses exclude each other", click.get_current_context())
     if grid is not None:
-        from pkmodes.machine.maps.poses import places_of
+        from pkmodes.machine.maps.poses import checked_poses
         from pkmodes.machine.maps.ranges import parse_grid
 
-        return places_of(model.mechanism, parse_grid(grid, model.mechanism, "--grid"))
+        return checked_poses(model.mechanism, parse_grid(grid, model.mechanism, "--grid"))
     if poses is not None:
         from pkmodes.machine.maps.pose_file import read_poses
-        from pkmodes.machine.maps.poses import places_of
+        from pkmodes.machine.maps.poses import checked_poses
 
-        return places_of(model.mechanism, read_poses(poses, model.mechanism))
+        return checked_poses(model.mechanism, read_poses(poses, model.mechanism))
     return None

@@ -276,7 +276,7 @@ def _poses(
     model: Model, grid: str | None, poses: Path | None, swept: Mapping[str, Any] | None
 ) -> NDArray[np.float64]:
     """Return the poses, by default those of the workspace that can be evaluated."""
-    from pkmodes.machine.maps.workspace import reachable, within
+    from pkmodes.machine.maps.workspace import grid_over_workspace, limits_test
 
     places = places_given(model, grid, poses)
     combinations = math.prod(len(values) for values in (swept or {}).values())
@@ -289,9 +289,9 @@ def _poses(
         )
     if places is not None:
         return np.asarray(places.points(np.arange(int(np.prod(places.shape)))))
-    workspace_grid = reachable(model)
+    workspace_grid = grid_over_workspace(model)
     points = workspace_grid.points(np.arange(int(np.prod(workspace_grid.shape))))
-    return np.asarray(points[model.check(points).valid & within(model)(points)])
+    return np.asarray(points[model.check(points).valid & limits_test(model)(points)])
 
 
 def _shapers_for_measured(

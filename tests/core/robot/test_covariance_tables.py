@@ -16,7 +16,7 @@ from pkmodes.core.robot.reading import read_robot
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.support.covariance import covariance_of, priors_of
 from pkmodes.loop.robot_files.differences import differences
-from pkmodes.machine.dataset.robot_text import text_of
+from pkmodes.machine.dataset.robot_text import robot_file_text
 
 MASS, WIDTH, RADIUS = '"1.5 kg"', '"15 mm"', '"35 mm"'
 TWO = """
@@ -198,7 +198,7 @@ def test_tables_stay_with_a_robot_and_its_variants(tmp_path: Path) -> None:
         assert alone.covariance == (Covariance(("belt.width",), ((1.0,),), (0.0005,)),)
         assert alone.with_values({"belt.width": {"sigma": None}}).covariance == ()
     written = tmp_path / "written.toml"
-    written.write_text(text_of(other), encoding="utf-8")
+    written.write_text(robot_file_text(other), encoding="utf-8")
     assert read_robot(written) == other
 
 

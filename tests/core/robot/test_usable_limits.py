@@ -24,7 +24,7 @@ from pkmodes.loop.robot_files.differences import differences
 from pkmodes.loop.robot_files.saving import Correction
 from pkmodes.loop.sensitivity.paths import paths
 from pkmodes.loop.updating.load_cases import settable
-from pkmodes.machine.dataset.robot_text import text_of
+from pkmodes.machine.dataset.robot_text import robot_file_text
 
 ROBOTS = Path(__file__).parents[3] / "robots"
 USED = '\n[usable]\nz = ["-300 mm", "-200 mm"]  # the table is there\nx = [0.1, "110 cm"]\n'
@@ -150,7 +150,7 @@ def test_every_form_stays_with_the_robot(tmp_path: Path, table: str) -> None:
     heavier = robot.with_values({"platform.mass": "2 kg"})
     other = tmp_path / "other.toml"
     for one in (heavier, robot):
-        other.write_text(text_of(one), encoding="utf-8")
+        other.write_text(robot_file_text(one), encoding="utf-8")
         assert read_robot(other) == one
         assert read_robot(other).usable == robot.usable
     assert correct(tmp_path, published() + table, platform__mass=Correction(1.4, 0.01, "new")).endswith(table)
@@ -179,7 +179,7 @@ def test_limits_belong_to_the_robot_and_stay_with_it(tmp_path: Path) -> None:
     assert heavier.usable == robot.usable
     other = tmp_path / "other.toml"
     for one in (heavier, robot):
-        other.write_text(text_of(one), encoding="utf-8")
+        other.write_text(robot_file_text(one), encoding="utf-8")
         assert read_robot(other) == one
 
 
@@ -229,7 +229,7 @@ def test_any_limits_are_read_as_written_or_refused(limits: dict[str, tuple[float
     if all(low < high for low, high in limits.values()):
         robot = robot_from_document(document, "robot.toml")
         assert robot.usable == limits
-        assert robot_from_document(tomllib.loads(text_of(robot)), "again.toml") == robot
+        assert robot_from_document(tomllib.loads(robot_file_text(robot)), "again.toml") == robot
     else:
         wrong = {f"robot.toml: usable.{name}" for name, (low, high) in limits.items() if low >= high}
         with pytest.raises(RobotFileError) as error:

@@ -26,7 +26,7 @@ ROWS, TASKS = 20, 17
 PROGRAM = f"""
 import os, sys, time
 from pkmodes.machine.maps import mapping, running
-mapping.ROWS = {ROWS}
+mapping.TASK_ROWS = {ROWS}
 evaluate = running.evaluate
 hold, begun = int(os.environ.get("HOLD_AFTER", 0)), 0
 def slowly(task):
@@ -46,7 +46,7 @@ main()
 CLIENT = f"""
 import os, sys
 from pkmodes.machine.maps import mapping, running
-mapping.ROWS = {ROWS}
+mapping.TASK_ROWS = {ROWS}
 collect, hold, stored = running._collect, int(os.environ["HOLD_AFTER"]), 0
 def collected(pending, put, finish):
     def finished(number):
@@ -101,7 +101,7 @@ def chunks_in(field: Path) -> list[Path]:
 
 def count_tasks(monkeypatch: pytest.MonkeyPatch) -> list[Task]:
     """Use the same short tasks here; return the list of those evaluated from now on."""
-    monkeypatch.setattr(mapping, "ROWS", ROWS)
+    monkeypatch.setattr(mapping, "TASK_ROWS", ROWS)
     evaluate, seen = running.evaluate, []
 
     def counted(task: Task) -> dict[str, np.ndarray]:

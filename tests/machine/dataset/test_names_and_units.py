@@ -13,7 +13,7 @@ import pytest
 import pkmodes
 from pkmodes.core.solve.fields import FIELDS
 from pkmodes.machine.dataset.table import table_of, write_table
-from pkmodes.machine.dataset.variables import EVENTS
+from pkmodes.machine.dataset.variables import EVENT_FLAGS
 
 ROBOTS = Path(__file__).parents[3] / "robots"
 pytest.importorskip("xarray")
@@ -82,5 +82,5 @@ def test_text_in_a_table_is_quoted_where_it_has_to_be(tmp_path: Path) -> None:
 def test_marks_of_tracked_modes_are_the_bits_of_the_documentation() -> None:
     page = (ROBOTS.parent / "docs/how-to/maps.md").read_text(encoding="utf-8")
     table = dict(re.findall(r"^\| `(\w+)` \| (\d) \|", page, re.MULTILINE))
-    assert {name: str(bit) for name, bit in EVENTS.items()} == table
+    assert {name: str(bit) for name, bit in EVENT_FLAGS.items()} == table
     assert list(table) == ["crossing", "veering", "uncertain"]

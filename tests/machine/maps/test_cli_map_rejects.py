@@ -128,7 +128,7 @@ def test_options(
     said: str,
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("pkmodes.machine.maps.running.PATIENCE", 1)
+    monkeypatch.setattr("pkmodes.machine.maps.running.TIMEOUT", 1)
     files = {
         "there.nc": "mine",
         "poses.csv": "x,y,z\n0.6,0,-0.245\n",

@@ -50,7 +50,7 @@ def stopped_after(tasks: int, out: Path, **options: Any) -> None:
             raise KeyboardInterrupt
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(mapping, "ROWS", ROWS)
+        patch.setattr(mapping, "TASK_ROWS", ROWS)
         with pytest.raises(KeyboardInterrupt):
             model().map(GRID, out=out, threads=1, progress=stop, **options)
     shutil.rmtree(folder_of(out))

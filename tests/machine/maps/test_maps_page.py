@@ -11,8 +11,8 @@ import distributed  # noqa: F401  # adds its settings to those of Dask
 import yaml
 
 from pkmodes.cli.map import map_
-from pkmodes.machine.dataset.variables import EVENTS
-from pkmodes.machine.maps.tracking import CLEAR, SAME
+from pkmodes.machine.dataset.variables import EVENT_FLAGS
+from pkmodes.machine.maps.tracking import MIN_CLEAR_MAC, MIN_SAME_MAC
 
 ROOT = Path(__file__).parents[3]
 PAGE = (ROOT / "docs" / "how-to/maps.md").read_text(encoding="utf-8")
@@ -38,7 +38,7 @@ def test_the_page_on_clusters_has_programs_options_and_settings_that_exist() -> 
 
 
 def test_marks_are_those_of_the_code() -> None:
-    for name, bit in EVENTS.items():
+    for name, bit in EVENT_FLAGS.items():
         assert f"| `{name}` | {bit} |" in PAGE
-    assert f"at least {CLEAR:g} |" in PAGE
-    assert f"below {SAME:g}, but" in PAGE
+    assert f"at least {MIN_CLEAR_MAC:g} |" in PAGE
+    assert f"below {MIN_SAME_MAC:g}, but" in PAGE

@@ -119,7 +119,7 @@ def test_files_and_an_interrupted_map_hold_what_a_whole_one_does(
 ) -> None:
     model = model_of("linear-delta-2022", DAMPING)
     how: Any = {"grid": {"x": np.linspace(0.3, 0.8, 12), "y": [0.0, 0.05], "z": -0.245}, "drives": "held"}
-    monkeypatch.setattr(mapping, "ROWS", 5)
+    monkeypatch.setattr(mapping, "TASK_ROWS", 5)
     whole = model.map(**how, **options)
     honest, begun = running.evaluate, 0
 

@@ -10,9 +10,9 @@ from scipy.linalg import eigvalsh
 
 import pkmodes
 from pkmodes.machine.maps import dataset
-from pkmodes.machine.maps.left_out import sentences
+from pkmodes.machine.maps.left_out import left_out_sentences
 from pkmodes.machine.maps.quantiles import quantiles
-from pkmodes.machine.maps.summary import quantiles_in_words, summary_of
+from pkmodes.machine.maps.summary import quantiles_sentence, summary_of
 from pkmodes.pages.report.map_summary import _headline
 
 PUBLISHED = Path(__file__).parents[3] / "robots" / "linear-delta-2022.toml"
@@ -24,7 +24,7 @@ def test_extremes_and_counts_do_not_depend_on_the_parts(monkeypatch: pytest.Monk
     # In part beyond the limits and out of reach; extremes of different modes lie in different parts.
     grid = {"x": np.linspace(0.0, 0.8, 9), "y": np.linspace(-0.1, 0.1, 3), "z": [-0.5, -0.245]}
     found = model.map(grid, sweep={"platform.mass": [2.0, 1.0]})
-    monkeypatch.setattr(dataset, "CHUNK", chunk)
+    monkeypatch.setattr(dataset, "CHUNK_POSES", chunk)
     summary = summary_of(found, None).as_json()
     values = found["frequency"].values.reshape(2, -1, 6)
     # A belt span of some mm: its frequency is beyond ten times the median of the robot, of which there are two.
@@ -101,7 +101,7 @@ def test_an_unstable_pose_and_a_singular_one_are_counted_and_left_out() -> None:
     )
     assert summary["modes"][0]["median_hz"] == pytest.approx(np.median(first[:3]))
     assert (first[3:] < 0.0).all()  # the dataset keeps its values
-    near, moving = sentences(summary, dict.fromkeys("xyz", ("m", 1.0)))
+    near, moving = left_out_sentences(summary, dict.fromkeys("xyz", ("m", 1.0)))
     assert near.startswith("1 pose is near-singular and not in these numbers: the condition number")
     assert near.endswith("; at pose = 4, x = 0.63 m, y = -0.158 m, z = 0.0002 m.")
     assert moving.startswith("2 poses are unstable and not in these numbers: the machine moves away instead")
@@ -144,4 +144,4 @@ def test_few_poses_that_all_move_away_have_no_extremes() -> None:
     ],
 )
 def test_two_per_cent_of_the_poses_are_one_at_least(count: int, expected: str) -> None:
-    assert quantiles_in_words({"counted": count}) == expected
+    assert quantiles_sentence({"counted": count}) == expected

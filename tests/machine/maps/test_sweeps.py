@@ -39,7 +39,7 @@ def test_a_task_may_begin_and_end_within_a_robot(
     sweep = {"platform.mass": [1.0, 1.5, 2.0]}
     whole = model.map(GRID, sweep=sweep)
     for rows in (1, 3, 5, 11):
-        monkeypatch.setattr("pkmodes.machine.maps.mapping.ROWS", rows)
+        monkeypatch.setattr("pkmodes.machine.maps.mapping.TASK_ROWS", rows)
         # Poses are solved together in lanes, so that rounding depends on their number.
         xarray.testing.assert_allclose(whole, model.map(GRID, sweep=sweep), rtol=1e-10)
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import pkmodes
-from pkmodes.machine.dataset.variables import EVENTS
+from pkmodes.machine.dataset.variables import EVENT_FLAGS
 
 ROBOTS = Path(__file__).parents[3] / "robots"
 CENTRE = {"x": np.linspace(0.35, 0.77, 169), "y": 0.0, "z": -0.245}
@@ -27,7 +27,7 @@ def test_on_the_centre_line_symmetric_and_antisymmetric_modes_cross(model: pkmod
     ranked = np.sign(by_rank[..., 0] * by_rank[..., 1])
     exchanged = (ranked[1:] != ranked[:-1]).any(axis=1)
     assert exchanged.any(), "by rank they are not"
-    crossing = (found["tracking"].values & EVENTS["crossing"]).any(axis=1)
+    crossing = (found["tracking"].values & EVENT_FLAGS["crossing"]).any(axis=1)
     np.testing.assert_array_equal(crossing[1:] & crossing[:-1] & exchanged, exchanged)
 
 
@@ -64,7 +64,7 @@ def test_a_tracked_map_is_the_map_by_rank_in_another_order(robot: str) -> None:
 def test_where_nothing_is_marked_neighbours_have_the_same_shapes(model: pkmodes.Model) -> None:
     grid = {"x": np.linspace(0.35, 0.77, 60), "y": np.linspace(-0.1, 0.1, 41), "z": -0.245}
     found = model.map(grid, tracked=True, shapes=True).squeeze()
-    clear = (found["tracking"].values & EVENTS["uncertain"]) == 0
+    clear = (found["tracking"].values & EVENT_FLAGS["uncertain"]) == 0
     assert clear.mean() > 0.9
     M, _ = model.matrices(np.stack(np.broadcast_arrays(*np.meshgrid(grid["x"], grid["y"]), -0.245), axis=-1))
     phi, psi = found["shape"].values[:, :-1], found["shape"].values[:, 1:]

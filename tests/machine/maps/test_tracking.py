@@ -11,11 +11,11 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from scipy.linalg import eigh
 
-from pkmodes.machine.dataset.variables import EVENTS
+from pkmodes.machine.dataset.variables import EVENT_FLAGS
 from pkmodes.machine.maps.tracking import Tracked, track
 
 Array = NDArray[np.float64]
-CROSSING, VEERING, UNCERTAIN = EVENTS.values()
+CROSSING, VEERING, UNCERTAIN = EVENT_FLAGS.values()
 
 
 class Followed:

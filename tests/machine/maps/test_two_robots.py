@@ -17,11 +17,11 @@ from pkmodes.loop.robot_files.differences import differences
 from pkmodes.machine.maps.robots_compared import (
     ModeChange,
     compare_frequencies,
-    exchanging,
-    largest_difference,
+    incomparable_modes_sentence,
+    largest_difference_sentence,
     mode_changes,
 )
-from pkmodes.machine.maps.workspace import reachable, reachable_by
+from pkmodes.machine.maps.workspace import grid_over_workspace, grid_over_workspaces
 
 ROBOTS = Path(__file__).resolve().parents[3] / "robots"
 
@@ -94,7 +94,7 @@ def test_modes_that_an_effect_adds_have_no_partner(model: pkmodes.Model, poses: 
 
 def test_poses_that_only_one_of_them_reaches_are_counted(tmp_path: Path, model: pkmodes.Model) -> None:
     shorter = read(tmp_path, published().replace('"1.2 m"', '"1 m"'))
-    grid = reachable_by([model, shorter], 2_000)
+    grid = grid_over_workspaces([model, shorter], 2_000)
     points = grid.points(np.arange(np.prod(grid.shape)))
     changes = compare_frequencies(model, shorter, points)
     first, second = model.check(points).valid, shorter.check(points).valid
@@ -102,7 +102,7 @@ def test_poses_that_only_one_of_them_reaches_are_counted(tmp_path: Path, model: 
     assert changes.counts.first_only == (first & ~second).sum() > 100
     assert np.isnan(changes.relative[~(first & second)]).all()
     assert np.isfinite(changes.relative[first & second]).all()
-    alone = reachable(model, 2_000)
+    alone = grid_over_workspace(model, 2_000)
     assert all(grid.axes[name][0] <= alone.axes[name][0] + 0.05 for name in "xyz")
     with pytest.raises(PoseError, match="both robots can reach"):
         compare_frequencies(model, shorter, np.array([[9.0, 9.0, 9.0]]))
@@ -159,22 +159,25 @@ def test_what_leads_is_the_largest_difference_of_a_mode_that_keeps_its_partner()
     """The difference of a mode that exchanges, or whose shape is another, is that of several motions."""
     kept, small = change(1, -0.031, 0.0, 0.99), change(2, 0.012, 0.1, 0.8)
     exchanged, unlike = change(3, -0.36, 0.11, 0.99), change(4, 0.5, 0.0, 0.79)
-    assert largest_difference([kept, small]) == "Mode 1 changes most: -3.10 % in the median"
-    assert exchanging([kept, small]) == ""
-    found = largest_difference([small, exchanged, unlike])
+    assert largest_difference_sentence([kept, small]) == "Mode 1 changes most: -3.10 % in the median"
+    assert incomparable_modes_sentence([kept, small]) == ""
+    found = largest_difference_sentence([small, exchanged, unlike])
     assert found == "Mode 2 changes most, of the modes that can be compared: +1.20 % in the median"
-    said = exchanging([kept, small, exchanged, unlike])
+    said = incomparable_modes_sentence([kept, small, exchanged, unlike])
     assert said.startswith("modes 3 and 4 cannot be compared: the partner is another one at more than 10 %")
     assert (
-        largest_difference([exchanged]) == "No mode of the first robot is one mode of the second throughout"
+        largest_difference_sentence([exchanged])
+        == "No mode of the first robot is one mode of the second throughout"
     )
-    assert exchanging([exchanged]).endswith("so that its quantiles mix motions")
-    assert largest_difference([change(1, 4.9e-5, 0.0, 1.0)]) == "No frequency changes"
+    assert incomparable_modes_sentence([exchanged]).endswith("so that its quantiles mix motions")
+    assert largest_difference_sentence([change(1, 4.9e-5, 0.0, 1.0)]) == "No frequency changes"
     nothing = ModeChange(5, 0, None, None, None, None, None, None)
-    assert largest_difference([kept, nothing]).startswith(
+    assert largest_difference_sentence([kept, nothing]).startswith(
         "Mode 1 changes most, of the modes that can be compared"
     )
-    assert exchanging([kept, nothing]) == ""  # it has no partner at all, which another note says
+    assert (
+        incomparable_modes_sentence([kept, nothing]) == ""
+    )  # it has no partner at all, which another note says
 
 
 def test_the_terminal_leads_with_what_can_be_compared(capsys: pytest.CaptureFixture[str]) -> None:

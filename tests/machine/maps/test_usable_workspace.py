@@ -17,7 +17,7 @@ from pkmodes.core.base.errors import PoseError
 from pkmodes.core.robot.usable import Radius, SingularAngle
 from pkmodes.loop.updating.candidates import suspects
 from pkmodes.loop.updating.robot_structure import RobotStructure
-from pkmodes.machine.maps.workspace import box_of, reachable, usable_box
+from pkmodes.machine.maps.workspace import box_of, grid_over_workspace, usable_box
 from pkmodes.pages.figures.quantities import volume_of
 from pkmodes.pages.figures.working_plane import working_plane
 from pkmodes.pages.plots.plane import Plane
@@ -81,7 +81,7 @@ def test_the_box_is_that_of_the_reachable_poses_within_the_limits(name: str, dat
     good = brute_force(name)
     good = good[((good >= least) & (good <= most)).all(axis=1)]
     assume(len(good) > 30)
-    grid = reachable(used(name, limits))
+    grid = grid_over_workspace(used(name, limits))
     found = usable_box(used(name, limits))
     room = 0.03 * (high - low)  # a step of the grid
     assert (good.min(axis=0) >= found[0] - room).all()
@@ -109,7 +109,7 @@ def test_limits_choose_the_branch_that_they_contain() -> None:
 @pytest.mark.parametrize(
     ("search", "limits"),
     [
-        (reachable, {"z": (-3.0, -2.0)}),
+        (grid_over_workspace, {"z": (-3.0, -2.0)}),
         (working_plane, {"z": (-3.0, -2.0)}),
         (typical_pose, {"z": (-3.0, -2.0)}),
         (

@@ -51,7 +51,7 @@ HERE = ["--host", "127.0.0.1", "--no-dashboard"]
 @pytest.fixture(autouse=True)
 def _patience(monkeypatch: pytest.MonkeyPatch) -> None:
     """A busy machine starts processes slowly."""
-    monkeypatch.setattr(running, "PATIENCE", LONG)
+    monkeypatch.setattr(running, "TIMEOUT", LONG)
 
 
 def free_address() -> str:
@@ -121,7 +121,7 @@ def wait_for(address: str, number: int) -> None:
 def test_the_result_is_that_of_this_machine(
     scheduler: str, workers: list[subprocess.Popen[bytes]], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(mapping, "ROWS", 20)
+    monkeypatch.setattr(mapping, "TASK_ROWS", 20)
     sweep = {"platform.mass": [1.0, 2.0]}
     here = model().map(GRID, sweep=sweep, shapes=True)
     seen = count_tasks(monkeypatch)
@@ -136,7 +136,7 @@ def test_one_worker_killed_midway_changes_nothing(scheduler: str, tmp_path: Path
     out = tmp_path / "map.nc"
     numbers: list[int] = []
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(mapping, "ROWS", 5)
+        patch.setattr(mapping, "TASK_ROWS", 5)
         here = model().map(GRID)
         address = free_address()
         with processes(scheduling(address), worker(address), worker(address)) as (_, first, _other):
@@ -172,7 +172,7 @@ def killed(
 def test_the_client_killed_midway_and_the_same_command_again(
     scheduler: str, killed: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, again: str
 ) -> None:
-    monkeypatch.setattr(mapping, "ROWS", ROWS)
+    monkeypatch.setattr(mapping, "TASK_ROWS", ROWS)
     out, whole = tmp_path / "map.nc", tmp_path / "whole.nc"
     model().map(GRID, out=whole).close()
     shutil.copytree(killed, folder_of(out))
@@ -295,7 +295,7 @@ def test_cases_of_a_suite_on_workers(
     ["campaigns", "clear_suites", "damping", "diagnosis", "limits", "mechanism_suites", "six_legged_suites"],
 )
 def test_every_suite_with_a_pool_takes_a_scheduler(suite: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(running, "PATIENCE", 1)
+    monkeypatch.setattr(running, "TIMEOUT", 1)
     monkeypatch.setattr(sys, "argv", [suite, "--scheduler", "nonsense://x"])
     with pytest.raises(SystemExit, match="error: cannot reach the scheduler"):
         import_module(f"studies.{suite}").main()
@@ -374,7 +374,7 @@ def test_a_worker_without_pkmodes(tmp_path: Path) -> None:
 
 
 def test_a_scheduler_without_workers(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(running, "PATIENCE", 2)
+    monkeypatch.setattr(running, "TIMEOUT", 2)
     address = free_address()
     with processes(scheduling(address)):
         deadline = time.monotonic() + LONG
@@ -391,7 +391,7 @@ def test_a_scheduler_without_workers(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.parametrize("address", ["tcp://127.0.0.1:9", "127.0.0.1:9", "nonsense://x", "", "tcp://", 5])
 def test_a_scheduler_that_is_not_there(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, address: str) -> None:
-    monkeypatch.setattr(running, "PATIENCE", 1)
+    monkeypatch.setattr(running, "TIMEOUT", 1)
     with pytest.raises(
         PkmodesError, match=r"cannot reach the scheduler|expected the address of a scheduler"
     ) as error:

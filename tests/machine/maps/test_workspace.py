@@ -10,7 +10,7 @@ import pytest
 import pkmodes
 from helpers.robots.robot_text import edited, published
 from pkmodes.core.base.errors import PoseError
-from pkmodes.machine.maps.workspace import POSES, box_of, reachable
+from pkmodes.machine.maps.workspace import DEFAULT_POSES, box_of, grid_over_workspace
 
 ROBOTS = Path(__file__).parents[3] / "robots"
 
@@ -76,8 +76,8 @@ def test_tiny_and_huge_robots_have_the_same_workspace_in_their_size(tmp_path: Pa
     model = declared(tmp_path, text)
     small, large = box_of(model)
     np.testing.assert_allclose(np.r_[small, large] / factor, np.r_[low, high], atol=0.02)
-    grid = reachable(model)
-    assert POSES / 3.0 < np.prod(grid.shape) < 3.0 * POSES
+    grid = grid_over_workspace(model)
+    assert DEFAULT_POSES / 3.0 < np.prod(grid.shape) < 3.0 * DEFAULT_POSES
     assert model.check(grid.points(np.arange(np.prod(grid.shape)))).valid.mean() > 0.2
 
 
@@ -92,14 +92,14 @@ def test_one_assembly_only() -> None:
 
 
 def test_the_grid_has_round_values_and_one_step() -> None:
-    grid = reachable(pkmodes.load(ROBOTS / "linear-delta-2022.toml"))
+    grid = grid_over_workspace(pkmodes.load(ROBOTS / "linear-delta-2022.toml"))
     steps = {round(float(step), 9) for axis in grid.axes.values() for step in np.diff(axis)}
     assert len(steps) == 1
     (step,) = steps
     assert f"{step:e}"[0] in "125"
     for axis in grid.axes.values():
         np.testing.assert_allclose(axis / step, np.round(axis / step), atol=1e-9)
-    assert POSES / 3.0 < np.prod(grid.shape) < 3.0 * POSES
+    assert DEFAULT_POSES / 3.0 < np.prod(grid.shape) < 3.0 * DEFAULT_POSES
 
 
 def test_a_thin_workspace() -> None:
@@ -126,6 +126,6 @@ def test_a_workspace_in_which_nothing_can_be_reached(tmp_path: Path) -> None:
 
 def test_the_same_grid_every_time() -> None:
     model = pkmodes.load(ROBOTS / "clavel-delta.toml")
-    first, again = reachable(model), reachable(model)
+    first, again = grid_over_workspace(model), grid_over_workspace(model)
     for name, values in first.axes.items():
         np.testing.assert_array_equal(values, again.axes[name])

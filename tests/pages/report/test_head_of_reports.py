@@ -16,7 +16,7 @@ from pkmodes.codegen.generation import specification
 from pkmodes.core.base.errors import MeasurementError, RobotFileError
 from pkmodes.core.robot.robot import Robot
 from pkmodes.loop.robot_files.saving import Correction, corrected_text
-from pkmodes.machine.dataset.robot_text import text_of
+from pkmodes.machine.dataset.robot_text import robot_file_text
 from pkmodes.modaltest.campaign.campaign import read_campaign
 
 ROOT = Path(__file__).parents[3]
@@ -176,7 +176,7 @@ def test_other_values_and_written_robots_keep_the_table(tmp_path: Path) -> None:
     assert dict(robot.report) == {"customer": HEAD[0][1], "serial": "00123", "operator": "A. Berg"}
     other: Robot = robot.with_values({"platform.mass": 2.0})
     assert other.report == robot.report
-    (tmp_path / "other.toml").write_text(text_of(other), encoding="utf-8")
+    (tmp_path / "other.toml").write_text(robot_file_text(other), encoding="utf-8")
     assert read_robot(tmp_path / "other.toml").report == robot.report
     saved = corrected_text(path, {"platform.mass": Correction(2.0)})
     assert TABLE in saved

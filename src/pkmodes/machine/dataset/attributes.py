@@ -14,13 +14,13 @@ from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.usable import reasons_of
 from pkmodes.core.solve.fields import COORDINATE, DIRECTION, DRIVE, MODE
 from pkmodes.core.support.extras import require
-from pkmodes.machine.dataset.robot_text import text_of
-from pkmodes.machine.dataset.variables import EVENTS, FIRST
+from pkmodes.machine.dataset.robot_text import robot_file_text
+from pkmodes.machine.dataset.variables import EVENT_FLAGS, FIRST_MODE
 
 CONVENTIONS = "CF-1.11"
 
 
-def imported() -> Any:
+def import_xarray() -> Any:
     """Import xarray.
 
     Raises MissingExtraError.
@@ -31,29 +31,33 @@ def imported() -> Any:
     return xarray
 
 
-def meanings_of(robot: Robot, name: str) -> dict[str, Any]:
-    """Return further attributes of a variable: what its codes mean."""
+def code_attributes(robot: Robot, name: str) -> dict[str, Any]:
+    """Return the attributes of a variable that explain its codes; none for a variable without codes."""
     if name == "reason":
         return reasons_of(robot.mechanism, robot.usable)
     if name == "tracking":
-        masks = np.array(list(EVENTS.values()), dtype=np.int8)
-        return {"flag_masks": masks, "flag_meanings": " ".join(EVENTS)}
+        masks = np.array(list(EVENT_FLAGS.values()), dtype=np.int8)
+        return {"flag_masks": masks, "flag_meanings": " ".join(EVENT_FLAGS)}
     return {}
 
 
-def labels_of(mechanism: Mechanism, modes: int, coordinates: tuple[str, ...]) -> dict[str, Any]:
+def axis_coordinates(mechanism: Mechanism, mode_count: int, coordinates: tuple[str, ...]) -> dict[str, Any]:
     """Return the coordinates along the axes after the poses."""
-    numbers = np.arange(FIRST, FIRST + modes)
+    mode_numbers = np.arange(FIRST_MODE, FIRST_MODE + mode_count)
     part = "component" if mechanism.rotations else "direction"
     return {
-        MODE: (MODE, numbers, {"units": "1", "long_name": "vibration mode, rigid-body modes left out"}),
-        DIRECTION: (DIRECTION, np.array(mechanism.components), _named(f"{part} of the platform's motion")),
-        COORDINATE: (COORDINATE, np.array(coordinates), _named("generalised coordinate")),
-        DRIVE: (DRIVE, np.array([d.name for d in mechanism.drives]), _named("drive")),
+        MODE: (MODE, mode_numbers, {"units": "1", "long_name": "vibration mode, rigid-body modes left out"}),
+        DIRECTION: (
+            DIRECTION,
+            np.array(mechanism.components),
+            _label_attributes(f"{part} of the platform's motion"),
+        ),
+        COORDINATE: (COORDINATE, np.array(coordinates), _label_attributes("generalised coordinate")),
+        DRIVE: (DRIVE, np.array([d.name for d in mechanism.drives]), _label_attributes("drive")),
     }
 
 
-def _named(long_name: str) -> dict[str, str]:
+def _label_attributes(long_name: str) -> dict[str, str]:
     return {"units": "1", "long_name": long_name}
 
 
@@ -66,7 +70,7 @@ def attributes_of(robot: Robot, rigid_modes: int, drives: str = FREE) -> dict[st
         "history": f"computed by pkmodes {VERSION}",
         "robot": robot.name,
         "mechanism": robot.mechanism_name,
-        "robot_file": text_of(robot),
+        "robot_file": robot_file_text(robot),
         "robot_file_name": Path(robot.source).name,
         "version": VERSION,
         "rigid_modes": rigid_modes,

@@ -1,4 +1,4 @@
-"""The dataset of modes at hand, with the names and attributes of a map."""
+"""Modes at poses as a dataset or a table, with the names and attributes of a map."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.solve.fields import FIELDS, INDEPENDENT, LINEAR, MODE, Field, conditions_of, of_maps
 from pkmodes.core.solve.results import Modes
-from pkmodes.machine.dataset.attributes import attributes_of, imported, labels_of, meanings_of
+from pkmodes.machine.dataset.attributes import attributes_of, axis_coordinates, code_attributes, import_xarray
 from pkmodes.machine.dataset.table import table_of
 from pkmodes.machine.dataset.variables import dims_of_poses, variables
 
@@ -31,40 +31,55 @@ def to_dataset(modes: Modes) -> xarray.Dataset:
     are left out, and so are fields that were not requested.
     Raises MissingExtraError if the libraries of the extra ``map`` are not installed.
     """
-    xr = imported()
+    xr = import_xarray()
     robot, poses, drives = modes.robot, modes.poses, modes.drives
     mechanism = robot.mechanism
     names = ("valid", "reason", *(name for name in modes.requested if FIELDS[name].variable))
     arrays = {name: getattr(modes, name) for name in names}
     normal = mechanism.directions[2] if len(mechanism.directions) > 2 else None
-    axes = poses.ndim - 1
-    leading = dims_of_poses(axes)
+    pose_axis_count = poses.ndim - 1
+    pose_dims = dims_of_poses(pose_axis_count)
     conditions = conditions_of([robot], "shapes" in arrays, drives)
     fields = [field for field in of_maps(conditions) if field.name in arrays]
     values = {field.name: arrays[field.name] for field in fields}
-    vibrations: Any = (*[slice(None)] * axes, slice(modes.rigid_modes, None))
+    vibration_index: Any = (*[slice(None)] * pose_axis_count, slice(modes.rigid_modes, None))
     for field in fields:
         if field.dims[:1] == (MODE,):
-            values[field.name] = arrays[field.name][vibrations]
-    # Further fields that follow from those available, such as the parts of the platform's motion.
+            values[field.name] = arrays[field.name][vibration_index]
+    # Fields that are computed from those available, such as the parts of the platform's motion.
     available = {**values, "directions": mechanism.directions, "normal": normal}
     for field in of_maps(conditions):
         if not field.in_modes and available.keys() >= {*field.needs}:
             fields.append(field)
             values[field.name] = field.of(*(available[name] for name in field.needs))
-    shown = modes.coordinates if "shapes" in values else mechanism.independent
-    named = {name: arrays[name] for name in ("valid", "reason")}
-    named |= {field.variable: _along(field, values[field.name], mechanism, shown) for field in fields}
-    data = {
-        v.name: ((*leading, *v.dims), named[v.name], {**v.attributes, **meanings_of(robot, v.name)})
-        for v in variables(mechanism, normal, conditions, False)
-        if v.name in named
+    coordinate_names = modes.coordinates if "shapes" in values else mechanism.independent
+    variable_values = {name: arrays[name] for name in ("valid", "reason")}
+    variable_values |= {
+        field.variable: _fill_map_axis(field, values[field.name], mechanism, coordinate_names)
+        for field in fields
     }
-    about = {c.name: {"units": c.unit, "long_name": c.description} for c in mechanism.pose}
-    coords = {name: (leading, poses[..., i], about[name]) for i, name in enumerate(about)}
-    number = next((values[field.name].shape[axes] for field in fields if field.dims[:1] == (MODE,)), 0)
-    used = {dim for dims, _, _ in data.values() for dim in dims}
-    labels = {name: value for name, value in labels_of(mechanism, number, shown).items() if name in used}
+    data = {
+        variable.name: (
+            (*pose_dims, *variable.dims),
+            variable_values[variable.name],
+            {**variable.attributes, **code_attributes(robot, variable.name)},
+        )
+        for variable in variables(mechanism, normal, conditions, False)
+        if variable.name in variable_values
+    }
+    pose_attributes = {c.name: {"units": c.unit, "long_name": c.description} for c in mechanism.pose}
+    coords = {
+        name: (pose_dims, poses[..., i], pose_attributes[name]) for i, name in enumerate(pose_attributes)
+    }
+    mode_count = next(
+        (values[field.name].shape[pose_axis_count] for field in fields if field.dims[:1] == (MODE,)), 0
+    )
+    used_dims = {dim for dims, _, _ in data.values() for dim in dims}
+    labels = {
+        name: value
+        for name, value in axis_coordinates(mechanism, mode_count, coordinate_names).items()
+        if name in used_dims
+    }
     dataset: xarray.Dataset = xr.Dataset(
         data, {**coords, **labels}, attributes_of(robot, modes.rigid_modes, drives)
     )
@@ -91,16 +106,18 @@ def to_table(modes: Modes) -> pandas.DataFrame:
     return table_of(to_dataset(modes))
 
 
-def _along(field: Field, values: NDArray[Any], mechanism: Mechanism, shown: Sequence[str]) -> NDArray[Any]:
-    """Return values along the axis that a map has, NaN at entries that the field does not have.
+def _fill_map_axis(
+    field: Field, values: NDArray[Any], mechanism: Mechanism, coordinate_names: Sequence[str]
+) -> NDArray[Any]:
+    """Return values along the axis of a map, NaN at entries that the field lacks.
 
-    These are coordinates that are not independent, and rotations.
+    It lacks coordinates that are not independent, and rotations.
     """
     if not {INDEPENDENT, LINEAR} & {*field.dims}:
         return values
     of_coordinates = INDEPENDENT in field.dims
-    axis_names = shown if of_coordinates else mechanism.components
+    axis_names = coordinate_names if of_coordinates else mechanism.components
     field_names = mechanism.independent if of_coordinates else mechanism.directions
-    spread = np.full((*values.shape[:-1], len(axis_names)), np.nan)
-    spread[..., [axis_names.index(name) for name in field_names]] = values
-    return spread
+    filled = np.full((*values.shape[:-1], len(axis_names)), np.nan)
+    filled[..., [axis_names.index(name) for name in field_names]] = values
+    return filled

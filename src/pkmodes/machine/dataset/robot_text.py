@@ -12,7 +12,7 @@ from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.variants import document_of, raw_values
 
 
-def text_of(robot: Robot) -> str:
+def robot_file_text(robot: Robot) -> str:
     """Return the text of a robot file that declares this robot.
 
     Returns the robot's file itself if it still declares this robot, with its comments; otherwise a text in SI units.

@@ -17,13 +17,13 @@ from pkmodes.core.solve.fields import (
 )
 
 #: The axis of poses that are not on a grid.
-LIST = "pose"
+POSE_AXIS = "pose"
 #: Flags of a mode at a pose, for steps to any neighbour, as bits.
-EVENTS = {"crossing": 1, "veering": 2, "uncertain": 4}
+EVENT_FLAGS = {"crossing": 1, "veering": 2, "uncertain": 4}
 #: Mode numbers start at the first vibration mode.
-FIRST = 1
-#: Axes of fields whose values are entries of another axis in a map.
-WITHIN = {INDEPENDENT: COORDINATE, LINEAR: DIRECTION}
+FIRST_MODE = 1
+#: The axis of a map on which the values along an axis of a field are entries.
+MAP_AXES = {INDEPENDENT: COORDINATE, LINEAR: DIRECTION}
 
 
 @dataclass(frozen=True)
@@ -42,16 +42,16 @@ class DatasetVariable:
     @property
     def attributes(self) -> dict[str, str]:
         """Its attributes in the dataset."""
-        both = {"units": self.units, "long_name": self.long_name}
-        return {**both, "comment": self.comment} if self.comment else both
+        attributes = {"units": self.units, "long_name": self.long_name}
+        return {**attributes, "comment": self.comment} if self.comment else attributes
 
 
-#: Variables that say which poses could be evaluated, and those of tracked modes.
-OF_POSES = (
+#: Variables on which poses could be evaluated, and those of tracked modes.
+POSE_VARIABLES = (
     DatasetVariable("valid", (), "1", "whether the pose could be evaluated"),
     DatasetVariable("reason", (), "1", "why the pose could not be evaluated, empty where it could"),
 )
-OF_TRACKING = (
+TRACKING_VARIABLES = (
     DatasetVariable(
         "rank", (MODE,), "1", "place of the tracked mode among the vibration modes, by frequency"
     ),
@@ -69,23 +69,23 @@ def variables(
     - tracked: whether modes are tracked
     """
     shapes = SHAPES in conditions
-    of_fields = [(field, _variable(field, mechanism, normal, shapes)) for field in of_maps(conditions)]
+    field_variables = [(field, _variable(field, mechanism, normal, shapes)) for field in of_maps(conditions)]
     return (
-        *(variable for field, variable in of_fields if field.only != SHAPES),
-        *OF_POSES,
-        *(variable for field, variable in of_fields if field.only == SHAPES),
-        *(OF_TRACKING if tracked else ()),
+        *(variable for field, variable in field_variables if field.only != SHAPES),
+        *POSE_VARIABLES,
+        *(variable for field, variable in field_variables if field.only == SHAPES),
+        *(TRACKING_VARIABLES if tracked else ()),
     )
 
 
-def dims_of_poses(axes: int) -> tuple[str, ...]:
+def dims_of_poses(axis_count: int) -> tuple[str, ...]:
     """Return the names of the axes of poses that are not on a grid: ``pose``, or ``pose_1``, ``pose_2``, ..."""
-    return (LIST,) if axes == 1 else tuple(f"{LIST}_{i + 1}" for i in range(axes))
+    return (POSE_AXIS,) if axis_count == 1 else tuple(f"{POSE_AXIS}_{i + 1}" for i in range(axis_count))
 
 
 def dims_of(field: Field) -> tuple[str, ...]:
     """Return the axes of a field in a map, after those of the poses."""
-    return tuple(WITHIN.get(dim, dim) for dim in field.dims)
+    return tuple(MAP_AXES.get(dim, dim) for dim in field.dims)
 
 
 def _variable(field: Field, mechanism: Mechanism, normal: str | None, shapes: bool) -> DatasetVariable:

@@ -19,10 +19,10 @@ from pkmodes.core.robot.robot import Robot
 from pkmodes.core.solve.fields import EVERY, INDEPENDENT, MODE, of_maps
 from pkmodes.core.system.evaluation import evaluation
 from pkmodes.core.system.motors import solved_system
-from pkmodes.machine.dataset.attributes import attributes_of, imported, labels_of, meanings_of
-from pkmodes.machine.dataset.variables import LIST, variables
-from pkmodes.machine.maps.evaluating import MapLayout, codes
-from pkmodes.machine.maps.poses import Places, PoseGrid
+from pkmodes.machine.dataset.attributes import attributes_of, axis_coordinates, code_attributes, import_xarray
+from pkmodes.machine.dataset.variables import POSE_AXIS, variables
+from pkmodes.machine.maps.evaluating import MapLayout, code_reasons
+from pkmodes.machine.maps.poses import MapPoses, PoseGrid
 from pkmodes.machine.maps.tracking import Tracked
 from pkmodes.machine.maps.variants import SAMPLE, Variants
 
@@ -31,12 +31,12 @@ if TYPE_CHECKING:
 
 Array = NDArray[Any]
 #: Poses of a stored map that are read and written at once.
-CHUNK = 16_384
+CHUNK_POSES = 16_384
 
 
 def dataset_of(
     robot: Robot,
-    places: Places,
+    poses: MapPoses,
     variants: Variants,
     layout: MapLayout,
     arrays: Mapping[str, Any],
@@ -51,38 +51,46 @@ def dataset_of(
     Raises MissingExtraError if xarray is not installed.
     """
     mechanism = robot.mechanism
-    normal = places.normal(mechanism.directions)
-    leading = (*variants.dims, *places.dims)
-    shape = (*variants.shape, *places.shape)
+    normal = poses.normal(mechanism.directions)
+    leading_dims = (*variants.dims, *poses.dims)
+    shape = (*variants.shape, *poses.shape)
     coordinates = layout.coordinates if layout.shapes else mechanism.independent
     # Shapes may have been needed for tracking only.
-    kept = {field.variable for field in of_maps(layout.conditions)}
-    shown = [name for name in arrays if name in kept or name == "code"]
-    fields = _fields_of({name: arrays[name] for name in shown}, shape, np.array(codes(mechanism)), tracked)
-    if len(shown) < len(arrays):
+    kept_variables = {field.variable for field in of_maps(layout.conditions)}
+    array_names = [name for name in arrays if name in kept_variables or name == "code"]
+    fields = _fields_of(
+        {name: arrays[name] for name in array_names}, shape, np.array(code_reasons(mechanism)), tracked
+    )
+    if len(array_names) < len(arrays):
         columns = [layout.coordinates.index(name) for name in coordinates]
         for field in of_maps(layout.conditions):
             if INDEPENDENT in field.dims:
                 fields[field.variable] = fields[field.variable][..., columns]
-    described = variables(mechanism, normal, layout.conditions, tracked is not None)
+    descriptions = variables(mechanism, normal, layout.conditions, tracked is not None)
     data = {
-        v.name: (
-            (*leading, *v.dims),
-            fields[v.name],
-            {**v.attributes, **meanings_of(robot, v.name)},
+        description.name: (
+            (*leading_dims, *description.dims),
+            fields[description.name],
+            {**description.attributes, **code_attributes(robot, description.name)},
         )
-        for v in described
+        for description in descriptions
     }
     rigid_counts = [
         solved_system(evaluation(variant), layout.drives).rigid_modes for variant in variants.robots
     ]
-    rigid = np.array(rigid_counts).reshape(variants.shape)
-    if (rigid != rigid.flat[0]).any():
-        about = {"units": "1", "long_name": "number of rigid-body modes of this robot, which are left out"}
-        data["rigid_modes"] = (variants.dims, rigid, about)
-    dataset: xarray.Dataset = imported().Dataset(
+    rigid_modes = np.array(rigid_counts).reshape(variants.shape)
+    if (rigid_modes != rigid_modes.flat[0]).any():
+        rigid_attributes = {
+            "units": "1",
+            "long_name": "number of rigid-body modes of this robot, which are left out",
+        }
+        data["rigid_modes"] = (variants.dims, rigid_modes, rigid_attributes)
+    dataset: xarray.Dataset = import_xarray().Dataset(
         data,
-        coords={**_coordinates(robot, places, variants), **labels_of(mechanism, layout.modes, coordinates)},
+        coords={
+            **_coordinates(robot, poses, variants),
+            **axis_coordinates(mechanism, layout.modes, coordinates),
+        },
         attrs=attributes_of(
             robot, solved_system(evaluation(robot), layout.drives).rigid_modes, layout.drives
         ),
@@ -90,7 +98,7 @@ def dataset_of(
     return dataset
 
 
-def _coordinates(robot: Robot, places: Places, variants: Variants) -> dict[str, Any]:
+def _coordinates(robot: Robot, poses: MapPoses, variants: Variants) -> dict[str, Any]:
     """Return the coordinates along the leading axes."""
     units = changeable(robot)
     coordinates: dict[str, Any] = {
@@ -103,13 +111,15 @@ def _coordinates(robot: Robot, places: Places, variants: Variants) -> dict[str, 
         for path, values in variants.drawn.items():
             attributes = {"units": units.get(path, "1"), "long_name": f"parameter {path}, drawn"}
             coordinates[path] = (SAMPLE, values, attributes)
-    about = {c.name: {"units": c.unit, "long_name": c.description} for c in robot.mechanism.pose}
-    if isinstance(places, PoseGrid):
-        coordinates |= {name: (name, places.axes[name], about[name]) for name in places.dims}
+    pose_attributes = {c.name: {"units": c.unit, "long_name": c.description} for c in robot.mechanism.pose}
+    if isinstance(poses, PoseGrid):
+        coordinates |= {name: (name, poses.axes[name], pose_attributes[name]) for name in poses.dims}
     else:
-        coordinates |= {name: (LIST, places.table[:, i], about[name]) for i, name in enumerate(places.names)}
-        labels = np.array(places.labels) if places.labels else np.arange(len(places.table))
-        coordinates[LIST] = (LIST, labels, {"units": "1", "long_name": "pose"})
+        coordinates |= {
+            name: (POSE_AXIS, poses.table[:, i], pose_attributes[name]) for i, name in enumerate(poses.names)
+        }
+        labels = np.array(poses.labels) if poses.labels else np.arange(len(poses.table))
+        coordinates[POSE_AXIS] = (POSE_AXIS, labels, {"units": "1", "long_name": "pose"})
     return coordinates
 
 
@@ -124,57 +134,57 @@ def _fields_of(
     - reasons: by code
     - tracked: modes by shape instead of by rank
     """
-    fields = {name: _spaced(arrays[name], shape) for name in arrays}
+    fields = {name: _reshape_to_map(arrays[name], shape) for name in arrays}
     code = fields.pop("code")
-    fields["valid"] = _applied(lambda part: part == 0, np.dtype(bool), code)
-    fields["reason"] = _applied(reasons.__getitem__, reasons.dtype, code)
-    return fields if tracked is None else fields | _tracked(fields, tracked, shape)
+    fields["valid"] = _apply(lambda part: part == 0, np.dtype(bool), code)
+    fields["reason"] = _apply(reasons.__getitem__, reasons.dtype, code)
+    return fields if tracked is None else fields | _tracked_fields(fields, tracked, shape)
 
 
 def chunks_of(shape: tuple[int, ...], leading: int) -> tuple[int, ...]:
-    """Return the size of the parts of a field: all values at about `CHUNK` poses next to each other."""
-    chunks, remaining = list(shape), CHUNK
+    """Return the size of the parts of a field: all values at about `CHUNK_POSES` consecutive poses."""
+    chunks, remaining = list(shape), CHUNK_POSES
     for axis in reversed(range(leading)):
         chunks[axis] = min(shape[axis], max(remaining, 1))
         remaining //= shape[axis]
     return tuple(chunks)
 
 
-def _spaced(values: Any, shape: tuple[int, ...]) -> Any:
+def _reshape_to_map(values: Any, shape: tuple[int, ...]) -> Any:
     """Return a field with the leading axes of the map."""
-    whole = (*shape, *values.shape[1:])
+    map_shape = (*shape, *values.shape[1:])
     if isinstance(values, np.ndarray):
-        return values.reshape(whole)
+        return values.reshape(map_shape)
     from dask.array import map_blocks
     from dask.array.core import normalize_chunks
 
-    dtype = np.dtype(values.dtype.str)  # Zarr names the byte order, which netCDF4 takes for another one
+    dtype = np.dtype(values.dtype.str)  # without the byte order that Zarr states, which netCDF4 misreads
 
-    def part(block_info: Any) -> Array:
-        """Read the rows of a part, which are next to each other."""
+    def read_part(block_info: Any) -> Array:
+        """Read the rows of a part, which are consecutive."""
         starts, sizes = zip(*[(a, b - a) for a, b in block_info[None]["array-location"]], strict=True)
         first, count = np.ravel_multi_index(starts[: len(shape)], shape), prod(sizes[: len(shape)])
         return np.asarray(values[first : first + count], dtype).reshape(sizes)
 
-    chunks = normalize_chunks(chunks_of(whole, len(shape)), whole)
-    meta = np.empty((0,) * len(whole), dtype)
-    # A name of its own: by default Dask would make one of the rows themselves.
-    return map_blocks(part, name=f"rows-{uuid4()}", chunks=chunks, dtype=dtype, meta=meta)
+    chunks = normalize_chunks(chunks_of(map_shape, len(shape)), map_shape)
+    meta = np.empty((0,) * len(map_shape), dtype)
+    # Without a name, Dask would compute one from the values of all rows.
+    return map_blocks(read_part, name=f"rows-{uuid4()}", chunks=chunks, dtype=dtype, meta=meta)
 
 
-def _applied(function: Callable[..., Array], dtype: np.dtype[Any], *fields: Any) -> Any:
+def _apply(function: Callable[..., Array], dtype: np.dtype[Any], *fields: Any) -> Any:
     """Apply a function to fields, part by part if they are stored."""
     if isinstance(fields[0], np.ndarray):
         return function(*fields)
     from dask.array import map_blocks
 
-    like = max(fields, key=lambda field: field.ndim)
+    template = max(fields, key=lambda field: field.ndim)
     return map_blocks(
-        function, *fields, dtype=dtype, chunks=like.chunks, meta=np.empty((0,) * like.ndim, dtype)
+        function, *fields, dtype=dtype, chunks=template.chunks, meta=np.empty((0,) * template.ndim, dtype)
     )
 
 
-def _tracked(fields: Mapping[str, Any], tracked: Tracked, shape: tuple[int, ...]) -> dict[str, Any]:
+def _tracked_fields(fields: Mapping[str, Any], tracked: Tracked, shape: tuple[int, ...]) -> dict[str, Any]:
     """Return the fields of modes in the tracked order, and those that only a tracked map has."""
     valid = fields["valid"][..., None]
     order, signs, events = (
@@ -192,22 +202,25 @@ def _tracked(fields: Mapping[str, Any], tracked: Tracked, shape: tuple[int, ...]
         values = fields.get(field.variable)
         if values is None or field.dims[:1] != (MODE,):
             continue
-        further = (..., *[None] * (len(field.dims) - 1))
-        factors = (signs[further],) if field.signed else ()
-        along = partial(_reordered, axis=-len(field.dims))
-        reordered[field.variable] = _applied(along, values.dtype, values, order[further], *factors)
-    reordered["rank"] = _applied(
-        lambda places, good: np.where(good, places + 1, 0).astype(np.int8), np.dtype(np.int8), order, valid
+        broadcast = (..., *[None] * (len(field.dims) - 1))
+        factors = (signs[broadcast],) if field.signed else ()
+        reorder = partial(_reorder_modes, axis=-len(field.dims))
+        reordered[field.variable] = _apply(reorder, values.dtype, values, order[broadcast], *factors)
+    reordered["rank"] = _apply(
+        lambda ranks, is_valid: np.where(is_valid, ranks + 1, 0).astype(np.int8),
+        np.dtype(np.int8),
+        order,
+        valid,
     )
     reordered["tracking"] = events
     return reordered
 
 
-def _reordered(values: Array, places: Array, factors: Array | None = None, *, axis: int) -> Array:
+def _reorder_modes(values: Array, ranks: Array, factors: Array | None = None, *, axis: int) -> Array:
     """Return values of modes in another order, multiplied by factors if there are any.
 
-    - places, factors: of length 1 along axes after that of the modes
+    - ranks, factors: of length 1 along axes after that of the modes
     - axis: that of the modes
     """
-    ordered = np.take_along_axis(values, places, axis=axis)
+    ordered = np.take_along_axis(values, ranks, axis=axis)
     return ordered if factors is None else ordered * factors

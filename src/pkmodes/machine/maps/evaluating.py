@@ -1,4 +1,4 @@
-"""The fields of a map at poses: their names, shapes and types, the same for all robots, and their values for one.
+"""The fields of a map at poses: names, shapes and types, which all of its robots share, and the values for one robot.
 
 Modes, statics and kinematics are NaN where a pose cannot be evaluated.
 """
@@ -80,15 +80,17 @@ def field_layouts(robot: Robot, layout: MapLayout) -> dict[str, tuple[tuple[int,
 
 def layout_of(robots: Sequence[Robot], shapes: bool, backend: str, drives: str) -> MapLayout:
     """Return the layout that holds the modes of all robots."""
-    modes, order = 0, {}
+    modes, all_coordinates = 0, {}
     for robot in robots:
         system = evaluation(robot)
         solved = solved_system(system, drives)
         modes = max(modes, number_of_modes(solved) - solved.rigid_modes)
-        order.update(dict.fromkeys(system.coordinates))
-    released = [q.name for effect in robots[0].mechanism.effects.values() for q in effect.coordinates]
-    ordered = [q.name for q in robots[0].mechanism.coordinates] + released
-    coordinates = tuple(sorted(order, key=ordered.index))
+        all_coordinates.update(dict.fromkeys(system.coordinates))
+    released_coordinates = [
+        q.name for effect in robots[0].mechanism.effects.values() for q in effect.coordinates
+    ]
+    declared_order = [q.name for q in robots[0].mechanism.coordinates] + released_coordinates
+    coordinates = tuple(sorted(all_coordinates, key=declared_order.index))
     return MapLayout(modes, coordinates, conditions_of(robots, shapes, drives), backend, drives)
 
 
@@ -97,10 +99,10 @@ class Task:
     """Consecutive rows of a map, row = robot * poses + pose.
 
     - pieces: robots, and the poses of each, each (N, d)
-    - code: hash of the generated code, from `code_of`
+    - code: hash of the generated code
     - max_condition: as for `pkmodes.Model`
     - normal: direction perpendicular to the plane of the grid
-    - used: whether poses beyond the usable limits of a robot are left out
+    - usable_only: whether poses beyond the usable limits of a robot are left out
     """
 
     pieces: tuple[tuple[Robot, Array], ...]
@@ -108,12 +110,12 @@ class Task:
     max_condition: float
     normal: str | None
     layout: MapLayout
-    used: bool = False
+    usable_only: bool = False
 
 
 @cache
-def code_of(mechanism: Mechanism) -> str:
-    """Return a hash of the generated code of a mechanism, which may differ between two runs or machines."""
+def code_hash(mechanism: Mechanism) -> str:
+    """Return a hash of the generated code of a mechanism: the code may differ between two runs or machines."""
     files = (Path(str(module.__file__)) for module in (mechanism.model, mechanism.extended))
     return sha256(b"\0".join(path.read_bytes() for path in files)).hexdigest()
 
@@ -121,22 +123,22 @@ def code_of(mechanism: Mechanism) -> str:
 def evaluate(task: Task) -> dict[str, Array]:
     """Evaluate the rows of a task.
 
-    Returns arrays, each (rows, ...): as in `field_layouts`; ``code`` indexes `codes`.
+    Returns arrays, each (rows, ...): as in `field_layouts`; ``code`` indexes `code_reasons`.
     Raises PkmodesError if the generated code here is not that of the task.
     """
     mechanism = task.pieces[0][0].mechanism
-    if code_of(mechanism) != task.code:
+    if code_hash(mechanism) != task.code:
         problem = f"the generated code of {mechanism.name} differs from that of the map"
         raise PkmodesError(
             problem, gethostname(), "generate it there with the same pkmodes, and restart the worker"
         )
-    parts = [_piece(*piece, task) for piece in task.pieces]
-    if len(parts) == 1:
-        return parts[0]
-    return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+    results = [_evaluate_piece(*piece, task) for piece in task.pieces]
+    if len(results) == 1:
+        return results[0]
+    return {name: np.concatenate([part[name] for part in results]) for name in results[0]}
 
 
-def _piece(robot: Robot, points: Array, task: Task) -> dict[str, Array]:
+def _evaluate_piece(robot: Robot, points: Array, task: Task) -> dict[str, Array]:
     """Evaluate a robot at its poses; the fields have room for the modes and coordinates of all robots."""
     layout, model = task.layout, Model(robot, task.max_condition)
     fields = of_maps(layout.conditions)
@@ -150,32 +152,32 @@ def _piece(robot: Robot, points: Array, task: Task) -> dict[str, Array]:
         given={"normal": task.normal},
     )
     arrays = {"code": checked.codes.copy()}
-    sizes, independent = field_layouts(robot, layout), robot.mechanism.independent
+    layouts, independent = field_layouts(robot, layout), robot.mechanism.independent
     for field in fields:
-        shape, dtype = sizes[field.variable]
+        shape, dtype = layouts[field.variable]
         array = arrays[field.variable] = np.full((len(points), *shape), missing(dtype), dtype)
-        of_robot = values[field.name]
+        robot_values = values[field.name]
         if field.dims[:1] == (MODE,):
-            of_robot = of_robot[:, model.solved(layout.drives).rigid_modes :]
-            array = array[:, : of_robot.shape[1]]
+            robot_values = robot_values[:, model.solved(layout.drives).rigid_modes :]
+            array = array[:, : robot_values.shape[1]]
         if COORDINATE in field.dims:
             array[checked.valid] = 0.0  # a joint that this robot does not release does not move
-            array[..., [layout.coordinates.index(name) for name in model.coordinates]] = of_robot
+            array[..., [layout.coordinates.index(name) for name in model.coordinates]] = robot_values
         elif INDEPENDENT in field.dims:
-            shown = layout.coordinates if layout.shapes else independent
-            array[..., [shown.index(name) for name in independent]] = of_robot
+            coordinate_names = layout.coordinates if layout.shapes else independent
+            array[..., [coordinate_names.index(name) for name in independent]] = robot_values
         elif LINEAR in field.dims:
-            array[..., : of_robot.shape[-1]] = of_robot
+            array[..., : robot_values.shape[-1]] = robot_values
         else:
-            array[...] = of_robot
-    if task.used:
-        beyond = checked.valid & ~inside(robot, points)
+            array[...] = robot_values
+    if task.usable_only:
+        unusable = checked.valid & ~inside(robot, points)
         for array in arrays.values():
-            array[beyond] = missing(array.dtype.str)
-        arrays["code"][beyond] = codes(robot.mechanism).index(USABLE)
+            array[unusable] = missing(array.dtype.str)
+        arrays["code"][unusable] = code_reasons(robot.mechanism).index(USABLE)
     return arrays
 
 
-def codes(mechanism: Mechanism) -> tuple[str, ...]:
-    """Return the reasons that the codes of a map index: those of poses, and that a pose is not usable."""
+def code_reasons(mechanism: Mechanism) -> tuple[str, ...]:
+    """Return the reason for each code of a map: those for which a pose cannot be evaluated, and the usable limits."""
     return (*codes_of(mechanism), USABLE)

@@ -17,29 +17,29 @@ from pkmodes.core.base.errors import OutputError, shown
 from pkmodes.core.support.extras import require
 from pkmodes.core.support.places import resolved
 from pkmodes.core.support.replacing import check_replaced
-from pkmodes.machine.dataset.attributes import imported
+from pkmodes.machine.dataset.attributes import import_xarray
 from pkmodes.machine.dataset.table import table_of, write_table
 
 if TYPE_CHECKING:
     import xarray
 
 NETCDF, ZARR, CSV, PARQUET = ".nc", ".zarr", ".csv", ".parquet"
-#: Libraries that write each format, besides those that every map in progress needs, and their extra.
+#: For each format, the extra and the libraries that write it; then those that every map in progress needs.
 LIBRARIES = {
     NETCDF: ("map", "netCDF4"),
     ZARR: ("map",),
     CSV: ("map", "pandas"),
     PARQUET: ("parquet", "pyarrow"),
 }
-IN_PROGRESS = ("map", "zarr", "dask")
+PROGRESS_LIBRARIES = ("map", "zarr", "dask")
 FORMATS = tuple(LIBRARIES)
-#: Metadata files of a Zarr store: each group has one of the first, and each array one of the second.
-GROUP, ARRAY = (".zgroup", "zarr.json"), (".zarray", "zarr.json")
-DESCRIBING = {*GROUP, *ARRAY, ".zattrs", ".zmetadata"}
-#: Names of its data: chunks of an array, or folders of chunks.
-PIECE = re.compile(r"c|(c\.)?\d+(\.\d+)*")
-#: Names, in the folder of the map in progress, of the map being written and of the one that it replaces.
-UNDER_WAY = ("new", "replaced")
+#: Metadata files of a Zarr store: each group has one of the first tuple, and each array one of the second.
+GROUP_FILES, ARRAY_FILES = (".zgroup", "zarr.json"), (".zarray", "zarr.json")
+METADATA_FILES = {*GROUP_FILES, *ARRAY_FILES, ".zattrs", ".zmetadata"}
+#: Names of its chunks, or of folders of chunks.
+CHUNK_NAME = re.compile(r"c|(c\.)?\d+(\.\d+)*")
+#: Names, in the folder of the map in progress, of the new map and of the one that it replaces.
+TEMPORARY_NAMES = ("new", "replaced")
 
 
 @dataclass(frozen=True)
@@ -70,21 +70,21 @@ class MapFile:
             raise OutputError(
                 f"the folder {path.parent} does not exist", where, "create it, or choose another place"
             )
-        folder = path.suffix.lower() == ZARR
+        is_store = path.suffix.lower() == ZARR
         remedy = "choose another name, or replace it with overwrite=True (--overwrite)"
         check_replaced([path], "out", overwrite, what="the output exists", remedy=remedy)
-        if path.exists() and path.is_dir() != folder:
+        if path.exists() and path.is_dir() != is_store:
             existing = "a folder" if path.is_dir() else "a file"
             raise OutputError(
-                f"expected {'a folder' if folder else 'a file'}, found {existing}",
+                f"expected {'a folder' if is_store else 'a file'}, found {existing}",
                 where,
                 "choose another name",
             )
-        if folder and path.exists() and not any((path / name).exists() for name in GROUP):
+        if is_store and path.exists() and not any((path / name).exists() for name in GROUP_FILES):
             raise OutputError(
                 "the folder to replace does not hold a Zarr store", where, "choose another name"
             )
-        if folder and path.exists() and (foreign := next(_foreign(path), None)) is not None:
+        if is_store and path.exists() and (foreign := next(_foreign_entries(path), None)) is not None:
             part = shown(str(foreign.relative_to(path)))
             problem = f"the folder to replace holds {part}, which is no part of the map"
             raise OutputError(problem, where, "move that away, or choose another name")
@@ -92,7 +92,7 @@ class MapFile:
             raise OutputError(
                 "cannot write: permission denied", where, "choose another place or make it writable"
             )
-        for extra, *libraries in (LIBRARIES[path.suffix.lower()], IN_PROGRESS):
+        for extra, *libraries in (LIBRARIES[path.suffix.lower()], PROGRESS_LIBRARIES):
             require(f"{path.suffix.lower()} files", extra, *libraries)
         return cls(path)
 
@@ -102,23 +102,23 @@ class MapFile:
         Raises OutputError if it cannot be written.
         """
         suffix = self.path.suffix.lower()
-        new, replaced = (folder / f"{name}{suffix}" for name in UNDER_WAY)
+        new, replaced = (folder / f"{name}{suffix}" for name in TEMPORARY_NAMES)
 
-        def put_back() -> None:
+        def restore_replaced() -> None:
             """Undo the first of the two renames that replace a folder, if the second was not made."""
             if replaced.exists() and not self.path.exists():
                 replaced.rename(self.path)
 
         try:
-            put_back()  # the previous run was killed between the two
+            restore_replaced()  # the previous run was killed between the two renames
             for leftover in (new, replaced):  # by an interrupted run
                 _remove(leftover)
             if suffix == NETCDF:
                 import dask
 
-                written, encoding = as_characters(dataset)
-                with dask.config.set(scheduler=_in_order):
-                    written.to_netcdf(new, format="NETCDF4", engine="netcdf4", encoding=encoding)
+                encoded, encoding = encode_reasons(dataset)
+                with dask.config.set(scheduler=_sequential_scheduler):
+                    encoded.to_netcdf(new, format="NETCDF4", engine="netcdf4", encoding=encoding)
             elif suffix == ZARR:
                 # Version 2 of the format: version 3 has no standard for text yet.
                 dataset.drop_encoding().to_zarr(new, mode="w", zarr_format=2, consolidated=True)
@@ -129,7 +129,7 @@ class MapFile:
                     self.path.rename(replaced)
                 new.replace(self.path)
             finally:
-                put_back()
+                restore_replaced()
             _remove(replaced)
         except (OSError, RuntimeError) as error:  # the NetCDF library raises RuntimeError
             reason = (error.strerror if isinstance(error, OSError) else None) or str(error)
@@ -144,11 +144,11 @@ class MapFile:
     def opened(self) -> xarray.Dataset:
         """Open a map that was written, without loading its values."""
         engine = "netcdf4" if self.path.suffix.lower() == NETCDF else "zarr"
-        dataset: xarray.Dataset = imported().open_dataset(self.path, engine=engine)
+        dataset: xarray.Dataset = import_xarray().open_dataset(self.path, engine=engine)
         return dataset
 
 
-def as_characters(dataset: xarray.Dataset) -> tuple[xarray.Dataset, dict[str, dict[str, Any]]]:
+def encode_reasons(dataset: xarray.Dataset) -> tuple[xarray.Dataset, dict[str, dict[str, Any]]]:
     """Return the dataset with its reasons as bytes, and the encoding with which NetCDF holds characters.
 
     Characters compress well, because nearly all are alike, and xarray encodes text only as a whole.
@@ -163,37 +163,37 @@ def as_characters(dataset: xarray.Dataset) -> tuple[xarray.Dataset, dict[str, di
     return dataset.assign(reason=reason), encoding
 
 
-def _in_order(graph: Any, keys: Any, **_: Any) -> Any:
+def _sequential_scheduler(graph: Any, keys: Any, **options: Any) -> Any:
     """Evaluate a Dask graph, as one of its schedulers, and write the parts of each field one after the other.
 
-    Threads lay the same map out differently every time, and so does the order that Dask chooses by random names.
+    With threads, or in the order that Dask derives from random names, the same map has another layout at every run.
     """
     from dask.local import get_sync
     from dask.optimization import cull
 
     tasks = dict(graph.__dask_graph__() if hasattr(graph, "__dask_graph__") else graph)
 
-    def evaluated(request: Any) -> Any:
+    def evaluate(request: Any) -> Any:
         if isinstance(request, list):
-            return [evaluated(part) for part in request]
+            return [evaluate(part) for part in request]
         return get_sync(cull(tasks, [request])[0], request)
 
-    return evaluated(keys)
+    return evaluate(keys)
 
 
-def _foreign(folder: Path, *, pieces: bool = False) -> Iterator[Path]:
-    """Yield what a folder of a Zarr store holds that is not part of it.
+def _foreign_entries(folder: Path, *, in_array: bool = False) -> Iterator[Path]:
+    """Yield the files and folders in a folder of a Zarr store that are not part of the store.
 
-    - pieces: whether the folder is that of an array, which holds its values
+    - in_array: whether the folder is that of an array, which holds its values
     """
-    pieces = pieces or any((folder / name).is_file() for name in ARRAY)
+    in_array = in_array or any((folder / name).is_file() for name in ARRAY_FILES)
     for entry in sorted(folder.iterdir()):
-        piece = pieces and PIECE.fullmatch(entry.name) is not None
+        is_chunk = in_array and CHUNK_NAME.fullmatch(entry.name) is not None
         if entry.is_symlink() or not entry.is_dir():
-            if entry.is_symlink() or not (piece or entry.name in DESCRIBING):
+            if entry.is_symlink() or not (is_chunk or entry.name in METADATA_FILES):
                 yield entry
-        elif piece or any((entry / name).is_file() for name in (*GROUP, *ARRAY)):
-            yield from _foreign(entry, pieces=piece)
+        elif is_chunk or any((entry / name).is_file() for name in (*GROUP_FILES, *ARRAY_FILES)):
+            yield from _foreign_entries(entry, in_array=is_chunk)
         else:
             yield entry
 

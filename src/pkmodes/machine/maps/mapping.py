@@ -20,12 +20,12 @@ from pkmodes.core.robot.usable import USABLE
 from pkmodes.core.solve.backends import AUTO, checked_threads, chosen
 from pkmodes.core.system.evaluation import evaluation
 from pkmodes.core.system.motors import solved_system
-from pkmodes.machine.dataset.attributes import imported
-from pkmodes.machine.dataset.robot_text import text_of
+from pkmodes.machine.dataset.attributes import import_xarray
+from pkmodes.machine.dataset.robot_text import robot_file_text
 from pkmodes.machine.maps.dataset import dataset_of
-from pkmodes.machine.maps.evaluating import MapLayout, Task, code_of, field_layouts, layout_of
+from pkmodes.machine.maps.evaluating import MapLayout, Task, code_hash, field_layouts, layout_of
 from pkmodes.machine.maps.map_file import MapFile
-from pkmodes.machine.maps.poses import Places, PoseGrid, places_of
+from pkmodes.machine.maps.poses import MapPoses, PoseGrid, checked_poses
 from pkmodes.machine.maps.running import run_tasks
 from pkmodes.machine.maps.storage import (
     PARTIAL_SUFFIX,
@@ -37,7 +37,7 @@ from pkmodes.machine.maps.storage import (
 )
 from pkmodes.machine.maps.tracking import Tracked, track
 from pkmodes.machine.maps.variants import SAMPLE, Variants, variants_of
-from pkmodes.machine.maps.workspace import bounds_of, reachable
+from pkmodes.machine.maps.workspace import grid_over_workspace, workspace_remedy
 
 if TYPE_CHECKING:
     import xarray
@@ -45,23 +45,23 @@ if TYPE_CHECKING:
 
 Array = NDArray[Any]
 #: Rows of a task: enough to make its start-up cost negligible, few enough for progress reports and memory.
-ROWS = 16_384
+TASK_ROWS = 16_384
 Progress = Callable[[int, int], None]
 
 
 @dataclass(frozen=True, eq=False)
 class MapPlan:
-    """What a map computes."""
+    """The poses, robots and fields of a map, divided into tasks."""
 
     model: Model
-    places: Places
+    map_poses: MapPoses
     variants: Variants
     layout: MapLayout
 
     @property
     def poses(self) -> int:
         """Number of poses of each robot."""
-        return prod(self.places.shape)
+        return prod(self.map_poses.shape)
 
     @property
     def rows(self) -> int:
@@ -71,54 +71,58 @@ class MapPlan:
     @property
     def task_count(self) -> int:
         """Number of tasks."""
-        return -(-self.rows // ROWS)
+        return -(-self.rows // TASK_ROWS)
 
     def rows_of(self, number: int) -> slice:
         """Return the rows of a task."""
-        return slice(number * ROWS, min((number + 1) * ROWS, self.rows))
+        return slice(number * TASK_ROWS, min((number + 1) * TASK_ROWS, self.rows))
 
     def task(self, number: int) -> Task:
         """Return a task."""
         rows, size, pieces = self.rows_of(number), self.poses, []
         for robot in range(rows.start // size, -(-rows.stop // size)):
             first, last = max(rows.start - robot * size, 0), min(rows.stop - robot * size, size)
-            pieces.append((self.variants.robots[robot], self.places.points(np.arange(first, last))))
+            pieces.append((self.variants.robots[robot], self.map_poses.points(np.arange(first, last))))
         mechanism = self.model.mechanism
-        common = code_of(mechanism), self.model.max_condition, self.normal, self.layout
-        return Task(tuple(pieces), *common, used=self.used)
+        common = code_hash(mechanism), self.model.max_condition, self.normal, self.layout
+        return Task(tuple(pieces), *common, usable_only=self.usable_only)
 
     @property
-    def used(self) -> bool:
+    def usable_only(self) -> bool:
         """Whether poses beyond the usable limits of a robot are left out."""
-        return isinstance(self.places, PoseGrid) and self.places.used
+        return isinstance(self.map_poses, PoseGrid) and self.map_poses.usable_only
 
     @property
     def normal(self) -> str | None:
         """Direction perpendicular to the plane of the grid."""
-        return self.places.normal(self.model.mechanism.directions)
+        return self.map_poses.normal(self.model.mechanism.directions)
 
     @property
-    def record(self) -> dict[str, Any]:
-        """What determines the result, as JSON can hold it: an interrupted map is continued only with the same."""
-        places = self.places
+    def fingerprint(self) -> dict[str, Any]:
+        """What determines the result, as JSON data: an interrupted map is continued only if it is the same."""
+        map_poses = self.map_poses
         table = (
-            {name: v.tolist() for name, v in places.axes.items()} if isinstance(places, PoseGrid) else None
+            {name: v.tolist() for name, v in map_poses.axes.items()}
+            if isinstance(map_poses, PoseGrid)
+            else None
         )
         return {
             "version": VERSION,
-            "mechanism": code_of(self.model.mechanism),
-            "robot": text_of(self.model.robot),
+            "mechanism": code_hash(self.model.mechanism),
+            "robot": robot_file_text(self.model.robot),
             "largest condition number": self.model.max_condition,
             "grid": table,
-            "poses": None if isinstance(places, PoseGrid) else sha256(places.table.tobytes()).hexdigest(),
+            "poses": None
+            if isinstance(map_poses, PoseGrid)
+            else sha256(map_poses.table.tobytes()).hexdigest(),
             # Lists keep the order, on which that of the rows depends.
             "sweep": [[path, values.tolist()] for path, values in self.variants.swept.items()],
             "samples": [[path, values.tolist()] for path, values in self.variants.drawn.items()],
             "shapes": self.layout.shapes,
             "back end": self.layout.backend,
             "drives": self.layout.drives,
-            "rows of a task": ROWS,
-            **({"used": True} if self.used else {}),
+            "rows of a task": TASK_ROWS,
+            **({"used": True} if self.usable_only else {}),
         }
 
 
@@ -197,29 +201,32 @@ def map_of(
     >>> dataset.frequency.sel(mode=1).squeeze().round(2).values
     array([46.34, 49.55, 54.23, 55.56, 50.33, 46.8 ])
     """
-    imported()
+    import_xarray()
     file = None if out is None else MapFile.checked(out, overwrite)
     thread_count = checked_threads(threads)
     variants = variants_of(model.robot, sweep, samples, seed)
-    places = reachable(model) if grid is None else places_of(model.mechanism, grid)
+    poses = grid_over_workspace(model) if grid is None else checked_poses(model.mechanism, grid)
     layout = layout_of(variants.robots, shapes or tracked, chosen(backend), checked_drives(drives))
-    plan = MapPlan(model, places, variants, layout)
+    plan = MapPlan(model, poses, variants, layout)
     if tracked:
         systems = map(evaluation, variants.robots)
-        if len({(at.coordinates, solved_system(at, layout.drives).rigid_modes) for at in systems}) > 1:
+        sizes_of_systems = {
+            (system.coordinates, solved_system(system, layout.drives).rigid_modes) for system in systems
+        }
+        if len(sizes_of_systems) > 1:
             problem = "modes cannot be tracked across robots with different coordinates"
             remedy = "sweep an effect from a value above zero, or leave out tracked"
             raise PkmodesError(problem, "tracked", remedy)
     sizes = field_layouts(model.robot, layout)
 
-    def computed(store: Store) -> xarray.Dataset:
-        _fill(plan, store, thread_count, scheduler, progress)
+    def compute(store: Store) -> xarray.Dataset:
+        _evaluate_missing_tasks(plan, store, thread_count, scheduler, progress)
         if not (store.codes() == 0).any():
             store.remove_files()
             _refuse_outside(plan)
         tracked_modes = track_plan(plan, store.arrays) if tracked else None
         saved_layout = layout if shapes else layout.without_shapes()
-        return dataset_of(model.robot, places, variants, saved_layout, store.arrays, tracked_modes)
+        return dataset_of(model.robot, poses, variants, saved_layout, store.arrays, tracked_modes)
 
     if file is None:
         try:
@@ -228,52 +235,52 @@ def map_of(
             problem = f"a map of {plan.rows:,} poses does not fit in memory"
             remedy = "write it to a file with out (--out), or make the grid coarser"
             raise PkmodesError(problem, "map", remedy) from None
-        return computed(store)
+        return compute(store)
     folder = file.path.with_name(file.path.name + PARTIAL_SUFFIX)
     with folder_lock(folder):
-        store = disk_store(folder, plan.record, plan.rows, ROWS, sizes)
+        store = disk_store(folder, plan.fingerprint, plan.rows, TASK_ROWS, sizes)
         with checksum_errors_explained(folder):
-            dataset = computed(store)
+            dataset = compute(store)
             file.write(dataset, folder)
-            kept: xarray.Dataset | None = dataset.load() if file.is_table else None
+            table_dataset: xarray.Dataset | None = dataset.load() if file.is_table else None
         store.remove_files()
-    return file.opened() if kept is None else kept
+    return file.opened() if table_dataset is None else table_dataset
 
 
-def _fill(
+def _evaluate_missing_tasks(
     plan: MapPlan, store: Store, threads: int, scheduler: str | None, progress: Progress | None
 ) -> None:
-    """Compute the tasks that are not done."""
-    done = sum(plan.rows_of(i).stop - plan.rows_of(i).start for i in np.flatnonzero(store.done).tolist())
+    """Evaluate and store the tasks that no earlier run has completed."""
+    done_rows = sum(plan.rows_of(i).stop - plan.rows_of(i).start for i in np.flatnonzero(store.done).tolist())
 
     def tasks() -> Iterator[tuple[int, Task]]:
         for number in np.flatnonzero(~store.done).tolist():
             yield number, plan.task(number)
 
-    def put(number: int, values: Mapping[str, Array]) -> None:
+    def store_values(number: int, values: Mapping[str, Array]) -> None:
         store.write_rows(plan.rows_of(number), values)
 
     def finish(number: int) -> None:
-        nonlocal done
-        done += plan.rows_of(number).stop - plan.rows_of(number).start
+        nonlocal done_rows
+        done_rows += plan.rows_of(number).stop - plan.rows_of(number).start
         if progress is not None:
-            progress(done, plan.rows)
+            progress(done_rows, plan.rows)
 
     if progress is not None:
-        progress(done, plan.rows)
+        progress(done_rows, plan.rows)
     if not store.done.all():
-        run_tasks(tasks(), put, finish, threads, scheduler)
+        run_tasks(tasks(), store_values, finish, threads, scheduler)
 
 
 def _refuse_outside(plan: MapPlan) -> NoReturn:
     """Refuse a map without a single pose that can be evaluated."""
     model, size = Model(plan.variants.robots[0], plan.model.max_condition), plan.poses
-    sample = plan.places.points(np.unique(np.linspace(0, size - 1, min(size, 1000)).astype(int)))
+    sample = plan.map_poses.points(np.unique(np.linspace(0, size - 1, min(size, 1000)).astype(int)))
     sentence = str(model.check(sample).sentences[0]).partition(";")[0] if len(sample) else ""
     sentence = sentence or model.reasons[USABLE]  # it can be reached
-    of = " by any of its robots" if len(plan.variants.robots) > 1 else ""
-    problem = f"none of the {plan.rows:,} poses of the map can be evaluated{of}; the first: {sentence}"
-    if isinstance(plan.places, PoseGrid):
+    by_robots = " by any of its robots" if len(plan.variants.robots) > 1 else ""
+    problem = f"none of the {plan.rows:,} poses of the map can be evaluated{by_robots}; the first: {sentence}"
+    if isinstance(plan.map_poses, PoseGrid):
         where, remedy = "grid", 'write them with their unit, such as "300 mm:800 mm:51"'
     else:
         name = next((component.name for component in model.mechanism.pose if component.unit == "m"), "x")
@@ -281,7 +288,7 @@ def _refuse_outside(plan: MapPlan) -> NoReturn:
             "poses",
             f"write the unit in the header of the file, such as {name} [mm], or give metres",
         )
-    raise PkmodesError(problem, where, bounds_of(model, sample, remedy))
+    raise PkmodesError(problem, where, workspace_remedy(model, sample, remedy))
 
 
 def track_plan(plan: MapPlan, arrays: Mapping[str, Any]) -> Tracked:
@@ -291,14 +298,14 @@ def track_plan(plan: MapPlan, arrays: Mapping[str, Any]) -> Tracked:
     def masses(rows: NDArray[np.intp]) -> Array:
         matrices: Array | None = None
         for robot in np.unique(rows // size):
-            mine = rows // size == robot
-            at = evaluation(robots[robot])
-            M = at.free_part(at.all_coordinates(plan.places.points(rows[mine] % size))[0])
+            selected = rows // size == robot
+            system = evaluation(robots[robot])
+            M = system.free_part(system.all_coordinates(plan.map_poses.points(rows[selected] % size))[0])
             matrices = np.empty((len(rows), *M.shape[1:])) if matrices is None else matrices
-            matrices[mine] = M
+            matrices[selected] = M
         assert matrices is not None
         return matrices
 
-    dims = (*plan.variants.dims, *plan.places.dims)
-    shape = (*plan.variants.shape, *plan.places.shape)
+    dims = (*plan.variants.dims, *plan.map_poses.dims)
+    shape = (*plan.variants.shape, *plan.map_poses.shape)
     return track(arrays, shape, tuple(name != SAMPLE for name in dims), masses)

@@ -17,7 +17,7 @@ from pkmodes.loop.measured.csv_rows import read_lines
 from pkmodes.loop.measured.rules import PRINTABLE
 from pkmodes.machine.maps.poses import Poses
 
-LABEL = "pose"
+LABEL_COLUMN = "pose"
 
 
 def read_poses(path: str | PathLike[str], mechanism: Mechanism) -> Poses:
@@ -36,29 +36,29 @@ def read_poses(path: str | PathLike[str], mechanism: Mechanism) -> Poses:
     lines = read_lines(read_text(Path(path), source, "the poses", "give a CSV file of poses"), source)
     where, header = lines.header(source, remedy)
     columns = [column_of(cell, f"{where}, column {i + 1}", units) for i, cell in enumerate(header)]
-    places = {}
+    column_of_component = {}
     for name in units:
         matching = [i for i, (column_name, _) in enumerate(columns) if column_name == name]
         if len(matching) != 1:
             problem = f'expected one column "{name}", found {len(matching) or "none"}'
             raise MeasurementError(problem, where, remedy)
-        places[name] = matching[0]
+        column_of_component[name] = matching[0]
     names = [name for name, _ in columns]
-    labelled = names.count(LABEL) == 1
+    labelled = names.count(LABEL_COLUMN) == 1
     table: dict[tuple[str, ...], tuple[float, ...]] = {}
-    at_label: dict[str, tuple[float, ...]] = {}
+    point_of_label: dict[str, tuple[float, ...]] = {}
     for where, cells in lines.rows(source, len(columns)):
         point = tuple(
-            _value(cells[i], columns[i][1], lines.notation, f"{where}, column {name}")
-            for name, i in places.items()
+            _coordinate_value(cells[i], columns[i][1], lines.notation, f"{where}, column {name}")
+            for name, i in column_of_component.items()
         )
-        label = cells[names.index(LABEL)] if labelled else ""
+        label = cells[names.index(LABEL_COLUMN)] if labelled else ""
         if not label.isprintable():
             raise MeasurementError(
-                f"expected a label, found {shown(label)}", f"{where}, column {LABEL}", PRINTABLE
+                f"expected a label, found {shown(label)}", f"{where}, column {LABEL_COLUMN}", PRINTABLE
             )
         table[(label, *map(repr, point))] = point
-        if labelled and at_label.setdefault(label, point) != point:
+        if labelled and point_of_label.setdefault(label, point) != point:
             problem = f"the label {shown(label)} has two positions"
             raise MeasurementError(problem, where, "give each pose a label of its own")
     if not table:
@@ -67,7 +67,7 @@ def read_poses(path: str | PathLike[str], mechanism: Mechanism) -> Poses:
     return Poses(np.array(list(table.values())), tuple(units), labels)
 
 
-def _value(cell: str, factor: Decimal | None, notation: TableNotation, where: str) -> float:
+def _coordinate_value(cell: str, factor: Decimal | None, notation: TableNotation, where: str) -> float:
     value = notation.number(cell, factor)
     if value is None:
         problem = f"expected a finite number, found {shown(cell) if cell else 'nothing'}"

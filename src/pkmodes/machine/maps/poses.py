@@ -13,7 +13,7 @@ from pkmodes.core.mechanism.poses import given_poses
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.pose_table import poses_by_name
 from pkmodes.core.support.axes import ascending
-from pkmodes.machine.dataset.variables import LIST
+from pkmodes.machine.dataset.variables import POSE_AXIS
 
 Array = NDArray[np.float64]
 EXAMPLE = 'for example: {"x": numpy.linspace(0.3, 0.8, 51), "y": 0.0}'
@@ -24,11 +24,11 @@ class PoseGrid:
     """Poses on a grid.
 
     - axes: values of each component of the pose in the mechanism's order, ascending [SI]
-    - used: whether poses beyond the usable limits of a robot are left out, as in a grid chosen by default
+    - usable_only: whether poses beyond the usable limits of a robot are left out, as in a grid chosen by default
     """
 
     axes: Mapping[str, Array]
-    used: bool = False
+    usable_only: bool = False
 
     @property
     def dims(self) -> tuple[str, ...]:
@@ -42,9 +42,9 @@ class PoseGrid:
 
     def points(self, indices: NDArray[np.intp]) -> Array:
         """Return poses by their flat index, (N, d)."""
-        at = np.unravel_index(indices, self.shape)
+        axis_indices = np.unravel_index(indices, self.shape)
         return np.stack(
-            [self.axes[name][i] for name, i in zip(reversed(self.dims), at[::-1], strict=True)], -1
+            [self.axes[name][i] for name, i in zip(reversed(self.dims), axis_indices[::-1], strict=True)], -1
         )
 
     def normal(self, directions: Sequence[str]) -> str | None:
@@ -63,7 +63,7 @@ class PoseGrid:
 
 @dataclass(frozen=True, eq=False)
 class Poses:
-    """Poses one after the other.
+    """A list of poses.
 
     - table: in SI units, (N, d)
     - names: components of a pose, length d
@@ -74,7 +74,7 @@ class Poses:
     names: tuple[str, ...]
     labels: tuple[str, ...] | None = None
 
-    dims = (LIST,)
+    dims = (POSE_AXIS,)
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -90,14 +90,14 @@ class Poses:
         return directions[2] if len(directions) > 2 else None
 
 
-Places = PoseGrid | Poses
+MapPoses = PoseGrid | Poses
 
 
-def places_of(mechanism: Mechanism, poses: Mapping[str, ArrayLike] | ArrayLike | Places) -> Places:
+def checked_poses(mechanism: Mechanism, poses: Mapping[str, ArrayLike] | ArrayLike | MapPoses) -> MapPoses:
     """Check the poses of a map.
 
     - poses: ascending values, or one number, for each component of the pose, rotations 0 where they are not given; or
-      poses one after the other, (N, d)
+      a list of poses, (N, d)
 
     Raises PoseError if a component is missing or unknown, or its values do not ascend; or if it is not an array of
     poses.

@@ -14,10 +14,10 @@ from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.units import NUMBER, QuantityError, parse_number_or_quantity
 
 Array = NDArray[np.float64]
-#: Most values along one axis: more are a mistake.
-LARGEST = 1_000_000
+#: Maximum number of values along one axis: more are a mistake.
+MAX_COUNT = 1_000_000
 #: A comma between two integers of which only the second has a unit: two values, or a decimal comma.
-AMBIGUOUS = re.compile(r"(?<![^\s,:])(-?\d+),(\d+)\s*(?![eE][+-]?\d)([A-Za-zµ%°][^,:]*)")
+AMBIGUOUS_COMMA = re.compile(r"(?<![^\s,:])(-?\d+),(\d+)\s*(?![eE][+-]?\d)([A-Za-zµ%°][^,:]*)")
 
 
 def parse_range(text: str, unit: str, where: str) -> Array:
@@ -39,12 +39,12 @@ def parse_range(text: str, unit: str, where: str) -> Array:
     if len(parts) == 1:
         return np.array(ends)
     (start, stop), number = ends, parts[2].strip()
-    if not number.isascii() or not number.isdigit() or not 1 <= int(number) <= LARGEST:
-        problem = f"expected a count from 1 to {LARGEST:,}, found {shown(number)}"
+    if not number.isascii() or not number.isdigit() or not 1 <= int(number) <= MAX_COUNT:
+        problem = f"expected a count from 1 to {MAX_COUNT:,}, found {shown(number)}"
         raise PkmodesError(problem, where, "for example: 0.3:0.8:51 has 51 values, both ends included")
     count = int(number)
     if stop < start:
-        remedy = _with_one_unit(parts, unit) or f"write {parts[1].strip()}:{parts[0].strip()}:{number}"
+        remedy = _missing_unit_remedy(parts, unit) or f"write {parts[1].strip()}:{parts[0].strip()}:{number}"
         raise PkmodesError(
             f"the range is reversed: it ends below its start, found {shown(text)}", where, remedy
         )
@@ -58,7 +58,7 @@ def parse_range(text: str, unit: str, where: str) -> Array:
     return np.linspace(start, stop, count)
 
 
-def _with_one_unit(parts: Sequence[str], unit: str) -> str:
+def _missing_unit_remedy(parts: Sequence[str], unit: str) -> str:
     """Return the remedy for a range of which only one end has a unit; empty for other ranges."""
     low, high, count = (part.strip() for part in parts)
     ends = [NUMBER.fullmatch(end) for end in (low, high)]
@@ -66,8 +66,8 @@ def _with_one_unit(parts: Sequence[str], unit: str) -> str:
     if len(units) < 2 or all(units) or not any(units):
         return ""
     symbol = "".join(units)
-    both = ":".join(f"{end[1]}{symbol}" for end in ends if end is not None)
-    return f"a number without a unit is in {unit}: write {both}:{count}"
+    range_with_units = ":".join(f"{end[1]}{symbol}" for end in ends if end is not None)
+    return f"a number without a unit is in {unit}: write {range_with_units}:{count}"
 
 
 def parse_value(text: str, unit: str, where: str) -> float:
@@ -88,7 +88,7 @@ def parse_value(text: str, unit: str, where: str) -> float:
 def parse_grid(text: str, mechanism: Mechanism, where: str) -> dict[str, Array]:
     """Read a grid such as ``x=0.3:0.8:51,y=-0.1:0.1:41,z=-0.245``.
 
-    - mechanism: it gives the components of a pose and their units
+    - mechanism: defines the components of a pose and their units
     - where: for messages
 
     Returns values of each component, in the order of the mechanism; a rotation of the platform may be left out.
@@ -135,18 +135,18 @@ def parse_settings(texts: tuple[str, ...], units: Mapping[str, str], where: str)
             )
         if path in settings:
             raise PkmodesError(f"{path} is given twice", where, "give all its values at once")
-        place = f"{where} {path}"
+        location = f"{where} {path}"
         unit = units.get(path, "")
         if not unit:
-            settings[path] = np.zeros(1)  # the robot says what is wrong with the path
+            settings[path] = np.zeros(1)  # `with_values` of the robot reports what is wrong with the path
             continue
-        if (comma := AMBIGUOUS.search(values)) is not None:
+        if (comma := AMBIGUOUS_COMMA.search(values)) is not None:
             problem = (
                 f"expected values separated by commas, found {shown(comma[0])}, of which only one has a unit"
             )
             low, high, symbol = comma.groups()
             remedy = f"write {low} {symbol},{high} {symbol} for two values, {low}.{high} {symbol} for one"
-            raise PkmodesError(problem, place, remedy)
-        ranges = [parse_range(part, unit, place) for part in values.split(",")]
+            raise PkmodesError(problem, location, remedy)
+        ranges = [parse_range(part, unit, location) for part in values.split(",")]
         settings[path] = np.concatenate(ranges)
     return settings

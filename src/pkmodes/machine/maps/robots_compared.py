@@ -26,14 +26,14 @@ from pkmodes.loop.robot_files.differences import (
 
 Array = NDArray[np.float64]
 #: Poses evaluated at once.
-CHUNK = 4096
-#: Quantiles over the poses that end the range given for each mode.
-ENDS = (0.02, 0.98)
+CHUNK_POSES = 4096
+#: Quantiles over the poses: the ends of the range that is reported for each mode.
+RANGE_QUANTILES = (0.02, 0.98)
 #: A mode is comparable if its partner differs at no more than this share of the poses, and the median MAC of the
 #: pairs is at least this.
-EXCHANGED, LIKE = 0.1, 0.8
-#: Smaller relative differences of a frequency count as none.
-NOTHING = 5e-5
+MAX_EXCHANGED, MIN_MAC = 0.1, 0.8
+#: Smaller relative changes of a frequency are reported as none.
+NEGLIGIBLE_CHANGE = 5e-5
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,7 +41,7 @@ class FrequencyChanges:
     """The frequencies of two robots at N poses; m vibration modes of the first, m' of the second.
 
     - poses: (N, d)
-    - first, second: where each can be evaluated, (N,)
+    - first_valid, second_valid: whether each robot can be evaluated, (N,)
     - frequencies: of the first robot, (N, m) [Hz]; NaN where it cannot be evaluated
     - relative: frequency of the partner over that of the mode, minus 1, (N, m); NaN where there is no partner
     - partner: index among the vibration modes of the second robot, -1 for none, (N, m)
@@ -50,8 +50,8 @@ class FrequencyChanges:
     """
 
     poses: Array
-    first: NDArray[np.bool_]
-    second: NDArray[np.bool_]
+    first_valid: NDArray[np.bool_]
+    second_valid: NDArray[np.bool_]
     frequencies: Array
     relative: Array
     partner: NDArray[np.intp]
@@ -65,12 +65,12 @@ class FrequencyChanges:
 
     @property
     def counts(self) -> PoseCounts:
-        """How many poses both robots reach, one of them only, or none."""
+        """Numbers of poses that both robots reach, that one of them reaches, and that neither does."""
         return PoseCounts(
-            both=int((self.first & self.second).sum()),
-            first_only=int((self.first & ~self.second).sum()),
-            second_only=int((self.second & ~self.first).sum()),
-            none=int((~self.first & ~self.second).sum()),
+            both=int((self.first_valid & self.second_valid).sum()),
+            first_only=int((self.first_valid & ~self.second_valid).sum()),
+            second_only=int((self.second_valid & ~self.first_valid).sum()),
+            none=int((~self.first_valid & ~self.second_valid).sum()),
         )
 
 
@@ -104,8 +104,8 @@ class ModeChange(Document, frozen=True):
         return (
             self.exchanged is not None
             and self.mac is not None
-            and self.exchanged <= EXCHANGED
-            and self.mac >= LIKE
+            and self.exchanged <= MAX_EXCHANGED
+            and self.mac >= MIN_MAC
         )
 
 
@@ -146,13 +146,13 @@ def compare_robots(first: Model, second: Model, poses: Array, drives: str = FREE
     declared = differences(first.robot, second.robot)
     changes = compare_frequencies(first, second, poses, drives)
     modes = mode_changes(changes)
-    notes = [sentence] if (sentence := exchanging(modes)) else []
+    notes = [sentence] if (sentence := incomparable_modes_sentence(modes)) else []
     surplus = changes.second_modes - changes.modes
     if surplus:
-        has = "second" if surplus > 0 else "first"
+        richer = "second" if surplus > 0 else "first"
         noun = "mode" if abs(surplus) == 1 else "modes"
         notes.append(
-            f"the {has} robot has {abs(surplus)} {noun} of vibration more, without partners at each pose"
+            f"the {richer} robot has {abs(surplus)} {noun} of vibration more, without partners at each pose"
         )
     if not (declared.values or declared.choices or declared.added or declared.removed):
         notes.append("the two files declare the same robot")
@@ -172,29 +172,30 @@ def compare_robots(first: Model, second: Model, poses: Array, drives: str = FREE
     )
 
 
-def largest_difference(modes: Sequence[ModeChange]) -> str:
-    """Return the largest difference of a mode that can be compared, as a sentence without a stop."""
+def largest_difference_sentence(modes: Sequence[ModeChange]) -> str:
+    """Return a sentence, without a stop, on the largest difference of a mode that can be compared."""
     comparable = [mode for mode in modes if mode.comparable]
     if not comparable:
         return "No mode of the first robot is one mode of the second throughout"
-    of = "" if len(comparable) == len(modes) else " of the modes that can be compared"
+    scope = "" if len(comparable) == len(modes) else " of the modes that can be compared"
     largest = max(comparable, key=lambda mode: abs(mode.median or 0.0))
-    if abs(largest.median or 0.0) < NOTHING:
-        return f"No frequency{of} changes"
-    first = f"Mode {largest.mode} changes most{',' if of else ''}{of}"
-    return f"{first}: {100.0 * (largest.median or 0.0):+.2f} % in the median"
+    if abs(largest.median or 0.0) < NEGLIGIBLE_CHANGE:
+        return f"No frequency{scope} changes"
+    subject = f"Mode {largest.mode} changes most{',' if scope else ''}{scope}"
+    return f"{subject}: {100.0 * (largest.median or 0.0):+.2f} % in the median"
 
 
-def exchanging(modes: Sequence[ModeChange]) -> str:
-    """Return which modes have partners but cannot be compared, as a sentence without a stop; empty if none."""
+def incomparable_modes_sentence(modes: Sequence[ModeChange]) -> str:
+    """Return a sentence, without a stop, on the modes that have partners but cannot be compared; empty if none."""
     names = [str(mode.mode) for mode in modes if mode.poses and not mode.comparable]
     if not names:
         return ""
     several = len(names) > 1
     which = f"modes {', '.join(names[:-1])} and {names[-1]}" if several else f"mode {names[0]}"
     return (
-        f"{which} cannot be compared: the partner is another one at more than {100.0 * EXCHANGED:g} % of the poses, "
-        f"or the median MAC is below {LIKE:g}, so that {'their' if several else 'its'} quantiles mix motions"
+        f"{which} cannot be compared: the partner is another one at more than {100.0 * MAX_EXCHANGED:g} % of the "
+        f"poses, or the median MAC is below {MIN_MAC:g}, so that {'their' if several else 'its'} quantiles mix "
+        "motions"
     )
 
 
@@ -211,14 +212,18 @@ def compare_frequencies(first: Model, second: Model, poses: Array, drives: str =
     """
     check_one_mechanism(first.robot, second.robot)
     parts = []
-    for start in range(0, len(poses), CHUNK):
+    for start in range(0, len(poses), CHUNK_POSES):
         say(f"{start:,} of {len(poses):,} poses of the two robots")
-        parts.append(_at(first, second, poses[start : start + CHUNK], drives))
+        parts.append(_compare_at(first, second, poses[start : start + CHUNK_POSES], drives))
     modes = second.modes(poses[:1], "nan", fields=("frequencies",), drives=drives)
     count = modes.frequencies.shape[-1] - modes.rigid_modes
-    reached, also, *rest = (np.concatenate(columns) for columns in zip(*parts, strict=True))
-    frequencies, relative, partner, mac = rest
-    changes = FrequencyChanges(poses, reached, also, frequencies, relative, partner, mac, second_modes=count)
+    first_valid, second_valid, *mode_arrays = (
+        np.concatenate(columns) for columns in zip(*parts, strict=True)
+    )
+    frequencies, relative, partner, mac = mode_arrays
+    changes = FrequencyChanges(
+        poses, first_valid, second_valid, frequencies, relative, partner, mac, second_modes=count
+    )
     if not changes.counts.both:
         problem = f"expected poses that both robots can reach, found none among {len(poses):,}"
         raise PoseError(problem, "poses", "give poses in the workspaces of both")
@@ -235,7 +240,7 @@ def mode_changes(changes: FrequencyChanges) -> tuple[ModeChange, ...]:
             continue
         relative, partner = changes.relative[paired, mode], changes.partner[paired, mode]
         dominant = int(np.bincount(partner).argmax())
-        low, high = np.quantile(relative, ENDS)
+        low, high = np.quantile(relative, RANGE_QUANTILES)
         modes.append(
             ModeChange(
                 mode + 1,
@@ -251,34 +256,36 @@ def mode_changes(changes: FrequencyChanges) -> tuple[ModeChange, ...]:
     return tuple(modes)
 
 
-def _at(first: Model, second: Model, poses: Array, drives: str) -> tuple[NDArray[Any], ...]:
-    """Return the arrays of `FrequencyChanges` at some poses, but for the last."""
+def _compare_at(first: Model, second: Model, poses: Array, drives: str) -> tuple[NDArray[Any], ...]:
+    """Return the arrays of `FrequencyChanges` at some poses, except the poses themselves."""
     fields = ("frequencies", "shapes")
-    ours, theirs = (model.modes(poses, "nan", fields=fields, drives=drives) for model in (first, second))
-    reached = tuple(np.asarray(modes.valid, dtype=bool) for modes in (ours, theirs))
-    f, g = (modes.frequencies[:, modes.rigid_modes :] for modes in (ours, theirs))
+    first_modes, second_modes = (
+        model.modes(poses, "nan", fields=fields, drives=drives) for model in (first, second)
+    )
+    valid = tuple(np.asarray(modes.valid, dtype=bool) for modes in (first_modes, second_modes))
+    f, g = (modes.frequencies[:, modes.rigid_modes :] for modes in (first_modes, second_modes))
     relative, mac = np.full(f.shape, np.nan), np.full(f.shape, np.nan)
     partner = np.full(f.shape, -1, dtype=np.intp)
-    both = np.flatnonzero(reached[0] & reached[1])
+    both = np.flatnonzero(valid[0] & valid[1])
     if len(both):
-        common = [name for name in ours.coordinates if name in theirs.coordinates]
+        common = [name for name in first_modes.coordinates if name in second_modes.coordinates]
         phi, psi = (
             modes.shapes[both][:, modes.rigid_modes :][
                 ..., [modes.coordinates.index(name) for name in common]
             ]
-            for modes in (ours, theirs)
+            for modes in (first_modes, second_modes)
         )
-        at = [first.coordinates.index(name) for name in common]
-        mass = first.matrices(poses[both], "nan")[0][:, at][:, :, at]
-        size = np.sqrt(((phi @ mass) * phi).sum(axis=-1, keepdims=True))
-        phi = phi / np.where(size > 0.0, size, 1.0)  # a part of a shape is not mass-normalised
-        likeness = mass_weighted_mac(phi @ mass @ np.swapaxes(psi, 1, 2), psi, mass)
-        for row, table in zip(both, likeness, strict=True):
+        common_indices = [first.coordinates.index(name) for name in common]
+        mass = first.matrices(poses[both], "nan")[0][:, common_indices][:, :, common_indices]
+        norm = np.sqrt(((phi @ mass) * phi).sum(axis=-1, keepdims=True))
+        phi = phi / np.where(norm > 0.0, norm, 1.0)  # a part of a shape is not mass-normalised
+        mac_tables = mass_weighted_mac(phi @ mass @ np.swapaxes(psi, 1, 2), psi, mass)
+        for row, mac_table in zip(both, mac_tables, strict=True):
             # One to one, with the largest sum of MAC.
-            mine, partners = np.arange(len(table)), table.argmax(axis=1)
+            modes, partners = np.arange(len(mac_table)), mac_table.argmax(axis=1)
             if len(np.unique(partners)) < len(partners):
-                mine, partners = linear_sum_assignment(table, maximize=True)
-            partner[row, mine] = partners
-            relative[row, mine] = g[row, partners] / f[row, mine] - 1.0
-            mac[row, mine] = table[mine, partners]
-    return *reached, f, relative, partner, mac
+                modes, partners = linear_sum_assignment(mac_table, maximize=True)
+            partner[row, modes] = partners
+            relative[row, modes] = g[row, partners] / f[row, modes] - 1.0
+            mac[row, modes] = mac_table[modes, partners]
+    return *valid, f, relative, partner, mac

@@ -20,9 +20,9 @@ from pkmodes.core.support.extras import require
 from pkmodes.machine.maps.evaluating import Task, evaluate
 
 #: Tasks in progress for each thread: one is computed while the result of another is stored.
-AHEAD = 2
+TASKS_PER_THREAD = 2
 #: Timeout for the scheduler and for a worker [s].
-PATIENCE = 10
+TIMEOUT = 10
 #: Protocols for which a client needs certificates.
 ENCRYPTED = ("tls://", "wss://")
 #: Only the type is checked; whether it is an address shows when a client connects.
@@ -56,7 +56,7 @@ def run_tasks(
         try:
             for number, task in tasks:
                 pending[submit(number, task)] = number
-                if len(pending) >= AHEAD * number_of_threads:
+                if len(pending) >= TASKS_PER_THREAD * number_of_threads:
                     _collect(pending, put, finish)
             while pending:
                 _collect(pending, put, finish)
@@ -78,7 +78,7 @@ def _collect(pending: dict[Future[Values | None], int], put: Put, finish: Callab
 
 @contextmanager
 def _submitter(put: Put, threads: int, scheduler: str | None) -> Iterator[tuple[Submit, int]]:
-    """Give a function that starts a task, and how many threads there are; a thread stores its results itself."""
+    """Yield a function that submits a task, and the number of threads; threads here store their own results."""
     if scheduler is None:
 
         def evaluate_here(number: int, task: Task) -> None:
@@ -90,13 +90,13 @@ def _submitter(put: Put, threads: int, scheduler: str | None) -> Iterator[tuple[
         finally:
             pool.shutdown(wait=True, cancel_futures=True)
         return
-    with connected(scheduler) as client:
+    with connect(scheduler) as client:
         executor = client.get_executor(pure=False)
         try:
             yield lambda _, task: executor.submit(evaluate, task), sum(client.nthreads().values())
         except (PkmodesError, MemoryError):
             raise
-        except (Exception, CancelledError) as error:  # of Dask, such as that of a lost scheduler
+        except (Exception, CancelledError) as error:  # errors of Dask, such as that of a lost scheduler
             reason = " ".join(str(error).split()) or "the connection was lost"
             problem = f"the workers could not finish: {type(error).__name__}: {reason[:300]}"
             remedy = "check the scheduler and its workers; with an output file, the same command continues"
@@ -107,13 +107,13 @@ def _submitter(put: Put, threads: int, scheduler: str | None) -> Iterator[tuple[
 
 
 @contextmanager
-def connected(scheduler: str) -> Iterator[Any]:
-    """Connect to a Dask scheduler that has this version of pkmodes, and so have all of its workers.
+def connect(scheduler: str) -> Iterator[Any]:
+    """Connect to a Dask scheduler; it and all of its workers must have this version of pkmodes.
 
     - scheduler: its address
 
     The client is closed at the end.
-    Raises PkmodesError if it cannot be reached or has no workers, or it or one of them has another version.
+    Raises PkmodesError if it cannot be reached, has no workers, or runs another version, as a worker may.
     """
     require("work on a Dask scheduler", "cluster", "distributed")
     import distributed
@@ -123,28 +123,31 @@ def connected(scheduler: str) -> Iterator[Any]:
     if scheduler.startswith(ENCRYPTED):
         _check_certificates(scheduler)
     try:
-        client = distributed.Client(scheduler, timeout=PATIENCE, set_as_default=False)
+        client = distributed.Client(scheduler, timeout=TIMEOUT, set_as_default=False)
     except Exception as error:  # also what the protocol of the address raises
         problem = f"cannot reach the scheduler: {type(error).__name__}"
         raise PkmodesError(problem, f"scheduler {shown(scheduler)}", remedy) from None
     try:
         try:
-            client.wait_for_workers(1, timeout=PATIENCE)
+            client.wait_for_workers(1, timeout=TIMEOUT)
         except TimeoutError:
             remedy = f"start some: dask worker {scheduler}"
             raise PkmodesError(
                 "the scheduler has no workers", f"scheduler {shown(scheduler)}", remedy
             ) from None
         # The scheduler reads the tasks, too, before it hands them out.
-        versions = {**client.run(_probe()), scheduler: client.run_on_scheduler(_probe())}
-        wrong = {where: version for where, version in versions.items() if version != VERSION}
-        for where, version in wrong.items():
+        versions = {
+            **client.run(_version_function()),
+            scheduler: client.run_on_scheduler(_version_function()),
+        }
+        mismatches = {where: version for where, version in versions.items() if version != VERSION}
+        for where, version in mismatches.items():
             mismatch = f"{version or 'none'} on {where}"
             problem = f"expected pkmodes {VERSION} on the scheduler and every worker, found {mismatch}"
             raise PkmodesError(problem, f"scheduler {shown(scheduler)}", "install the same version there")
         yield client
     finally:
-        client.close(timeout=PATIENCE)
+        client.close(timeout=TIMEOUT)
 
 
 def _check_certificates(scheduler: str) -> None:
@@ -164,8 +167,8 @@ def _check_certificates(scheduler: str) -> None:
     )
 
 
-def _probe() -> Callable[[], str]:
-    """Return a function that reports the version of pkmodes where it runs, even where there is none."""
+def _version_function() -> Callable[[], str]:
+    """Return a function that reports the version of pkmodes where it runs; empty where pkmodes is not installed."""
 
     def version() -> str:
         try:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from pkmodes.core.model import Model
 from pkmodes.core.robot.robot import Robot
 from pkmodes.loop.sensitivity.spread import spread_of, stated_sigmas
-from pkmodes.machine.maps.variants import SAMPLE, taken
+from pkmodes.machine.maps.variants import SAMPLE, paths_set_by_sweep
 
 if TYPE_CHECKING:
     import xarray
@@ -27,12 +27,12 @@ def spread_along(robot: Robot, dataset: xarray.Dataset, dim: str, max_condition:
     - max_condition: as for `pkmodes.Model`
 
     Returns (values, m), in Hz, in the order of the map's modes.  None where the robot file states no standard
-    deviations, and where the map has further axes: its frequencies then differ at each value, and sampled robots show
-    their scatter.
+    deviations, where the map has further axes along which its frequencies vary, and where it has samples, which show
+    the scatter themselves.
     """
     dims = [str(name) for name in dataset["frequency"].dims]
-    further = [name for name in dims if name not in (dim, "mode") and dataset.sizes[name] > 1]
-    if further or SAMPLE in dims or not stated_sigmas(robot):
+    other_dims = [name for name in dims if name not in (dim, "mode") and dataset.sizes[name] > 1]
+    if other_dims or SAMPLE in dims or not stated_sigmas(robot):
         return None
     drives = str(dataset.attrs["drives"])
     frequencies = dataset["frequency"].transpose(dim, ..., "mode").values.reshape(dataset.sizes[dim], -1)
@@ -41,7 +41,7 @@ def spread_along(robot: Robot, dataset: xarray.Dataset, dim: str, max_condition:
         [np.broadcast_to(dataset[name].values.reshape(-1), len(frequencies)) for name in components], axis=-1
     )
     swept = {name: dataset[name].values for name in dims if "." in name}
-    set_paths = taken(robot, swept)
+    set_paths = paths_set_by_sweep(robot, swept)
     if dim in swept:
         robots = [
             robot.with_values(
@@ -49,16 +49,16 @@ def spread_along(robot: Robot, dataset: xarray.Dataset, dim: str, max_condition:
             )
             for i in range(len(frequencies))
         ]
-        spreads = [
+        sigma_parts = [
             spread_of(Model(variant, max_condition), point, drives, "nan", set_paths)
             for variant, point in zip(robots, points, strict=True)
         ]
     else:
         variant = robot.with_values({name: float(v[0]) for name, v in swept.items()}) if swept else robot
-        spreads = [spread_of(Model(variant, max_condition), points, drives, "nan", set_paths)]
-    if any(part is None for part in spreads):
+        sigma_parts = [spread_of(Model(variant, max_condition), points, drives, "nan", set_paths)]
+    if any(part is None for part in sigma_parts):
         return None
-    spread = np.vstack([part for part in spreads if part is not None])[:, -frequencies.shape[1] :]
+    sigmas = np.vstack([part for part in sigma_parts if part is not None])[:, -frequencies.shape[1] :]
     # A tracked map numbers its modes by shape, not by frequency.
     ranks = np.argsort(np.argsort(frequencies, axis=1), axis=1)
-    return np.take_along_axis(spread, ranks, axis=1)
+    return np.take_along_axis(sigmas, ranks, axis=1)

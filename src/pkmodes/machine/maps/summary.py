@@ -12,7 +12,14 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.drives import Drives
 from pkmodes.core.support.documents import Document
-from pkmodes.machine.maps.left_out import MEDIANS, near_singular, ordinary, parts, unstable, with_medians
+from pkmodes.machine.maps.left_out import (
+    MEDIAN_VARIABLES,
+    loaded_parts,
+    representative_mask,
+    singularity_ratio,
+    unstable_mask,
+    with_medians,
+)
 from pkmodes.machine.maps.quantiles import quantiles
 from pkmodes.machine.maps.variants import SAMPLE
 
@@ -21,9 +28,9 @@ if TYPE_CHECKING:
 
 #: Quantiles over the poses that characterise the frequency of a mode: at the edge of a workspace a spring may become
 #: so short that the extremes are not representative.
-SHARES = {"quantile_2_hz": 0.02, "median_hz": 0.5, "quantile_98_hz": 0.98}
-#: Number of poses below which 2 % of them are less than one.
-FEW = 50
+QUANTILES = {"quantile_2_hz": 0.02, "median_hz": 0.5, "quantile_98_hz": 0.98}
+#: Fewest poses of which 2 % are at least one.
+MIN_POSES_OF_TAILS = 50
 
 
 class ExtremesDocument(Document, frozen=True):
@@ -116,47 +123,53 @@ def summary_of(dataset: xarray.Dataset, file: str | None) -> MapSummary:
     - dataset: from `pkmodes.Model.map`; it is read part by part
     """
     leading = [str(dim) for dim in dataset["condition"].dims]
-    numbers = dataset["mode"].values.tolist()
-    lowest: list[Any] = [None] * len(numbers)
-    highest: list[Any] = [None] * len(numbers)
-    nearest: Any = None
-    fastest: Any = None
+    mode_numbers = dataset["mode"].values.tolist()
+    lowest: list[Any] = [None] * len(mode_numbers)
+    highest: list[Any] = [None] * len(mode_numbers)
+    most_singular: Any = None
+    most_unstable: Any = None
     reasons: Counter[str] = Counter()
-    valid = close = falling = counted = 0
+    valid_count = near_singular_count = unstable_count = counted_count = 0
     dataset = with_medians(dataset)
-    for start, part in parts(dataset[["frequency", "condition", "valid", "reason", *MEDIANS]], leading):
-        valid += int(part["valid"].values.sum())
+    for origin, part in loaded_parts(
+        dataset[["frequency", "condition", "valid", "reason", *MEDIAN_VARIABLES]], leading
+    ):
+        valid_count += int(part["valid"].values.sum())
         reasons.update(part["reason"].values[~part["valid"].values].tolist())
         frequency = part["frequency"].transpose(*leading, "mode").values
-        near, moves = near_singular(part).values, unstable(part).values
-        close += int((near > 1.0).sum())
-        falling += int(moves.sum())
-        nearest = _better(nearest, np.where(near > 1.0, near, np.nan), start, highest=True)
-        bottom = np.where(moves, np.nanmin(np.where(np.isnan(frequency), np.inf, frequency), axis=-1), np.nan)
-        fastest = _better(fastest, bottom, start, highest=False)
-        counts = (near <= 1.0) & ~moves
-        counted += int(counts.sum())
-        kept = np.where(counts[..., None], frequency, np.nan)
-        for i in range(len(numbers)):
-            lowest[i] = _better(lowest[i], kept[..., i], start, highest=False)
-            highest[i] = _better(highest[i], kept[..., i], start, highest=True)
+        singularity, unstable_poses = singularity_ratio(part).values, unstable_mask(part).values
+        near_singular_count += int((singularity > 1.0).sum())
+        unstable_count += int(unstable_poses.sum())
+        most_singular = _update_extreme(
+            most_singular, np.where(singularity > 1.0, singularity, np.nan), origin, highest=True
+        )
+        lowest_unstable = np.where(
+            unstable_poses, np.nanmin(np.where(np.isnan(frequency), np.inf, frequency), axis=-1), np.nan
+        )
+        most_unstable = _update_extreme(most_unstable, lowest_unstable, origin, highest=False)
+        counted_poses = (singularity <= 1.0) & ~unstable_poses
+        counted_count += int(counted_poses.sum())
+        counted_frequency = np.where(counted_poses[..., None], frequency, np.nan)
+        for i in range(len(mode_numbers)):
+            lowest[i] = _update_extreme(lowest[i], counted_frequency[..., i], origin, highest=False)
+            highest[i] = _update_extreme(highest[i], counted_frequency[..., i], origin, highest=True)
 
-    def ordinary_frequencies() -> Iterator[NDArray[Any]]:
-        for _, part in parts(dataset[["frequency", "condition", *MEDIANS]], leading):
-            frequency = part["frequency"].where(ordinary(part)).transpose(*leading, "mode").values
+    def representative_frequencies() -> Iterator[NDArray[Any]]:
+        for _, part in loaded_parts(dataset[["frequency", "condition", *MEDIAN_VARIABLES]], leading):
+            frequency = part["frequency"].where(representative_mask(part)).transpose(*leading, "mode").values
             yield frequency.reshape(-1, frequency.shape[-1])
 
-    rows = quantiles(ordinary_frequencies, list(SHARES.values())).tolist()
+    rows = quantiles(representative_frequencies, list(QUANTILES.values())).tolist()
     return MapSummary(
         robot=dataset.attrs["robot"],
         file=file,
         dimensions={str(name): int(size) for name, size in dataset.sizes.items()},
         ranges=_ranges(dataset, leading),
         poses=int(np.prod([dataset.sizes[dim] for dim in leading])),
-        valid=valid,
-        counted=counted,
-        near_singular=LeftOutDocument(close, _at(nearest, dataset)),
-        unstable=LeftOutDocument(falling, _at(fastest, dataset)),
+        valid=valid_count,
+        counted=counted_count,
+        near_singular=LeftOutDocument(near_singular_count, _pose_at(most_singular, dataset)),
+        unstable=LeftOutDocument(unstable_count, _pose_at(most_unstable, dataset)),
         reasons=dict(sorted(reasons.items())),
         rigid_modes=int(dataset.attrs["rigid_modes"]),
         drives=cast("Drives", str(dataset.attrs["drives"])),
@@ -164,19 +177,19 @@ def summary_of(dataset: xarray.Dataset, file: str | None) -> MapSummary:
         modes=[
             ExtremesDocument(
                 number,
-                *_end(low, dataset),
-                *_end(high, dataset),
-                **{key: None if low is None else value for key, value in zip(SHARES, row, strict=True)},
+                *_value_and_pose(low, dataset),
+                *_value_and_pose(high, dataset),
+                **{key: None if low is None else value for key, value in zip(QUANTILES, row, strict=True)},
             )
-            for number, low, high, row in zip(numbers, lowest, highest, rows, strict=True)
+            for number, low, high, row in zip(mode_numbers, lowest, highest, rows, strict=True)
         ],
     )
 
 
-def quantiles_in_words(content: dict[str, Any]) -> str:
-    """Return what the quantiles of a summary are: of few poses, 2 % are less than one."""
+def quantiles_sentence(content: dict[str, Any]) -> str:
+    """Return the explanation of the quantiles of a summary; with few poses, 2 % of them are less than one."""
     count = content["counted"]
-    if count >= FEW:
+    if count >= MIN_POSES_OF_TAILS:
         return "At 96 % of the poses a frequency lies between its 2 % and its 98 % quantile"
     poses = "pose" if count == 1 else "poses"
     return f"Quantiles of each frequency over {count} {poses}, interpolated between its values there"
@@ -185,11 +198,11 @@ def quantiles_in_words(content: dict[str, Any]) -> str:
 def _ranges(dataset: xarray.Dataset, leading: list[str]) -> dict[str, list[Any]]:
     """Return the lowest and highest value along each axis of a map; of labels the first and last.
 
-    As people read them: swept parameters, then x, y, z, which a dataset has reversed.
+    In the order in which people read them: swept parameters, then x, y, z, which are reversed in a dataset.
     """
-    pose = [dim for dim in leading if "." not in dim and dim != SAMPLE]
+    pose_dims = [dim for dim in leading if "." not in dim and dim != SAMPLE]
     ranges: dict[str, list[Any]] = {}
-    for dim in (*(dim for dim in leading if dim not in pose), *reversed(pose)):
+    for dim in (*(dim for dim in leading if dim not in pose_dims), *reversed(pose_dims)):
         values = dataset[dim].values
         labels = values.dtype.kind not in "fiu"
         ends = (values[0], values[-1]) if labels else (values.min(), values.max())
@@ -197,25 +210,30 @@ def _ranges(dataset: xarray.Dataset, leading: list[str]) -> dict[str, list[Any]]
     return ranges
 
 
-def _better(extreme: Any, values: NDArray[Any], start: list[int], *, highest: bool) -> Any:
-    """Return the more extreme of an extreme with its place, if any, and that of a part; NaN stands for no value."""
+def _update_extreme(extreme: Any, values: NDArray[Any], origin: list[int], *, highest: bool) -> Any:
+    """Return an extreme value so far and its index, or those of a part of the map if they are more extreme.
+
+    - extreme: value and index, None if there is none so far
+    - values: of the part; NaN where there is none
+    - origin: index of the first value of the part
+    """
     if np.isnan(values).all():
         return extreme
-    at = np.unravel_index(np.nanargmax(values) if highest else np.nanargmin(values), values.shape)
-    value = float(values[at])
+    index = np.unravel_index(np.nanargmax(values) if highest else np.nanargmin(values), values.shape)
+    value = float(values[index])
     if extreme is not None and (value <= extreme[0] if highest else value >= extreme[0]):
         return extreme
-    return value, [a + int(b) for a, b in zip(start, at, strict=True)]
+    return value, [a + int(b) for a, b in zip(origin, index, strict=True)]
 
 
-def _end(
+def _value_and_pose(
     extreme: tuple[float, list[int]] | None, dataset: xarray.Dataset
 ) -> tuple[float | None, dict[str, Any] | None]:
     """Return an extreme frequency and where it is."""
-    return None if extreme is None else extreme[0], _at(extreme, dataset)
+    return None if extreme is None else extreme[0], _pose_at(extreme, dataset)
 
 
-def _at(extreme: tuple[float, list[int]] | None, dataset: xarray.Dataset) -> dict[str, Any] | None:
+def _pose_at(extreme: tuple[float, list[int]] | None, dataset: xarray.Dataset) -> dict[str, Any] | None:
     if extreme is None:
         return None
     condition = dataset["condition"][tuple(extreme[1])]

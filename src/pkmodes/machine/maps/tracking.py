@@ -27,15 +27,15 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import breadth_first_order, connected_components, minimum_spanning_tree
 
 from pkmodes.core.support.mac import mass_weighted_mac
-from pkmodes.machine.dataset.variables import EVENTS
+from pkmodes.machine.dataset.variables import EVENT_FLAGS
 
 Array = NDArray[Any]
 Index = NDArray[np.intp]
-#: A pair with a MAC below the first is uncertain; a mode whose own MAC is below the second, but reaches it together
-#: with another mode, veers.
-CLEAR, SAME = 0.5, 0.9
+#: A pair with a MAC below the first is uncertain; a mode veers if its own MAC is below the second, but not the sum of
+#: it and that of another mode.
+MIN_CLEAR_MAC, MIN_SAME_MAC = 0.5, 0.9
 #: Steps compared at once.
-CHUNK = 8192
+CHUNK_STEPS = 8192
 
 Masses = Callable[[Index], Array]
 
@@ -46,7 +46,7 @@ class Tracked:
 
     - order: rank of each tracked mode among the vibration modes, from 0, (rows, modes)
     - signs: factor of each tracked shape, (rows, modes), 1 or -1
-    - events: bits of `EVENTS` at each tracked mode, (rows, modes)
+    - events: bits of `EVENT_FLAGS` at each tracked mode, (rows, modes)
     """
 
     order: Array
@@ -62,7 +62,7 @@ class Steps:
     - order: rank at the second row of the mode that continues each mode of the first, (steps, modes)
     - signs: sign of the product of the two shapes, (steps, modes)
     - quality: smallest MAC of a pair, (steps,)
-    - marks: events of each mode of the first row, (steps, modes)
+    - events: bits of `EVENT_FLAGS` for each mode of the first row, (steps, modes)
     """
 
     first: Index
@@ -70,7 +70,7 @@ class Steps:
     order: Array
     signs: Array
     quality: Array
-    marks: Array
+    events: Array
 
 
 def track(
@@ -81,44 +81,47 @@ def track(
     - arrays: of a map, ``shape`` with the same number of modes everywhere, mass-normalised, and ``code``, each
       (rows, ...)
     - shape: of the map; rows are in C order
-    - linked: whether rows next to each other along an axis are neighbours; otherwise all of them are neighbours of
+    - linked: for each axis, whether consecutive rows are neighbours; otherwise all rows along it are neighbours of
       the first
     - masses: from rows, their mass matrices, (N, n, n)
 
     Modes are numbered by rank at the valid pose nearest to the middle of each connected part of the map; shapes keep
     their sign from there.
     """
-    good = arrays["code"][:] == 0
-    steps = _compared(arrays["shape"], *_neighbours(shape, linked, good), masses)
-    order, signs = _followed(steps, good, shape)
+    valid = arrays["code"][:] == 0
+    steps = _compare_neighbours(arrays["shape"], *_neighbours(shape, linked, valid), masses)
+    order, signs = _follow_modes(steps, valid, shape)
     # Events of a step belong to the tracked modes at both rows; a step that contradicts the numbering is uncertain.
     events = np.zeros_like(order)
     mode_of = np.argsort(order, axis=1).astype(np.int8)  # tracked mode of each rank
     for mode in range(order.shape[1]):
-        event = steps.marks[:, mode].copy()
-        here, there = mode_of[steps.first, mode], mode_of[steps.second, steps.order[:, mode]]
-        event |= np.where(here != there, EVENTS["uncertain"], 0).astype(np.int8)
-        np.bitwise_or.at(events, (steps.first, here), event)
-        np.bitwise_or.at(events, (steps.second, there), event)
+        event = steps.events[:, mode].copy()
+        first_number, second_number = mode_of[steps.first, mode], mode_of[steps.second, steps.order[:, mode]]
+        event |= np.where(first_number != second_number, EVENT_FLAGS["uncertain"], 0).astype(np.int8)
+        np.bitwise_or.at(events, (steps.first, first_number), event)
+        np.bitwise_or.at(events, (steps.second, second_number), event)
     return Tracked(order, signs, events)
 
 
-def _neighbours(shape: tuple[int, ...], linked: tuple[bool, ...], good: Array) -> tuple[Index, Index]:
+def _neighbours(shape: tuple[int, ...], linked: tuple[bool, ...], valid: Array) -> tuple[Index, Index]:
     """Return the rows of all pairs of valid neighbours."""
-    rows = np.arange(good.size).reshape(shape)
+    rows = np.arange(valid.size).reshape(shape)
     pairs = []
-    for axis, along in enumerate(linked):
+    for axis, is_linked in enumerate(linked):
         aligned = np.moveaxis(rows, axis, 0)
-        later = aligned[1:]
+        following = aligned[1:]
         pairs.append(
-            (np.broadcast_to(aligned[:-1] if along else aligned[:1], later.shape).ravel(), later.ravel())
+            (
+                np.broadcast_to(aligned[:-1] if is_linked else aligned[:1], following.shape).ravel(),
+                following.ravel(),
+            )
         )
     first, second = (np.concatenate(part) for part in zip(*pairs, strict=True))
-    kept = good[first] & good[second]
-    return first[kept], second[kept]
+    both_valid = valid[first] & valid[second]
+    return first[both_valid], second[both_valid]
 
 
-def _compared(shapes: Array, first: Index, second: Index, masses: Masses) -> Steps:
+def _compare_neighbours(shapes: Array, first: Index, second: Index, masses: Masses) -> Steps:
     """Pair the modes of neighbours.
 
     - shapes: mass-normalised, (rows, modes, coordinates)
@@ -132,109 +135,113 @@ def _compared(shapes: Array, first: Index, second: Index, masses: Masses) -> Ste
         order=np.empty((count, modes), dtype=np.int8),
         signs=np.empty((count, modes), dtype=np.int8),
         quality=np.empty(count),
-        marks=np.zeros((count, modes), dtype=np.int8),
+        events=np.zeros((count, modes), dtype=np.int8),
     )
-    # Along one axis at a time, from row to row: shapes that are stored are read in blocks of consecutive rows.
-    along_axes = np.lexsort((first, second - first))
-    for start in range(0, count, CHUNK):
-        part = along_axes[start : start + CHUNK]
-        phi, psi = shapes[first[part]], shapes[second[part]]
-        M = masses(first[part])
+    # Axis by axis, in the order of the rows: stored shapes are read in blocks of consecutive rows.
+    reading_order = np.lexsort((first, second - first))
+    for start in range(0, count, CHUNK_STEPS):
+        chunk = reading_order[start : start + CHUNK_STEPS]
+        phi, psi = shapes[first[chunk]], shapes[second[chunk]]
+        M = masses(first[chunk])
         product = phi @ M @ np.swapaxes(psi, 1, 2)
         mac = mass_weighted_mac(product, psi, M)
-        order = _paired(mac)
-        along = np.take_along_axis(mac, order[..., None], axis=2)[..., 0]
+        order = _pair_modes(mac)
+        pair_mac = np.take_along_axis(mac, order[..., None], axis=2)[..., 0]
         negative = np.take_along_axis(product, order[..., None], axis=2)[..., 0] < 0.0
-        steps.order[part] = order
-        steps.signs[part] = np.where(negative, -1, 1)
-        steps.quality[part] = along.min(axis=1)
-        steps.marks[part] = _events(mac, order, along)
+        steps.order[chunk] = order
+        steps.signs[chunk] = np.where(negative, -1, 1)
+        steps.quality[chunk] = pair_mac.min(axis=1)
+        steps.events[chunk] = _step_events(mac, order, pair_mac)
     return steps
 
 
-def _paired(mac: Array) -> Index:
+def _pair_modes(mac: Array) -> Index:
     """Return the one-to-one assignment with the largest sum of MAC, (steps, modes)."""
     order: Index = mac.argmax(axis=2)
     modes = mac.shape[1]
-    clear = (np.sort(order, axis=1) == np.arange(modes)).all(axis=1)
-    for place in np.flatnonzero(~clear):
-        order[place] = linear_sum_assignment(mac[place], maximize=True)[1]
+    one_to_one = (np.sort(order, axis=1) == np.arange(modes)).all(axis=1)
+    for step in np.flatnonzero(~one_to_one):
+        order[step] = linear_sum_assignment(mac[step], maximize=True)[1]
     return order
 
 
-def _events(mac: Array, order: Index, along: Array) -> Array:
+def _step_events(mac: Array, order: Index, pair_mac: Array) -> Array:
     """Return the events of each mode of the first row of a step."""
-    marks = np.zeros(order.shape, dtype=np.int8)
+    events = np.zeros(order.shape, dtype=np.int8)
     lower, higher = np.triu_indices(order.shape[1], 1)
-    clear = (along[:, lower] >= CLEAR) & (along[:, higher] >= CLEAR)
-    swapped = clear & (order[:, lower] > order[:, higher])
+    both_clear = (pair_mac[:, lower] >= MIN_CLEAR_MAC) & (pair_mac[:, higher] >= MIN_CLEAR_MAC)
+    swapped = both_clear & (order[:, lower] > order[:, higher])
     for modes in (lower, higher):
         for column, mode in enumerate(modes):
-            marks[:, mode] |= np.where(swapped[:, column], EVENTS["crossing"], 0).astype(np.int8)
-    # Together with one more mode the shape is kept: the two exchange their shapes.
-    two = np.sort(mac, axis=2)[..., -2:].sum(axis=2)
-    veering = (along < SAME) & (two >= SAME)
-    marks |= np.where(veering, EVENTS["veering"], 0).astype(np.int8)
-    marks |= np.where(along < CLEAR, EVENTS["uncertain"], 0).astype(np.int8)
-    return marks
+            events[:, mode] |= np.where(swapped[:, column], EVENT_FLAGS["crossing"], 0).astype(np.int8)
+    # Two modes that exchange their shapes: the shape lies in the span of both.
+    best_two = np.sort(mac, axis=2)[..., -2:].sum(axis=2)
+    veering = (pair_mac < MIN_SAME_MAC) & (best_two >= MIN_SAME_MAC)
+    events |= np.where(veering, EVENT_FLAGS["veering"], 0).astype(np.int8)
+    events |= np.where(pair_mac < MIN_CLEAR_MAC, EVENT_FLAGS["uncertain"], 0).astype(np.int8)
+    return events
 
 
-def _followed(steps: Steps, good: Array, shape: tuple[int, ...]) -> tuple[Array, Array]:
+def _follow_modes(steps: Steps, valid: Array, shape: tuple[int, ...]) -> tuple[Array, Array]:
     """Follow the modes from the reference of each part along the spanning tree.
 
     Returns order and signs, (rows, modes).
     """
-    rows, modes = good.size, steps.order.shape[1]
+    rows, modes = valid.size, steps.order.shape[1]
     order = np.tile(np.arange(modes, dtype=np.int8), (rows, 1))
     signs = np.ones((rows, modes), dtype=np.int8)
-    parents, taken, forward = _tree(steps, good, shape)
-    children = np.flatnonzero(taken >= 0)
-    step, onward = taken[children], forward[children, None]
-    back = np.argsort(steps.order[step], axis=1)
-    order[children] = np.where(onward, steps.order[step], back)
-    signs[children] = np.where(onward, steps.signs[step], np.take_along_axis(steps.signs[step], back, axis=1))
-    # Pointer doubling: `order` and `signs` lead from the row `above` to each row, which doubles its distance in each
-    # round, so that a path of n steps needs log2(n) rounds.
-    above = parents
-    while (above[above] != above).any():
-        for_each = order[above]
-        signs = signs[above] * np.take_along_axis(signs, for_each, axis=1)
-        order = np.take_along_axis(order, for_each, axis=1)
-        above = above[above]
+    parents, parent_step, forward = _spanning_tree(steps, valid, shape)
+    children = np.flatnonzero(parent_step >= 0)
+    step, is_forward = parent_step[children], forward[children, None]
+    inverse = np.argsort(steps.order[step], axis=1)
+    order[children] = np.where(is_forward, steps.order[step], inverse)
+    signs[children] = np.where(
+        is_forward, steps.signs[step], np.take_along_axis(steps.signs[step], inverse, axis=1)
+    )
+    # Pointer doubling: `order` and `signs` lead from each row's ancestor to the row; their distance doubles
+    # in each round, so that a path of n steps needs log2(n) rounds.
+    ancestors = parents
+    while (ancestors[ancestors] != ancestors).any():
+        ancestor_order = order[ancestors]
+        signs = signs[ancestors] * np.take_along_axis(signs, ancestor_order, axis=1)
+        order = np.take_along_axis(order, ancestor_order, axis=1)
+        ancestors = ancestors[ancestors]
     return order, signs
 
 
-def _tree(steps: Steps, good: Array, shape: tuple[int, ...]) -> tuple[Index, Index, Array]:
+def _spanning_tree(steps: Steps, valid: Array, shape: tuple[int, ...]) -> tuple[Index, Index, Array]:
     """Return the spanning tree with the clearest pairs, rooted at the reference of each part.
 
     Returns, in this order:
     - parents: a reference, or a row without neighbours, is its own parent, (rows,)
-    - taken: the step between a row and its parent, -1 where there is none, (rows,)
+    - parent_step: the step between a row and its parent, -1 where there is none, (rows,)
     - forward: whether that step leads from the parent to the row, (rows,)
     """
-    rows = good.size
+    rows = valid.size
     tree = minimum_spanning_tree(_graph(2.0 - steps.quality, steps.first, steps.second, rows)).tocoo()
-    _, part = connected_components(tree, directed=False)
+    _, component = connected_components(tree, directed=False)
     # One search for all parts, from an additional row that leads to every reference.
-    references = _references(part.astype(np.intp), good, shape)
+    references = _references(component.astype(np.intp), valid, shape)
     first, second = np.r_[tree.row, np.full(len(references), rows)], np.r_[tree.col, references]
-    joined = _graph(np.ones(len(first)), first, second, rows + 1)
-    # SciPy numbers nodes with 32 bits, which `key` exceeds.
-    reached, before = (nodes.astype(np.intp) for nodes in breadth_first_order(joined, rows, directed=False))
+    search_graph = _graph(np.ones(len(first)), first, second, rows + 1)
+    # SciPy numbers nodes with 32 bits, which `step_keys` exceeds.
+    visited, predecessors = (
+        nodes.astype(np.intp) for nodes in breadth_first_order(search_graph, rows, directed=False)
+    )
     parents = np.arange(rows)
-    inner = reached[1:][before[reached[1:]] != rows]
-    parents[inner] = before[inner]
-    taken = np.full(rows, -1)
+    inner = visited[1:][predecessors[visited[1:]] != rows]
+    parents[inner] = predecessors[inner]
+    parent_step = np.full(rows, -1)
     forward = np.zeros(rows, dtype=bool)
-    key = steps.first * rows + steps.second
-    sorted_steps = np.argsort(key)
-    for onward in (True, False):
-        edge_keys = parents[inner] * rows + inner if onward else inner * rows + parents[inner]
-        place = np.minimum(np.searchsorted(key, edge_keys, sorter=sorted_steps), len(key) - 1)
-        step = sorted_steps[place]
-        there = key[step] == edge_keys
-        taken[inner[there]], forward[inner[there]] = step[there], onward
-    return parents, taken, forward
+    step_keys = steps.first * rows + steps.second
+    sorted_steps = np.argsort(step_keys)
+    for is_forward in (True, False):
+        edge_keys = parents[inner] * rows + inner if is_forward else inner * rows + parents[inner]
+        position = np.minimum(np.searchsorted(step_keys, edge_keys, sorter=sorted_steps), len(step_keys) - 1)
+        step = sorted_steps[position]
+        matches = step_keys[step] == edge_keys
+        parent_step[inner[matches]], forward[inner[matches]] = step[matches], is_forward
+    return parents, parent_step, forward
 
 
 def _graph(weights: Array, first: Index, second: Index, nodes: int) -> Any:
@@ -243,15 +250,17 @@ def _graph(weights: Array, first: Index, second: Index, nodes: int) -> Any:
     return coo_array((weights, ends), shape=(nodes, nodes)).tocsr()
 
 
-def _references(part: Index, good: Array, shape: tuple[int, ...]) -> Index:
+def _references(component: Index, valid: Array, shape: tuple[int, ...]) -> Index:
     """Return the valid row nearest to the middle of each part."""
-    rows = np.flatnonzero(good)
-    of = part[rows]
-    at = np.stack(np.unravel_index(rows, shape), axis=1).astype(float)
-    count = np.maximum(np.bincount(of), 1)
-    middle = np.stack([np.bincount(of, weights=along) / count for along in at.T], axis=1)
-    distance = ((at - middle[of]) ** 2).sum(axis=1)
-    nearest_first = np.lexsort((distance, of))
-    _, first = np.unique(of[nearest_first], return_index=True)
+    rows = np.flatnonzero(valid)
+    component_of = component[rows]
+    grid_indices = np.stack(np.unravel_index(rows, shape), axis=1).astype(float)
+    count = np.maximum(np.bincount(component_of), 1)
+    centres = np.stack(
+        [np.bincount(component_of, weights=axis_indices) / count for axis_indices in grid_indices.T], axis=1
+    )
+    distance = ((grid_indices - centres[component_of]) ** 2).sum(axis=1)
+    nearest_first = np.lexsort((distance, component_of))
+    _, first = np.unique(component_of[nearest_first], return_index=True)
     references: Index = rows[nearest_first[first]]
     return references

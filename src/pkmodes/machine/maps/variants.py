@@ -20,8 +20,8 @@ from pkmodes.core.support.covariance import covariance_of, root_of, sigmas_by_pa
 
 Array = NDArray[np.float64]
 SAMPLE = "sample"
-#: Draws of one sample before the robot is refused: a standard deviation that large is a mistake.
-DRAWS = 100
+#: Maximum number of draws of one sample: if none gives a valid robot, a standard deviation is too large by mistake.
+MAX_DRAWS = 100
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,7 +54,7 @@ def variants_of(robot: Robot, sweep: Mapping[str, Any] | None, samples: int | No
 
     - sweep: values of parameters in SI units, by path; every combination is evaluated
     - samples: robots whose values with a standard deviation are drawn from a normal distribution with their
-      correlations, except swept values, which say nothing of the others
+      correlations; the draws do not depend on the swept values
     - seed: of the generator
 
     Raises PkmodesError if a path is unknown, values are invalid, or the robot declares no standard deviation to draw
@@ -66,7 +66,7 @@ def variants_of(robot: Robot, sweep: Mapping[str, Any] | None, samples: int | No
     if samples is not None:
         check_argument(samples, POSITIVE_INTEGER, "samples", "for example: 200")
         check_argument(seed, NATURAL_NUMBER, "seed", "for example: 0")
-        draws = _draws(robot, taken(robot, swept), int(samples), seed)
+        draws = _draw_robots(robot, paths_set_by_sweep(robot, swept), int(samples), seed)
     robots = []
     for values in itertools.product(*swept.values()):
         changes = {path: float(value) for path, value in zip(swept, values, strict=True)}
@@ -75,38 +75,38 @@ def variants_of(robot: Robot, sweep: Mapping[str, Any] | None, samples: int | No
     return Variants(swept, drawn, samples, tuple(robots))
 
 
-def _draws(
+def _draw_robots(
     robot: Robot, swept_paths: Collection[str], samples: int, seed: int
 ) -> list[tuple[dict[str, float], Robot]]:
     """Draw values by path, each time with the robot that has them.
 
     Values that a robot file could not declare, such as a negative mass, are drawn again.
     """
-    spread = [path for path in sigmas_by_path(robot) if path not in swept_paths]
-    if not spread:
+    paths = [path for path in sigmas_by_path(robot) if path not in swept_paths]
+    if not paths:
         problem = "no value of the robot has a standard deviation from which it could be drawn"
         remedy = 'declare some, such as mass = { value = "1.5 kg", sigma = "1 %" }'
         raise PkmodesError(problem, f"{robot.source}: samples", remedy)
-    rng, root = np.random.default_rng(seed), root_of(covariance_of(robot, spread))
-    centre = np.array([robot.quantities[path].value for path in spread])
+    rng, root = np.random.default_rng(seed), root_of(covariance_of(robot, paths))
+    declared_values = np.array([robot.quantities[path].value for path in paths])
     draws: list[tuple[dict[str, float], Robot]] = []
     for _ in range(samples):
-        for _ in range(DRAWS):
-            away = root @ rng.standard_normal(root.shape[1])
-            values = dict(zip(spread, (centre + away).tolist(), strict=True))
+        for _ in range(MAX_DRAWS):
+            deviation = root @ rng.standard_normal(root.shape[1])
+            values = dict(zip(paths, (declared_values + deviation).tolist(), strict=True))
             try:
                 draws.append((values, robot.with_values(values)))
                 break
             except PkmodesError as error:
-                refused = error
+                last_error = error
         else:
-            message = f"none of {DRAWS} draws gave a robot that can exist: {refused.what}"
-            raise PkmodesError(message, refused.where, "check the standard deviation of this value")
+            message = f"none of {MAX_DRAWS} draws gave a robot that can exist: {last_error.what}"
+            raise PkmodesError(message, last_error.where, "check the standard deviation of this value")
     return draws
 
 
-def taken(robot: Robot, swept: Mapping[str, Array]) -> set[str]:
-    """Return the paths of all values that a sweep sets, including the elements of a whole and the aliases of a value.
+def paths_set_by_sweep(robot: Robot, swept: Mapping[str, Array]) -> set[str]:
+    """Return the paths of all values that a sweep sets: also elements of a group of parameters, and aliases.
 
     - swept: values by path
     """

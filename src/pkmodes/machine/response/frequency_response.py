@@ -20,7 +20,7 @@ from pkmodes.core.mechanism.poses import OnError, placed
 from pkmodes.core.model import Model
 from pkmodes.core.solve.backends import AUTO
 from pkmodes.core.support.writing import write_file
-from pkmodes.machine.dataset.attributes import imported
+from pkmodes.machine.dataset.attributes import import_xarray
 from pkmodes.machine.dataset.variables import dims_of_poses
 from pkmodes.machine.response.channels import Channels, ResponseRequest, control_library
 from pkmodes.machine.response.equations import equations
@@ -68,7 +68,7 @@ class FrequencyResponse(Channels):
         MissingExtraError
             If the libraries of the extra ``map`` are not installed.
         """
-        xr = imported()
+        xr = import_xarray()
         leading = dims_of_poses(self.poses.ndim - 1)
         components = {
             component.name: (leading, self.poses[..., i], {"units": component.unit})

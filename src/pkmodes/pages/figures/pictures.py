@@ -24,7 +24,7 @@ from pkmodes.core.support.ordering import joined
 from pkmodes.core.support.progress import say
 from pkmodes.machine.maps import left_out
 from pkmodes.machine.maps.mapping import map_of
-from pkmodes.machine.maps.poses import places_of
+from pkmodes.machine.maps.poses import checked_poses
 from pkmodes.pages.figures.quantities import (
     coarser,
     median_spread,
@@ -246,7 +246,7 @@ def pictures(model: Model, grid: Any = None, *, drives: str = FREE) -> Iterator[
         )
         raise PkmodesError(problem, model.robot.source, "draw its frequencies in the report of a map")
     say("choosing the plane of the pictures")
-    places = working_plane(model) if grid is None else places_of(model.mechanism, grid)
+    places = working_plane(model) if grid is None else checked_poses(model.mechanism, grid)
     plane_axes(
         dict(zip(places.dims, places.shape, strict=True)), components, "grid"
     )  # before it is evaluated

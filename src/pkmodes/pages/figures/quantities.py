@@ -13,7 +13,7 @@ from pkmodes.loop.sensitivity.alike import alike
 from pkmodes.loop.sensitivity.relative import scalable
 from pkmodes.loop.sensitivity.sensitivities import sensitivities_at
 from pkmodes.loop.sensitivity.spread import spread_of
-from pkmodes.machine.maps.workspace import box_of, usable_box, within
+from pkmodes.machine.maps.workspace import box_of, limits_test, usable_box
 from pkmodes.pages.plots.plane import Plane
 from pkmodes.pages.plots.workspace import Volume
 from pkmodes.pages.view.robot_drawing import RobotDrawing
@@ -91,7 +91,7 @@ def volume_of(model: Model, plane: Plane) -> Volume | None:
     """
     if plane.normal is None:
         return None
-    usable, here = within(model), points_of(model, plane)[plane.dataset["valid"].values]
+    usable, here = limits_test(model), points_of(model, plane)[plane.dataset["valid"].values]
     limited = bool(usable(here).all())
     pose = here[len(here) // 2] if plane.rest and len(here) else None
     low, high = usable_box(model, pose) if limited else box_of(model, pose)

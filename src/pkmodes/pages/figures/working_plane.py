@@ -9,7 +9,7 @@ import numpy as np
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.machine.maps.mapping import map_of
 from pkmodes.machine.maps.poses import PoseGrid
-from pkmodes.machine.maps.workspace import reachable
+from pkmodes.machine.maps.workspace import grid_over_workspace
 
 if TYPE_CHECKING:
     import xarray
@@ -46,8 +46,8 @@ def working_plane(model: Model) -> PoseGrid:
     names = [component.name for component in model.mechanism.pose]
     turning = model.mechanism.components[len(model.mechanism.directions) :]
     if len(names) - len(turning) <= 2:
-        return reachable(model, POSES)
-    volume = reachable(model, VOLUME)
+        return grid_over_workspace(model, POSES)
+    volume = grid_over_workspace(model, VOLUME)
     normal = model.mechanism.directions[2]
     coarse = map_of(model, volume)
     in_plane = [name for name in names if name != normal and name not in turning]
@@ -66,7 +66,7 @@ def working_plane(model: Model) -> PoseGrid:
     # An odd number of values: one of them lies on the centre line.
     axes = {name: np.linspace(*ends[name], 2 * round(size[name] / step / 2) + 1) for name in in_plane}
     axes |= {name: volume.axes[name] for name in turning}
-    return PoseGrid({name: axes.get(name, np.array([best])) for name in names}, volume.used)
+    return PoseGrid({name: axes.get(name, np.array([best])) for name in names}, volume.usable_only)
 
 
 def best_conditioned(dataset: xarray.Dataset, normal: str) -> float:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.numbers import plain
-from pkmodes.machine.maps.left_out import shown, unstable
+from pkmodes.machine.maps.left_out import unstable_mask, without_unrepresentative
 from pkmodes.pages.plots.drawing import Drawing
 from pkmodes.pages.plots.labels import typeset
 from pkmodes.pages.plots.panel import Panel
@@ -57,9 +57,9 @@ def frequencies(plane: Plane, motors: Array | None = None) -> Drawing | str:
     Returns a sentence if no frequency depends on the pose.
     """
     values = plane.dataset["frequency"].values
-    displayed = shown(plane.dataset)["frequency"].values
+    displayed = without_unrepresentative(plane.dataset)["frequency"].values
     # A negative number is not a frequency: where the machine is unstable the panels are blank.
-    values = np.where(unstable(plane.dataset).values[..., None], np.nan, values)
+    values = np.where(unstable_mask(plane.dataset).values[..., None], np.nan, values)
     modes = values.shape[-1]
     if np.isfinite(values).any() and all(
         same_everywhere(values[..., mode], scale=LEAST_SPAN * float(np.nanmax(np.abs(values[..., mode]))))

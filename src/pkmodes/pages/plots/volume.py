@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.robot.units import SHOWN
-from pkmodes.machine.maps.left_out import unstable
+from pkmodes.machine.maps.left_out import unstable_mask
 from pkmodes.pages.plots.drawing import Drawing
 from pkmodes.pages.plots.labels import typeset
 from pkmodes.pages.plots.panels import widened
@@ -37,7 +37,7 @@ def volume(dataset: xarray.Dataset, across: Sequence[str]) -> Drawing:
     - across: the three components of the pose, to be drawn as x, y and z
     """
     part = dataset.isel(_thinned_slices(dataset, across)).load().transpose(*across, ...)
-    stable = part["valid"].values & ~unstable(part).values
+    stable = part["valid"].values & ~unstable_mask(part).values
     values = np.where(stable, part["frequency"].values[..., 0], np.nan)
     display_units = [SHOWN[part[name].attrs["units"]] for name in across]
     coordinates = [

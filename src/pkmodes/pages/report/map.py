@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from pkmodes.core.robot.declaration import changeable
 from pkmodes.core.support.motors import motors_in_words
-from pkmodes.machine.maps.left_out import shown
+from pkmodes.machine.maps.left_out import without_unrepresentative
 from pkmodes.machine.maps.spread import spread_along
 from pkmodes.machine.maps.summary import summary_of
 from pkmodes.pages.figures.pictures import pictures
@@ -85,7 +85,7 @@ def map_report(
         *([Section("explore", "Pose by pose", [explorer])] if explorer is not None else []),
         *view_section(view),
         *_volume(model, dataset),
-        *_changes(model, dataset, shown(dataset)),
+        *_changes(model, dataset, without_unrepresentative(dataset)),
         *_figures(model, dataset),
         origin(sources, model.mechanism, about, str(dataset.attrs["version"])),
     ]

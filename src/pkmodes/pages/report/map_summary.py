@@ -11,8 +11,8 @@ from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.robot.units import SHOWN
 from pkmodes.core.solve.fields import FIELDS
 from pkmodes.core.support.motors import motors_in_words
-from pkmodes.machine.maps.left_out import sentences
-from pkmodes.machine.maps.summary import FEW, SHARES, quantiles_in_words
+from pkmodes.machine.maps.left_out import left_out_sentences
+from pkmodes.machine.maps.summary import MIN_POSES_OF_TAILS, QUANTILES, quantiles_sentence
 from pkmodes.pages.plots.labels import MINUS, typeset
 from pkmodes.pages.report.blocks import Cell, Column, Summary, Table
 from pkmodes.pages.report.formatting import hertz, label, number, plural, pointer, shortened, thousands, unit
@@ -41,7 +41,7 @@ def summary_of_map(model: Model, content: dict[str, Any]) -> Summary:
         f"{plural(count, 'pose')} cannot be evaluated: {model.reasons[code]}."
         for code, count in content["reasons"].items()
     ]
-    notes += [sentence.replace("= -", f"= {MINUS}") for sentence in sentences(content, units)]
+    notes += [sentence.replace("= -", f"= {MINUS}") for sentence in left_out_sentences(content, units)]
     facts = [
         ("poses", Cell(thousands(content["poses"]), content["poses"], pointer("poses"))),
         (
@@ -71,7 +71,7 @@ def _headline(content: dict[str, Any]) -> str:
     if first["minimum_hz"] is None:
         return "The machine is not stable at any pose" if content["valid"] else "No pose could be evaluated"
     lowest = "Mode 1" if content["tracked"] else "The lowest frequency of vibration"
-    if count < FEW:
+    if count < MIN_POSES_OF_TAILS:
         low, high, where = first["minimum_hz"], first["maximum_hz"], ""
     else:
         low, high, where = first["quantile_2_hz"], first["quantile_98_hz"], " at 96 % of the poses"
@@ -98,7 +98,7 @@ def ranges(model: Model, content: dict[str, Any]) -> Table:
     places = [Column(axis, numbers=dim != "pose") for dim, axis in zip(dims, axes, strict=True)]
     rows = []
     for i, mode in enumerate(content["modes"]):
-        cells = [Cell(str(mode["mode"])), *(_frequency(mode, i, key) for key in SHARES)]
+        cells = [Cell(str(mode["mode"])), *(_frequency(mode, i, key) for key in QUANTILES)]
         for end in ("minimum", "maximum"):
             at = mode[f"{end}_at"] or {}
             cells.append(_frequency(mode, i, f"{end}_hz"))
@@ -112,7 +112,7 @@ def ranges(model: Model, content: dict[str, Any]) -> Table:
     if content["poses"] == 1:  # all of these are one value
         return Table("Frequencies at the pose.", [columns[0], columns[4]], [[row[0], row[4]] for row in rows])
     caption = (
-        f"{quantiles_in_words(content).replace(' %', NO_BREAK_PER_CENT)}. Its lowest and its highest value stand "
+        f"{quantiles_sentence(content).replace(' %', NO_BREAK_PER_CENT)}. Its lowest and its highest value stand "
         "beside them, with their places."
     )
     return Table(caption, columns, rows, groups)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from pkmodes.core.robot.report_fields import common_head
 from pkmodes.core.support.motors import motors_of_both
 from pkmodes.core.support.words import meaning_of
-from pkmodes.machine.maps.robots_compared import ModeChange, largest_difference
+from pkmodes.machine.maps.robots_compared import ModeChange, largest_difference_sentence
 from pkmodes.pages.plots.labels import MINUS
 from pkmodes.pages.report.blocks import Cell, Column, Listing, Paragraph, Summary, Table
 from pkmodes.pages.report.formatting import clean, number, pointer, shortened, thousands, unit_cell
@@ -43,7 +43,9 @@ def robots_summary(first: Model, second: Model, content: dict[str, Any]) -> Summ
     return Summary(
         subject=f"{names}, {doing}",
         kind="Comparison of robots",
-        headline=largest_difference([ModeChange(**mode) for mode in content["modes"]]).replace("-", MINUS),
+        headline=largest_difference_sentence([ModeChange(**mode) for mode in content["modes"]]).replace(
+            "-", MINUS
+        ),
         reason="Differences are second minus first, relative to the first.",
         notes=[clean(note) for note in content["notes"]],
         facts=facts,

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from pkmodes.machine.maps.mapping import map_of
 from pkmodes.machine.maps.poses import PoseGrid
-from pkmodes.machine.maps.robots_compared import NOTHING, compare_frequencies
+from pkmodes.machine.maps.robots_compared import NEGLIGIBLE_CHANGE, compare_frequencies
 from pkmodes.pages.figures.quantities import points_of
 from pkmodes.pages.figures.working_plane import working_plane
 from pkmodes.pages.plots.changes import relative_changes, scale_of
@@ -65,8 +65,10 @@ def _pictures(first: Model, second: Model, drives: str, places: PoseGrid | None)
     relative = changes.relative.reshape(*points.shape[:-1], -1)
     name, plane_in_words = shortened(first.robot.name), where(plane)
     of = "the plane of the grid" if places is not None else f"the working plane of {name}"
-    if scale_of(relative) < 100.0 * NOTHING:
-        text = f"In {of}, {plane_in_words}, no frequency changes by more than {100.0 * NOTHING:g} %."
+    if scale_of(relative) < 100.0 * NEGLIGIBLE_CHANGE:
+        text = (
+            f"In {of}, {plane_in_words}, no frequency changes by more than {100.0 * NEGLIGIBLE_CHANGE:g} %."
+        )
         yield Section("maps", "Over the working plane", [Paragraph(text)])
         return
     caption = (

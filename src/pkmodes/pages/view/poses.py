@@ -14,13 +14,13 @@ from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.regular import regular_poses
 from pkmodes.core.model import Model
 from pkmodes.machine.maps.workspace import (
-    hanging,
-    resting,
-    turning_box,
+    fixed_components,
+    limits_test,
+    lower_branch,
+    rotation_box,
     usable_box,
+    usable_branch_test,
     usable_poses,
-    used,
-    within,
 )
 from pkmodes.pages.view.evaluating import scene
 from pkmodes.pages.view.interpolation import FINE, interpolation_errors
@@ -76,22 +76,22 @@ def typical_pose(model: Model) -> Array:
     generated = Generated(model.mechanism.model, model.robot.parameters)
     seeds = regular_poses(generated, model.mechanism, model.robot.parameters, SEEDS)
     if model.robot.usable:
-        seeds = seeds[within(model)(seeds)] if len(seeds) else seeds
+        seeds = seeds[limits_test(model)(seeds)] if len(seeds) else seeds
         seeds = seeds if len(seeds) else usable_poses(model)
     if not len(seeds):
         raise PoseError("found no pose well inside the workspace", model.robot.source, "give one with --pose")
-    lower = hanging(model, seeds)
+    lower = lower_branch(model, seeds)
     heights = generated.gravity_potential(lower)
     group = lower[heights <= np.median(heights)]
     central: Array = group[np.argmin(np.linalg.norm(group - group.mean(axis=0), axis=-1))]
     level = central.copy()
-    level[list(resting(model))] = list(resting(model).values())
-    central = level if used(model, central)(level[None])[0] else central
+    level[list(fixed_components(model))] = list(fixed_components(model).values())
+    central = level if usable_branch_test(model, central)(level[None])[0] else central
     low, high = usable_box(model, central)
     digits = int(np.ceil(-np.log10(0.05 * (high - low).max())))
     for middle in (0.5 * (low + high), central):
         rounded = middle.round(digits) + 0.0
-        if model.check(rounded).valid and within(model)(rounded[None])[0]:
+        if model.check(rounded).valid and limits_test(model)(rounded[None])[0]:
             return np.asarray(rounded)
     return central
 
@@ -122,9 +122,9 @@ def poses_around(model: Model, pose: ArrayLike, *, drives: str = FREE) -> Scene:
     """
     first = np.asarray(pose, dtype=float)
     scene(model, first, drives=drives)  # its errors are those of this pose
-    inside, (low, high) = used(model, first), usable_box(model, first)
-    if turning := list(resting(model, first)):
-        for end, of_rotations in zip((low, high), turning_box(model, first), strict=True):
+    inside, (low, high) = usable_branch_test(model, first), usable_box(model, first)
+    if turning := list(fixed_components(model, first)):
+        for end, of_rotations in zip((low, high), rotation_box(model, first), strict=True):
             end[turning] = of_rotations[turning]
     dense = GRIDS.get(len(first), OF_MORE)
     levels = tuple(_levels(*ends, dense.levels) for ends in zip(low, high, first, strict=True))

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.model import Model
-from pkmodes.machine.maps.workspace import Inside, on_branch, resting
+from pkmodes.machine.maps.workspace import PoseTest, branch_test, fixed_components
 
 Array = NDArray[np.float64]
 #: Grid cells along each component, and fraction by which the grid extends beyond the box on each side.
@@ -37,7 +37,7 @@ class Surface:
 
 
 def workspace(
-    model: Model, pose: Array, box: tuple[Array, Array], inside: Inside | None = None
+    model: Model, pose: Array, box: tuple[Array, Array], inside: PoseTest | None = None
 ) -> Surface | None:
     """Find the boundary of the part of the workspace that contains a pose; the platform stays turned as it is.
 
@@ -47,10 +47,10 @@ def workspace(
 
     Returns None if the pose has other angles, or other than two or three components besides rotations.
     """
-    moving = [i for i in range(len(pose)) if i not in resting(model, pose)]
+    moving = [i for i in range(len(pose)) if i not in fixed_components(model, pose)]
     if len(moving) not in CELLS or any(model.mechanism.pose[i].unit != "m" for i in moving):
         return None
-    belongs = on_branch(model, pose) if inside is None else inside
+    belongs = branch_test(model, pose) if inside is None else inside
 
     def within(points: Array) -> NDArray[np.bool_]:
         poses = np.tile(pose, (len(points), 1))
@@ -64,7 +64,7 @@ def workspace(
     return _contour(within, steps, mask) if mask.any() else None
 
 
-def _component(inside: Inside, steps: list[Array], pose: Array) -> NDArray[np.bool_]:
+def _component(inside: PoseTest, steps: list[Array], pose: Array) -> NDArray[np.bool_]:
     """Return which nodes of a grid belong to the connected part of the workspace nearest to a pose."""
     from scipy.ndimage import label
 
@@ -80,7 +80,7 @@ def _component(inside: Inside, steps: list[Array], pose: Array) -> NDArray[np.bo
     return np.asarray(labels == labels[np.unravel_index(int(np.argmin(distance)), mask.shape)])
 
 
-def _contour(inside: Inside, steps: list[Array], mask: NDArray[np.bool_]) -> Surface:
+def _contour(inside: PoseTest, steps: list[Array], mask: NDArray[np.bool_]) -> Surface:
     """Return the dual contour of a mask, with crossings found by bisection."""
     d = mask.ndim
     sums, counts = np.zeros((*(n - 1 for n in mask.shape), d)), np.zeros([n - 1 for n in mask.shape])
@@ -141,7 +141,7 @@ def _around(d: int, axis: int) -> list[NDArray[np.intp]]:
     return offsets
 
 
-def _bisected(inside: Inside, good: Array, bad: Array) -> Array:
+def _bisected(inside: PoseTest, good: Array, bad: Array) -> Array:
     """Return the points between good and bad ones at which the workspace ends."""
     for _ in range(BISECTIONS if len(good) else 0):
         middle = 0.5 * (good + bad)
