@@ -133,7 +133,7 @@ def _mechanisms_as_supplied() -> Iterator[None]:
 @pytest.fixture(scope="session", autouse=True)
 def _without_progress() -> None:
     """Lines of progress appear where a diagnosis takes long, which depends on the machine."""
-    importlib.import_module("pkmodes.cli.diagnosing").SECONDS = math.inf
+    importlib.import_module("pkmodes.cli.diagnosing").PROGRESS_INTERVAL = math.inf
 
 
 @pytest.fixture(scope="session", autouse=True)

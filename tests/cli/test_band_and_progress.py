@@ -77,7 +77,7 @@ def test_a_band_other_than_the_files_is_refused(tmp_path: Path) -> None:
 def test_without_a_terminal_a_line_says_every_now_and_then_what_is_done(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(sys.modules["pkmodes.cli.diagnosing"], "SECONDS", 0.0)
+    monkeypatch.setattr(sys.modules["pkmodes.cli.diagnosing"], "PROGRESS_INTERVAL", 0.0)
     assert run(["diagnose", *FILES, "--candidates", "gearbox_compliance,payload"]) == 0
     lines = capsys.readouterr().err.splitlines()
     assert "pkmodes diagnose: refitting the uncertain values" in lines

@@ -55,7 +55,7 @@ def _drawn_only(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(workspace, "DRAWS_PER_ROUND", 20_000)
     few = {count: grid._replace(levels=2) for count, grid in viewed.GRIDS.items()}
     monkeypatch.setattr(viewed, "GRIDS", few)
-    monkeypatch.setattr(viewed, "OF_MORE", viewed.OF_MORE._replace(levels=2))
+    monkeypatch.setattr(viewed, "GRID_BEYOND_THREE", viewed.GRID_BEYOND_THREE._replace(levels=2))
     monkeypatch.setattr(blocks, "inline", lambda *_, **__: SVG)
     monkeypatch.setattr(blocks, "inline_narrow", lambda *_, **__: "")
     monkeypatch.setattr(files, "image_bytes", lambda *_, **__: b"drawn")

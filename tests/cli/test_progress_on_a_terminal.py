@@ -28,8 +28,8 @@ class Terminal(io.StringIO):
 @pytest.fixture
 def at_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """Progress is shown without delay."""
-    monkeypatch.setattr(progress, "DELAY", 0.0)
-    monkeypatch.setattr(progress, "STEP", 0.005)
+    monkeypatch.setattr(progress, "FIRST_DELAY", 0.0)
+    monkeypatch.setattr(progress, "UPDATE_INTERVAL", 0.005)
 
 
 def visible(received: str) -> list[str]:

@@ -6,7 +6,7 @@ import pytest
 
 from helpers.commands.printed_tables import printed_table
 from helpers.pages.page_reading import read
-from pkmodes.cli.layout import typed
+from pkmodes.cli.layout import terminal_text
 from pkmodes.cli.terminal import Terminal
 from pkmodes.pages.report.blocks import (
     Cell,
@@ -150,9 +150,9 @@ def test_the_head_is_that_of_the_page(capsys: pytest.CaptureFixture[str]) -> Non
 def test_what_is_set_as_in_print_is_typed() -> None:
     assert [hertz(value).typed for value in (None, 9041462019.1, 2.0)] == ["-", "9.04e9", "2.000"]
     assert (
-        typed("1.2\u2009\u00d7\u200910\u207b\u00b9\u00b2 N\u00b7m/rad\u00b2 < 10\u207b\u2076")
+        terminal_text("1.2\u2009\u00d7\u200910\u207b\u00b9\u00b2 N\u00b7m/rad\u00b2 < 10\u207b\u2076")
         == "1.2e-12 N*m/rad^2 < 1e-6"
     )
-    assert typed(f"{thousands(12345)} poses at 2\u00a0% and \u22121\u00b0, exp(+i\u03c9t)") == (
+    assert terminal_text(f"{thousands(12345)} poses at 2\u00a0% and \u22121\u00b0, exp(+i\u03c9t)") == (
         "12,345 poses at 2 % and -1deg, exp(+i omega t)"
     )

@@ -40,7 +40,7 @@ from pkmodes.core.base.errors import PkmodesError
 DONE, DOES_NOT_HOLD, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
 
 
-#: The commands by task, with what each does.
+#: The commands by task, each with a sentence for the help.
 WORKFLOW: dict[str, dict[click.Command, str]] = {
     "Describe a machine": {
         examples: "List the examples of the documentation, or write them.",
@@ -80,14 +80,14 @@ class Commands(click.Group):
         name, command, rest = super().resolve_command(ctx, args)
         if command is not None:
             context = click.Context(command, info_name=name, parent=ctx)
-            order: list[click.Parameter] = []
+            parsed_options: list[click.Parameter] = []
             with suppress(click.UsageError):  # which the command itself reports
-                _, _, order = command.make_parser(context).parse_args(list(rest))
-            for option in dict.fromkeys(order):
-                once = isinstance(option, click.Option) and not (
+                _, _, parsed_options = command.make_parser(context).parse_args(list(rest))
+            for option in dict.fromkeys(parsed_options):
+                single_valued = isinstance(option, click.Option) and not (
                     option.multiple or option.count or option.is_flag
                 )
-                if once and order.count(option) > 1:
+                if single_valued and parsed_options.count(option) > 1:
                     raise click.UsageError(f"option '{option.opts[0]}' is given more than once", context)
         return name, command, rest
 
@@ -97,11 +97,13 @@ class Commands(click.Group):
             return super().make_context(*args, **kwargs)
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Write the commands in the order in which they are used, each with a whole sentence."""
-        width = max(len(name) for name in self.commands)  # `map` is a module here
+        """Write the commands in the order in which they are used, each with its sentence from `WORKFLOW`."""
+        width = max(len(name) for name in self.commands)  # no map(): the name is that of a submodule here
         for title, group in WORKFLOW.items():
             with formatter.section(title):
-                formatter.write_dl([(f"{command.name:{width}}", says) for command, says in group.items()])
+                formatter.write_dl(
+                    [(f"{command.name:{width}}", sentence) for command, sentence in group.items()]
+                )
 
     def invoke(self, ctx: click.Context) -> Any:
         """Run the command."""
@@ -147,7 +149,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
 
 def run(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return the exit code."""
-    _be_lenient()
+    _tolerate_unwritable_output()
     try:
         code = cli.main(
             args=None if arguments is None else list(arguments), prog_name="pkmodes", standalone_mode=False
@@ -161,9 +163,9 @@ def run(arguments: Sequence[str] | None = None) -> int:
         click.echo(error.format_message(), err=True)
         return BAD_INPUT
     except click.UsageError as error:
-        place = error.ctx.command_path if error.ctx else "pkmodes"
+        command_path = error.ctx.command_path if error.ctx else "pkmodes"
         message = error.format_message().rstrip(".")
-        return _report([f"{message[0].lower()}{message[1:]} ({place}); see {place} --help"])
+        return _report([f"{message[0].lower()}{message[1:]} ({command_path}); see {command_path} --help"])
     except click.ClickException as error:
         return _report([f"{error.format_message()} (pkmodes); see pkmodes --help"])
     except (click.Abort, KeyboardInterrupt) as error:
@@ -184,7 +186,7 @@ def run(arguments: Sequence[str] | None = None) -> int:
         )
 
 
-def _be_lenient() -> None:
+def _tolerate_unwritable_output() -> None:
     """Escape text that the terminal cannot encode, and tolerate a closed standard output."""
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):

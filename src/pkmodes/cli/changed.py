@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from pkmodes.cli.delivery import deliver
-from pkmodes.cli.diagnosing import failing, progress_lines, split_names
+from pkmodes.cli.diagnosing import parse_verdicts, progress_lines, split_names
 from pkmodes.cli.options import (
     PATH,
     band_option,
@@ -30,8 +30,8 @@ if TYPE_CHECKING:
     from pkmodes.core.robot.robot import Robot
     from pkmodes.loop.measured.measurements import Measurements
 
-#: Modes that are printed without ``--all``.
-MOST = 10
+#: Maximum number of modes printed without ``--all``.
+MAX_MODES_PRINTED = 10
 
 
 @click.command(
@@ -103,9 +103,11 @@ def changed(
     for file in states:
         check_file_order(robot, file, "pkmodes changed")
     check_targets(json_file, [robot, *states], report_target(report_to))
-    names = None if candidates is None else split_names(candidates, "--candidates")
-    held = None if holdout is None else [] if holdout.strip() == "none" else split_names(holdout, "--holdout")
-    failures = frozenset() if fail_on is None else failing(split_names(fail_on, "--fail-on"))
+    candidate_names = None if candidates is None else split_names(candidates, "--candidates")
+    held_out = (
+        None if holdout is None else [] if holdout.strip() == "none" else split_names(holdout, "--holdout")
+    )
+    failing_verdicts = frozenset() if fail_on is None else parse_verdicts(split_names(fail_on, "--fail-on"))
     from pkmodes.loop import updating  # SciPy is loaded only where it is used
 
     declared = read_robot(robot)
@@ -120,8 +122,8 @@ def changed(
             declared,
             campaigns[trusted],
             {name: campaigns[name] for name in later},
-            candidates=names,
-            holdout=held,
+            candidates=candidate_names,
+            holdout=held_out,
             progress=progress,
             terms=not no_beyond,
             name=trusted,
@@ -137,8 +139,8 @@ def changed(
         from pkmodes.pages.report.setting import ReportSetting
 
         terminal, setting = Terminal(), ReportSetting(declared.name, declared, None, (), None)
-        head = changes_summary(result, setting)
-        terminal.summary(head)
+        summary = changes_summary(result, setting)
+        terminal.summary(summary)
         for name, change in result.by_state.items() or [(result.states[-1], result)]:
             if result.by_state:
                 terminal.line()
@@ -146,18 +148,18 @@ def changed(
                 terminal.line(change.reason, "  ")
             terminal.show(what_to_do(change, setting))
             show_causes(terminal, change, setting)
-            terminal.show(changes(change, None if everything else MOST))
+            terminal.show(changes(change, None if everything else MAX_MODES_PRINTED))
         terminal.show(*errors(result))
-        terminal.notes(head)
+        terminal.notes(summary)
 
     deliver(json_file, result.as_json(), show, report)
-    return 1 if result.verdict in failures else 0
+    return 1 if result.verdict in failing_verdicts else 0
 
 
 def _campaigns(
     files: tuple[Path, ...], robot: Robot, band: tuple[float, float] | None, drives: str | None
 ) -> dict[str, Measurements]:
-    """Return the campaigns of all files by the names of their states: by default those of the files.
+    """Return the campaigns of all files by state; a state without a name has that of its file.
 
     Raises PkmodesError if two have the same name, or there is only one.
     """

@@ -152,24 +152,24 @@ def check(
 
     def show() -> None:
         for report in reports:
-            for line in _brief(report) if brief else _lines(report, diff):
+            for line in _brief_line(report) if brief else _detailed_lines(report, diff):
                 echo(line)
 
     deliver(json_file, CheckDocument(holds=holds, targets=documents).as_json(), show)
     return 0 if holds else 1
 
 
-def _brief(report: Report) -> Iterator[str]:
+def _brief_line(report: Report) -> Iterator[str]:
     """Yield one line: whether a target is current, or the first reason why not."""
-    reasons = [*(finding.message for finding in report.findings), *_failed(report)]
+    reasons = [*(finding.message for finding in report.findings), *_failed_relations(report)]
     if not reasons:
-        yield f"{report.target}: {_verdict(report)}"
+        yield f"{report.target}: {_verdict_if_holding(report)}"
         return
     suffix = f"; and {len(reasons) - 1} more" if len(reasons) > 1 else ""
     yield f"{report.target}: {reasons[0]}{suffix}"
 
 
-def _failed(report: Report) -> list[str]:
+def _failed_relations(report: Report) -> list[str]:
     """Return the derivatives that differ from finite differences, in words."""
     return [
         f"{check.name}: relative error {check.error:.1e}, expected at most {check.bound:.0e}"
@@ -178,20 +178,20 @@ def _failed(report: Report) -> list[str]:
     ]
 
 
-def _verdict(report: Report) -> str:
+def _verdict_if_holding(report: Report) -> str:
     """Return the verdict on a target that holds."""
     return "as generated, and current except for what was not checked" if report.unchecked else "current"
 
 
-def _lines(report: Report, diff: bool) -> Iterator[str]:
+def _detailed_lines(report: Report, diff: bool) -> Iterator[str]:
     """Yield the reasons, what was not checked and what to do, and after them the differences of the files."""
     diffs = [finding.diff for finding in report.findings if finding.diff]
     for finding in report.findings:
         yield f"{report.target}: {finding.message}"
-    failed = _failed(report)
-    for sentence in failed:
+    failed_relations = _failed_relations(report)
+    for sentence in failed_relations:
         yield f"{report.target}: {sentence}"
-    if report.checks and not failed:
+    if report.checks and not failed_relations:
         worst = max(report.checks, key=lambda check: check.error / check.bound)
         yield (
             f"{report.target}: {len(report.checks)} relations agree with finite differences "
@@ -204,6 +204,6 @@ def _lines(report: Report, diff: bool) -> Iterator[str]:
     if report.mend:
         yield f"fix with: {report.mend}"
     elif report.holds:
-        yield f"{report.target}: {_verdict(report)}"
+        yield f"{report.target}: {_verdict_if_holding(report)}"
     for text in diffs if diff else ():
         yield from text.split("\n")

@@ -19,9 +19,9 @@ from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.support.replacing import check_replaced
 from pkmodes.core.support.writing import write_all
 
-#: Characters that JSON may hold and a terminal obeys: controls, and marks of text direction.  Bytes of a file
-#: name that are not UTF-8 are surrogates, which JSON can hold only as escapes.
-UNSEEN = re.compile("[\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]")
+#: Invisible characters that JSON may hold and a terminal acts on: controls, and marks of text direction.  Bytes of a
+#: file name that are not UTF-8 are surrogates, which JSON can hold only as escapes.
+INVISIBLE_CHARACTERS = re.compile("[\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]")
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,7 @@ class ResultFile:
 
     - file: None if it is not requested
     - content: returns what is written
-    - lines: messages once it is written; by default that it was
+    - lines: messages after it is written; by default one with its name
     """
 
     file: Path | None
@@ -43,56 +43,56 @@ def deliver(
 ) -> None:
     """Write the files, then print the result, or its JSON if ``--json`` is ``-``.
 
-    The files are written all or none: what prevents one of them is reported after printing.  If the reader of
+    Either all files are written or none: an error of one of them is raised after printing.  If the reader of
     standard output, such as head, closes the pipe early, the files and the exit code do not change.
 
     - json_file: the target of ``--json``
     - content: the result for scripts, `Document.as_json`
     - show: prints it for a person
-    - *files: in the order of making.  Their lines follow the result in reverse, on stderr if standard output is the
+    - *files: made in this order.  Their lines follow the result in reverse order, on stderr if standard output is the
       JSON.
 
     Raises PkmodesError if a file cannot be made or written.
     """
     to_stdout = json_file == "-"
-    problem: PkmodesError | None = None
-    written: list[str] = []
+    write_error: PkmodesError | None = None
+    messages: list[str] = []
     if json_file is not None and not to_stdout:
-        files = (ResultFile(Path(json_file), lambda: as_file(content), lambda _: ()), *files)
+        files = (ResultFile(Path(json_file), lambda: json_file_text(content), lambda _: ()), *files)
     requested = [(result_file, result_file.file) for result_file in files if result_file.file is not None]
     try:
         write_all({file: result_file.content() for result_file, file in requested})
     except PkmodesError as error:
-        problem = error
+        write_error = error
     else:
-        written = [line for result_file, file in reversed(requested) for line in result_file.lines(file)]
+        messages = [line for result_file, file in reversed(requested) for line in result_file.lines(file)]
     end_progress()
     try:
         if to_stdout:
-            click.echo(_text(content, ascii_only=True), nl=False)
+            click.echo(_json_text(content, ascii_only=True), nl=False)
         else:
             show()
-        for line in written:
+        for line in messages:
             echo(line, err=to_stdout)
         if sys.stdout is not None:
             sys.stdout.flush()
-    except (BrokenPipeError, SystemExit):  # click and rich turn the one into the other
+    except (BrokenPipeError, SystemExit):  # click and rich turn BrokenPipeError into SystemExit
         silence(sys.stdout)
     finally:
-        if problem is not None:
-            raise problem
+        if write_error is not None:
+            raise write_error
 
 
-def unlike(
+def files_to_write(
     folder: Path, contents: Mapping[str, str | bytes], option: str, overwrite: bool
 ) -> dict[str, str | bytes]:
-    """Return the files that a folder lacks, or has with another content.
+    """Return the files that a folder lacks, or that have another content there.
 
     - contents: by file name below the folder
     - option: the option that names the place
     - overwrite: whether a file that exists with another content is replaced
 
-    Raises OutputError if there is one and it is not.
+    Raises OutputError if such a file exists and must not be replaced.
     """
     encoded = {name: text.encode() if isinstance(text, str) else text for name, text in contents.items()}
     existing = {name: (folder / name).read_bytes() for name in encoded if (folder / name).is_file()}
@@ -101,12 +101,14 @@ def unlike(
     return {name: content for name, content in encoded.items() if existing.get(name) != content}
 
 
-def as_file(content: dict[str, Any]) -> str:
+def json_file_text(content: dict[str, Any]) -> str:
     """Return a result as the text of a JSON file."""
-    return UNSEEN.sub(lambda match: f"\\u{ord(match[0]):04x}", _text(content, ascii_only=False))
+    return INVISIBLE_CHARACTERS.sub(
+        lambda match: f"\\u{ord(match[0]):04x}", _json_text(content, ascii_only=False)
+    )
 
 
-def _text(content: dict[str, Any], ascii_only: bool) -> str:
+def _json_text(content: dict[str, Any], ascii_only: bool) -> str:
     return json.dumps(content, indent=1, allow_nan=False, ensure_ascii=ascii_only) + "\n"
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from pkmodes.cli.delivery import ResultFile, deliver
-from pkmodes.cli.diagnosing import failing, progress_lines, split_names
+from pkmodes.cli.diagnosing import parse_verdicts, progress_lines, split_names
 from pkmodes.cli.options import (
     PATH,
     band_option,
@@ -34,8 +34,8 @@ if TYPE_CHECKING:
     from pkmodes.loop.diagnosis.verdict.terms import TermClass
 
 
-#: Most values listed whose standard deviations are larger in a saved file than in the fit.
-MOST_WIDENED = 3
+#: Maximum number of values named whose standard deviations are larger in a saved file than in the fit.
+MAX_WIDENED_NAMED = 3
 
 
 @click.command(
@@ -135,22 +135,24 @@ def diagnose(
     save_target = Target("--save-robot", save_to, "the corrected robot")
     effect_target = Target("--save-effect", effect_to, "the effect")
     check_targets(json_file, [robot, modes], save_target, effect_target, report_target(report_to))
-    names = None if candidates is None else split_names(candidates, "--candidates")
-    held = None if holdout is None else [] if holdout.strip() == "none" else split_names(holdout, "--holdout")
-    failures = frozenset() if fail_on is None else failing(split_names(fail_on, "--fail-on"))
+    candidate_names = None if candidates is None else split_names(candidates, "--candidates")
+    held_out = (
+        None if holdout is None else [] if holdout.strip() == "none" else split_names(holdout, "--holdout")
+    )
+    failing_verdicts = frozenset() if fail_on is None else parse_verdicts(split_names(fail_on, "--fail-on"))
     from pkmodes.cli.diagnosis_tables import show_diagnosis
     from pkmodes.loop import updating  # SciPy is loaded only where it is used
     from pkmodes.loop.measured.statements import parse_prior, parse_usable
     from pkmodes.loop.updating.corrected_robot import corrected_robot
     from pkmodes.loop.updating.saved_term import effect_text, robot_with_term, term_to_save
 
-    plausible = dict(
+    prior_sigmas = dict(
         parse_prior(text, "--prior", "write --prior measurement:offset.z=2mm") for text in priors
     )
-    limits = dict(parse_usable(text, "--usable", "write --usable z=40mm,300mm") for text in usable)
+    usable_limits = dict(parse_usable(text, "--usable", "write --usable z=40mm,300mm") for text in usable)
     declared = read_robot(robot)
     data = updating.read(
-        modes, parse_band_option(band), declared, drives=drives, priors=plausible, usable=limits
+        modes, parse_band_option(band), declared, drives=drives, priors=prior_sigmas, usable=usable_limits
     )
     sources = sources_of(report_to, {"robot file": robot, "measurement file": modes})
     options = errors_name_options("candidates", "holdout", "usable", priors="--prior")
@@ -158,18 +160,20 @@ def diagnose(
         result = updating.diagnose(
             declared,
             data,
-            candidates=names,
-            holdout=held,
+            candidates=candidate_names,
+            holdout=held_out,
             progress=progress,
             terms=not no_beyond,
         )
-    terms = term_to_save(result)
-    unsaved = save_to is not None and not result.settled and terms is None
+    term = term_to_save(result)
+    nothing_to_save = save_to is not None and not result.settled and term is None
     robot_file = ResultFile(
-        None if unsaved else save_to,
-        lambda: robot_with_term(declared, result) if terms else corrected_robot(declared, result),
+        None if nothing_to_save else save_to,
+        lambda: robot_with_term(declared, result) if term else corrected_robot(declared, result),
         lambda file: (
-            _with_term(file, effect_to, terms) if terms else _saved(file, mechanism, declared, result)
+            _saved_term_lines(file, effect_to, term)
+            if term
+            else _saved_robot_lines(file, mechanism, declared, result)
         ),
     )
     if effect_to is not None:
@@ -190,14 +194,14 @@ def diagnose(
             report,
         )
     finally:  # also where another file cannot be written
-        if unsaved:
-            why = f"the verdict is {result.verdict}, which leaves nothing to correct"
-            click.echo(f"pkmodes diagnose: {save_to} is not written: {why}", err=True)
-    return 1 if unsaved or result.verdict in failures else 0
+        if nothing_to_save:
+            reason = f"the verdict is {result.verdict}, which leaves nothing to correct"
+            click.echo(f"pkmodes diagnose: {save_to} is not written: {reason}", err=True)
+    return 1 if nothing_to_save or result.verdict in failing_verdicts else 0
 
 
-def _saved(file: Path, mechanism: Path | None, robot: Robot, result: Diagnosis) -> list[str]:
-    """Return how to generate the code of the saved robot, what it has, and what is missing in it."""
+def _saved_robot_lines(file: Path, mechanism: Path | None, robot: Robot, result: Diagnosis) -> list[str]:
+    """Return the command that generates the code of a saved robot, and notes on its values."""
     from pkmodes.cli.terminal import Terminal
     from pkmodes.loop.diagnosis.verdict import naming
     from pkmodes.loop.updating.corrected_robot import widened
@@ -207,24 +211,24 @@ def _saved(file: Path, mechanism: Path | None, robot: Robot, result: Diagnosis) 
         for effect in result.every_cause
         if len(effect.members) > 1  # which these data cannot distinguish
     ]
-    values = sorted(widened(result), key=lambda value: -value.saved_sigma / max(value.sigma, 1e-300))
-    texts = [
+    widened_values = sorted(widened(result), key=lambda value: -value.saved_sigma / max(value.sigma, 1e-300))
+    widened_texts = [
         f"{value.name.removeprefix('effects.')} {plain(value.saved_sigma, 2)} instead of "
         f"{plain(value.sigma, 2)} {value.unit} ({value.unseen.candidate or value.unseen.default})"
-        for value in values
+        for value in widened_values
         if value.unseen is not None
     ]
-    if texts:
+    if widened_texts:
         sentences.append(
             "the sigmas in it include what a candidate that these data do not show could have done to the values: "
-            + listed(texts, MOST_WIDENED, last=", and ")
+            + listed(widened_texts, MAX_WIDENED_NAMED, last=", and ")
         )
-    # Constants of the causes that only the load cases have, such as a belt tension.
-    in_loads = {path for row in result.rows for path in row.load}
+    # Constants of the causes that are known only from the load cases, such as a belt tension.
+    load_paths = {path for row in result.rows for path in row.load}
     names = [effect.name.partition(".")[0] for effect in result.effects]
     for cause in [robot.mechanism.effects[name] for name in names if name in robot.mechanism.effects]:
         for constant in [f"{cause.name}.{p.name}" for p in cause.parameters if not p.fitted]:
-            if f"effects.{constant}" in in_loads and constant not in robot.effects:
+            if f"effects.{constant}" in load_paths and constant not in robot.effects:
                 sentences.append(
                     f"effects.{constant} is known from the measurements alone: add its value in operation to {file}"
                 )
@@ -234,11 +238,11 @@ def _saved(file: Path, mechanism: Path | None, robot: Robot, result: Diagnosis) 
     return [f"\nwrote {file}; next: {command}", *lines]
 
 
-def _with_term(file: Path, effect: Path | None, terms: TermClass) -> list[str]:
-    """Say what reads a saved robot that has what was found beyond the catalogue."""
+def _saved_term_lines(file: Path, effect: Path | None, term: TermClass) -> list[str]:
+    """Return the commands that read a saved robot with a term from beyond the catalogue."""
     from pkmodes.loop.updating.saved_term import is_declared
 
-    if is_declared(terms):
+    if is_declared(term):
         return [f"\nwrote {file}; next: pkmodes generate {pasted(file)} --out DIR"]
     argument = "FILE.py" if effect is None else pasted(effect)
     lines = [f"\nwrote {file}; next: pkmodes generate {pasted(file)} --effect {argument} --out DIR"]

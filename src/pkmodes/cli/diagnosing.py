@@ -1,4 +1,4 @@
-"""What the commands that diagnose have in common: lists of names, verdicts that fail, and their progress."""
+"""What diagnose and changed share: lists of names, the verdicts of --fail-on, and progress."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from pkmodes.cli.progress import on_terminal
 from pkmodes.core.base.errors import PkmodesError, nearest_name, shown
 from pkmodes.core.support.progress import say
 
-#: The word for all verdicts that are failures: all except adequate.
-ANY = "any"
+#: The word that stands for all verdicts except adequate.
+ANY_VERDICT = "any"
 #: Seconds between progress lines if stderr is not a terminal.
-SECONDS = 5.0
+PROGRESS_INTERVAL = 5.0
 
 
 def split_names(text: str, option: str) -> list[str]:
@@ -38,18 +38,18 @@ def progress_lines(command: str) -> Iterator[Callable[[str], None]]:
     if on_terminal():
         yield say
         return
-    last = time.monotonic()
+    last_time = time.monotonic()
 
-    def line(text: str) -> None:
-        nonlocal last
-        if time.monotonic() - last >= SECONDS:
-            last = time.monotonic()
+    def print_line(text: str) -> None:
+        nonlocal last_time
+        if time.monotonic() - last_time >= PROGRESS_INTERVAL:
+            last_time = time.monotonic()
             click.echo(f"pkmodes {command}: {text}", err=True)
 
-    yield line
+    yield print_line
 
 
-def failing(names: Sequence[str]) -> frozenset[str]:
+def parse_verdicts(names: Sequence[str]) -> frozenset[str]:
     """Return the verdicts that the names stand for.
 
     - names: verdicts, or the word any
@@ -58,10 +58,12 @@ def failing(names: Sequence[str]) -> frozenset[str]:
     """
     from pkmodes.loop.diagnosis.verdict.verdicts import VERDICTS  # loads SciPy
 
-    choices, failures = (*VERDICTS, ANY), set[str]()
+    choices, verdicts = (*VERDICTS, ANY_VERDICT), set[str]()
     for name in names:
         if name not in choices:
             remedy = nearest_name(name, choices, f"choose from {', '.join(choices)}")
             raise PkmodesError(f"unknown verdict {shown(name)}", "--fail-on", remedy)
-        failures |= {word for word, verdict in VERDICTS.items() if verdict.fails} if name == ANY else {name}
-    return frozenset(failures)
+        verdicts |= (
+            {word for word, verdict in VERDICTS.items() if verdict.fails} if name == ANY_VERDICT else {name}
+        )
+    return frozenset(verdicts)

@@ -29,8 +29,8 @@ from pkmodes.pages.report.numbers import errors, fitted_value_tables
 from pkmodes.pages.report.setting import ReportSetting
 from pkmodes.pages.report.stability import stability_sentence
 
-#: Largest number of limits listed.
-MOST_LIMITS = 5
+#: Maximum number of limits listed.
+MAX_LIMITS_LISTED = 5
 
 
 def show_diagnosis(robot: Robot, result: Diagnosis) -> None:
@@ -39,10 +39,10 @@ def show_diagnosis(robot: Robot, result: Diagnosis) -> None:
     terminal.heading(f"{robot.name}: {result.verdict}")
     terminal.line(result.reason, "  ")
     terminal.show(action(result, setting))
-    _explained(terminal, result)
+    _show_explained(terminal, result)
     terminal.show(*errors(result))
-    _beyond(terminal, result, setting)
-    _damping(terminal, result, setting)
+    _show_beyond(terminal, result, setting)
+    _show_damping(terminal, result, setting)
     count = sum(not (row.held_out or row.outlier) for row in result.rows)
     terminal.line()
     motors = motors_in_words(robot, [row.drives for row in result.rows])
@@ -53,17 +53,17 @@ def show_diagnosis(robot: Robot, result: Diagnosis) -> None:
     if settings := settings_in_words(setting, result.rows):
         terminal.line(settings)
     terminal.show(*fitted_value_tables(result, setting))
-    _remarks(terminal, result)
+    _show_remarks(terminal, result)
 
 
 def show_causes(terminal: Terminal, result: Diagnosis, setting: ReportSetting) -> None:
-    """Print the causes found, and what one thing at one place would explain."""
-    _explained(terminal, result)
-    _beyond(terminal, result, setting)
+    """Print the causes found, and what a single term at one place would explain."""
+    _show_explained(terminal, result)
+    _show_beyond(terminal, result, setting)
 
 
-def _beyond(terminal: Terminal, result: Diagnosis, setting: ReportSetting) -> None:
-    """Print what one thing at one place would explain that the catalogue does not."""
+def _show_beyond(terminal: Terminal, result: Diagnosis, setting: ReportSetting) -> None:
+    """Print what a single term at one place would explain that the catalogue does not."""
     if result.beyond is None:
         return
     terminal.line()
@@ -71,52 +71,54 @@ def _beyond(terminal: Terminal, result: Diagnosis, setting: ReportSetting) -> No
     terminal.show(*beyond(result, setting))
 
 
-def _explained(terminal: Terminal, result: Diagnosis | Damping) -> None:
+def _show_explained(terminal: Terminal, result: Diagnosis | Damping) -> None:
     """Print the causes found with their values, and the explanations that remain."""
     for effect in result.effects:
         terminal.line()
         if len(effect.members) > 1:
-            _class(terminal, effect, result.corrected)
+            _show_class(terminal, effect, result.corrected)
         else:
             sentence = f": {effect.sentence}" if effect.sentence else ""
             terminal.line(f"cause: {effect.name} ({p_in_words(effect.p_value)}){sentence}")
-            _values(terminal, effect, result.corrected)
+            _show_values(terminal, effect, result.corrected)
     for group in result.survivors:
         terminal.line(f"remains: {' or '.join(group)}", "  ")
 
 
-def _class(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected]) -> None:
-    """Print a class: what its members have in common, and each with its value and whether that is implausible."""
+def _show_class(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected]) -> None:
+    """Print a class of causes: what they have in common, and each cause with its value, and why it is implausible."""
     label = f"one of {naming.count(len(effect.members))} ({p_in_words(effect.p_value)})"
     terminal.line(f"cause: {label}: {naming.of_class(effect)}")
-    for place, member in enumerate(effect.members):
-        if place == 1:
+    for index, member in enumerate(effect.members):
+        if index == 1:
             terminal.line("these data cannot distinguish it from", "  ")
         relative, reason = effect.relative(member), effect.member(member).implausible
-        values = ", ".join(f"{_short(v)} = {_with_sigma(v)}" for v in relative or effect.alternatives[member])
-        mean = " relative to their mean" if relative else ""
-        also = f" (implausible: {reason})" if reason else ""
+        values = ", ".join(
+            f"{_short_name(v)} = {_with_sigma(v)}" for v in relative or effect.alternatives[member]
+        )
+        relative_note = " relative to their mean" if relative else ""
+        implausible = f" (implausible: {reason})" if reason else ""
         assumed = f", for {text}" if (text := effect.member(member).assumed) else ""
-        terminal.line(f"{values}{mean}{assumed}{also}", "    " if place else "  ")
+        terminal.line(f"{values}{relative_note}{assumed}{implausible}", "    " if index else "  ")
     remarks = ["+- by the fit alone"]
     for value in effect.parameters:
-        saved = saved_as(value, corrected)
-        if saved is None or saved.unseen is None:
+        saved_value = saved_as(value, corrected)
+        if saved_value is None or saved_value.unseen is None:
             continue
-        if saved.widened:
+        if saved_value.widened:
             remarks.append(
-                f"{_short(value)} is saved with +- {plain(saved.saved_sigma, 2)}, for what {saved.unseen.done} could "
-                "have done"
+                f"{_short_name(value)} is saved with +- {plain(saved_value.saved_sigma, 2)}, for what "
+                f"{saved_value.unseen.done} could have done"
             )
-        if saved.unseen.unbounded:
-            remarks.append(left_out(saved.unseen))
+        if saved_value.unseen.unbounded:
+            remarks.append(left_out(saved_value.unseen))
     terminal.line("; ".join(dict.fromkeys(remarks)), "  ")
 
 
-def _values(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected]) -> None:
+def _show_values(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected]) -> None:
     """Print the values of a cause: relative to their mean, where the mean is far less certain.
 
-    The standard deviation is the one that may be relied on, with that of the fit below it.
+    The standard deviation is the one to rely on; where it is larger than that of the fit, the reason is below it.
     """
     relative = effect.relative()
     if effect.alone is not None:
@@ -127,46 +129,49 @@ def _values(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected])
     if relative:
         terminal.line("relative to their mean:", "  ")
     for value in relative or effect.parameters:
-        shown, reason = (
+        reliable_value, reason = (
             (value, "") if relative else (believed(value, corrected), why_larger(value, corrected))
         )
-        terminal.line(f"{_short(value)} = {_with_sigma(shown)}{effect.assumed}", "    " if relative else "  ")
+        terminal.line(
+            f"{_short_name(value)} = {_with_sigma(reliable_value)}{effect.assumed}",
+            "    " if relative else "  ",
+        )
         if reason:
             terminal.line(reason, "    ")
     if reason := effect.member(effect.name).implausible:
         terminal.line(f"implausible: {reason}", "  ")
     if relative:
-        with_mean = ", ".join(_with_sigma(believed(value, corrected)) for value in effect.parameters)
+        values_with_mean = ", ".join(_with_sigma(believed(value, corrected)) for value in effect.parameters)
         terminal.line("with their mean, which is less certain:", "  ")
-        terminal.line(with_mean, "    ")
+        terminal.line(values_with_mean, "    ")
         reasons = dict.fromkeys(why_larger(value, corrected) for value in effect.parameters)
         for reason in filter(None, reasons):
             terminal.line(reason, "    ")
 
 
-def _damping(terminal: Terminal, result: Diagnosis, setting: ReportSetting) -> None:
-    """Print the verdict on damping, which changes nothing above."""
+def _show_damping(terminal: Terminal, result: Diagnosis, setting: ReportSetting) -> None:
+    """Print the verdict on damping, which is independent of the verdict above."""
     damping = result.damping
     if not damping.measured:
         return
     terminal.line()
     terminal.line(f"damping: {damping.verdict}")
     terminal.line(damping.reason, "  ")
-    _explained(terminal, damping)
+    _show_explained(terminal, damping)
     terminal.show(*factors(result), *refitted(damping, setting))
     for note in damping.notes:
         terminal.line()
         terminal.line(f"note on the damping: {note}")
 
 
-def _remarks(terminal: Terminal, result: Diagnosis) -> None:
-    """Print what else the reader should know."""
+def _show_remarks(terminal: Terminal, result: Diagnosis) -> None:
+    """Print outliers, unmatched modes, limits and notes."""
     remarks = []
     if result.outliers:
         remarks.append(f"set aside as outliers: {rows_in_words(result.outliers)}")
     if result.unpaired:
-        by = "" if result.beyond is None or result.beyond.found is None else " without the term"
-        remarks.append(f"unmatched measured modes{by}: {rows_in_words(result.unpaired)}")
+        condition = "" if result.beyond is None or result.beyond.found is None else " without the term"
+        remarks.append(f"unmatched measured modes{condition}: {rows_in_words(result.unpaired)}")
     if result.scatter:
         remarks.append(f"error common to the modes of a pose: {plain(100 * result.scatter, 2)} %")
     if result.undetectable:
@@ -181,22 +186,22 @@ def _remarks(terminal: Terminal, result: Diagnosis) -> None:
 
 
 def largest_limits(result: Diagnosis) -> list[str]:
-    """Return the limits of the absent effects that could change the frequencies most, once the residual is noise."""
+    """Return the limits of the absent effects that could change the frequencies most, if the verdict is settled."""
     if not result.settled:
         return []
     effects = {name: limit for name, limit in result.limits.items() if name.startswith(f"{limit.candidate}.")}
     ranked = sorted((n for n in effects if effects[n].value is not None), key=lambda n: -effects[n].change)
-    first: dict[str, str] = {}  # of the parameters of an effect, the one that could change most
+    largest_by_effect: dict[str, str] = {}  # of the parameters of an effect, the one that could change most
     for name in ranked:
-        first.setdefault(effects[name].candidate, name)
+        largest_by_effect.setdefault(effects[name].candidate, name)
     return [
         f"{name} up to {plain(value, 2)} {effects[name].unit}".removesuffix(" 1")
-        for name in list(first.values())[:MOST_LIMITS]
+        for name in list(largest_by_effect.values())[:MAX_LIMITS_LISTED]
         if (value := effects[name].value) is not None
     ]
 
 
-def _short(value: Value) -> str:
+def _short_name(value: Value) -> str:
     return value.name.removeprefix("effects.")
 
 

@@ -8,7 +8,7 @@ from typing import Annotated
 import click
 from msgspec import Meta
 
-from pkmodes.cli.delivery import deliver, unlike
+from pkmodes.cli.delivery import deliver, files_to_write
 from pkmodes.cli.options import PATH, json_option, overwrite_option
 from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import check_targets
@@ -31,7 +31,7 @@ class Example(Document, frozen=True):
 
 
 class ExamplesDocument(Document, frozen=True):
-    """The examples, and which files were written."""
+    """The examples, and the files that were written."""
 
     examples: Annotated[list[Example], Meta(description="Those asked for; without a name all of them.")]
     out: Annotated[str | None, Meta(description="The folder, as given; null where nothing was asked for.")]
@@ -177,18 +177,18 @@ def examples(name: str | None, out: Path, overwrite: bool, json_file: str | None
 
         deliver(json_file, ExamplesDocument(chosen, None, [], []).as_json(), list_all)
         return
-    contents = supplied(*(place for example in chosen for place in example.places))
-    new = unlike(out, contents, f"--out {out}", overwrite)
-    write_files(out, new)
-    unchanged = [file for file in contents if file not in new]
+    contents = supplied(*(path for example in chosen for path in example.places))
+    new_files = files_to_write(out, contents, f"--out {out}", overwrite)
+    write_files(out, new_files)
+    unchanged = [file for file in contents if file not in new_files]
 
     def show() -> None:
-        for file in new:
+        for file in new_files:
             echo(out / file)
         if unchanged:
             echo(f"files that were there already: {len(unchanged)}")
-        place = "" if out == Path() else f" in {pasted(out)}"
+        folder_note = "" if out == Path() else f" in {pasted(out)}"
         for example in chosen:
-            echo(f"next{place}: {example.command} ({example.page})")
+            echo(f"next{folder_note}: {example.command} ({example.page})")
 
-    deliver(json_file, ExamplesDocument(chosen, str(out), list(new), unchanged).as_json(), show)
+    deliver(json_file, ExamplesDocument(chosen, str(out), list(new_files), unchanged).as_json(), show)

@@ -82,10 +82,10 @@ def figures(
     from pkmodes.machine.maps.ranges import parse_grid
     from pkmodes.pages.figures.files import write_pictures_and_sentences
 
-    places = None if grid is None else parse_grid(grid, model.mechanism, "--grid")
+    grid_axes = None if grid is None else parse_grid(grid, model.mechanism, "--grid")
     with errors_name_options("grid", folder="--out"):
         written, sentences = write_pictures_and_sentences(
-            model, folder, places, tuple(dict.fromkeys(formats)), drives=drives, overwrite=overwrite
+            model, folder, grid_axes, tuple(dict.fromkeys(formats)), drives=drives, overwrite=overwrite
         )
     document = FiguresDocument(
         robot=str(robot), out=out, files=[path.name for path in written], same_everywhere=sentences

@@ -52,30 +52,34 @@ def identify(
     from pkmodes.modaltest.campaign.campaign import read_campaign
     from pkmodes.modaltest.campaign.identify import identify as identify_modes
 
-    declared = read_campaign(campaign)
-    inputs = [file for record in declared.records for files in record.setups.values() for file in files]
-    robot = None if declared.model is None else Path(declared.model.robot.source)
+    campaign_content = read_campaign(campaign)
+    inputs = [
+        file for record in campaign_content.records for files in record.setups.values() for file in files
+    ]
+    robot = None if campaign_content.model is None else Path(campaign_content.model.robot.source)
     check_targets(json_file, [campaign, *inputs, robot], *targets)
     sources = sources_of(report_to, {"campaign file": campaign, "robot file": robot})
-    identification = identify_modes(declared, keep_going=keep_going, inspect=report_to is not None)
+    identification = identify_modes(campaign_content, keep_going=keep_going, inspect=report_to is not None)
     messages = [message for identified in identification.records for message in identified.messages]
     for message in (*messages, *identification.messages):
         echo(f"note: {message}", err=True)
     content = identification.as_json()
-    text = as_csv(identification.measurements, [f"modes identified by pkmodes identify from {campaign.name}"])
+    csv_text = as_csv(
+        identification.measurements, [f"modes identified by pkmodes identify from {campaign.name}"]
+    )
     rows = len(identification.measurements.frequency)
     file = ResultFile(
         out,
-        lambda: text,
+        lambda: csv_text,
         lambda path: (f"wrote {path}: {rows} mode{'' if rows == 1 else 's'}",),
     )
 
     def page() -> str:
         from pkmodes.pages.report.identification import identification_report
 
-        return identification_report(identification, declared, content, sources)
+        return identification_report(identification, campaign_content, content, sources)
 
-    show = partial(_print, identification, declared, content)
+    show = partial(_print, identification, campaign_content, content)
     try:
         deliver(json_file, content, show, file, report_file(report_to, page))
     finally:
@@ -92,13 +96,13 @@ def _print(identification: Identification, campaign: Campaign, content: dict[str
     from pkmodes.pages.report.identified_record import meanings, modes_table
 
     terminal = Terminal()
-    for index, identified in enumerate(identification.records):
+    for record_number, identified in enumerate(identification.records):
         drives, model = identified.record.drives, campaign.model
-        doing = motors([drives]) if model is None else motors_in_words(model.robot, drives)
-        terminal.heading(f"{identified.record.pose}, {identified.record.kind}, {doing}")
-        found_modes = content["records"][index]["modes"]
+        motors_text = motors([drives]) if model is None else motors_in_words(model.robot, drives)
+        terminal.heading(f"{identified.record.pose}, {identified.record.kind}, {motors_text}")
+        found_modes = content["records"][record_number]["modes"]
         if found_modes:
-            terminal.block(replace(modes_table(index, found_modes), caption=""))
+            terminal.block(replace(modes_table(record_number, found_modes), caption=""))
         else:
             terminal.line("left out" if identified.is_left_out else "no mode was found")
         terminal.line()

@@ -1,6 +1,6 @@
-"""The blocks of a result as lines of a terminal: those of its page, in characters that every terminal has.
+"""The blocks of a result, as on its page, as lines of a terminal in characters that every terminal has.
 
-Sentences are wrapped at spaces; a table is never cut, but goes on below.
+Sentences are wrapped at spaces; the columns of a table that do not fit follow below.
 """
 
 from __future__ import annotations
@@ -19,12 +19,12 @@ from pkmodes.pages.report.blocks import Cell, Facts, Lines, Listing, Paragraph, 
 
 Shown = Paragraph | Listing | Facts | Lines | Table
 INDENT = "  "
-#: Spaces between two columns, and where a table fits the terminal only with fewer.
+#: Spaces between two columns; the second where a table fits the terminal only with fewer.
 GAP, NARROW_GAP = 2, 1
-#: Largest share of the width that the first column of a table takes where the table does not fit.
-WIDE = 0.3
-#: Characters that our own titles and sentences have on a page, and how they are typed on a terminal.
-TYPED = {
+#: Maximum share of the width for the first column of a table that does not fit.
+MAX_FIRST_COLUMN_SHARE = 0.3
+#: How characters of the titles and sentences of a page are written on a terminal.
+TERMINAL_CHARACTERS = {
     "chi\u00b2": "chi2",
     "\u00b2": "^2",
     "\u00b3": "^3",
@@ -40,19 +40,21 @@ TYPED = {
     "\u00a0": " ",
     "\u2009": ",",
 }
-SYMBOL = re.compile("|".join(TYPED))
-#: A power of ten as in print, perhaps after the digits that it multiplies.
+SYMBOL = re.compile("|".join(TERMINAL_CHARACTERS))
+#: A power of ten as in print, with or without a factor.
 POWER = re.compile(f"({TIMES})?10([{''.join(map(chr, RAISED.values()))}]+)")
-UPRIGHT = {raised: digit for digit, raised in RAISED.items()}
+DIGIT_OF_SUPERSCRIPT = {raised: digit for digit, raised in RAISED.items()}
 
 
-def typed(text: str) -> str:
+def terminal_text(text: str) -> str:
     """Return a title or sentence of a page in characters that every terminal has."""
-    powers = POWER.sub(lambda match: f"{'' if match[1] else '1'}e{match[2].translate(UPRIGHT)}", text)
-    return SYMBOL.sub(lambda match: TYPED[match[0]], powers)
+    powers = POWER.sub(
+        lambda match: f"{'' if match[1] else '1'}e{match[2].translate(DIGIT_OF_SUPERSCRIPT)}", text
+    )
+    return SYMBOL.sub(lambda match: TERMINAL_CHARACTERS[match[0]], powers)
 
 
-def wrapped(text: str, width: int, indent: str = "") -> list[str]:
+def wrap_sentence(text: str, width: int, indent: str = "") -> list[str]:
     """Return the lines of a sentence, each after `indent`."""
     return textwrap.wrap(
         printable(text),
@@ -67,43 +69,43 @@ def wrapped(text: str, width: int, indent: str = "") -> list[str]:
 def lines_of(block: Shown, width: int) -> Iterator[str]:
     """Yield the lines of a block."""
     if isinstance(block, Table):
-        yield from wrapped(typed(block.caption), width)
-        yield from _table(block, width)
-        yield from wrapped(typed(block.note), width)
+        yield from wrap_sentence(terminal_text(block.caption), width)
+        yield from _table_lines(block, width)
+        yield from wrap_sentence(terminal_text(block.note), width)
     elif isinstance(block, Paragraph):
-        yield from wrapped(block.plain or typed(block.text), width)
+        yield from wrap_sentence(block.plain or terminal_text(block.text), width)
     elif isinstance(block, Listing):
         for entry in [", ".join(block.entries)] if block.names else block.entries:
-            yield from wrapped(entry, width, INDENT)
+            yield from wrap_sentence(entry, width, INDENT)
     elif isinstance(block, Facts):
         for name, cells in block.entries:
-            values = " ".join(filter(None, map(_text, cells)))
-            yield from wrapped(f"{typed(name)}: {values}", width, INDENT)
+            values = " ".join(filter(None, map(_cell_text, cells)))
+            yield from wrap_sentence(f"{terminal_text(name)}: {values}", width, INDENT)
     else:
         yield printable(f"{block.name}:")
         yield from (printable(f"{INDENT}{line}") for line in block.lines)
 
 
-def _text(cell: Cell) -> str:
-    """Return the text of a cell; that of a file, such as a label, as it is there."""
-    return printable(cell.typed if cell.value is None else typed(cell.typed))
+def _cell_text(cell: Cell) -> str:
+    """Return the text of a cell; text from a file, such as a label, is unchanged."""
+    return printable(cell.typed if cell.value is None else terminal_text(cell.typed))
 
 
 @dataclass(frozen=True)
-class _Grid:
+class _TextTable:
     """The text of a table, column by column.
 
-    - names: the lines of the first cell of each row
-    - rows: all cells of each row; the first one is not printed, but its `names`
-    - numbers: columns that are aligned at the right
-    - heads: first columns that tell the rows apart
+    - names: the lines of the first cell of each row, which are printed in place of it
+    - rows: all cells of each row
+    - is_number: whether a column is aligned at the right
+    - heads: number of first columns that identify a row
     """
 
     titles: Sequence[str]
     groups: Sequence[str]
     names: Sequence[Sequence[str]]
     rows: Sequence[Sequence[str]]
-    numbers: Sequence[bool]
+    is_number: Sequence[bool]
     heads: int
     width: int
 
@@ -117,91 +119,95 @@ class _Grid:
     @property
     def gap(self) -> int:
         """Spaces between two columns."""
-        spaces, rest = len(self.widths) - 1, self.width - sum(self.widths)
-        return NARROW_GAP if NARROW_GAP * spaces <= rest < GAP * spaces else GAP
+        spaces, spare = len(self.widths) - 1, self.width - sum(self.widths)
+        return NARROW_GAP if NARROW_GAP * spaces <= spare < GAP * spaces else GAP
 
     @property
-    def crowded(self) -> bool:
+    def is_crowded(self) -> bool:
         """Whether the table does not fit, and its first column takes much of the width."""
-        whole = sum(self.widths) + self.gap * (len(self.widths) - 1)
-        return whole > self.width and self.widths[0] > WIDE * self.width
+        total_width = sum(self.widths) + self.gap * (len(self.widths) - 1)
+        return total_width > self.width and self.widths[0] > MAX_FIRST_COLUMN_SHARE * self.width
 
-    def printed(self, cells: Sequence[str], part: Sequence[int]) -> str:
+    def format_row(self, cells: Sequence[str], columns: Sequence[int]) -> str:
         """Return some cells of a row, each as wide as its column."""
         aligned = []
-        for c in part:
-            space = (self.widths[c] - cell_len(cells[c])) * " "
-            aligned.append(space + cells[c] if self.numbers[c] else cells[c] + space)
+        for c in columns:
+            padding = (self.widths[c] - cell_len(cells[c])) * " "
+            aligned.append(padding + cells[c] if self.is_number[c] else cells[c] + padding)
         return (self.gap * " ").join(aligned).rstrip()
 
-    def over(self, part: Sequence[int]) -> str:
-        """Return the line above some titles: that of a group begins above its first column."""
-        line, place, before = "", 0, ""
-        for c in part:
-            if self.groups[c] and self.groups[c] != before:
-                line = f"{line.ljust(place)}{' ' if line and len(line) >= place else ''}{self.groups[c]}"
-            before = self.groups[c]
-            place += self.widths[c] + self.gap
+    def group_line(self, columns: Sequence[int]) -> str:
+        """Return the line of group titles above some columns; each begins above the first column of its group."""
+        line, position, previous = "", 0, ""
+        for c in columns:
+            if self.groups[c] and self.groups[c] != previous:
+                line = (
+                    f"{line.ljust(position)}{' ' if line and len(line) >= position else ''}{self.groups[c]}"
+                )
+            previous = self.groups[c]
+            position += self.widths[c] + self.gap
         return line
 
-    def parts(self, begin: list[int]) -> list[list[int]]:
-        """Return the columns of each part: some with which all begin, and about as many of the others in each."""
-        remaining = [c for c in range(1, len(self.widths)) if c not in begin]
-        parts = self._filled(begin, remaining, len(remaining))
-        alike = self._filled(begin, remaining, -(-len(remaining) // len(parts)))
-        return alike if len(alike) == len(parts) else parts
+    def parts(self, head_columns: list[int]) -> list[list[int]]:
+        """Divide the columns into parts that fit: each begins with the head columns and has about as many others."""
+        other_columns = [c for c in range(1, len(self.widths)) if c not in head_columns]
+        parts = self._fill_parts(head_columns, other_columns, len(other_columns))
+        balanced = self._fill_parts(head_columns, other_columns, -(-len(other_columns) // len(parts)))
+        return balanced if len(balanced) == len(parts) else parts
 
-    def _filled(self, begin: list[int], remaining: Sequence[int], limit: int) -> list[list[int]]:
-        """Fill one part after the other with at most `limit` columns beside those with which it begins."""
-        parts, added = [[*begin]], 0
-        for c in remaining:
-            if added and (added == limit or not self._fits([*parts[-1], c])):
-                # A very wide column has only the first one beside it.
-                parts.append([*(begin if self._fits([*begin, c]) else begin[:1])])
-                added = 0
+    def _fill_parts(
+        self, head_columns: list[int], other_columns: Sequence[int], limit: int
+    ) -> list[list[int]]:
+        """Fill one part after the other with at most `limit` columns after the head columns."""
+        parts, added_count = [[*head_columns]], 0
+        for c in other_columns:
+            if added_count and (added_count == limit or not self._fits([*parts[-1], c])):
+                # A very wide column has only the first head column beside it.
+                parts.append([*(head_columns if self._fits([*head_columns, c]) else head_columns[:1])])
+                added_count = 0
             parts[-1].append(c)
-            added += 1
+            added_count += 1
         return parts
 
-    def _fits(self, part: Sequence[int]) -> bool:
-        return sum(self.widths[c] for c in part) + self.gap * (len(part) - 1) <= self.width
+    def _fits(self, columns: Sequence[int]) -> bool:
+        return sum(self.widths[c] for c in columns) + self.gap * (len(columns) - 1) <= self.width
 
 
-def _table(table: Table, width: int) -> Iterator[str]:
+def _table_lines(table: Table, width: int) -> Iterator[str]:
     """Yield the lines of a table.
 
-    Columns that do not fit go below, after those that tell the rows apart.  A first column that takes too much of the
-    width is broken at its commas; if that is not enough, it stands on a line above its row.
+    Columns that do not fit follow below, each time after the head columns.  A first column that takes too much of the
+    width is broken at its commas; if that is not enough, its cells are on lines of their own above the rows.
     """
-    kept = [k for k, column in enumerate(table.columns) if not column.page_only]
-    over = [title for title, count in table.groups for _ in range(count)]
-    rows = [[_text(row[k]) for k in kept] for row in table.rows]
-    columns = [table.columns[k] for k in kept]
-    grid = _Grid(
-        titles=[typed(column.title) for column in columns],
-        groups=[typed(over[k]) if over else "" for k in kept],
+    printed_columns = [k for k, column in enumerate(table.columns) if not column.page_only]
+    group_titles = [title for title, count in table.groups for _ in range(count)]
+    rows = [[_cell_text(row[k]) for k in printed_columns] for row in table.rows]
+    columns = [table.columns[k] for k in printed_columns]
+    text_table = _TextTable(
+        titles=[terminal_text(column.title) for column in columns],
+        groups=[terminal_text(group_titles[k]) if group_titles else "" for k in printed_columns],
         names=[[row[0]] for row in rows],
         rows=rows,
-        numbers=[column.numbers for column in columns],
-        heads=sum(k < table.heads for k in kept),
+        is_number=[column.numbers for column in columns],
+        heads=sum(k < table.heads for k in printed_columns),
         width=width,
     )
-    if grid.crowded:
-        grid = replace(grid, names=[row[0].replace(", ", ",\n").split("\n") for row in rows])
-    above = grid.crowded
-    for number, part in enumerate(grid.parts([*range(int(above), grid.heads)])):
+    if text_table.is_crowded:
+        text_table = replace(text_table, names=[row[0].replace(", ", ",\n").split("\n") for row in rows])
+    names_above = text_table.is_crowded
+    for number, part_columns in enumerate(text_table.parts([*range(int(names_above), text_table.heads)])):
         if number:
             yield ""
-        if any(grid.groups[c] for c in part):
-            yield grid.over(part)
-        yield grid.printed(grid.titles, part)
-        before = ""
-        for row, (name, *continuation) in zip(rows, grid.names, strict=True):
-            if above:
-                if row[0] != before:
-                    yield from wrapped(row[0], width)
-                before = row[0]
-                yield grid.printed(row, part)
+        if any(text_table.groups[c] for c in part_columns):
+            yield text_table.group_line(part_columns)
+        yield text_table.format_row(text_table.titles, part_columns)
+        previous_name = ""
+        for row, (name, *continuation) in zip(rows, text_table.names, strict=True):
+            if names_above:
+                if row[0] != previous_name:
+                    yield from wrap_sentence(row[0], width)
+                previous_name = row[0]
+                yield text_table.format_row(row, part_columns)
             else:
-                yield grid.printed([name, *row[1:]], part)
+                yield text_table.format_row([name, *row[1:]], part_columns)
                 yield from continuation

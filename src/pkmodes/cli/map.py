@@ -94,11 +94,11 @@ def map_(options: MapOptions) -> None:
     options.check_files()
     sources, out = options.sources(), options.out
     model = load(options.robot)
-    with options.named(sweep="--set"), _continued(out):
+    with options.named(sweep="--set"), _explain_interrupt(out):
         dataset = model.map(
             places_given(model, options.grid, options.poses),
             sweep=settings_given(model, options.settings),
-            progress=_counted(),
+            progress=_progress_reporter(),
             **options.passed(),
         )
     from pkmodes.machine.maps.summary import summary_of
@@ -122,34 +122,38 @@ def map_(options: MapOptions) -> None:
             terminal.line()
             terminal.heading(f"wrote {content['file']}")
 
-    complete = (
+    remedy_when_written = (
         "" if out is None else "the map is written; for its report run the command again with --overwrite"
     )
-    with _continued(out, complete):
+    with _explain_interrupt(out, remedy_when_written):
         deliver(options.json_file, content, show, report_file(options.report_to, page))
 
 
 @contextmanager
-def _continued(out: Path | None, complete: str = "") -> Iterator[None]:
-    """Report how an interrupted map continues."""
+def _explain_interrupt(out: Path | None, remedy_when_written: str = "") -> Iterator[None]:
+    """After an interrupt, report what to do: whether the same command continues."""
     try:
         yield
     except KeyboardInterrupt:
         from pkmodes.machine.maps.storage import PARTIAL_SUFFIX
 
-        kept = out is not None and out.with_name(out.name + PARTIAL_SUFFIX).exists()
-        again = "the same command continues where it stopped" if kept else complete or "run it again"
-        raise click.Abort(again) from None
+        can_continue = out is not None and out.with_name(out.name + PARTIAL_SUFFIX).exists()
+        remedy = (
+            "the same command continues where it stopped"
+            if can_continue
+            else remedy_when_written or "run it again"
+        )
+        raise click.Abort(remedy) from None
 
 
-def _counted() -> Callable[[int, int], None]:
-    """Return a function that reports how many poses are done, and how long the others will take."""
-    begin: list[tuple[float, int]] = []
+def _progress_reporter() -> Callable[[int, int], None]:
+    """Return a function that reports the number of poses done, and the time that the others will take."""
+    counts: list[tuple[float, int]] = []
 
     def report(done: int, total: int) -> None:
-        begin.append((time.monotonic(), done))
-        (first, before), (now, _) = begin[0], begin[-1]
-        rate = (done - before) / (now - first) if now > first else 0.0
+        counts.append((time.monotonic(), done))
+        (start_time, start_count), (now, _) = counts[0], counts[-1]
+        rate = (done - start_count) / (now - start_time) if now > start_time else 0.0
         remaining = f", about {duration((total - done) / rate)} left" if 0 < done < total and rate else ""
         say(f"{done:,} of {total:,} poses{remaining}")
 

@@ -1,4 +1,4 @@
-"""Measured modes in a line: which rows, at which poses, and what their measurements set."""
+"""Measured modes as text: rows, poses, and the settings of their measurements."""
 
 from __future__ import annotations
 
@@ -9,27 +9,27 @@ from pkmodes.loop.diagnosis.compare import ComparedRow
 from pkmodes.loop.diagnosis.verdict.rows import Row
 from pkmodes.pages.report.setting import ReportSetting
 
-#: Most rows, poses or settings named in a line; the JSON has all of them.
-MOST = 8
+#: Maximum number of rows, poses or settings named in a line; the JSON has all of them.
+MAX_NAMED = 8
 Rows = Sequence[Row | ComparedRow]
 
 
 def rows_in_words(rows: Rows) -> str:
     """Return rows by their lines in the file, poses and frequencies."""
-    named = [f"line {row.line}, pose {row.pose}, {row.measured:g} Hz" for row in rows]
-    return listed(named, MOST, "; ", "; and ")
+    descriptions = [f"line {row.line}, pose {row.pose}, {row.measured:g} Hz" for row in rows]
+    return listed(descriptions, MAX_NAMED, "; ", "; and ")
 
 
 def poses_in_words(labels: Sequence[str]) -> str:
     """Return poses by their labels."""
-    return f"pose{'' if len(labels) == 1 else 's'} {listed(labels, MOST)}"
+    return f"pose{'' if len(labels) == 1 else 's'} {listed(labels, MAX_NAMED)}"
 
 
 def settings_in_words(setting: ReportSetting, rows: Rows) -> str:
-    """Return what the measurements set, and at which poses; empty where they set nothing."""
-    at = {row.pose: setting.load(row.load).plain for row in rows if row.load}
-    loads: dict[str, list[str]] = {}
-    for label in sorted_labels(at):
-        loads.setdefault(at[label], []).append(label)
-    cases = [f"{load} ({poses_in_words(labels)})" for load, labels in loads.items()]
-    return f"set by the measurements: {listed(cases, MOST, '; ', '; and ')}" if cases else ""
+    """Return the settings of the measurements and their poses; empty where there are none."""
+    load_of_pose = {row.pose: setting.load(row.load).plain for row in rows if row.load}
+    poses_of_load: dict[str, list[str]] = {}
+    for label in sorted_labels(load_of_pose):
+        poses_of_load.setdefault(load_of_pose[label], []).append(label)
+    cases = [f"{load} ({poses_in_words(labels)})" for load, labels in poses_of_load.items()]
+    return f"set by the measurements: {listed(cases, MAX_NAMED, '; ', '; and ')}" if cases else ""

@@ -34,18 +34,18 @@ if TYPE_CHECKING:
     from pkmodes.pages.report.blocks import Table
 
 Array = NDArray[np.float64]
-#: Components below the first are rounding; so are frequencies, whose squares are computed, below the second times the
-#: largest.
-ZERO, ZERO_FREQUENCY = 1e-9, 1e-6
+#: Components below the first are zero to rounding; so are frequencies, which are computed from their squares, below
+#: the second times the largest.
+ZERO_TOLERANCE, ZERO_FREQUENCY_TOLERANCE = 1e-9, 1e-6
 #: Standard deviations below this would be rounded to zero [Hz].
 SMALLEST_SIGMA = 0.0005
-#: First frequencies that differ by less than this fraction count as the same.
-SAME = 1e-3
+#: First frequencies that differ by less than this fraction are reported as the same.
+SAME_FREQUENCY_TOLERANCE = 1e-3
 #: Numbers of at least this size are written with an exponent.
-LARGE = 99_999.9995
+MIN_EXPONENT_VALUE = 99_999.9995
 
 
-class _AtPose(Document, frozen=True):
+class _PoseDocument(Document, frozen=True):
     robot: Annotated[str, Meta(description="Name of the robot.")]
     pose: Annotated[
         list[float],
@@ -65,7 +65,7 @@ class _AtPose(Document, frozen=True):
 
 _literal: Any = Literal
 #: Keys of the document after the fields of `pkmodes.Modes`.
-_AFTER: tuple[tuple[str, Any, str], ...] = (
+_FURTHER_KEYS: tuple[tuple[str, Any, str], ...] = (
     (
         "static_torques",
         list[float],
@@ -93,11 +93,11 @@ def modes_document() -> type[Document]:
     """Return the class of the JSON document: its keys are fields of the modes (`pkmodes.core.solve.fields`)."""
     fields = [FIELDS[name] for name in of_modes() if FIELDS[name].key]
     keys: list[tuple[str, Any, str]] = []
-    of_some: list[Any] = []
+    optional_fields: list[Any] = []
     for field in fields:
         if field.same_as:  # of some mechanisms only
             kind: Any = Annotated[list[float] | UnsetType, Meta(description=field.key_text)]
-            of_some.append((field.key, kind, UNSET))
+            optional_fields.append((field.key, kind, UNSET))
             continue
         kind = float | None if field.nullable else float
         for _ in field.dims:
@@ -108,11 +108,15 @@ def modes_document() -> type[Document]:
             kind = kind | None
         keys.append((field.key, kind, field.key_text))
     declared: list[Any] = [
-        (name, Annotated[kind, Meta(description=text)]) for name, kind, text in (*keys, *_AFTER)
+        (name, Annotated[kind, Meta(description=description)])
+        for name, kind, description in (*keys, *_FURTHER_KEYS)
     ]
-    text = "The modes at a pose: n coordinates, m modes, the rigid-body ones first."
+    description = "The modes at a pose: n coordinates, m modes, the rigid-body ones first."
     document = msgspec.defstruct(
-        "ModesDocument", [*declared, *of_some], bases=(_AtPose,), namespace={"__doc__": text}
+        "ModesDocument",
+        [*declared, *optional_fields],
+        bases=(_PoseDocument,),
+        namespace={"__doc__": description},
     )
     return cast("type[Document]", document)
 
@@ -140,8 +144,8 @@ def modes(robot: Path, pose: str, drives: str, json_file: str | None) -> None:
     def show() -> None:
         from pkmodes.cli.terminal import Terminal
 
-        terminal, at = Terminal(), placed(model.mechanism, result.poses, "g")
-        terminal.heading(f"{model.robot.name} at {at}, {motors_in_words(model.robot, result.drives)}")
+        terminal, pose_text = Terminal(), placed(model.mechanism, result.poses, "g")
+        terminal.heading(f"{model.robot.name} at {pose_text}, {motors_in_words(model.robot, result.drives)}")
         terminal.line()
         sigmas = spread_of(model, result.poses, result.drives)
         terminal.block(_table(model, result, sigmas))
@@ -154,7 +158,7 @@ def modes(robot: Path, pose: str, drives: str, json_file: str | None) -> None:
 
 def as_json(model: Model, result: Modes, statics: Statics) -> dict[str, Any]:
     """Return the result of one pose with the documented JSON keys."""
-    # Both poles and notes need it.
+    # Both the poles and the notes need it.
     linearised = LinearisedRobot(model, result.poses[None], result.drives, AUTO)
     fields = [FIELDS[name] for name in Modes.fields_of(model.mechanism) if FIELDS[name].key]
     values: dict[str, Any] = {}
@@ -187,33 +191,37 @@ def _table(model: Model, result: Modes, sigmas: Array | None) -> Table:
     """
     from pkmodes.pages.report.blocks import Cell, Column, Table
 
-    rigid = result.rigid_modes
-    numbers = [str(i + 1 - rigid) if i >= rigid else "rigid" for i in range(len(result.frequencies))]
-    rounding = _rounding(result.frequencies)
-    rows = [["f [Hz]", *(_fixed(f, rounding) for f in result.frequencies)]]
+    rigid_count = result.rigid_modes
+    numbers = [
+        str(i + 1 - rigid_count) if i >= rigid_count else "rigid" for i in range(len(result.frequencies))
+    ]
+    rounding = _rounding_level(result.frequencies)
+    rows = [["f [Hz]", *(_format_fixed(f, rounding) for f in result.frequencies)]]
     if sigmas is not None:
-        rows.append(["+- [Hz]", *map(_sigma, sigmas)])
+        rows.append(["+- [Hz]", *map(_format_sigma, sigmas)])
     if model.robot.dissipates:
-        ratios = ("" if np.isnan(ratio) else _fixed(100.0 * ratio) for ratio in result.damping_ratios)
+        ratios = ("" if np.isnan(ratio) else _format_fixed(100.0 * ratio) for ratio in result.damping_ratios)
         rows.append(["damping [%]", *ratios])
-    scaled, symbols = result.shapes.copy(), {}
+    scaled_shapes, symbols = result.shapes.copy(), {}
     for scale in model.mechanism.scales:
-        k = result.coordinates.index(scale.coordinate)
-        scaled[:, k] /= np.asarray(getattr(model.robot.parameters, scale.field))[scale.index]
+        column = result.coordinates.index(scale.coordinate)
+        scaled_shapes[:, column] /= np.asarray(getattr(model.robot.parameters, scale.field))[scale.index]
         symbols[scale.coordinate] = f"/{scale.symbol}"
-    scaled /= np.abs(scaled).max(axis=1, keepdims=True)
-    moved = unit_vectors(result.platform_shapes, lengths_of(model.mechanism, model.robot.parameters))
+    scaled_shapes /= np.abs(scaled_shapes).max(axis=1, keepdims=True)
+    platform_vectors = unit_vectors(
+        result.platform_shapes, lengths_of(model.mechanism, model.robot.parameters)
+    )
     names = [f"{name}{symbols.get(name, '')}" for name in result.coordinates]
     names += headings(model.mechanism)
-    components = np.concatenate([scaled, moved], axis=1).T
-    rows += [[name, *map(_fixed, row)] for name, row in zip(names, components, strict=True)]
+    components = np.concatenate([scaled_shapes, platform_vectors], axis=1).T
+    rows += [[name, *map(_format_fixed, row)] for name, row in zip(names, components, strict=True)]
     columns = [Column("mode", numbers=False), *map(Column, numbers)]
     return Table("", columns, [list(map(Cell, row)) for row in rows])
 
 
 def _sentences(model: Model, result: Modes, statics: Statics, with_sigmas: bool) -> Iterator[str]:
-    """Yield what the motors do and what the rows are; then the joint positions and the forces that hold the pose."""
-    yield from _of_motors(model, result)
+    """Yield the state of the motors, the meaning of rows, the joint positions and the forces that hold the pose."""
+    yield from _motor_sentences(model, result)
     if model.mechanism.rotations:
         yield (
             "p, r*L: how the platform moves and turns about base axes, a unit vector; "
@@ -223,55 +231,55 @@ def _sentences(model: Model, result: Modes, statics: Statics, with_sigmas: bool)
         yield "p: direction in which the platform moves, a unit vector in the base frame"
     if with_sigmas:
         yield "+-: one standard deviation, from those that the robot file states"
-    rigid = result.frequencies[: result.rigid_modes]
-    if not (np.abs(rigid) < _rounding(result.frequencies)).all():
-        grounded = model.solved(result.drives).held_motions
+    rigid_frequencies = result.frequencies[: result.rigid_modes]
+    if not (np.abs(rigid_frequencies) < _rounding_level(result.frequencies)).all():
+        grounded_count = model.solved(result.drives).held_motions
         reason = "only gravity acts"
-        if grounded:
+        if grounded_count:
             reason = (
-                f"the {len(rigid)} lowest modes, as many as there are motions that no spring holds; gravity acts on "
-                f"these, and mixes them with the {grounded} that springs to ground hold"
+                f"the {len(rigid_frequencies)} lowest modes, as many as there are motions that no spring holds; "
+                f"gravity acts on these, and mixes them with the {grounded_count} that springs to ground hold"
             )
         yield f"rigid: {reason}; f = sqrt(|lambda|)/(2 pi) with the sign of lambda"
     units = {q.name: q.unit for q in model.mechanism.coordinates}
-    drive = model.mechanism.drives[0].unit
+    drive_unit = model.mechanism.drives[0].unit
     for label, values, unit in (
         (model.mechanism.independent_are, result.joint_positions, units[model.mechanism.independent[0]]),
-        ("static forces" if drive == "N" else "static torques", statics.torques, drive),
+        ("static forces" if drive_unit == "N" else "static torques", statics.torques, drive_unit),
     ):
         yield f"{label} [{unit}]: {', '.join(f'{round(v, 4) + 0.0:.4f}' for v in values)}"
 
 
-def _of_motors(model: Model, result: Modes) -> Iterator[str]:
-    """Yield what the motors do, and the first frequency if they did otherwise; nothing if it is the same."""
+def _motor_sentences(model: Model, result: Modes) -> Iterator[str]:
+    """Yield the state of the motors with the first frequency in the other state; nothing if it is the same."""
     drives = other_drives(result.drives)
     frequencies_otherwise = model.frequencies(result.poses, "nan", drives=drives)
-    lowest = []
+    first_frequencies = []
     for frequencies in (
         result.frequencies[result.rigid_modes :],
         frequencies_otherwise[model.solved(drives).rigid_modes :],
     ):
-        moving = frequencies[np.abs(frequencies) > _rounding(frequencies)]
-        if not len(moving):
+        nonzero = frequencies[np.abs(frequencies) > _rounding_level(frequencies)]
+        if not len(nonzero):
             return
-        lowest.append(float(moving[0]))
-    first, first_otherwise = lowest
-    if abs(first_otherwise - first) <= SAME * abs(first):
+        first_frequencies.append(float(nonzero[0]))
+    first_frequency, first_otherwise = first_frequencies
+    if abs(first_otherwise - first_frequency) <= SAME_FREQUENCY_TOLERANCE * abs(first_frequency):
         return
-    doing = motors_in_words(model.robot, drives).removeprefix("motors ")
-    doing = {FREE: "turning freely", HELD: "with their shafts held"}.get(doing, doing)
+    motor_state = motors_in_words(model.robot, drives).removeprefix("motors ")
+    motor_state = {FREE: "turning freely", HELD: "with their shafts held"}.get(motor_state, motor_state)
     yield (
-        f"{motors_in_words(model.robot, result.drives)}; {doing} the first mode of vibration "
+        f"{motors_in_words(model.robot, result.drives)}; {motor_state} the first mode of vibration "
         f"is at {first_otherwise:.4g} Hz"
     )
 
 
-def _rounding(frequencies: Array) -> float:
+def _rounding_level(frequencies: Array) -> float:
     """Return the size below which frequencies are rounding [Hz]."""
-    return ZERO_FREQUENCY * float(np.abs(frequencies).max(initial=0.0))
+    return ZERO_FREQUENCY_TOLERANCE * float(np.abs(frequencies).max(initial=0.0))
 
 
-def _sigma(value: float) -> str:
+def _format_sigma(value: float) -> str:
     """Format a standard deviation with two digits, but no decimals that the frequency above it does not have."""
     if np.isnan(value):
         return ""
@@ -282,11 +290,11 @@ def _sigma(value: float) -> str:
     return f"{rounded:.{decimals}f}" + (3 - decimals + (decimals == 0)) * " "  # aligns the decimal points
 
 
-def _fixed(value: float, zero: float = ZERO) -> str:
+def _format_fixed(value: float, tolerance: float = ZERO_TOLERANCE) -> str:
     """Format with three decimals, and with an exponent where these would not fit: numbers are never cut.
 
-    - zero: below it a value differs from zero only by rounding, and is shown as 0
+    - tolerance: below it a value differs from zero only by rounding, and is shown as 0
     """
-    if abs(value) < zero:
+    if abs(value) < tolerance:
         return "0    "  # aligned with the ones digit of the other numbers
-    return f"{round(value, 3) + 0.0:.3f}" if abs(value) < LARGE else f"{value:.2e}"
+    return f"{round(value, 3) + 0.0:.3f}" if abs(value) < MIN_EXPONENT_VALUE else f"{value:.2e}"

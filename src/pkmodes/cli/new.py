@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from pkmodes.cli.delivery import unlike
+from pkmodes.cli.delivery import files_to_write
 from pkmodes.cli.options import PATH, forwarded_mechanism_option, overwrite_option
 from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import Target, check_targets
@@ -36,17 +36,17 @@ def new(name: str | None, out: Path | None, overwrite: bool, mechanism: Path | N
     from pkmodes.loop.robot_files.template import example_document, template
     from pkmodes.pages.view import typical_pose
 
-    described = registry.mechanism(name)
-    robot = robot_from_document(example_document(described), described.name)
+    mechanism_description = registry.mechanism(name)
+    robot = robot_from_document(example_document(mechanism_description), mechanism_description.name)
     # The commands in the head of the file have a pose that the example reaches.
     pose = ",".join(f"{component:g}" for component in typical_pose(Model(robot)).tolist())
     folder = "" if mechanism is None else " --mechanism FOLDER"
     commands = [f"pkmodes modes FILE --pose {pose}{folder}", f"pkmodes show FILE{folder}"]
-    text = template(described, commands)
+    text = template(mechanism_description, commands)
     if out is None:
         click.echo(text, nl=False)
         return
-    if unlike(out.parent, {out.name: text}, "--out", overwrite):
+    if files_to_write(out.parent, {out.name: text}, "--out", overwrite):
         write_file(out, text)
     option = "" if mechanism is None else f" --mechanism {pasted(mechanism)}"
     echo(f"wrote {out}; next: pkmodes show {pasted(out)}{option}")

@@ -1,6 +1,6 @@
-"""The options of a command as a table: a class with a field for each, which says what is done with its value.
+"""The options of a command as a table: a class with a field for each option and the use of its value.
 
-Commands with few options have click's decorators instead.
+Commands with few options use click's decorators instead.
 """
 
 from __future__ import annotations
@@ -56,7 +56,11 @@ def entry(option: Callable[[Any], Any], **uses: Any) -> Any:
 
 def option(*names: str, **settings: Any) -> Any:
     """Return a field of an `OptionTable`; settings are the uses of its value, and those of ``click.option``."""
-    uses = {part.name: settings.pop(part.name) for part in fields(OptionEntry) if part.name in settings}
+    uses = {
+        entry_field.name: settings.pop(entry_field.name)
+        for entry_field in fields(OptionEntry)
+        if entry_field.name in settings
+    }
     return entry(click.option(*names, **settings), **uses)
 
 
@@ -70,9 +74,11 @@ class OptionTable:
     @classmethod
     def entries(cls) -> dict[str, OptionEntry]:
         """Return the entries by name."""
-        entries = {part.name: part.metadata[ENTRY] for part in fields(cls)}
-        last = {part.name: entries.pop(part.name) for part in fields(OptionTable)}
-        return entries | last
+        entries = {table_field.name: table_field.metadata[ENTRY] for table_field in fields(cls)}
+        shared_entries = {
+            table_field.name: entries.pop(table_field.name) for table_field in fields(OptionTable)
+        }
+        return entries | shared_entries
 
     @classmethod
     def taken_by(cls, function: Callable[[Self], Result]) -> Callable[..., Result]:
@@ -82,19 +88,27 @@ class OptionTable:
         def command(**values: Any) -> Result:
             return function(cls(**values))
 
-        for part in reversed(cls.entries().values()):
-            part.option(command)
+        for option_entry in reversed(cls.entries().values()):
+            option_entry.option(command)
         return command
 
     def check_files(self) -> None:
         """Check the files that are written, as `check_targets` does."""
         entries, parameters = self.entries(), _parameters()
         targets = [
-            Target(parameters[name].opts[0], getattr(self, name), part.writes, part.endings, part.anywhere)
-            for name, part in entries.items()
-            if part.writes
+            Target(
+                parameters[name].opts[0],
+                getattr(self, name),
+                option_entry.writes,
+                option_entry.endings,
+                option_entry.anywhere,
+            )
+            for name, option_entry in entries.items()
+            if option_entry.writes
         ]
-        inputs = [getattr(self, name) for name, part in entries.items() if part.reads is not None]
+        inputs = [
+            getattr(self, name) for name, option_entry in entries.items() if option_entry.reads is not None
+        ]
         check_targets(self.json_file, inputs, *targets)
 
     def check_only(self, source: str) -> None:
@@ -104,9 +118,9 @@ class OptionTable:
 
         Raises click.UsageError.
         """
-        for name, part in self.entries().items():
-            if self._has(name) and part.only not in ("", source):
-                problem = f"{_parameters()[name].opts[0]} is for {part.only}"
+        for name, option_entry in self.entries().items():
+            if self._has(name) and option_entry.only not in ("", source):
+                problem = f"{_parameters()[name].opts[0]} is for {option_entry.only}"
                 raise click.UsageError(problem, click.get_current_context())
 
     def check_needs(self) -> None:
@@ -115,12 +129,13 @@ class OptionTable:
         Raises PkmodesError.
         """
         entries, parameters = self.entries(), _parameters()
-        for name, part in entries.items():
-            if self._has(name) and part.needs and not any(map(self._has, part.needs)):
+        for name, option_entry in entries.items():
+            if self._has(name) and option_entry.needs and not any(map(self._has, option_entry.needs)):
                 option = parameters[name].opts[0]
-                files = " and ".join(entries[needed].writes for needed in part.needs)
+                files = " and ".join(entries[needed].writes for needed in option_entry.needs)
                 missing = [
-                    f"{parameters[needed].opts[0]} {parameters[needed].metavar}" for needed in part.needs
+                    f"{parameters[needed].opts[0]} {parameters[needed].metavar}"
+                    for needed in option_entry.needs
                 ]
                 problem = f"{option} is for {files}, which {'is' if len(missing) == 1 else 'are'} not written"
                 raise PkmodesError(problem, option, f"add {' or '.join(missing)}, or leave {option} out")
@@ -129,15 +144,19 @@ class OptionTable:
         """Return the files that the report lists, as `sources_of` does."""
         return sources_of(
             self.report_to,
-            {part.reads: getattr(self, name) for name, part in self.entries().items() if part.reads},
+            {
+                option_entry.reads: getattr(self, name)
+                for name, option_entry in self.entries().items()
+                if option_entry.reads
+            },
         )
 
     def passed(self, source: str = "") -> dict[str, Any]:
         """Return the arguments of the call by name, without those that apply only to another source."""
         return {
             name: getattr(self, name)
-            for name, part in self.entries().items()
-            if part.passed and part.only in ("", source)
+            for name, option_entry in self.entries().items()
+            if option_entry.passed and option_entry.only in ("", source)
         }
 
     def named(self, **renamed: str) -> AbstractContextManager[None]:

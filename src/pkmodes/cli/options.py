@@ -57,8 +57,8 @@ _MECHANISM_SETTINGS: dict[str, Any] = {
 mechanism_option = click.option(
     "--mechanism", expose_value=False, callback=_add_mechanism, **_MECHANISM_SETTINGS
 )
-#: The same with the folder as its value: for a command that prints other commands for the mechanism, or has a table
-#: of options.  The second leaves the mechanism unregistered, for the command that checks the folder.
+#: The same option, passed to the command: for a command that prints other commands for the mechanism, or has a table
+#: of options.  The second does not register the mechanism, for the command that checks the folder.
 forwarded_mechanism_option = click.option("--mechanism", callback=_add_mechanism, **_MECHANISM_SETTINGS)
 unregistered_mechanism_option = click.option("--mechanism", **_MECHANISM_SETTINGS)
 
@@ -70,7 +70,7 @@ drives_option = click.option(
     help="Motors: free to turn, or held by position loops far stiffer than the machine.",
 )
 
-#: The same for a command that reads measurements, whose file may state the drives.
+#: The same option for a command that reads measurements, whose file may state the drives.
 measured_drives_option = click.option(
     "--drives",
     type=click.Choice(DRIVES),
@@ -145,16 +145,16 @@ def check_file_order(robot: Path, modes: Path, command: str) -> None:
 
 
 @contextmanager
-def errors_name_options(*same: str, **renamed: str) -> Iterator[None]:
+def errors_name_options(*arguments: str, **renamed: str) -> Iterator[None]:
     """Replace the name of a function argument in an error by that of the option.
 
     The place of an error is an argument, alone or before a colon: ``sweep: platform.mass``.  A remedy may give an
     argument a value: ``drives="held"``.
 
-    - same: arguments that have the names of their options
+    - arguments: arguments that have the names of their options
     - renamed: options by argument
     """
-    options = {name: f"--{name}" for name in same} | renamed
+    options = {name: f"--{name}" for name in arguments} | renamed
     try:
         yield
     except PkmodesError as error:

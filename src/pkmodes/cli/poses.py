@@ -52,14 +52,14 @@ def parse_pose(text: str, mechanism: Mechanism) -> list[float]:
         problem = f"expected {len(mechanism.pose)} components {names}, found {len(parts)}"
         remedy = f"write --pose {names}, decimals with a point: {mechanism.pose_is}"
         raise PoseError(problem, "--pose", remedy)
-    point = []
+    pose = []
     for part, component in zip(parts, mechanism.pose, strict=True):
         try:
-            point.append(parse_number_or_quantity(part, component.unit))
+            pose.append(parse_number_or_quantity(part, component.unit))
         except QuantityError as error:
             remedy = error.remedy or f"write a number in {component.unit}, or a number with its unit"
             raise PoseError(str(error), "--pose", remedy) from None
-    return point
+    return pose
 
 
 def pose_of(model: Model, text: str) -> list[float]:
@@ -71,23 +71,25 @@ def pose_of(model: Model, text: str) -> list[float]:
     """
     from pkmodes.core.mechanism.poses import MEANT
 
-    point, units = parse_pose(text, model.mechanism), [component.unit for component in model.mechanism.pose]
-    if any(c.isalpha() for c in re.sub(r"\d[eE]", "", text)) or model.check(point).valid:
-        return point
-    large = {
-        unit for c, unit in zip(point, units, strict=True) if unit in MEANT and abs(c) >= MEANT[unit].size
+    pose, units = parse_pose(text, model.mechanism), [component.unit for component in model.mechanism.pose]
+    if any(c.isalpha() for c in re.sub(r"\d[eE]", "", text)) or model.check(pose).valid:
+        return pose
+    large_units = {
+        unit for c, unit in zip(pose, units, strict=True) if unit in MEANT and abs(c) >= MEANT[unit].size
     }
-    smaller = [c * MEANT[unit].factor if unit in large else c for c, unit in zip(point, units, strict=True)]
-    if large and model.check(smaller).valid:
+    converted = [
+        c * MEANT[unit].factor if unit in large_units else c for c, unit in zip(pose, units, strict=True)
+    ]
+    if large_units and model.check(converted).valid:
         parts = [part.strip() for part in text.split(",")]
         with_units = ",".join(
-            f"{part} {MEANT[unit].unit}" if unit in large else part
+            f"{part} {MEANT[unit].unit}" if unit in large_units else part
             for part, unit in zip(parts, units, strict=True)
         )
-        looks = " and ".join(MEANT[unit].plural for unit in MEANT if unit in large)
-        remedy = f'the numbers look like {looks}: write --pose "{with_units}"'
-        raise PoseError(str(model.check(point).sentences).partition(";")[0], "--pose", remedy)
-    return point
+        apparent_units = " and ".join(MEANT[unit].plural for unit in MEANT if unit in large_units)
+        remedy = f'the numbers look like {apparent_units}: write --pose "{with_units}"'
+        raise PoseError(str(model.check(pose).sentences).partition(";")[0], "--pose", remedy)
+    return pose
 
 
 def places_given(model: Model, grid: str | None, poses: Path | None) -> MapPoses | None:

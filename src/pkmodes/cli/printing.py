@@ -11,10 +11,10 @@ from pkmodes.core.base.errors import printable
 def echo(text: object = "", *, err: bool = False) -> None:
     """Print one line; characters that are not visible are written as escapes.
 
-    - text: a line break at its beginning leaves a line empty
+    - text: a line break at its beginning gives an empty line
     - err: whether it goes to stderr
     """
     clear_progress()
     line = str(text)
-    rest = line.removeprefix("\n")
-    click.echo("\n" * (len(line) - len(rest)) + printable(rest), err=err)
+    visible_text = line.removeprefix("\n")
+    click.echo("\n" * (len(line) - len(visible_text)) + printable(visible_text), err=err)

@@ -1,6 +1,6 @@
-"""One line on the terminal that says what a command is doing, and for how long; erased before anything is printed.
+"""A line on the terminal with what a command is doing, and for how long; erased before anything is printed.
 
-There is none where stderr is no terminal: nothing of it reaches a file or a pipe.
+There is none where stderr is no terminal, so that nothing of it reaches a file or a pipe.
 """
 
 from __future__ import annotations
@@ -17,38 +17,40 @@ from pkmodes.core.base.errors import printable
 from pkmodes.core.support.progress import told
 
 #: Seconds before a command shows its progress, and between two updates of the line.
-DELAY, STEP = 0.3, 0.2
+FIRST_DELAY, UPDATE_INTERVAL = 0.3, 0.2
 #: Columns of a terminal that does not report them.
-COLUMNS = 80
+DEFAULT_COLUMNS = 80
 
 
 def duration(seconds: float) -> str:
     """Return a time in words: 12 s, 3 min 20 s, 2 h 5 min."""
-    minutes, rest = divmod(round(seconds), 60)
+    minutes, seconds_past = divmod(round(seconds), 60)
     hours, minutes_past = divmod(minutes, 60)
-    return f"{hours} h {minutes_past} min" if hours else f"{minutes} min {rest} s" if minutes else f"{rest} s"
+    if hours:
+        return f"{hours} h {minutes_past} min"
+    return f"{minutes} min {seconds_past} s" if minutes else f"{seconds_past} s"
 
 
 class ProgressLine:
     """A line on a terminal, rewritten by a thread so that its seconds count while the command computes.
 
     - stream: the terminal
-    - text: what is done first
+    - text: the first activity
     """
 
     def __init__(self, stream: TextIO, text: str) -> None:
-        self._stream, self._text, self._shown = stream, text, 0
-        self._begin = time.monotonic()
+        self._stream, self._text, self._shown_length = stream, text, 0
+        self._start_time = time.monotonic()
         self._lock, self._ended = threading.Lock(), threading.Event()
         self._thread = threading.Thread(target=self._run, daemon=True)
         self._thread.start()
 
     def say(self, text: str) -> None:
-        """Say what is done from now on."""
+        """Show another activity from now on."""
         self._text = printable(text)
 
     def clear(self) -> None:
-        """Erase the line, so that something can be printed; it comes again while the command goes on."""
+        """Erase the line, so that something can be printed; it is written again at the next update."""
         with self._lock:
             self._write("")
 
@@ -59,22 +61,22 @@ class ProgressLine:
         self.clear()
 
     def _run(self) -> None:
-        wait = DELAY
+        wait = FIRST_DELAY
         while not self._ended.wait(wait):
             with self._lock:
-                self._write(f"{self._text} ... {duration(time.monotonic() - self._begin)}")
-            wait = STEP
+                self._write(f"{self._text} ... {duration(time.monotonic() - self._start_time)}")
+            wait = UPDATE_INTERVAL
 
     def _write(self, line: str) -> None:
-        columns = COLUMNS
+        columns = DEFAULT_COLUMNS
         with suppress(OSError, ValueError):
-            columns = os.get_terminal_size(self._stream.fileno()).columns or COLUMNS
+            columns = os.get_terminal_size(self._stream.fileno()).columns or DEFAULT_COLUMNS
         line = line[: columns - 1]
-        if line or self._shown:
+        if line or self._shown_length:
             with suppress(OSError, ValueError):  # the terminal is gone
-                self._stream.write("\r" + line.ljust(self._shown) + ("" if line else "\r"))
+                self._stream.write("\r" + line.ljust(self._shown_length) + ("" if line else "\r"))
                 self._stream.flush()
-        self._shown = len(line)
+        self._shown_length = len(line)
 
 
 _current: ProgressLine | None = None
@@ -87,7 +89,7 @@ def on_terminal() -> bool:
 
 @contextmanager
 def progress_line(text: str) -> Iterator[None]:
-    """Show what is said inside the block (`pkmodes.core.support.progress.say`), if stderr is a terminal."""
+    """If stderr is a terminal, show what is reported inside the block by `pkmodes.core.support.progress.say`."""
     global _current
     if not on_terminal():
         yield

@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 def sources_of(report: Path | None, inputs: Mapping[str, Path | None]) -> Sequence[Source]:
     """Return the input files of a report by their roles, such as "robot file"; none if no report is requested.
 
-    They are taken when the files were read, but before anything is computed: missing libraries are reported at once,
-    and the digests are those of the files as they were read.
+    Call it after the files are read and before anything is computed: missing libraries are then reported at once, and
+    the digests are those of the files as they were read.
 
     Raises MissingExtraError if the libraries for reports are missing.
     """
@@ -33,22 +33,22 @@ def sources_of(report: Path | None, inputs: Mapping[str, Path | None]) -> Sequen
 
 
 def report_file(report: Path | None, page: Callable[[], str]) -> ResultFile:
-    """Return the report as a file of the results; a pipe is not announced."""
+    """Return the report as a file to write; it is not announced if it is a pipe."""
 
-    def lines(file: Path) -> list[str]:
+    def messages(file: Path) -> list[str]:
         return [f"\nwrote {file}"] if file.is_file() else []
 
-    def drawn() -> str:
+    def draw_page() -> str:
         say("drawing the report")
         return page()
 
-    return ResultFile(report, drawn, lines)
+    return ResultFile(report, draw_page, messages)
 
 
 def page_of(
     result: Diagnosis | Comparison, robot: Robot, data: Measurements, sources: Sequence[Source]
 ) -> str:
-    """Return the page of a result of measurements."""
+    """Return the page of a diagnosis or comparison."""
     from pkmodes.pages.report import report, view_of_result
 
     view = view_of_result(result, robot, data)

@@ -14,7 +14,7 @@ from pkmodes.core.robot.declaration import changeable
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
 
-#: A density and an area, each a number with its unit; a power such as m**2 is no product.
+#: A density times an area, each a number with its unit; the ** of a power such as m**2 is not taken for a product.
 DENSITY_AND_AREA = re.compile(r"(.*[^*\s])\s*\*\s*([\d.][^*]*(?:\*\*[^*]*)?)")
 HEIGHT_EXAMPLE = 'write --height 0:200mm, or density * area: --height "1.24 g/cm^3 * 40 cm^2"'
 
@@ -92,10 +92,12 @@ def _mass_per_height(text: str) -> float:
     problem = f"expected two heights, or a density times an area, found {shown(text)}"
     if len(parts) != 2 or not all(part is not None and part[2] for part in parts):
         raise PkmodesError(problem, "--height", HEIGHT_EXAMPLE)
-    (first, of_first), (second, of_second) = ((part[1], part[2]) for part in parts if part is not None)
+    (first_number, first_unit), (second_number, second_unit) = (
+        (part[1], part[2]) for part in parts if part is not None
+    )
     try:
-        number = float(first) * float(second)
-        linear_density = parse(f"{number!r} ({of_first})*({of_second})", "linear density")
+        number = float(first_number) * float(second_number)
+        linear_density = parse(f"{number!r} ({first_unit})*({second_unit})", "linear density")
     except QuantityError:
         raise PkmodesError(problem, "--height", HEIGHT_EXAMPLE) from None
     if not linear_density > 0.0:

@@ -21,12 +21,12 @@ if TYPE_CHECKING:
 
 
 #: Settings of an operating point.
-SettingsOf = Annotated[
+SettingsField = Annotated[
     dict[str, float],
     Meta(description="Values of --set there, by path, in SI units; present only with --set."),
 ]
 #: Lines by version of the firmware, beside those for the current versions.
-VersionsOf = Annotated[
+VersionLinesField = Annotated[
     list[VersionLines],
     Meta(
         description="The same with the versions for which they are, and those for others where they differ."
@@ -40,7 +40,7 @@ class UnshapedDocument(Document, frozen=True, omit_defaults=True):
     rms: Annotated[Size, Meta(description="Root mean square over the poses [s^2].")]
     worst: Annotated[Size, Meta(description="Largest value [s^2].")]
     pose: Annotated[list[float], Meta(description="Where it is largest, in SI units.")]
-    settings: SettingsOf = msgspec.field(name="set", default_factory=dict)
+    settings: SettingsField = msgspec.field(name="set", default_factory=dict)
 
 
 class LeftDocument(Document, frozen=True, omit_defaults=True):
@@ -55,7 +55,7 @@ class LeftDocument(Document, frozen=True, omit_defaults=True):
             description="rms with frequencies spread by the standard deviations of the robot file; null without any."
         ),
     ]
-    settings: SettingsOf = msgspec.field(name="set", default_factory=dict)
+    settings: SettingsField = msgspec.field(name="set", default_factory=dict)
 
 
 class CandidateDocument(Document, frozen=True):
@@ -151,7 +151,7 @@ class ScheduleDocument(Document, frozen=True):
             "firmware lacks one of the shapers."
         ),
     ]
-    firmware_versions: VersionsOf
+    firmware_versions: VersionLinesField
 
 
 class SpectrumDocument(Document, frozen=True):
@@ -170,22 +170,22 @@ class SpectrumDocument(Document, frozen=True):
     ]
 
     @classmethod
-    def seen(cls, spectrum: MeasuredSpectrum | None, choice: Choice) -> tuple[Self | None, list[str]]:
-        """Return the document of a spectrum, and what is to be said of it; nothing without one."""
+    def with_notes(cls, spectrum: MeasuredSpectrum | None, choice: Choice) -> tuple[Self | None, list[str]]:
+        """Return the document of a spectrum, and notes on it; None and no notes without a spectrum."""
         if spectrum is None:
             return None, []
         from pkmodes.machine.shaping.residual_vibration import residual
 
         best = choice.candidates[choice.recommended]
         peak, at_mode = spectrum.highest_peak(choice.ringing.frequencies)
-        share = float(residual(best.shaper, peak, best.damping_ratio))
-        missing = (
+        left_fraction = float(residual(best.shaper, peak, best.damping_ratio))
+        missing_mode_note = (
             f"the highest peak of the spectrum, at {peak:.4g} Hz, is at none of the modes: a mode may be missing "
-            f"or wrong; the recommended shaper leaves {plain(100.0 * share, 2)} % of a mode there"
+            f"or wrong; the recommended shaper leaves {plain(100.0 * left_fraction, 2)} % of a mode there"
         )
-        return cls(file=spectrum.source, peak_hz=peak, at_mode=at_mode, left=share), [] if at_mode else [
-            missing
-        ]
+        return cls(
+            file=spectrum.source, peak_hz=peak, at_mode=at_mode, left=left_fraction
+        ), [] if at_mode else [missing_mode_note]
 
 
 class ShaperDocument(Document, frozen=True):
@@ -208,7 +208,7 @@ class ShaperDocument(Document, frozen=True):
             description="Lines for the current klipper, marlin and reprapfirmware; null where it has no such shaper."
         ),
     ]
-    firmware_versions: VersionsOf
+    firmware_versions: VersionLinesField
     schedule: Annotated[
         ScheduleDocument | None,
         Meta(description="The shaper of each setting; null unless --set gives several values."),
@@ -269,7 +269,7 @@ class MeasuredShaperDocument(Document, frozen=True):
             description="Lines for the current klipper, marlin and reprapfirmware; null where it has no such shaper."
         ),
     ]
-    firmware_versions: VersionsOf
+    firmware_versions: VersionLinesField
     notes: Annotated[list[str], Meta(description="What the reader should know.")]
 
 
@@ -279,14 +279,14 @@ def shaper_document(model: Model, choice: Choice, spectrum: MeasuredSpectrum | N
     from pkmodes.machine.shaping.remarks import firmware_remarks
 
     best = choice.candidates[choice.recommended]
-    spectrum_part, spectrum_notes = SpectrumDocument.seen(spectrum, choice)
+    spectrum_part, spectrum_notes = SpectrumDocument.with_notes(spectrum, choice)
     no_design = dict.fromkeys(("frequencies_hz", "damping_ratios", "amplitudes", "delays_s"))
     shapers = [
         CandidateDocument.of(
             candidate,
-            **(no_design if candidate.follows_pose else _design(candidate)),
+            **(no_design if candidate.follows_pose else _design_fields(candidate)),
             duration_s=candidate.duration,
-            left=_left(candidate.left),
+            left=_left_document(candidate.left),
         )
         for candidate in choice.candidates
     ]
@@ -295,18 +295,18 @@ def shaper_document(model: Model, choice: Choice, spectrum: MeasuredSpectrum | N
         drives=cast("Drives", choice.ringing.drives),
         poses=len(choice.ringing.poses),
         modes=choice.ringing.frequencies.shape[1],
-        unshaped=UnshapedDocument.of(choice.unshaped, settings=_settings(choice.unshaped)),
+        unshaped=UnshapedDocument.of(choice.unshaped, settings=_setting_values(choice.unshaped)),
         shapers=shapers,
         recommended=choice.recommended,
         spectrum=spectrum_part,
         firmware=lines_of(best),
         firmware_versions=lines_by_version(choice),
-        schedule=None if choice.schedule is None else _schedule(choice, choice.schedule),
+        schedule=None if choice.schedule is None else _schedule_document(choice, choice.schedule),
         notes=[*choice.notes, *firmware_remarks(choice), *spectrum_notes],
     )
 
 
-def _schedule(choice: Choice, schedule: Schedule) -> ScheduleDocument:
+def _schedule_document(choice: Choice, schedule: Schedule) -> ScheduleDocument:
     from pkmodes.machine.shaping.results import command_of
 
     steps = [
@@ -316,10 +316,10 @@ def _schedule(choice: Choice, schedule: Schedule) -> ScheduleDocument:
             heights_m=None if step.heights is None else list(step.heights),
             poses=len(step.choice.ringing.poses),
             kind=step.best.kind,
-            **_design(step.best),
+            **_design_fields(step.best),
             duration_s=step.best.duration,
             rounding_s2=step.best.rounding,
-            left=_left(step.best.left),
+            left=_left_document(step.best.left),
             left_at_ends=step.at_ends,
             left_by_fixed=step.fixed,
             firmware=command_of(step.best),
@@ -328,22 +328,22 @@ def _schedule(choice: Choice, schedule: Schedule) -> ScheduleDocument:
     ]
     return ScheduleDocument(
         units=dict(schedule.steps[0].setting.units),
-        left=_left(schedule.left),
+        left=_left_document(schedule.left),
         steps=steps,
         firmware=schedule.lines(),
         firmware_versions=schedule_lines_by_version(choice, schedule),
     )
 
 
-def _settings(amplitude: Amplitude) -> dict[str, float]:
+def _setting_values(amplitude: Amplitude) -> dict[str, float]:
     return {} if amplitude.setting is None else dict(amplitude.setting.values)
 
 
-def _left(amplitude: Amplitude) -> LeftDocument:
-    return LeftDocument.of(amplitude, settings=_settings(amplitude))
+def _left_document(amplitude: Amplitude) -> LeftDocument:
+    return LeftDocument.of(amplitude, settings=_setting_values(amplitude))
 
 
-def _design(candidate: Candidate) -> dict[str, list[float]]:
+def _design_fields(candidate: Candidate) -> dict[str, list[float]]:
     return {
         "frequencies_hz": list(candidate.frequencies),
         "damping_ratios": [candidate.damping_ratio] * len(candidate.frequencies),
@@ -357,22 +357,22 @@ def measured_document(choice: Choice, spectrum: MeasuredSpectrum | None) -> Meas
     from pkmodes.machine.shaping.choice import lines_of
     from pkmodes.machine.shaping.remarks import firmware_remarks
 
-    at = of_measured(choice)
-    data, best = at.data, choice.candidates[choice.recommended]
-    spectrum_part, spectrum_notes = SpectrumDocument.seen(spectrum, choice)
+    measured = of_measured(choice)
+    data, best = measured.data, choice.candidates[choice.recommended]
+    spectrum_part, spectrum_notes = SpectrumDocument.with_notes(spectrum, choice)
     shapers = []
     for candidate in choice.candidates:
         shapers.append(
             MeasuredCandidateDocument(
                 kind=candidate.kind,
-                **_design(candidate),
+                **_design_fields(candidate),
                 duration_s=candidate.duration,
                 rounding_s2=candidate.rounding,
-                left=at.shares(candidate),
+                left=measured.shares(candidate),
             )
         )
     modes = []
-    for row, share, largest_share in zip(at.rows, *at.left_of(best), strict=True):
+    for row, left_fraction, largest_fraction in zip(measured.rows, *measured.left_of(best), strict=True):
         has_damping = np.isfinite(data.damping[row])
         modes.append(
             MeasuredModeDocument(
@@ -380,16 +380,16 @@ def measured_document(choice: Choice, spectrum: MeasuredSpectrum | None) -> Meas
                 line=int(data.lines[row]),
                 frequency_hz=float(data.frequency[row]),
                 sigma_hz=float(data.sigma[row]),
-                damping_ratio=float(data.damping[row]) if has_damping else at.assumed,
-                left=float(share),
-                left_uncertain=float(largest_share),
+                damping_ratio=float(data.damping[row]) if has_damping else measured.assumed,
+                left=float(left_fraction),
+                left_uncertain=float(largest_fraction),
             )
         )
     return MeasuredShaperDocument(
         measured=data.source,
-        drives=cast("Drives", at.drives),
-        poses=len(np.unique(data.pose[at.rows])),
-        modes=len(at.rows),
+        drives=cast("Drives", measured.drives),
+        poses=len(np.unique(data.pose[measured.rows])),
+        modes=len(measured.rows),
         shapers=shapers,
         recommended=choice.recommended,
         measured_modes=modes,

@@ -33,8 +33,8 @@ from pkmodes.core.support.replacing import check_replaced, holds
 if TYPE_CHECKING:
     from pkmodes.core.robot.robot import Robot
 
-VARY = "--vary"
-EXAMPLE = f"for example: {VARY} platform.mass=0.5:3,effects.payload.mass=0:2"
+VARY_OPTION = "--vary"
+VARY_EXAMPLE = f"for example: {VARY_OPTION} platform.mass=0.5:3,effects.payload.mass=0:2"
 
 
 class ShowDocument(Document, frozen=True):
@@ -69,7 +69,7 @@ class ShowDocument(Document, frozen=True):
     help="Vibration mode of FILE.gif, by default 1.",
 )
 @click.option(
-    VARY,
+    VARY_OPTION,
     "vary",
     metavar="PATH=START:STOP,...",
     help="Sliders for up to three parameters or effects instead of the pose, which stays at --pose: start:stop, "
@@ -98,26 +98,26 @@ def show(
     from pkmodes.pages.view import scene as scene_of
     from pkmodes.pages.view.page import PAGE_MARK
 
-    target = f"{robot.stem}.html" if out is None else out
-    check_targets(json_file, [robot], Target("--out", target, "the page", (".html", ".gif")))
+    output_name = f"{robot.stem}.html" if out is None else out
+    check_targets(json_file, [robot], Target("--out", output_name, "the page", (".html", ".gif")))
     if out is None:
         problem = "the file exists, and is not a page of pkmodes show"
         remedy = "name the page with --out FILE.html, or replace what is there with --overwrite"
-        check_replaced([Path(target)], "--out", overwrite, holds(PAGE_MARK), what=problem, remedy=remedy)
-    moving = Path(target).suffix.lower() == ".gif"
-    if mode is not None and not moving:
+        check_replaced([Path(output_name)], "--out", overwrite, holds(PAGE_MARK), what=problem, remedy=remedy)
+    is_gif = Path(output_name).suffix.lower() == ".gif"
+    if mode is not None and not is_gif:
         remedy = "choose the mode on the page, or name FILE.gif"
         raise PkmodesError("only a moving picture has one mode", f"--mode {mode}", remedy)
-    if vary is not None and moving:
-        raise PkmodesError("a moving picture has no sliders", VARY, "name FILE.html")
+    if vary is not None and is_gif:
+        raise PkmodesError("a moving picture has no sliders", VARY_OPTION, "name FILE.html")
     model = load(robot)
     ranges = None if vary is None else parse_vary(vary, model.robot)
-    point = typical_pose(model).tolist() if pose is None else pose_of(model, pose)
-    say("drawing the moving picture" if moving else "computing the modes over the workspace")
-    if moving:
+    shown_pose = typical_pose(model).tolist() if pose is None else pose_of(model, pose)
+    say("drawing the moving picture" if is_gif else "computing the modes over the workspace")
+    if is_gif:
         from pkmodes.pages.plots.animation import animation
 
-        scene, mode = scene_of(model, point, drives=drives), mode or 1
+        scene, mode = scene_of(model, shown_pose, drives=drives), mode or 1
         if scene.rigid_modes + mode > scene.shapes.shape[1]:
             highest_mode = scene.shapes.shape[1] - scene.rigid_modes
             raise PkmodesError(
@@ -125,55 +125,57 @@ def show(
             )
         content: str | bytes = animation(scene, scene.rigid_modes + mode - 1)
     elif ranges is not None:
-        with errors_name_options(values=VARY):
-            content = page(varied(model, point, ranges, drives=drives))
+        with errors_name_options(values=VARY_OPTION):
+            content = page(varied(model, shown_pose, ranges, drives=drives))
     else:
-        content = page(poses_around(model, point, drives=drives))
-    document = ShowDocument(robot=str(robot), out=target, pose=point)
-    lines = () if json_file == "-" else (target,)
+        content = page(poses_around(model, shown_pose, drives=drives))
+    document = ShowDocument(robot=str(robot), out=output_name, pose=shown_pose)
+    lines = () if json_file == "-" else (output_name,)
     deliver(
         json_file,
         document.as_json(),
         lambda: None,
-        ResultFile(Path(target), lambda: content, lambda _: lines),
+        ResultFile(Path(output_name), lambda: content, lambda _: lines),
     )
 
 
 def parse_vary(text: str, robot: Robot) -> dict[str, NDArray[np.float64]]:
     """Read the ranges of the option.
 
-    - robot: it says which paths there are, and their units
+    - robot: defines the paths and their units
 
     Returns values in SI units by path, in the order given.
     Raises PkmodesError if a path is unknown or repeated, a range is invalid, or there are too many.
     """
     from pkmodes.core.robot.declaration import changeable
     from pkmodes.machine.maps.ranges import parse_range
-    from pkmodes.pages.view.varying import COUNTS, PARAMETERS
+    from pkmodes.pages.view.varying import DEFAULT_COUNTS, MAX_PARAMETERS
 
     parts = [part.strip() for part in text.split(",")]
-    if len(parts) > PARAMETERS:
-        problem = f"expected at most {PARAMETERS} parameters, found {len(parts)}"
-        raise PkmodesError(problem, VARY, "vary the others on another page")
+    if len(parts) > MAX_PARAMETERS:
+        problem = f"expected at most {MAX_PARAMETERS} parameters, found {len(parts)}"
+        raise PkmodesError(problem, VARY_OPTION, "vary the others on another page")
     units, ranges = changeable(robot), dict[str, NDArray[np.float64]]()
     for part in parts:
-        path, equals, span = (piece.strip() for piece in part.partition("="))
-        if not equals or not path or not span:
-            raise PkmodesError(f"expected PATH=START:STOP, found {shown(part)}", VARY, EXAMPLE)
+        path, equals, range_text = (piece.strip() for piece in part.partition("="))
+        if not equals or not path or not range_text:
+            raise PkmodesError(f"expected PATH=START:STOP, found {shown(part)}", VARY_OPTION, VARY_EXAMPLE)
         if path not in units:
             remedy = nearest_name(path, units, "see docs/reference/parameter-paths.md for the paths")
-            raise PkmodesError(f"unknown parameter path {shown(path)}", VARY, remedy)
+            raise PkmodesError(f"unknown parameter path {shown(path)}", VARY_OPTION, remedy)
         if path in ranges:
-            raise PkmodesError(f"{path} is given twice", VARY, "give its range once")
-        if span.count(":") not in (1, 2):
-            problem = f"expected start:stop or start:stop:count, found {shown(span)}"
-            raise PkmodesError(problem, f"{VARY} {path}", EXAMPLE)
-        start, stop, *count = (piece.strip() for piece in span.split(":"))
+            raise PkmodesError(f"{path} is given twice", VARY_OPTION, "give its range once")
+        if range_text.count(":") not in (1, 2):
+            problem = f"expected start:stop or start:stop:count, found {shown(range_text)}"
+            raise PkmodesError(problem, f"{VARY_OPTION} {path}", VARY_EXAMPLE)
+        start, stop, *count = (piece.strip() for piece in range_text.split(":"))
         if start == stop or count == ["1"]:
-            problem = f"a slider needs several values, found {shown(span)}"
+            problem = f"a slider needs several values, found {shown(range_text)}"
             raise PkmodesError(
-                problem, f"{VARY} {path}", "give two different ends and a count of at least 2, or none"
+                problem, f"{VARY_OPTION} {path}", "give two different ends and a count of at least 2, or none"
             )
-        whole = span if span.count(":") == 2 else f"{span}:{COUNTS[len(parts)]}"
-        ranges[path] = parse_range(whole, units[path], f"{VARY} {path}")
+        full_range = (
+            range_text if range_text.count(":") == 2 else f"{range_text}:{DEFAULT_COUNTS[len(parts)]}"
+        )
+        ranges[path] = parse_range(full_range, units[path], f"{VARY_OPTION} {path}")
     return ranges

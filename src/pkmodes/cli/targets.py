@@ -1,4 +1,4 @@
-"""The files that a command writes, refused before anything is computed if they cannot or must not be written."""
+"""The files that a command writes: checked before anything is computed, and refused if they must not be written."""
 
 from __future__ import annotations
 
@@ -40,12 +40,12 @@ def check_targets(json_file: str | None, inputs: Sequence[Path | None], *other_t
 
     - inputs: files that the command reads; None for an option that is not given
 
-    Raises OutputError if one of them cannot be written, is an input, or is the same file as another, or a page is not
-    named as one.
+    Raises OutputError if one of them cannot be written, is an input, is the same file as another, or has a wrong
+    ending.
     """
-    result = Target("--json", None if json_file == "-" else json_file, "the result")
-    taken: dict[Path, str] = {}
-    for targets in ([result], other_targets):  # of several mistakes, that of --json is reported first
+    json_target = Target("--json", None if json_file == "-" else json_file, "the result")
+    labels_by_path: dict[Path, str] = {}
+    for targets in ([json_target], other_targets):  # of several mistakes, that of --json is reported first
         for target in targets:
             if target.file is not None and not target.anywhere:
                 _check_place("" if target.file == Path() else str(target.file), target.option)
@@ -53,15 +53,15 @@ def check_targets(json_file: str | None, inputs: Sequence[Path | None], *other_t
             if target.file is None:
                 continue
             path = Path(str(target.file))
-            real = resolved(path, target.option)
+            resolved_path = resolved(path, target.option)
             where = f"{target.option} {target.file if target.option == '--json' else path}"
-            if real in taken:
-                problem = f"{taken[real]} and {target.label} would be the same file"
+            if resolved_path in labels_by_path:
+                problem = f"{labels_by_path[resolved_path]} and {target.label} would be the same file"
                 raise OutputError(problem, where, "choose another file")
             existing = (source for source in inputs if source and source.exists() and path.exists())
             if any(source.samefile(path) for source in existing):
                 raise OutputError(f"{target.label} would replace its own input", where, "choose another file")
-            taken[real] = target.label
+            labels_by_path[resolved_path] = target.label
     for target in other_targets:
         if target.file is not None and target.endings:
             _check_ending(target, Path(target.file))
@@ -83,10 +83,10 @@ def _check_place(file: str, option: str) -> None:
 
 
 def _check_ending(target: Target, path: Path) -> None:
-    """Reject a name that no program would open as what it is; a pipe or a device may have any name."""
-    special = path.exists() and not path.is_file()
-    also = (".htm",) if ".html" in target.endings else ()
-    if not special and path.suffix.lower() not in (*also, *target.endings):
+    """Reject a name whose ending does not fit the contents; a pipe or a device may have any name."""
+    is_device = path.exists() and not path.is_file()
+    alternative_endings = (".htm",) if ".html" in target.endings else ()
+    if not is_device and path.suffix.lower() not in (*alternative_endings, *target.endings):
         problem = f"expected a name that ends in {' or '.join(target.endings)}, found {shown(path.name)}"
         shown_name = target.file if isinstance(target.file, Path) else shown(target.file)
         raise OutputError(

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from rich.console import Console
 
-from pkmodes.cli.layout import INDENT, Shown, lines_of, typed, wrapped
+from pkmodes.cli.layout import INDENT, Shown, lines_of, terminal_text, wrap_sentence
 from pkmodes.core.base.errors import printable
 from pkmodes.pages.report.blocks import Facts, Paragraph, Summary
 
-#: Sentences are never wrapped to lines shorter than this.
-NARROWEST = 40
+#: Minimum number of characters to which sentences are wrapped.
+MIN_WIDTH = 40
 #: Characters in a line where the width is unknown.
-UNKNOWN = 80
+DEFAULT_WIDTH = 80
 
 
 class Terminal:
@@ -22,9 +22,9 @@ class Terminal:
     """
 
     def __init__(self) -> None:
-        # Rich says 80 where standard output is not a terminal.  COLUMNS=0 says that the width is not known; on a
+        # Rich assumes 80 where standard output is not a terminal.  COLUMNS=0 means that the width is unknown; on a
         # console of that width Rich prints nothing at all.
-        self._width = max(Console().width or UNKNOWN, NARROWEST)
+        self._width = max(Console().width or DEFAULT_WIDTH, MIN_WIDTH)
         self._console = Console(highlight=False, markup=False, emoji=False, width=self._width)
 
     def heading(self, text: str) -> None:
@@ -38,20 +38,20 @@ class Terminal:
 
     def wrapped(self, text: str, indent: str = "") -> list[str]:
         """Return the lines of a sentence."""
-        return wrapped(text, self._width, indent)
+        return wrap_sentence(text, self._width, indent)
 
     def summary(self, summary: Summary) -> None:
         """Print the head of a result; `notes` ends it."""
-        self.line(f"{summary.subject}: {typed(summary.headline)}")
+        self.line(f"{summary.subject}: {terminal_text(summary.headline)}")
         if summary.reason:
-            self.line(typed(summary.reason), INDENT)
+            self.line(terminal_text(summary.reason), INDENT)
         self.block(Facts([(name, [cell]) for name, cell in summary.facts]))
 
     def notes(self, summary: Summary) -> None:
         """Print what the reader should know."""
         for note in summary.notes:
             self.line()
-            self.line(f"note: {typed(note)}")
+            self.line(f"note: {terminal_text(note)}")
 
     def result(self, head: Summary, *blocks: Shown) -> None:
         """Print a result: its head, blocks, and notes."""
@@ -60,7 +60,7 @@ class Terminal:
         self.notes(head)
 
     def show(self, *blocks: Shown) -> None:
-        """Print blocks of a result as on its page, with an empty line before each but what a sentence announces."""
+        """Print blocks as on the page of a result, each after an empty line except after a paragraph ending in :."""
         announced = False
         for block in blocks:
             if not announced:

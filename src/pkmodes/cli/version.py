@@ -1,4 +1,4 @@
-"""``pkmodes --version``; with ``--verbose`` what a report of a problem should have."""
+"""``pkmodes --version``; with ``--verbose`` what a bug report should state."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ from pkmodes.core.compiled import build, loader
 from pkmodes.core.mechanism import registry
 from pkmodes.core.solve.backends import AUTO, chosen
 
-#: Vectors of a library, by the processor's architecture and their length.
-INSTRUCTIONS = {
+#: Instruction sets of a compiled library, by the processor's architecture and the length of the vectors.
+INSTRUCTION_SETS = {
     ("x86_64", 8): "AVX-512",
     ("x86_64", 4): "AVX2",
     ("x86_64", 2): "SSE2",
@@ -27,7 +27,7 @@ INSTRUCTIONS = {
 }
 
 #: Extras for development: no result of a user depends on them.
-FOR_DEVELOPERS = ("test", "dev", "docs", "benchmark")
+DEVELOPER_EXTRAS = ("test", "dev", "docs", "benchmark")
 
 
 def print_version(ctx: click.Context, _: click.Parameter, requested: bool) -> None:
@@ -38,13 +38,13 @@ def print_version(ctx: click.Context, _: click.Parameter, requested: bool) -> No
         return
     echo(f"pkmodes {VERSION}")
     if ctx.params.get("verbose"):
-        for name, text in facts():
+        for name, text in version_facts():
             echo(f"{name}: {text}")
     ctx.exit()
 
 
-def facts() -> Iterator[tuple[str, str]]:
-    """Yield what the results and their speed may depend on: name and value."""
+def version_facts() -> Iterator[tuple[str, str]]:
+    """Yield name and value of what results and their speed may depend on."""
     yield "Python", f"{platform.python_version()} ({sys.executable})"
     yield "system", f"{platform.system()} {platform.release()}, {build.machine()}"
     yield from _libraries()
@@ -57,7 +57,7 @@ def facts() -> Iterator[tuple[str, str]]:
         library = loader.present(registry.mechanism(name).package, name)
         text = "no library; it is built at first use where there is a C compiler"
         if library is not None:
-            instructions = INSTRUCTIONS.get((build.machine(), library.width), "")
+            instructions = INSTRUCTION_SETS.get((build.machine(), library.width), "")
             vectors = f" ({instructions})" if instructions else ""
             text = f"{library.width} poses at once{vectors}, {library.path}"
         yield f"compiled {name}", text
@@ -72,19 +72,21 @@ def facts() -> Iterator[tuple[str, str]]:
 def _libraries() -> Iterator[tuple[str, str]]:
     """Yield the versions of all libraries that pkmodes uses, those of its extras for users among them."""
     core, extras = dict[str, str](), dict[str, str]()
-    for required in metadata.requires("pkmodes") or ():
-        if any(f"'{extra}'" in required for extra in FOR_DEVELOPERS):
+    for requirement in metadata.requires("pkmodes") or ():
+        if any(f"'{extra}'" in requirement for extra in DEVELOPER_EXTRAS):
             continue
-        name = re.split(r"[ ;<>=!~\[]", required, maxsplit=1)[0]
+        name = re.split(r"[ ;<>=!~\[]", requirement, maxsplit=1)[0]
         if name != "pkmodes":
             try:
                 version = metadata.version(name)
             except metadata.PackageNotFoundError:
                 version = ""
-            (extras if "extra ==" in required else core)[name] = version
+            (extras if "extra ==" in requirement else core)[name] = version
     yield from ((name, version or "not installed") for name, version in core.items())
-    present = [f"{name} {version}" for name, version in extras.items() if version and name not in core]
-    yield "of the extras", ", ".join(present) or "none"
+    installed_extras = [
+        f"{name} {version}" for name, version in extras.items() if version and name not in core
+    ]
+    yield "of the extras", ", ".join(installed_extras) or "none"
 
 
 def _version_of(cc: tuple[str, ...]) -> str:

@@ -12,7 +12,12 @@ import pytest
 import pkmodes
 from helpers.robots.one_of_each import POSES
 from pkmodes.pages.view import poses_around
-from pkmodes.pages.view.interpolation import FINE, interpolation_errors, largest_around, mean_frequency
+from pkmodes.pages.view.interpolation import (
+    SLIDER_STEPS,
+    interpolation_errors,
+    largest_around,
+    mean_frequency,
+)
 from pkmodes.pages.view.pairing import paired_modes
 
 ROBOTS = Path(__file__).parents[3] / "robots"
@@ -93,8 +98,8 @@ def test_points_beside_the_middle_are_checked_too() -> None:
 @pytest.mark.parametrize(
     ("name", "pose", "stops", "where", "typical"),
     [
-        ("corexy-printer", [0.1, 0.2], np.arange(1, FINE), "", 0.02),
-        ("clavel-delta", [0.0, 0.0, -0.55], np.arange(1, FINE), "", 0.02),
+        ("corexy-printer", [0.1, 0.2], np.arange(1, SLIDER_STEPS), "", 0.02),
+        ("clavel-delta", [0.0, 0.0, -0.55], np.arange(1, SLIDER_STEPS), "", 0.02),
         # Three levels of each of six components are few.
         ("hexapod", POSES["hexapod"], np.array([2, 5, 8]), "at three stops in nine of each slider", 0.05),
     ],
@@ -119,7 +124,7 @@ def test_a_scene_tells_how_far_its_interpolation_is_off(
     ]
     corners = np.array(list(product(*ends)))
     at_corners, off = model.frequencies(corners)[:, rigid:], []
-    for parts in product(*(stops / FINE if spanned else [0.0] for spanned in spans)):
+    for parts in product(*(stops / SLIDER_STEPS if spanned else [0.0] for spanned in spans)):
         shares = [(1.0 - t, t) if spanned else (1.0,) for t, spanned in zip(parts, spans, strict=True)]
         weights = np.array([np.prod(one) for one in product(*shares)])
         exact = model.frequencies(weights @ corners)[rigid:]

@@ -13,7 +13,7 @@ import pkmodes
 from helpers.pages.browser import opened
 from pkmodes.pages.view import Scene, page, scene
 from pkmodes.pages.view.measured_data import components, measured_data
-from pkmodes.pages.view.measured_modes import Channel, MeasuredMode, scale_factor, weights_of
+from pkmodes.pages.view.measured_modes import Channel, MeasuredMode, channel_weights, scale_factor
 
 ROBOTS = Path(__file__).parents[3] / "robots"
 POSES = [[0.6, 0.0, -0.245], [0.5, 0.05, -0.24]]
@@ -45,7 +45,7 @@ def test_the_factor_is_that_of_least_squares() -> None:
 
 
 def test_a_channel_that_moves_more_weighs_less_and_a_still_one_nothing() -> None:
-    np.testing.assert_allclose(weights_of(np.array([[3.0, 0.0, 1.0], [4.0, 0.0, 0.0]])), [0.2, 0.0, 1.0])
+    np.testing.assert_allclose(channel_weights(np.array([[3.0, 0.0, 1.0], [4.0, 0.0, 0.0]])), [0.2, 0.0, 1.0])
 
 
 def test_a_shape_of_another_scale_and_sign_lies_on_that_of_the_model() -> None:
@@ -82,7 +82,7 @@ def test_a_wrong_component_moves_all_by_the_factor_of_least_squares() -> None:
     assert found is not None
     (one,) = found["modes"]
     measured = np.array([NAN if v is None else v for v in one["measured"]])
-    model, weights = np.array(one["model"]), weights_of(components(seen, 1))
+    model, weights = np.array(one["model"]), channel_weights(components(seen, 1))
     factor = measured[0] / shape[0]
     known = np.isfinite(shape)
 

@@ -18,7 +18,7 @@ import pkmodes
 from helpers.pages.browser import Opened, opened
 from pkmodes.cli import run
 from pkmodes.pages.view import assets, fragment, page, poses_around, scene
-from pkmodes.pages.view.page_data import embedded
+from pkmodes.pages.view.page_data import script_json
 
 ROBOTS = Path(__file__).parents[3] / "robots"
 POSES = {
@@ -304,8 +304,8 @@ def test_a_hostile_name_is_only_text(tmp_path: Path) -> None:
         assert seen.page.locator("img").count() == 0
         assert seen.page.locator("select").input_value() == "0"
         clean(seen)
-    assert not set("<>&") & set(embedded({"name": name}))
-    assert json.loads(embedded({"name": name})) == {"name": name}
+    assert not set("<>&") & set(script_json({"name": name}))
+    assert json.loads(script_json({"name": name})) == {"name": name}
 
 
 def test_several_viewers_share_one_library(tmp_path: Path) -> None:

@@ -17,7 +17,7 @@ from helpers.pages.browser import Opened, opened
 from pkmodes.machine.maps.workspace import box_of
 from pkmodes.pages.view import page, poses_around, scene
 from pkmodes.pages.view.interpolation import mean_frequency
-from pkmodes.pages.view.page import FINE
+from pkmodes.pages.view.page import SLIDER_STEPS
 
 ROBOTS = Path(__file__).parents[3] / "robots"
 POSES = {"linear-delta-2022": [0.6, 0.0, -0.245], "corexy-printer": [0.1, 0.2]}
@@ -63,7 +63,7 @@ def numbers(seen: Opened, part: str) -> dict[tuple[str | None, ...], float]:
 
 def to_the_next_computed_pose(seen: Opened, axis: int) -> None:
     """Move a slider from one computed pose to the next by its keys."""
-    for _ in range(FINE):
+    for _ in range(SLIDER_STEPS):
         seen.page.locator('[data-part="level"]').nth(axis).press("ArrowRight")
     assert said(seen, "between") == "Computed for this pose."
 
@@ -212,7 +212,7 @@ def test_between_computed_poses_the_page_interpolates_and_says_so(seen: Opened) 
     """Half-way between two poses on the x axis: compliances of paired modes average, shapes keep their sign."""
     model = pkmodes.load(ROBOTS / "linear-delta-2022.toml")
     before = ask(seen, "viewer.state")
-    for _ in range(FINE // 2):
+    for _ in range(SLIDER_STEPS // 2):
         seen.page.locator('[data-part="level"]').nth(0).press("ArrowRight")
     found = ask(seen, "viewer.state")
     levels = ask(seen, "viewer.data.levels[0]")
@@ -225,7 +225,7 @@ def test_between_computed_poses_the_page_interpolates_and_says_so(seen: Opened) 
     assert found["frequencies"][3:] == pytest.approx(mean_frequency(ranked).tolist(), abs=2e-4)
     assert found["frequencies"] == sorted(found["frequencies"])
     assert said(seen, "title") == f"Mode 1: \u2248 {found['frequencies'][3]:.1f} Hz"
-    checked = np.arange(1, FINE) / FINE
+    checked = np.arange(1, SLIDER_STEPS) / SLIDER_STEPS
     values = [(1 - t) * levels[low] + t * levels[low + 1] for t in checked]
     exact = [model.frequencies([value, *before["pose"][1:]])[3:] for value in values]
     between = [mean_frequency(ranked, np.array([1 - t, t])) for t in checked]

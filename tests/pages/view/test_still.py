@@ -14,7 +14,7 @@ import pkmodes
 from helpers.pages.browser import opened
 from pkmodes.pages.view import page, scene
 from pkmodes.pages.view.projection import camera, rim
-from pkmodes.pages.view.still import DARK, LIGHT, WIDTH, on_scale, still
+from pkmodes.pages.view.still import DARK_SCALE, LIGHT_SCALE, WIDTH, scale_colour, still_svg
 
 ROBOTS = Path(__file__).parents[3] / "robots"
 POSES = {
@@ -27,7 +27,7 @@ POSES = {
 @pytest.mark.parametrize("name", POSES)
 def test_every_element_is_drawn_inside_the_picture(name: str) -> None:
     shown = scene(pkmodes.load(ROBOTS / f"{name}.toml"), POSES[name])
-    drawn = ElementTree.fromstring(still(shown))
+    drawn = ElementTree.fromstring(still_svg(shown))
     _, _, width, height = (float(v) for v in drawn.attrib["viewBox"].split())
     assert width == WIDTH
     lines = [e for e in shown.elements if e.shape == "line"]
@@ -48,7 +48,7 @@ def test_points_are_where_an_orthographic_camera_sees_them() -> None:
     view = camera(shown)
     np.testing.assert_allclose(view @ view.T, np.eye(3), atol=1e-15)
     lines = [e for e in shown.elements if e.shape == "line"]
-    ghosts = [one for one in ElementTree.fromstring(still(shown)) if one.get("class") == "ghost"]
+    ghosts = [one for one in ElementTree.fromstring(still_svg(shown)) if one.get("class") == "ghost"]
     ratios = []
     for element, ghost in zip(lines, ghosts, strict=True):
         ends = shown.points[0, [element.points[0], element.points[-1]]]
@@ -63,9 +63,11 @@ def test_points_are_where_an_orthographic_camera_sees_them() -> None:
 def test_the_colours_are_those_of_the_viewer() -> None:
     palette = (files("pkmodes.pages.view") / "browser" / "palette.js").read_text(encoding="utf-8")
     scales = [tuple(re.findall(r'"(#\w+)"', one)) for one in re.findall(r"scale: \[(.*?)\]", palette)]
-    assert scales == [LIGHT, DARK]
-    assert [on_scale(LIGHT, share) for share in (-1.0, 0.0, 1.0, 2.0)] == [LIGHT[0]] * 2 + [LIGHT[-1]] * 2
-    assert on_scale(("#000000", "#ffffff"), 0.2) == "#333333"
+    assert scales == [LIGHT_SCALE, DARK_SCALE]
+    assert [scale_colour(LIGHT_SCALE, share) for share in (-1.0, 0.0, 1.0, 2.0)] == [LIGHT_SCALE[0]] * 2 + [
+        LIGHT_SCALE[-1]
+    ] * 2
+    assert scale_colour(("#000000", "#ffffff"), 0.2) == "#333333"
 
 
 def test_a_rim_is_a_circle_about_the_axis_turned_by_the_angle() -> None:

@@ -66,7 +66,7 @@ def with_medians(dataset: xarray.Dataset) -> xarray.Dataset:
 
 
 def singularity_ratio(part: xarray.Dataset) -> xarray.DataArray:
-    """Return the ratio of poses of a map from `with_medians`, or a part of it, to the limit; near-singular above 1."""
+    """Return the ratio of poses of a map from `with_medians`, or a part, to the limit; near-singular above 1."""
     frequency = (part["frequency"] / (MEDIAN_FACTOR * abs(part[MEDIAN_VARIABLES[0]]))).max("mode")
     bound = (MEDIAN_FACTOR * part[MEDIAN_VARIABLES[1]]).clip(min=CONDITION_LIMIT)
     condition = part["condition"] / bound

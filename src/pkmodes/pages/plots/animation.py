@@ -46,33 +46,36 @@ def animation(scene: Scene, mode: int | None = None, amplitude: float = AMPLITUD
     mode = scene.rigid_modes if mode is None else mode
     frames = scene.frames(mode=mode, count=FRAMES, amplitude=amplitude)
     view = camera(scene)
-    flat = frames @ view.T
-    low, high = flat[..., :2].reshape(-1, 2).min(axis=0), flat[..., :2].reshape(-1, 2).max(axis=0)
-    turned = _turned(scene, mode, amplitude)
+    view_frames = frames @ view.T
+    low, high = (
+        view_frames[..., :2].reshape(-1, 2).min(axis=0),
+        view_frames[..., :2].reshape(-1, 2).max(axis=0),
+    )
+    rotations = _turned(scene, mode, amplitude)
     hertz = scene.frequencies[scene.chosen, mode]
     title = f"{scene.robot}, mode {mode - scene.rigid_modes + 1}: {hertz:.1f} Hz"
     rest = scene.points[scene.chosen] @ view.T
-    room = 0.04 * float(np.max(high - low))
-    low, high = low - room, high + room
-    tall = float(np.clip(ACROSS * (high[1] - low[1]) / (high[0] - low[0]), LOWEST, HIGHEST))
+    margin = 0.04 * float(np.max(high - low))
+    low, high = low - margin, high + margin
+    height = float(np.clip(ACROSS * (high[1] - low[1]) / (high[0] - low[0]), LOWEST, HIGHEST))
     images = []
     with styled():
-        for k, points in enumerate(flat):
-            drawn = figure(tall + HEAD, ACROSS)
-            drawn.set_layout_engine("none")
-            axes = drawn.add_axes((0.0, 0.0, 1.0, tall / (tall + HEAD)))
+        for k, points in enumerate(view_frames):
+            frame_figure = figure(height + HEAD, ACROSS)
+            frame_figure.set_layout_engine("none")
+            axes = frame_figure.add_axes((0.0, 0.0, 1.0, height / (height + HEAD)))
             axes.set_axis_off()
             axes.set_aspect("equal")
             axes.set_xlim(low[0], high[0])
             axes.set_ylim(low[1], high[1])
             phase = np.sin(2.0 * np.pi * k / FRAMES)
             _ghost(axes, scene, rest)
-            _draw(axes, scene, points, mode, phase * turned)
-            drawn.text(0.02, 1.0 - 0.28 / (tall + HEAD), title, fontsize=14, fontweight="bold")
+            _draw(axes, scene, points, mode, phase * rotations)
+            frame_figure.text(0.02, 1.0 - 0.28 / (height + HEAD), title, fontsize=14, fontweight="bold")
             legend = "orange: the belts and other springs with most of the strain energy; pale: at rest"
-            drawn.text(0.02, 1.0 - 0.52 / (tall + HEAD), legend, fontsize=10.5)
+            frame_figure.text(0.02, 1.0 - 0.52 / (height + HEAD), legend, fontsize=10.5)
             target = BytesIO()
-            drawn.savefig(target, format="png", dpi=DOTS, facecolor="white")
+            frame_figure.savefig(target, format="png", dpi=DOTS, facecolor="white")
             images.append(Image.open(target).convert("RGB"))
     palette = images[0].quantize(COLOURS, dither=Image.Dither.NONE)
     indexed = [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
@@ -108,19 +111,19 @@ def _ghost(axes: Axes, scene: Scene, points: Array) -> None:
             axes.plot(*line, color=GHOST, linewidth=WIDTHS.get(element.kind, 2.5), solid_capstyle="round")
 
 
-def _draw(axes: Axes, scene: Scene, points: Array, mode: int, turned: Array) -> None:
+def _draw(axes: Axes, scene: Scene, points: Array, mode: int, rotations: Array) -> None:
     """Draw the elements from back to front."""
     shares = scene.shares[scene.chosen, mode]
     largest = float(np.nanmax(shares)) if np.isfinite(shares).any() else 1.0
     depths = [points[list(element.points), 2].mean() for element in scene.elements]
     for i in np.argsort(depths):
         element = scene.elements[int(i)]
-        line = outline(element, points, turned[i]).T
+        line = outline(element, points, rotations[i]).T
         if element.shape == "wheel":  # an ellipse with two spokes
             colour = _colour(element, shares, largest) if element.spring >= 0 else PALE
             axes.fill(*line, facecolor=colour, edgecolor=STEEL, linewidth=1.0)
-            for place in (0, 12) if line.shape[1] > 1 else ():
-                axes.plot(*line[:, [place, place + 24]], color=STEEL, linewidth=0.8)
+            for corner in (0, 12) if line.shape[1] > 1 else ():
+                axes.plot(*line[:, [corner, corner + 24]], color=STEEL, linewidth=0.8)
         elif element.shape == "plate":
             axes.fill(*line, facecolor=DARK, edgecolor=INK, linewidth=0.8, alpha=0.9)
         elif element.shape == "ball":

@@ -29,13 +29,13 @@ def relative_changes(plane: Plane, relative: Array) -> Drawing:
     - relative: frequency of the second robot over that of the first, minus 1, (along, across, modes); NaN where one
       of them has none
     """
-    high = scale_of(relative)
+    limit = scale_of(relative)
 
     def draw(sheet: Sheet) -> None:
         mesh: Any = None
         for mode, panel in mode_panels(sheet, plane, relative.shape[-1], scales="common"):
             values = 100.0 * relative[..., mode]
-            mesh = plane.draw(panel, values, vmin=-high, vmax=high, cmap=COLOURS)
+            mesh = plane.draw(panel, values, vmin=-limit, vmax=limit, cmap=COLOURS)
             finite = values[np.isfinite(values)]
             if len(finite) and finite.min() < 0.0 < finite.max():
                 x, y = plane.drawn(plane.across), plane.drawn(plane.along)

@@ -35,20 +35,20 @@ def matrix(values: Sequence[Corrected], correlation: Array) -> Drawing | None:
     count = min(len(values), MOST)
     if count < 2:
         return None
-    shown, places = correlation[:count, :count], np.arange(1.0, count + 1)
+    shown_correlation, cell_centres = correlation[:count, :count], np.arange(1.0, count + 1)
 
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(0.75 + 0.27 * count)
-        mesh = panel.cells(places, places, shown, cmap="PuOr", vmin=-1.0, vmax=1.0)
+        mesh = panel.cells(cell_centres, cell_centres, shown_correlation, cmap="PuOr", vmin=-1.0, vmax=1.0)
         names = [value.name.removeprefix("effects.") for value in values[:count]]
         longest = NARROW if sheet.narrow else LONGEST
         labels = [f"{short(name, longest)}  {k}" for k, name in enumerate(names, start=1)]
-        panel.name_places("y", places.tolist(), labels, names)
-        panel.name_places("x", places.tolist(), [str(k) for k in range(1, count + 1)], names)
+        panel.name_places("y", cell_centres.tolist(), labels, names)
+        panel.name_places("x", cell_centres.tolist(), [str(k) for k in range(1, count + 1)], names)
         panel.axes.invert_yaxis()
         panel.axes.grid(visible=False)
         panel.axes.tick_params(length=0)
-        for (i, k), value in np.ndenumerate(shown):
+        for (i, k), value in np.ndenumerate(shown_correlation):
             ink, text = ink_on(mesh.to_rgba(np.asarray(value))), typeset(f"{value:+.2f}") if i != k else "1"
             panel.axes.text(k + 1, i + 1, text, color=ink, ha="center", va="center", fontsize=7.5)
         sheet.scale(mesh, "correlation [1]", aspect=25)
@@ -71,9 +71,9 @@ def ellipse(sigma: tuple[float, float], correlation: float, probability: float) 
     from scipy.stats import chi2
 
     angle = np.linspace(0.0, 2.0 * np.pi, POINTS)
-    rest = max(1.0 - correlation**2, 0.0) ** 0.5
+    independent_part = max(1.0 - correlation**2, 0.0) ** 0.5
     circle = float(chi2.ppf(probability, 2)) ** 0.5 * np.stack([np.cos(angle), np.sin(angle)])
-    points: Array = np.diag(sigma) @ np.array([[1.0, 0.0], [correlation, rest]]) @ circle
+    points: Array = np.diag(sigma) @ np.array([[1.0, 0.0], [correlation, independent_part]]) @ circle
     return points
 
 
@@ -87,28 +87,40 @@ def ellipses(values: Sequence[Corrected], correlation: Array) -> Drawing | None:
         columns = min(2, len(pairs))
         groups = sheet.groups(len(pairs), columns, 2.8 * -(-len(pairs) // columns) + 0.3)
         for (i, k), (panel,) in zip(pairs, groups, strict=True):
-            two = values[i], values[k]
-            unit = [100.0 / abs(value.value) for value in two]
-            sigma = two[0].sigma * unit[0], two[1].sigma * unit[1]
-            for probability, form in INSIDE:
+            pair_values = values[i], values[k]
+            factors = [100.0 / abs(value.value) for value in pair_values]
+            sigma = pair_values[0].sigma * factors[0], pair_values[1].sigma * factors[1]
+            for probability, line_style in INSIDE:
                 x, y = ellipse(sigma, float(correlation[i, k]), probability)
-                panel.plot(x, y, form, color=BLUE, linewidth=1.4, label=f"{100 * probability:.0f}\u00a0%")
+                panel.plot(
+                    x, y, line_style, color=BLUE, linewidth=1.4, label=f"{100 * probability:.0f}\u00a0%"
+                )
             panel.plot([0.0], [0.0], "o", color=BLUE, markersize=4.0, label="fitted")
-            away = [(value.declared - value.value) * factor for value, factor in zip(two, unit, strict=True)]
-            if all(abs(a) <= NEAR * s for a, s in zip(away, sigma, strict=True)):
-                panel.plot(away[:1], away[1:], "x", color=VERMILLION, markersize=6.0, label="declared")
-            names = [short(value.name.removeprefix("effects."), LONGEST) for value in two]
+            declared_offset = [
+                (value.declared - value.value) * factor
+                for value, factor in zip(pair_values, factors, strict=True)
+            ]
+            if all(abs(a) <= NEAR * s for a, s in zip(declared_offset, sigma, strict=True)):
+                panel.plot(
+                    declared_offset[:1],
+                    declared_offset[1:],
+                    "x",
+                    color=VERMILLION,
+                    markersize=6.0,
+                    label="declared",
+                )
+            names = [short(value.name.removeprefix("effects."), LONGEST) for value in pair_values]
             panel.inner = set()
             panel.label(
                 f"correlation {typeset(f'{correlation[i, k]:+.2f}')}",
                 x=f"{names[0]} [%]",
                 y=f"{names[1]} [%]",
             )
-        drawn = {
-            name: handle
+        handles = {
+            name: legend_handle
             for (panel,) in groups
-            for handle, name in zip(*panel.axes.get_legend_handles_labels(), strict=True)
+            for legend_handle, name in zip(*panel.axes.get_legend_handles_labels(), strict=True)
         }
-        sheet.legend_of([*drawn.values()], [*drawn], loc="outside upper right", ncols=len(drawn))
+        sheet.legend_of([*handles.values()], [*handles], loc="outside upper right", ncols=len(handles))
 
     return Drawing(draw)

@@ -24,12 +24,14 @@ SIGMAS = "difference [\u03c3]"
 def by_mode(evidence: PlottedEvidence) -> Drawing:
     """Return the relative differences of each mode's setups, one panel for each stage, on one scale."""
     mode, stages = evidence.mode(), evidence.stages
-    place = mode + SPREAD * ((evidence.setup + 0.5) / len(evidence.labels) - 0.5)
+    position = mode + SPREAD * ((evidence.setup + 0.5) / len(evidence.labels) - 0.5)
     numbers, names = range(1, evidence.modes + 1), []
     for number in numbers:  # with their typical frequencies if there is room
-        of_mode = evidence.measured[mode == number]
+        mode_values = evidence.measured[mode == number]
         typical = (
-            f"\n{plain(np.median(of_mode), 3)} Hz" if len(of_mode) and evidence.modes <= MOST_NAMED else ""
+            f"\n{plain(np.median(mode_values), 3)} Hz"
+            if len(mode_values) and evidence.modes <= MOST_NAMED
+            else ""
         )
         names.append(f"{number}{typical}")
 
@@ -38,12 +40,12 @@ def by_mode(evidence: PlottedEvidence) -> Drawing:
         for panel, stage in zip(sheet.panels, stages, strict=True):
             percent = 100.0 * evidence.difference(stage)
             marks.draw_zero_line(panel)
-            marks.mark_rows(panel, evidence, np.where(mode > 0, place, np.nan), percent)
+            marks.mark_rows(panel, evidence, np.where(mode > 0, position, np.nan), percent)
             for number in numbers:
-                of_mode = percent[(mode == number) & ~evidence.outlier & np.isfinite(percent)]
-                if len(of_mode):
+                mode_values = percent[(mode == number) & ~evidence.outlier & np.isfinite(percent)]
+                if len(mode_values):
                     ends = np.array([[number - HALF, number + HALF]])
-                    panel.lines(ends, np.median(of_mode), color=INK, linewidth=1.2, zorder=2)
+                    panel.lines(ends, np.median(mode_values), color=INK, linewidth=1.2, zorder=2)
             panel.label(
                 f"Model {stage.title}",
                 x="mode of the model, with the median of its measured frequencies",
@@ -51,8 +53,8 @@ def by_mode(evidence: PlottedEvidence) -> Drawing:
             )
             panel.name_places("x", numbers, names)
             panel.axes.grid(visible=False, axis="x")
-        shown = 100.0 * np.hstack([evidence.difference(stage)[stage.paired] for stage in stages])
-        low, high = float(shown.min(initial=0.0)), float(shown.max(initial=0.0))
+        differences = 100.0 * np.hstack([evidence.difference(stage)[stage.paired] for stage in stages])
+        low, high = float(differences.min(initial=0.0)), float(differences.max(initial=0.0))
         panel.axes.set_ylim(low - MARGIN * (high - low), high + MARGIN * (high - low))
         panel.axes.set_xlim(0.45, evidence.modes + 0.55)
         marks.add_legend(sheet, sheet.panels[0])
@@ -98,8 +100,8 @@ def against_pose(evidence: PlottedEvidence) -> Drawing | None:
             stage, k = stages[row], varying[column]
             marks.shade_noise_band(panel, stage.predicted.sigmas)
             marks.draw_zero_line(panel)
-            place = evidence.points[evidence.setup, k]
-            marks.mark_rows(panel, evidence, place, stage.predicted.sigmas, size=12.0)
+            position = evidence.points[evidence.setup, k]
+            marks.mark_rows(panel, evidence, position, stage.predicted.sigmas, size=12.0)
             panel.axes.locator_params(axis="x", nbins=3)
             if column:  # the panels of a stage stand side by side
                 panel.inner.add("title")

@@ -37,41 +37,41 @@ def dominant(plane: Plane, paths: Sequence[str], relative: Array) -> Drawing | s
     from matplotlib.patches import Patch
 
     size = np.abs(relative)
-    reached = np.isfinite(size).all(axis=2)
-    first = np.where(reached, np.nan_to_num(size).argmax(axis=2), -1)
+    is_reachable = np.isfinite(size).all(axis=2)
+    strongest = np.where(is_reachable, np.nan_to_num(size).argmax(axis=2), -1)
     modes = relative.shape[-1]
-    if sentence := _one_each(paths, first):
+    if sentence := _one_each(paths, strongest):
         return sentence
-    counts = np.bincount(first[first >= 0], minlength=len(paths))
-    shown = [int(i) for i in np.argsort(-counts, kind="stable")[: len(COLOURS) - 1] if counts[i]]
-    place = np.full(len(paths) + 1, float(len(shown)))
-    place[shown] = range(len(shown))
-    place[-1] = np.nan
+    counts = np.bincount(strongest[strongest >= 0], minlength=len(paths))
+    shown_paths = [int(i) for i in np.argsort(-counts, kind="stable")[: len(COLOURS) - 1] if counts[i]]
+    colour_index = np.full(len(paths) + 1, float(len(shown_paths)))
+    colour_index[shown_paths] = range(len(shown_paths))
+    colour_index[-1] = np.nan
     *palette, rest_colour = COLOURS
-    used = [*palette[: len(shown)], rest_colour]
-    meanings = [f"{i + 1}  {paths[path]}" for i, path in enumerate(shown)]
-    names = [f"{i + 1}  {broken(paths[path])}" for i, path in enumerate(shown)]
-    several = counts.sum() > counts[shown].sum()
+    used_colours = [*palette[: len(shown_paths)], rest_colour]
+    meanings = [f"{i + 1}  {paths[path]}" for i, path in enumerate(shown_paths)]
+    names = [f"{i + 1}  {broken(paths[path])}" for i, path in enumerate(shown_paths)]
+    has_others = counts.sum() > counts[shown_paths].sum()
     x, y = plane.drawn(plane.across), plane.drawn(plane.along)
 
     def draw(sheet: Sheet) -> None:
-        colours = {"cmap": ListedColormap(used), "vmin": -0.5, "vmax": len(shown) + 0.5}
+        colours = {"cmap": ListedColormap(used_colours), "vmin": -0.5, "vmax": len(shown_paths) + 0.5}
         for mode, panel in mode_panels(sheet, plane, modes, below=0.9):
-            values = place[first[..., mode]]
+            values = colour_index[strongest[..., mode]]
             plane.draw(panel, values, meanings=[*meanings, ANOTHER], **colours)
-            for i in range(len(shown)):
+            for i in range(len(shown_paths)):
                 style: dict[str, Any] = {
-                    "color": ink_on(to_rgb(used[i])),
+                    "color": ink_on(to_rgb(used_colours[i])),
                     "ha": "center",
                     "va": "center",
                     "weight": "bold",
                 }
                 for row, column in middles(values == i):
                     panel.axes.text(x[column], y[row], str(i + 1), **style)
-        shades = [*used[: len(shown)], *([rest_colour] if several else [])]
+        shades = [*used_colours[: len(shown_paths)], *([rest_colour] if has_others else [])]
         sheet.legend_of(
             [Patch(facecolor=colour, edgecolor=FRAME) for colour in shades],
-            [*names, *([ANOTHER] if several else [])],
+            [*names, *([ANOTHER] if has_others else [])],
             below=True,
             loc="outside lower center",
             ncols=3,
@@ -84,9 +84,9 @@ def dominant(plane: Plane, paths: Sequence[str], relative: Array) -> Drawing | s
     return Drawing(draw)
 
 
-def _one_each(paths: Sequence[str], first: Array) -> str:
+def _one_each(paths: Sequence[str], strongest_paths: Array) -> str:
     """Return the parameter of each mode as a sentence; empty if a mode has several."""
-    strongest = [np.unique(indices[indices >= 0]) for indices in np.moveaxis(first, -1, 0)]
+    strongest = [np.unique(indices[indices >= 0]) for indices in np.moveaxis(strongest_paths, -1, 0)]
     if any(len(indices) != 1 for indices in strongest):
         return ""
     names = [paths[int(indices[0])] for indices in strongest]
@@ -109,9 +109,9 @@ def middles(inside: Array) -> Iterator[tuple[int, int]]:
         if depth.max(initial=0) <= ROOM:
             return
         deepest = np.argwhere(depth == depth.max())
-        place = deepest[int(np.argmin(np.abs(deepest - deepest.mean(axis=0)).sum(axis=1)))]
-        yield int(place[0]), int(place[1])
-        remaining &= ~_connected(remaining, place)
+        centre = deepest[int(np.argmin(np.abs(deepest - deepest.mean(axis=0)).sum(axis=1)))]
+        yield int(centre[0]), int(centre[1])
+        remaining &= ~_connected(remaining, centre)
 
 
 def _depth(inside: Array) -> Array:
@@ -124,10 +124,10 @@ def _depth(inside: Array) -> Array:
     return depth
 
 
-def _connected(inside: Array, place: Array) -> Array:
+def _connected(inside: Array, start: Array) -> Array:
     """Return the part of a region that is connected with a pose."""
     part = np.zeros_like(inside)
-    part[tuple(place)] = True
+    part[tuple(start)] = True
     while True:
         padded = np.pad(part, 1)
         grown = padded[2:, 1:-1] | padded[:-2, 1:-1] | padded[1:-1, 2:] | padded[1:-1, :-2]

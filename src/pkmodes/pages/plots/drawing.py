@@ -66,23 +66,23 @@ class Drawing:
         and values shown as colours seven; where there are tens of thousands, six and five.  Text never begins as a
         formula of a spreadsheet does.  Empty if nothing is drawn.
         """
-        shown = [(panel, series) for panel in self.wide.panels for series in panel.series]
-        coloured = sum(len(series.x) for _, series in shown if series.values is not None)
-        free = sum(len(series.x) for _, series in shown) - coloured
-        places = next((digits for count, digits in LONG if free > count), None)
-        values = DIGITS if coloured <= MANY else FEWER
-        tables = [_columns(panel, series, places, values) for panel, series in shown]
+        panel_series = [(panel, series) for panel in self.wide.panels for series in panel.series]
+        coloured_count = sum(len(series.x) for _, series in panel_series if series.values is not None)
+        point_count = sum(len(series.x) for _, series in panel_series) - coloured_count
+        coordinate_digits = next((digits for count, digits in LONG if point_count > count), None)
+        value_digits = DIGITS if coloured_count <= MANY else FEWER
+        tables = [_columns(panel, series, coordinate_digits, value_digits) for panel, series in panel_series]
         tables = [(count, columns) for count, columns in tables if count]
         titles = dict.fromkeys(title for _, columns in tables for title in columns)
         order = [title for title in (PANEL, SERIES, PART) if title in titles]
         order += [title for title in titles if title not in order]
-        joined = []
+        table_columns = []
         for title in order:  # the columns of all series below each other
             cells = [_cell(title)]
             for count, columns in tables:
                 cells += map(_cell, columns[title]) if title in columns else [""] * count
-            joined.append(cells)
-        return joined
+            table_columns.append(cells)
+        return table_columns
 
     def sheet(self, *, narrow: bool) -> Sheet:
         """Draw it, in the style of all figures."""
@@ -93,43 +93,45 @@ class Drawing:
 
 
 def _columns(
-    panel: Panel, series: Series, places: int | None, digits: int
+    panel: Panel, series: Series, coordinate_digits: int | None, value_digits: int
 ) -> tuple[int, dict[str, list[Any]]]:
     """Return the number of points, and the columns by their titles.
 
-    - places, digits: significant digits of the coordinates of curves and marks, None for all, and of values shown as
-      colours
+    - coordinate_digits: significant digits of the coordinates of curves and marks, None for all
+    - value_digits: significant digits of values shown as colours
     """
-    drawn = np.isfinite(series.x) & np.isfinite(series.y)
-    if not drawn.any():  # a line across the panel
-        drawn = np.isfinite(series.x) | np.isfinite(series.y)
+    is_drawn = np.isfinite(series.x) & np.isfinite(series.y)
+    if not is_drawn.any():  # a line across the panel
+        is_drawn = np.isfinite(series.x) | np.isfinite(series.y)
     if series.values is not None:
-        drawn &= np.isfinite(series.values)
-        places = PLACES
-    count = int(drawn.sum())
+        is_drawn &= np.isfinite(series.values)
+        coordinate_digits = PLACES
+    count = int(is_drawn.sum())
     columns: dict[str, list[Any]] = {PANEL: [panel.title] * count, SERIES: [series.name] * count}
     if series.part is not None:
-        columns[PART] = series.part[drawn].tolist()
+        columns[PART] = series.part[is_drawn].tolist()
     sides: tuple[tuple[Side, Array], ...] = (("x", series.x), ("y", series.y))
     for side, coordinates in sides:
-        title, names, chosen = visible(panel.labels[side]) or side, panel.names[side], coordinates[drawn]
+        title, names, selected = visible(panel.labels[side]) or side, panel.names[side], coordinates[is_drawn]
         if panel.labels["x"] == panel.labels["y"] != "":
             title = f"{side}: {title}"
-        columns[title] = chosen.tolist() if places is None else _rounded(chosen, places)
+        columns[title] = (
+            selected.tolist() if coordinate_digits is None else _rounded(selected, coordinate_digits)
+        )
         if any(name != f"{at:g}" for at, name in names.items()):  # they say more than the numbers
-            columns[f"{title} (name)"] = [_nearest(names, place) for place in chosen.tolist()]
+            columns[f"{title} (name)"] = [_nearest(names, place) for place in selected.tolist()]
     if series.values is not None:
-        title, values = panel.labels["scale"] or "value", series.values[drawn]
-        columns[title] = _rounded(values, digits)
+        title, values = panel.labels["scale"] or "value", series.values[is_drawn]
+        columns[title] = _rounded(values, value_digits)
         if series.meanings:
             columns[f"{title} (name)"] = [series.meanings[int(value)] for value in values.tolist()]
     return count, columns
 
 
-def _nearest(names: Mapping[float, str], place: float) -> str:
+def _nearest(names: Mapping[float, str], position: float) -> str:
     """Return the nearest name; names are at whole numbers, and marks may be beside each other there."""
-    nearest = min(names, key=lambda at: abs(at - place))
-    return names[nearest] if abs(nearest - place) <= 0.5 else ""
+    nearest = min(names, key=lambda at: abs(at - position))
+    return names[nearest] if abs(nearest - position) <= 0.5 else ""
 
 
 def _rounded(values: Array, digits: int) -> list[float]:

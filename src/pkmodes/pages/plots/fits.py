@@ -55,15 +55,15 @@ def stabilisation(inspection: Inspection, marked: MarkedFrequencies, band: tuple
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(3.7)
         axes = panel.axes
-        behind = sheet.adopt(axes.twinx(), inner={"x"})
-        axes.set_zorder(behind.axes.get_zorder() + 1)
-        size = np.maximum(inspection.total, inspection.total.max() * 10.0**-DECADES)
-        behind.axes.set_yscale("log")
-        behind.plot(inspection.frequencies, size, color=GREY, linewidth=1.0, alpha=0.8, zorder=0)
-        behind.axes.grid(visible=False)
-        behind.axes.spines["right"].set_visible(True)
-        behind.label(x="frequency [Hz]", y="sum of the functions [1]")
-        decades(behind.axes.yaxis)
+        background = sheet.adopt(axes.twinx(), inner={"x"})
+        axes.set_zorder(background.axes.get_zorder() + 1)
+        magnitude = np.maximum(inspection.total, inspection.total.max() * 10.0**-DECADES)
+        background.axes.set_yscale("log")
+        background.plot(inspection.frequencies, magnitude, color=GREY, linewidth=1.0, alpha=0.8, zorder=0)
+        background.axes.grid(visible=False)
+        background.axes.spines["right"].set_visible(True)
+        background.label(x="frequency [Hz]", y="sum of the functions [1]")
+        decades(background.axes.yaxis)
         orders = inspection.stabilisation.orders
         for stable, style in ((False, POLE), (True, STABLE)):
             panel.plot(*_dashes(inspection.stabilisation, stable), **style)
@@ -73,8 +73,8 @@ def stabilisation(inspection: Inspection, marked: MarkedFrequencies, band: tuple
         panel.label(x="frequency [Hz]", y="model order")
         _mark(panel, marked, band)
         axes.grid(visible=False, axis="x")
-        place: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.13)}
-        sheet.legend(panel, ncols=6, columnspacing=1.2, fontsize=7.5, **place)
+        placement: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.13)}
+        sheet.legend(panel, ncols=6, columnspacing=1.2, fontsize=7.5, **placement)
 
     return Drawing(draw)
 
@@ -84,26 +84,26 @@ def _half(orders: NDArray[np.int64]) -> float:
     return HALF * float(np.diff(orders).min()) if len(orders) > 1 else HALF
 
 
-def _dashes(of: Stabilisation, stable: bool) -> tuple[Array, Array]:
+def _dashes(diagram: Stabilisation, stable: bool) -> tuple[Array, Array]:
     """Return a short vertical line for each pole of one kind, as one broken curve."""
-    x, y, half = [], [], _half(of.orders)
-    before: Complex = np.zeros(0, complex)
-    for order, poles in zip(of.orders, of.poles, strict=True):
-        chosen = np.abs(poles[_stable(poles, before) == stable]) / (2.0 * np.pi)
-        x.append(np.stack([chosen, chosen, np.full(len(chosen), np.nan)], axis=1).ravel())
-        y.append(np.tile([order - half, order + half, np.nan], len(chosen)))
-        before = poles
+    x, y, half = [], [], _half(diagram.orders)
+    previous_poles: Complex = np.zeros(0, complex)
+    for order, poles in zip(diagram.orders, diagram.poles, strict=True):
+        frequencies = np.abs(poles[_stable(poles, previous_poles) == stable]) / (2.0 * np.pi)
+        x.append(np.stack([frequencies, frequencies, np.full(len(frequencies), np.nan)], axis=1).ravel())
+        y.append(np.tile([order - half, order + half, np.nan], len(frequencies)))
+        previous_poles = poles
     return np.concatenate(x), np.concatenate(y)
 
 
-def _stable(poles: Complex, before: Complex) -> NDArray[np.bool_]:
+def _stable(poles: Complex, previous_poles: Complex) -> NDArray[np.bool_]:
     """Return which poles the previous order also has."""
-    if not len(before) or not len(poles):
+    if not len(previous_poles) or not len(poles):
         return np.zeros(len(poles), bool)
-    f, f0 = np.abs(poles)[:, None], np.abs(before)
-    z, z0 = (-poles.real / np.abs(poles))[:, None], -before.real / np.abs(before)
-    near = (np.abs(f0 / f - 1.0) < SAME_FREQUENCY) & (np.abs(z0 - z) < SAME_DAMPING * np.abs(z))
-    return np.asarray(near.any(axis=1))
+    f, f0 = np.abs(poles)[:, None], np.abs(previous_poles)
+    z, z0 = (-poles.real / np.abs(poles))[:, None], -previous_poles.real / np.abs(previous_poles)
+    is_near = (np.abs(f0 / f - 1.0) < SAME_FREQUENCY) & (np.abs(z0 - z) < SAME_DAMPING * np.abs(z))
+    return np.asarray(is_near.any(axis=1))
 
 
 def _mark(panel: Panel, marked: MarkedFrequencies, band: tuple[float, float]) -> None:
@@ -119,17 +119,19 @@ def _mark(panel: Panel, marked: MarkedFrequencies, band: tuple[float, float]) ->
         for f in frequencies:
             panel.line_at(f, name, label=label, zorder=2, **{"linewidth": 0.8, "alpha": 0.75, **style})
             label = None
-    at = [(f - band[0]) / (band[1] - band[0]) for f, _, _ in marked.modes]
+    fractions = [(f - band[0]) / (band[1] - band[0]) for f, _, _ in marked.modes]
     names = [str(number) for _, number, _ in marked.modes]
-    across = panel.axes.transAxes
-    for x, number, row in zip(at, names, rows_of(at, names), strict=True):
-        panel.axes.text(x, 1.01 + 0.035 * row, number, transform=across, ha="center", va="bottom", fontsize=7)
+    transform = panel.axes.transAxes
+    for x, number, row in zip(fractions, names, rows_of(fractions, names), strict=True):
+        panel.axes.text(
+            x, 1.01 + 0.035 * row, number, transform=transform, ha="center", va="bottom", fontsize=7
+        )
 
 
-def rows_of(at: Sequence[float], names: Sequence[str]) -> list[int]:
+def rows_of(positions: Sequence[float], names: Sequence[str]) -> list[int]:
     """Return the row of each label, ascending in place, so that labels in a row do not overlap."""
     ends, rows = [-1.0] * ROWS, []
-    for x, name in zip(at, names, strict=True):
+    for x, name in zip(positions, names, strict=True):
         half = 0.5 * DIGIT * (len(name) + 0.5)
         row = next((k for k in range(ROWS) if ends[k] <= x - half), int(np.argmin(ends)))
         ends[row] = x + half
@@ -170,14 +172,14 @@ def functions(
 
 def _curve(panels: Sequence[Panel], curve: InspectedFunction, phase: bool, coherence: bool) -> None:
     """Draw a function in its panels."""
-    f, above = curve.frequencies, panels[0]
-    above.axes.set_yscale("log")
-    top = float(np.abs(curve.measured).max())
+    f, magnitude_panel = curve.frequencies, panels[0]
+    magnitude_panel.axes.set_yscale("log")
+    maximum = float(np.abs(curve.measured).max())
     curves = ((f, curve.measured, MEASURED), (f, curve.synthesised, SYNTHESISED))
     for _, values, style in curves:
-        size = np.abs(values)
-        above.plot(f, np.where(size > top * 10.0**-DECADES, size, np.nan), **style)
-    decades(above.axes.yaxis)
+        magnitude = np.abs(values)
+        magnitude_panel.plot(f, np.where(magnitude > maximum * 10.0**-DECADES, magnitude, np.nan), **style)
+    decades(magnitude_panel.axes.yaxis)
     if phase:
         draw_phases(panels[1], curves)
     if coherence:

@@ -41,12 +41,12 @@ def complex_shapes(shapes: Sequence[tuple[str, Mapping[str, complex]]]) -> Drawi
     def draw(sheet: Sheet) -> None:
         width = max(1.02 * columns, 3.0)
         sheet.groups(len(shapes), columns, 1.25 * rows + 0.15, width, shape=1.0, frames=False)
-        turn = np.exp(1j * np.linspace(0.0, 2.0 * np.pi, 73))
+        circle = np.exp(1j * np.linspace(0.0, 2.0 * np.pi, 73))
         for panel, (title, shape) in zip(sheet.panels, shapes, strict=True):
             axes = panel.axes
             values = np.array(list(shape.values()))
             values = values / np.abs(values).max()
-            axes.plot(turn.real, turn.imag, color=GREY, linewidth=0.6)
+            axes.plot(circle.real, circle.imag, color=GREY, linewidth=0.6)
             x = np.stack([0.0 * values.real, values.real, np.full(len(values), np.nan)], axis=1).ravel()
             y = np.stack([0.0 * values.imag, values.imag, np.full(len(values), np.nan)], axis=1).ravel()
             panel.plot(x, y, color=BLUE, linewidth=1.1)
@@ -62,38 +62,40 @@ def complex_shapes(shapes: Sequence[tuple[str, Mapping[str, complex]]]) -> Drawi
 
 def scatter_of_repeats(setups: Sequence[Repeats]) -> Drawing:
     """Return the frequencies in each file, relative to their mean over the repeats of the setup [%]."""
-    several = [repeats for repeats in setups if len(repeats.files) > 1]
-    means = sorted(float(np.mean(list(mode.values()))) for repeats in several for mode in repeats.modes)
-    distinct = [f for i, f in enumerate(means) if i == 0 or f / means[i - 1] > 1.0 + 1e-3]
+    repeated_setups = [repeats for repeats in setups if len(repeats.files) > 1]
+    means = sorted(
+        float(np.mean(list(mode.values()))) for repeats in repeated_setups for mode in repeats.modes
+    )
+    distinct_frequencies = [f for i, f in enumerate(means) if i == 0 or f / means[i - 1] > 1.0 + 1e-3]
 
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(2.3)
         axes = panel.axes
         marks.draw_zero_line(panel)
-        for k, repeats in enumerate(several):
+        for k, repeats in enumerate(repeated_setups):
             for file in range(len(repeats.files)):
                 pairs = [(mode[file], np.mean(list(mode.values()))) for mode in repeats.modes if file in mode]
-                x = [int(np.searchsorted(distinct, mean * (1.0 - 1e-9))) for _, mean in pairs]
-                x = [min(i, len(distinct) - 1) for i in x]
-                away = [100.0 * (f / mean - 1.0) for f, mean in pairs]
+                x = [int(np.searchsorted(distinct_frequencies, mean * (1.0 - 1e-9))) for _, mean in pairs]
+                x = [min(i, len(distinct_frequencies) - 1) for i in x]
+                deviations = [100.0 * (f / mean - 1.0) for f, mean in pairs]
                 label = short(repeats.setup) if file == 0 and repeats.setup else None
-                shift = 0.16 * (k - 0.5 * (len(several) - 1))
+                shift = 0.16 * (k - 0.5 * (len(repeated_setups) - 1))
                 panel.plot(
                     np.array(x) + shift,
-                    away,
+                    deviations,
                     "_" if len(repeats.files) > 8 else ".",
                     name=short(repeats.setup) if repeats.setup else "",
                     color=PALETTE[k % len(PALETTE)],
                     label=label,
                     zorder=3,
                 )
-        step = -(-len(distinct) // 12)
-        named = [f"{f:#.4g}".rstrip(".") for f in distinct[::step]]
-        panel.name_places("x", range(0, len(distinct), step), named)
-        axes.set_xlim(-0.6, len(distinct) - 0.4)
+        step = -(-len(distinct_frequencies) // 12)
+        tick_labels = [f"{f:#.4g}".rstrip(".") for f in distinct_frequencies[::step]]
+        panel.name_places("x", range(0, len(distinct_frequencies), step), tick_labels)
+        axes.set_xlim(-0.6, len(distinct_frequencies) - 0.4)
         panel.label(x="mean frequency [Hz]", y="file, above the mean [%]")
         axes.grid(visible=False, axis="x")
-        if any(repeats.setup for repeats in several):
+        if any(repeats.setup for repeats in repeated_setups):
             sheet.legend(panel, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=4)
 
     return Drawing(draw)
@@ -123,14 +125,14 @@ def by_pose(
                 panel.plot(x, y, marker, color=colour, label=label, markersize=4.0)
         axes.set_ylim(0.0, None)
         axes.set_xlim(-0.7, len(labels) - 0.3)
-        across = "pose, in the order of the campaign"
+        pose_label = "pose, in the order of the campaign"
         if len(labels) <= NAMED:
             names = [short(label) for label in labels]
-            turned = len(names) * max(map(len, names)) > 80
-            panel.name_places("x", range(len(names)), names, rotation=90 if turned else 0)
+            is_rotated = len(names) * max(map(len, names)) > 80
+            panel.name_places("x", range(len(names)), names, rotation=90 if is_rotated else 0)
             axes.grid(visible=False, axis="x")
-            across = "pose"
-        panel.label(x=across, y="frequency [Hz]")
+            pose_label = "pose"
+        panel.label(x=pose_label, y="frequency [Hz]")
         if sum(bool(points) for points, *_ in kinds) > 1:
             sheet.legend(panel, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=3)
 

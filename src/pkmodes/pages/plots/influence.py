@@ -24,21 +24,21 @@ def table(paths: Sequence[str], relative: Array) -> Drawing:
     - paths: parameters; those that act as one have one name, separated by commas
     - relative: d ln f / d ln p, (along, across, parameters, modes)
     """
-    reached = relative[np.isfinite(relative).all(axis=(2, 3))]
-    middle = np.median(reached, axis=0) if len(reached) else np.zeros(relative.shape[2:])
-    order = np.argsort(-np.abs(middle).max(axis=1))[:ROWS]
-    high = max(float(np.abs(middle).max()), 1e-12)
-    modes, names = middle.shape[1], [paths[i] for i in order]
+    reachable_values = relative[np.isfinite(relative).all(axis=(2, 3))]
+    medians = np.median(reachable_values, axis=0) if len(reachable_values) else np.zeros(relative.shape[2:])
+    order = np.argsort(-np.abs(medians).max(axis=1))[:ROWS]
+    limit = max(float(np.abs(medians).max()), 1e-12)
+    modes, names = medians.shape[1], [paths[i] for i in order]
 
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(0.24 * len(order) + 0.9)
-        mesh = panel.image(middle[order], cmap="PuOr", vmin=-high, vmax=high, aspect="auto")
+        mesh = panel.image(medians[order], cmap="PuOr", vmin=-limit, vmax=limit, aspect="auto")
         panel.name_places("x", range(modes), [f"mode {i + 1}" for i in range(modes)])
         panel.name_places("y", range(len(order)), [broken(name) for name in names], names)
         panel.axes.grid(visible=False)
         panel.axes.tick_params(length=0)
         style: dict[str, Any] = {"ha": "center", "va": "center", "fontsize": 7.5}
-        for (row, mode), value in np.ndenumerate(middle[order]):
+        for (row, mode), value in np.ndenumerate(medians[order]):
             ink = ink_on(mesh.to_rgba(value))
             panel.axes.text(mode, row, typeset(f"{value:+.2f}"), color=ink, **style)
         sheet.scale(mesh, "d ln f / d ln p, median over the plane [1]", aspect=25)

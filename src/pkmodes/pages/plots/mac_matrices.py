@@ -38,17 +38,17 @@ def mac_matrices(evidence: PlottedEvidence) -> Drawing | None:
         return None
     stages, several = evidence.stages, len(evidence.labels) > 1
     label = short(evidence.labels[worst])
-    everything = np.ones(len(evidence.setup), dtype=bool)
-    chosen = [(f"mean of all {evidence.place}s", everything)] if several else []
-    chosen.append((f"lowest MAC: {label}", evidence.setup == worst))
+    all_rows = np.ones(len(evidence.setup), dtype=bool)
+    selections = [(f"mean of all {evidence.place}s", all_rows)] if several else []
+    selections.append((f"lowest MAC: {label}", evidence.setup == worst))
 
     def draw(sheet: Sheet) -> None:
-        height = 0.6 + min(2.55, 1.0 + 0.3 * evidence.modes) * len(chosen)
-        rows, count = (1.0,) * len(chosen), len(stages)
+        height = 0.6 + min(2.55, 1.0 + 0.3 * evidence.modes) * len(selections)
+        rows, count = (1.0,) * len(selections), len(stages)
         groups = sheet.groups(count, count, height, rows=rows, shape=1.0, scales="common")
         image: Any = None
         for panels, stage in zip(groups, stages, strict=True):
-            for panel, (name, selected) in zip(panels, chosen, strict=True):
+            for panel, (name, selected) in zip(panels, selections, strict=True):
                 image = draw_matrix(panel, matrix(evidence, stage, selected))
                 title, modes = f"Model {stage.title}", "mode of the model"
                 panel.label(title, x=modes, y="measured mode", row=name)

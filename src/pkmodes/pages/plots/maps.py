@@ -102,7 +102,7 @@ def directions(plane: Plane, lengths: Array | None = None) -> Drawing | str:
     across, along = names.index(plane.across), names.index(plane.along)
     length = np.sqrt((motion**2).sum(axis=-1))
     unit = motion / np.where(length > 0.0, length, np.nan)[..., None]
-    modes, turning = motion.shape[2], lengths is not None
+    modes, is_turning = motion.shape[2], lengths is not None
     # Directions have no sign: their squares and products tell them apart.
     if same_everywhere(unit[..., :, None] * unit[..., None, :], axes=(0, 1), scale=1.0):
         return "In each mode the platform moves in almost the same direction at every pose."
@@ -110,7 +110,7 @@ def directions(plane: Plane, lengths: Array | None = None) -> Drawing | str:
     x, y = plane.drawn(plane.across), plane.drawn(plane.along)
     step = max(1, round(min(len(x), len(y)) / STROKES))
     rows, columns = (slice(step // 2, None, step) for _ in range(2))
-    reach = step * (y[-1] - y[0]) / max(len(y) - 1, 1) * 0.45
+    stroke_length = step * (y[-1] - y[0]) / max(len(y) - 1, 1) * 0.45
 
     def draw(sheet: Sheet) -> None:
         from matplotlib import colormaps
@@ -123,13 +123,19 @@ def directions(plane: Plane, lengths: Array | None = None) -> Drawing | str:
             perpendicular = np.sqrt(
                 np.clip(1.0 - unit[:, :, mode, across] ** 2 - unit[:, :, mode, along] ** 2, 0.0, 1.0)
             )
-            if turning and plane.normal is not None:
+            if is_turning and plane.normal is not None:
                 perpendicular = np.abs(unit[:, :, mode, names.index(plane.normal)])
             if plane.normal is None:
                 perpendicular = np.where(np.isfinite(unit[:, :, mode, across]), 0.0, np.nan)
             mesh = plane.draw(panel, perpendicular, vmin=0.0, vmax=1.0, cmap=blues)
-            part = unit[rows, columns, mode]
-            _strokes(panel, x[columns], y[rows], reach * part[..., across], reach * part[..., along])
+            unit_part = unit[rows, columns, mode]
+            _strokes(
+                panel,
+                x[columns],
+                y[rows],
+                stroke_length * unit_part[..., across],
+                stroke_length * unit_part[..., along],
+            )
         if plane.normal is not None:
             shared_scale(sheet, plane, mesh, f"share of the motion along {plane.normal} [1]")
 
@@ -156,18 +162,18 @@ def components(plane: Plane, lengths: Array | None = None) -> Drawing | str:
             plane.dataset.coords[name].attrs["units"] if name in plane.dataset.coords else ""
             for name in plane.dataset["direction"].values.tolist()
         ]
-        turned = [i for i, unit in enumerate(units) if unit == "rad"]
-        motion = plane.dataset["platform_shape"].values[..., turned] * lengths[turned]
+        rotation_indices = [i for i, unit in enumerate(units) if unit == "rad"]
+        motion = plane.dataset["platform_shape"].values[..., rotation_indices] * lengths[rotation_indices]
         kinds.append(("rotation", np.sqrt((motion**2).sum(axis=-1))))
     modes = plane.dataset.sizes["mode"]
     motions = np.stack([values for _, values in kinds])
     high = limits_of(motions)[1]
     if same_everywhere(motions, axes=(1, 2), scale=high):
         return "In each mode the platform moves by almost the same amount at every pose."
-    lines = -(-modes // TALL_ROW)
-    columns = -(-modes // lines)
+    line_count = -(-modes // TALL_ROW)
+    columns = -(-modes // line_count)
     width = (WIDTH - 1.3) / columns
-    height = lines * len(kinds) * (min(plane.height * width, TALLEST * width, HIGHEST) + 0.25) + 1.0
+    height = line_count * len(kinds) * (min(plane.height * width, TALLEST * width, HIGHEST) + 0.25) + 1.0
 
     def draw(sheet: Sheet) -> None:
         sheet.figure.set_layout_engine("compressed")
@@ -197,8 +203,8 @@ def extremes(values: Array) -> dict[str, list[tuple[int, int]]]:
     if not np.isfinite(values).any():
         return extreme_poses
     for name, value in (("minimum", np.nanmin(values)), ("maximum", np.nanmax(values))):
-        places = [(int(i), int(j)) for i, j in np.argwhere(np.abs(values - value) <= ROUNDING * abs(value))]
-        extreme_poses[name] = places if len(places) <= SHARED else []
+        poses = [(int(i), int(j)) for i, j in np.argwhere(np.abs(values - value) <= ROUNDING * abs(value))]
+        extreme_poses[name] = poses if len(poses) <= SHARED else []
     return extreme_poses
 
 
@@ -212,8 +218,8 @@ def _strokes(panel: Panel, x: Array, y: Array, across: Array, along: Array) -> N
     """Draw a line through each pose in the direction of a vibration, which has no sign."""
     finite = np.isfinite(across) & np.isfinite(along)
     ends = [
-        np.stack([place - half, place + half], axis=-1)[finite]
-        for place, half in zip(np.meshgrid(x, y), (across, along), strict=True)
+        np.stack([centres - half_lengths, centres + half_lengths], axis=-1)[finite]
+        for centres, half_lengths in zip(np.meshgrid(x, y), (across, along), strict=True)
     ]
     panel.lines(*ends, colors=BLACK, linewidths=0.9)
 
@@ -236,15 +242,17 @@ def _contours(plane: Plane, axes: Axes, mesh: Any, values: Array, inch: float) -
     inks = [ink_on(mesh.to_rgba(level)) for level in levels]
     x, y = plane.drawn(plane.across), plane.drawn(plane.along)
     lines = axes.contour(x, y, np.ma.masked_invalid(values), levels, colors=inks, linewidths=0.5)
-    marks = [(x[j], y[i]) for places in extremes(values).values() for i, j in places]
-    places = _number_places([line for segments in lines.allsegs for line in segments], marks, axes, inch)
-    if places:
+    marks = [(x[j], y[i]) for poses in extremes(values).values() for i, j in poses]
+    number_positions = _number_places(
+        [line for segments in lines.allsegs for line in segments], marks, axes, inch
+    )
+    if number_positions:
         settings: dict[str, Any] = {
             "colors": inks,
             "fontsize": 6.5,
             "fmt": lambda level: typeset(f"{level:g}"),
         }
-        for text in axes.clabel(lines, inline_spacing=1.5, manual=places, **settings):
+        for text in axes.clabel(lines, inline_spacing=1.5, manual=number_positions, **settings):
             if abs((text.get_rotation() + 90.0) % 180.0 - 90.0) > STEEP:
                 text.set_rotation(0.0)
 
@@ -253,25 +261,27 @@ def _number_places(
     lines: list[Array], marks: list[Any], axes: Axes, inch: float
 ) -> list[tuple[float, float]]:
     """Return a place for a number on each line that is long enough, away from other numbers, marks and edges."""
-    kept: list[tuple[float, float]] = []
+    positions: list[tuple[float, float]] = []
     (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
     for line in lines:
         if np.hypot(*np.diff(line, axis=0).T).sum() < SHORTEST * inch:
             continue
-        for share in (0.5, 0.35, 0.65, 0.2, 0.8):
-            x, y = map(float, line[int(share * (len(line) - 1))])
-            near = min(x - left, right - x, y - bottom, top - y) < MARGIN * inch
-            if not near and all(math.hypot(x - a, y - b) >= APART * inch for a, b in [*kept, *marks]):
-                kept.append((x, y))
+        for fraction in (0.5, 0.35, 0.65, 0.2, 0.8):
+            x, y = map(float, line[int(fraction * (len(line) - 1))])
+            is_near_edge = min(x - left, right - x, y - bottom, top - y) < MARGIN * inch
+            if not is_near_edge and all(
+                math.hypot(x - a, y - b) >= APART * inch for a, b in [*positions, *marks]
+            ):
+                positions.append((x, y))
                 break
-    return kept
+    return positions
 
 
 def _extremes(plane: Plane, panel: Panel, values: Array) -> None:
     """Mark the extremes in the plane: a triangle down for the lowest, up for the highest frequency."""
     x, y = plane.drawn(plane.across), plane.drawn(plane.along)
-    for name, places in extremes(values).items():
-        for i, j in places:
+    for name, poses in extremes(values).items():
+        for i, j in poses:
             _mark(panel, x[j], y[i], "v" if name == "minimum" else "^", filled=False, size=5.5)
 
 
@@ -281,8 +291,8 @@ def _motors(panel: Panel, motors: Array | None) -> None:
         return
     (left, right), (bottom, top) = panel.axes.get_xlim(), panel.axes.get_ylim()
     for x, y in motors:
-        at = float(np.clip(x, left, right)), float(np.clip(y, bottom, top))
-        _mark(panel, *at, "s", filled=at == (x, y), size=4.0)
+        position = float(np.clip(x, left, right)), float(np.clip(y, bottom, top))
+        _mark(panel, *position, "s", filled=position == (x, y), size=4.0)
 
 
 def _mark(panel: Panel, x: float, y: float, marker: str, *, filled: bool, size: float) -> None:

@@ -127,17 +127,17 @@ class Panel:
     ) -> PathCollection:
         """Draw marks of some size, in the colours of their values if there are any."""
         colours: dict[str, Any] = {} if values is None else {"c": values}
-        drawn = self.axes.scatter(x, y, **colours, **style)
+        collection = self.axes.scatter(x, y, **colours, **style)
         self._keep("marks", name or style.get("label"), x, y, values=values)
-        return drawn
+        return collection
 
     def error_bars(self, x: ArrayLike, y: ArrayLike, width: ArrayLike, **style: Any) -> None:
         """Draw marks with horizontal bars of some width on either side."""
         self.axes.errorbar(x, y, xerr=width, **style)
-        name, middle, reach = style["label"], np.asarray(x, float), np.asarray(width, float)
+        name, centre, half_width = style["label"], np.asarray(x, float), np.asarray(width, float)
         self._keep("marks", name, x, y)
-        self._keep("lower end", f"{name}, lower end", middle - reach, y)
-        self._keep("upper end", f"{name}, upper end", middle + reach, y)
+        self._keep("lower end", f"{name}, lower end", centre - half_width, y)
+        self._keep("upper end", f"{name}, upper end", centre + half_width, y)
 
     def band(self, x: ArrayLike, low: ArrayLike, high: ArrayLike, *, name: str = "", **style: Any) -> None:
         """Shade what is between two curves."""
@@ -190,10 +190,10 @@ class Panel:
 
     def image(self, values: Array, **style: Any) -> AxesImage:
         """Draw values (rows, columns) as an image, its rows and columns counted from 0."""
-        drawn = self.axes.imshow(values, **style)
+        image = self.axes.imshow(values, **style)
         rows, columns = values.shape
         self._keep_cells(np.arange(columns), np.arange(rows), values)
-        return drawn
+        return image
 
     def _keep_cells(self, x: Array, y: Array, values: Array, meanings: tuple[str, ...] = ()) -> None:
         across, along = np.meshgrid(x, y)

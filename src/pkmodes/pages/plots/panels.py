@@ -94,14 +94,14 @@ def _below_labels(axes: Axes) -> Any:
     """Return where a colour bar stands: as wide as a panel, below the labels of its horizontal axis."""
     from matplotlib.transforms import Bbox
 
-    def place(_: Any, renderer: Any) -> Any:
-        drawn: Any = axes.figure
+    def locate(_: Any, renderer: Any) -> Any:
+        figure: Any = axes.figure
         labels = axes.xaxis.get_tightbbox(renderer)
-        top = (axes.bbox.y0 if labels is None else min(labels.y0, axes.bbox.y0)) - CLEAR * drawn.dpi
-        box = Bbox.from_extents(axes.bbox.x0, top - THICK * drawn.dpi, axes.bbox.x1, top)
-        return drawn.transFigure.inverted().transform_bbox(box)
+        top = (axes.bbox.y0 if labels is None else min(labels.y0, axes.bbox.y0)) - CLEAR * figure.dpi
+        box = Bbox.from_extents(axes.bbox.x0, top - THICK * figure.dpi, axes.bbox.x1, top)
+        return figure.transFigure.inverted().transform_bbox(box)
 
-    return place
+    return locate
 
 
 def _apart(low: float, high: float) -> Any:

@@ -37,24 +37,24 @@ class Marked(NamedTuple):
 def places(scene: Scene, marks: Sequence[Marked]) -> Drawing:
     """Draw a machine at the pose shown first, with some of its elements marked."""
     view = camera(scene)
-    flat = scene.points[scene.chosen] @ view.T
-    span = np.ptp(flat[:, :2], axis=0)
+    view_points = scene.points[scene.chosen] @ view.T
+    span = np.ptp(view_points[:, :2], axis=0)
     shape = float(np.clip(span[1] / max(span[0], 1e-12), 0.3, TALL))
     colours = {i: COLOURS[k % len(COLOURS)] for k, mark in enumerate(marks) for i in mark.elements}
-    depths = [flat[list(element.points), 2].mean() for element in scene.elements]
+    depths = [view_points[list(element.points), 2].mean() for element in scene.elements]
 
     def draw(sheet: Sheet) -> None:
         axes = sheet.panel(0.62 * WIDTH * shape + 0.5, 0.62 * WIDTH, shape=shape, frames=False).axes
         axes.set_aspect("equal")
         axes.axis("off")
         for i in np.argsort(depths, kind="stable"):
-            _draw(axes, scene.elements[int(i)], flat, colours.get(int(i), ""))
+            _draw(axes, scene.elements[int(i)], view_points, colours.get(int(i), ""))
         for k, mark in enumerate(marks):
             axes.plot([], [], color=COLOURS[k % len(COLOURS)], linewidth=BOLD, label=mark.name)
             if mark.along:  # an arrow with two heads through the middle of the body
-                middle = flat[list(scene.elements[mark.elements[0]].points)].mean(axis=0)
-                reach = ARROW * scene.size * view[:, "xyz".index(mark.along)]
-                start, end = (middle - reach)[:2], (middle + reach)[:2]
+                middle = view_points[list(scene.elements[mark.elements[0]].points)].mean(axis=0)
+                half_arrow = ARROW * scene.size * view[:, "xyz".index(mark.along)]
+                start, end = (middle - half_arrow)[:2], (middle + half_arrow)[:2]
                 heads = {"arrowstyle": "<->", "color": INK, "linewidth": 1.2, "shrinkA": 0, "shrinkB": 0}
                 axes.annotate("", xy=end, xytext=start, arrowprops=heads, zorder=4)
                 axes.annotate(mark.along, end, textcoords="offset points", xytext=(4, 4), color=INK, zorder=4)
@@ -65,10 +65,10 @@ def places(scene: Scene, marks: Sequence[Marked]) -> Drawing:
 
 def _draw(axes: Any, element: Element, points: Array, colour: str) -> None:
     width, depth = (BOLD, 3) if colour else (THIN, 2)
-    colour, opaque = colour or GREY, 0.85 if colour else 0.25
+    colour, opacity = colour or GREY, 0.85 if colour else 0.25
     line = outline(element, points).T
     if element.shape in AREAS:
-        axes.fill(*line, facecolor=colour, edgecolor=colour, alpha=opaque, linewidth=width, zorder=depth)
+        axes.fill(*line, facecolor=colour, edgecolor=colour, alpha=opacity, linewidth=width, zorder=depth)
     elif element.shape == "ball":
         axes.plot(*line, "o", markersize=7, color=colour, zorder=depth)
     elif element.shape == "block":

@@ -61,19 +61,21 @@ class Plane:
         Raises PkmodesError if it has not exactly two axes of poses with several values.
         """
         leading = [str(dim) for dim in dataset["frequency"].dims[:-1]]
-        several = plane_axes({dim: dataset.sizes[dim] for dim in leading}, components, "map")
-        single = [dim for dim in leading if dim not in several]
-        constant = {dim: float(dataset[dim].values[0]) for dim in components if dim in single}
-        linear = all(dataset[dim].attrs["units"] == "m" for dim in several)
-        normal = next((dim for dim in constant if linear and dataset[dim].attrs["units"] == "m"), None)
-        extent = {dim: float(np.ptp(dataset[dim].values)) for dim in several}
-        same = len({dataset[dim].attrs["units"] for dim in several}) == 1
-        across, along = several[1], several[0]
-        if same and extent[across] > LONGER * extent[along]:
+        plane_dims = plane_axes({dim: dataset.sizes[dim] for dim in leading}, components, "map")
+        constant_dims = [dim for dim in leading if dim not in plane_dims]
+        constant = {dim: float(dataset[dim].values[0]) for dim in components if dim in constant_dims}
+        is_linear = all(dataset[dim].attrs["units"] == "m" for dim in plane_dims)
+        normal = next((dim for dim in constant if is_linear and dataset[dim].attrs["units"] == "m"), None)
+        extent = {dim: float(np.ptp(dataset[dim].values)) for dim in plane_dims}
+        same_units = len({dataset[dim].attrs["units"] for dim in plane_dims}) == 1
+        across, along = plane_dims[1], plane_dims[0]
+        if same_units and extent[across] > LONGER * extent[along]:
             across, along = along, across
         # Loaded first: text that is still in a file cannot be transposed.
-        flat = dataset.isel(dict.fromkeys(single, 0)).load().transpose(along, across, ...)
-        return cls(flat, across, along, normal, constant.pop(normal, 0.0) if normal else 0.0, constant)
+        plane_dataset = dataset.isel(dict.fromkeys(constant_dims, 0)).load().transpose(along, across, ...)
+        return cls(
+            plane_dataset, across, along, normal, constant.pop(normal, 0.0) if normal else 0.0, constant
+        )
 
     @property
     def is_tall(self) -> bool:
@@ -159,13 +161,13 @@ def plane_axes(sizes: Mapping[str, int], components: Sequence[str], place: str) 
 
     Raises PkmodesError if the axes do not make a plane.
     """
-    several = [name for name, size in sizes.items() if size > 1]
-    if len(several) != 2 or not set(several) <= set(components):
+    plane_dims = [name for name, size in sizes.items() if size > 1]
+    if len(plane_dims) != 2 or not set(plane_dims) <= set(components):
         lengths = ", ".join(f"{name}: {size}" for name, size in sizes.items())
         problem = f"expected a map over two components of the pose, found {lengths}"
         remedy = f"give several values for two of {', '.join(components)}, and one for everything else"
         raise PkmodesError(problem, place, remedy)
-    return several
+    return plane_dims
 
 
 def where(plane: Plane) -> str:
@@ -175,11 +177,11 @@ def where(plane: Plane) -> str:
     """
     constant = {} if plane.normal is None else {plane.normal: plane.at}
     lengths = {name: value for name, value in plane.rest.items() if value or plane.unit(name)[0] != "deg"}
-    places = []
+    coordinates = []
     for name, value in (constant | lengths).items():
         unit, factor = plane.unit(name)
-        places.append(f"{name} = {typeset(f'{value * factor:.6g}')} {unit}")
-    return ", ".join(places) or f"{plane.across} and {plane.along}"
+        coordinates.append(f"{name} = {typeset(f'{value * factor:.6g}')} {unit}")
+    return ", ".join(coordinates) or f"{plane.across} and {plane.along}"
 
 
 def limits_of(values: Array, outliers: float = OUTLIERS) -> tuple[float, float]:

@@ -44,7 +44,7 @@ def responses(
     - title: above all
     - before: responses of another model by channel, such as the one before a correction, each (F,)
     """
-    names, silent = list(model)[:MOST], without_response(model, units)
+    names, without_model_response = list(model)[:MOST], without_response(model, units)
     columns = min(2, len(names))
     rows = -(-len(names) // columns)
     height = HEIGHT * rows + 0.3 + (0.25 if title else 0.0)
@@ -53,25 +53,25 @@ def responses(
         if title:
             sheet.figure.suptitle(title, fontsize=8.5, x=0.01, ha="left", wrap=True)
         groups = sheet.groups(len(names), columns, height, rows=(2.2, 1.0), share_x=True)
-        explained = False
+        has_legend = False
         for k, (name, (above, below)) in enumerate(zip(names, groups, strict=True)):
             curves: list[tuple[Array, Array, dict[str, Any]]] = [(frequencies, model[name], MODEL)]
             if before is not None and name in before:
                 curves.append((frequencies, before[name], BEFORE))
             if measured is not None and name in measured[1]:
                 curves.append((measured[0], measured[1][name], MEASURED))
-            if name in silent:
+            if name in without_model_response:
                 curves = curves[1:]
-                words = "no response in the model"
-                above.axes.annotate(words, (0.5, 0.5), xycoords="axes fraction", ha="center")
+                annotation = "no response in the model"
+                above.axes.annotate(annotation, (0.5, 0.5), xycoords="axes fraction", ha="center")
             _channel(above, below, curves, (float(frequencies[0]), float(frequencies[-1])))
             # Each channel has units of its own, so that every panel keeps the label of its vertical axis.
             above.inner, below.inner = {"x"}, {"title"} if k // columns == rows - 1 else {"title", "x"}
             above.label(name, x=FREQUENCY, y=f"magnitude [{units[name]}]")
             below.label(name, x=FREQUENCY, y="phase [\u00b0]")
-            if len(curves) > 1 and not explained:
+            if len(curves) > 1 and not has_legend:
                 above.axes.legend()
-                explained = True
+                has_legend = True
 
     return Drawing(draw)
 
@@ -80,22 +80,22 @@ def _channel(
     above: Panel, below: Panel, curves: list[tuple[Array, Array, dict[str, Any]]], ends: tuple[float, float]
 ) -> None:
     """Draw one channel: its magnitude and its phase, between two frequencies."""
-    single = ends[0] == ends[1]
+    is_single = ends[0] == ends[1]
     if curves:
         above.axes.set_yscale("log")
-    visible = []
+    visible_curves = []
     for f, values, style in curves:
-        inside = (f >= ends[0]) & (f <= ends[1])
-        visible.append((f[inside], values[inside], {**style, "marker": "." if single else ""}))
-    for f, values, style in visible:
-        size = np.abs(values)
-        above.plot(f, np.where(size > 0.0, size, np.nan), **style)
-    draw_phases(below, visible)
+        in_range = (f >= ends[0]) & (f <= ends[1])
+        visible_curves.append((f[in_range], values[in_range], {**style, "marker": "." if is_single else ""}))
+    for f, values, style in visible_curves:
+        magnitude = np.abs(values)
+        above.plot(f, np.where(magnitude > 0.0, magnitude, np.nan), **style)
+    draw_phases(below, visible_curves)
     if curves:
         decades(above.axes.yaxis)
     else:
         above.axes.set_yticks([])
-    if single:
+    if is_single:
         return
     above.axes.set_xlim(*ends)
     if ends[0] > 0.0 and ends[1] / ends[0] > DECADES:

@@ -70,9 +70,13 @@ def _label(words: str, name: str) -> str:
 
     Words are not cut; the table below the figure has them whole.
     """
-    named = short(name.removeprefix("effects."), LONGEST)
+    short_name = short(name.removeprefix("effects."), LONGEST)
     text = visible(words)
-    return f"{text} ({named})" if text and len(text) <= max(WHOLE - len(named), LONGEST) else named
+    return (
+        f"{text} ({short_name})"
+        if text and len(text) <= max(WHOLE - len(short_name), LONGEST)
+        else short_name
+    )
 
 
 def _rows(panel: Panel, labels: Sequence[str]) -> None:
@@ -92,12 +96,12 @@ def pulls(values: Sequence[Corrected], words: Callable[[str], str] | None = None
     - words: returns what the name of a value means, or nothing
     """
     with_prior = [(value, value.prior_sigma) for value in values if value.prior_sigma]
-    moved = [((v.value - v.declared) / prior, v.sigma / prior, v.name) for v, prior in with_prior]
-    shown = sorted(moved, key=lambda entry: -abs(entry[0]))[:MOST]
-    if not shown:
+    shifts = [((v.value - v.declared) / prior, v.sigma / prior, v.name) for v, prior in with_prior]
+    largest_shifts = sorted(shifts, key=lambda entry: -abs(entry[0]))[:MOST]
+    if not largest_shifts:
         return None
-    labels = [_label(words(name) if words else "", name) for _, _, name in shown]
-    away, width, _ = zip(*shown, strict=True)
+    labels = [_label(words(name) if words else "", name) for _, _, name in largest_shifts]
+    shift_values, widths, _ = zip(*largest_shifts, strict=True)
 
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(0.8 + ROW * len(labels))
@@ -105,16 +109,16 @@ def pulls(values: Sequence[Corrected], words: Callable[[str], str] | None = None
         axes.axvspan(-1.0, 1.0, color=GREY, alpha=0.16, linewidth=0, label="prior, \u00b11 \u03c3")
         marks.draw_vertical_zero_line(panel)
         panel.error_bars(
-            away,
-            range(len(shown)),
-            width,
+            shift_values,
+            range(len(largest_shifts)),
+            widths,
             fmt="o",
             color=BLUE,
             capsize=2.5,
             label="after the fit, \u00b11 \u03c3",
         )
         _rows(panel, labels)
-        limit = max(3.0, *(abs(a) + w for a, w, _ in shown)) * 1.05
+        limit = max(3.0, *(abs(a) + w for a, w, _ in largest_shifts)) * 1.05
         axes.set_xlim(-limit, limit)
         axes.grid(visible=False, axis="y")
         panel.label(x="value \u2212 declared value [\u03c3 of the prior]")

@@ -37,23 +37,23 @@ def over_plane(
     - remaining: by shaper, each (N,) [%]
     """
     x, y = (points[:, i] * units[i][1] for i in (0, 1))
-    alike = units[0][0] == units[1][0]
+    same_units = units[0][0] == units[1][0]
     across, along = (f"{names[i]} [{units[i][0]}]" for i in (0, 1))
     ratio = float(np.ptp(y) / np.ptp(x))
-    shape = float(np.clip(ratio, *SHAPES)) if alike else 0.8
-    equal = alike and SHAPES[0] <= ratio <= SHAPES[1]
+    shape = float(np.clip(ratio, *SHAPES)) if same_units else 0.8
+    equal_scales = same_units and SHAPES[0] <= ratio <= SHAPES[1]
     highest = max(1e-9, *(float(values.max()) for values in remaining.values()))
 
     def draw(sheet: Sheet) -> None:
-        count, kept = len(remaining), shape if equal else 0.0
+        count, panel_shape = len(remaining), shape if equal_scales else 0.0
         height = shape * (WIDTH - 1.2) / max(count, ALONE) + AROUND
-        sheet.groups(count, count, height, share_y=True, shape=kept, scales="common")
+        sheet.groups(count, count, height, share_y=True, shape=panel_shape, scales="common")
         mesh: Any = None
         for panel, (title, values) in zip(sheet.panels, remaining.items(), strict=True):
             mesh = _map(panel, x, y, values, highest, count)
             panel.label(title, x=across, y=along)
             panel.axes.grid(False)
-            if equal:
+            if equal_scales:
                 panel.axes.set_aspect("equal")
         sheet.scale(mesh, "left [%]", aspect=15)
 
@@ -154,46 +154,46 @@ def over_frequency(
     - frequencies: of the curves, (F,) [Hz]
     - curves: the recommended one among them
     """
-    across = "frequency [Hz]"
+    frequency_label = "frequency [Hz]"
 
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(3.6)
-        beside = panel
+        mode_panel = panel
         if spectrum is not None:
-            beside = sheet.adopt(panel.axes.twinx(), inner={"x"})
-            beside.axes.grid(visible=False)
-            beside.axes.spines["right"].set_visible(True)
+            mode_panel = sheet.adopt(panel.axes.twinx(), inner={"x"})
+            mode_panel.axes.grid(visible=False)
+            mode_panel.axes.spines["right"].set_visible(True)
             _spectrum(panel, spectrum)
-            panel.label(x=across, y="amplitude of the spectrum [% of the highest]")
-        beside.label(x=across, y="left of a mode at this frequency [%]")
+            panel.label(x=frequency_label, y="amplitude of the spectrum [% of the highest]")
+        mode_panel.label(x=frequency_label, y="left of a mode at this frequency [%]")
         colours = iter(OTHERS)
         for curve in sorted(curves, key=lambda candidate: not candidate.marked):
             style: dict[str, Any] = {"color": VERMILLION, "linewidth": 2.0, "zorder": 3}
             if not curve.marked:
                 style = {"color": next(colours), "linewidth": 1.1}
-            beside.plot(
+            mode_panel.plot(
                 frequencies, curve.remaining, "-" if curve.marked else "--", label=curve.name, **style
             )
         if modes is not None:
-            ends = np.stack([modes.remaining, modes.largest], axis=-1)
-            places = np.stack([modes.frequencies] * 2, axis=-1)
-            beside.lines(places, ends, color=INK, linewidth=1.0, label=modes.within, zorder=4)
-            dots: dict[str, Any] = {"marker": "o", "s": 14, "color": INK, "zorder": 5}
-            beside.scatter(modes.frequencies, modes.remaining, label="measured modes", **dots)
-        beside.axes.set_ylim(0.0, TOP)
+            segment_y = np.stack([modes.remaining, modes.largest], axis=-1)
+            segment_x = np.stack([modes.frequencies] * 2, axis=-1)
+            mode_panel.lines(segment_x, segment_y, color=INK, linewidth=1.0, label=modes.within, zorder=4)
+            dot_style: dict[str, Any] = {"marker": "o", "s": 14, "color": INK, "zorder": 5}
+            mode_panel.scatter(modes.frequencies, modes.remaining, label="measured modes", **dot_style)
+        mode_panel.axes.set_ylim(0.0, TOP)
         panel.axes.set_xlim(0.0, frequencies[-1])
-        legends = [part.axes.get_legend_handles_labels() for part in dict.fromkeys([panel, beside])]
+        legends = [part.axes.get_legend_handles_labels() for part in dict.fromkeys([panel, mode_panel])]
         handles, names = (
             [handle for legend in legends for handle in legend[0]],
             [name for legend in legends for name in legend[1]],
         )
-        place: dict[str, Any] = {
+        placement: dict[str, Any] = {
             "loc": "lower center",
             "bbox_to_anchor": (0.5, 1.0),
             "ncols": 3,
             "fontsize": 7.0,
         }
-        sheet.legend_of(handles, names, above=panel, **place)
+        sheet.legend_of(handles, names, above=panel, **placement)
 
     return Drawing(draw)
 

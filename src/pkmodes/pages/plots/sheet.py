@@ -80,39 +80,39 @@ class Sheet:
         - scales: which colour scales are beside the panels: ``own`` ones, one in ``common``, or none
         - frames: whether the panels have axes; without, more stand side by side
         """
-        lines = -(-count // columns)
-        places = {
+        line_count = -(-count // columns)
+        cell_of_panel = {
             (group, row): (group // columns * len(rows) + row, group % columns)
             for group in range(count)
             for row in range(len(rows))
         }
         if self.narrow:
-            across = min(len(places), 1 + sum(shape >= ratio for ratio in TALL) if frames else 3)
-            beside = SCALE if scales == "common" or (scales == "own" and across == 1) else 0.0
-            self.panel_width = (NARROW - (LABELS if frames else 0.0) - beside) / across
-            heights = [(height / lines - LABELLED) * row / sum(rows) for row in rows]
+            across = min(len(cell_of_panel), 1 + sum(shape >= ratio for ratio in TALL) if frames else 3)
+            scale_width = SCALE if scales == "common" or (scales == "own" and across == 1) else 0.0
+            self.panel_width = (NARROW - (LABELS if frames else 0.0) - scale_width) / across
+            heights = [(height / line_count - LABELLED) * row / sum(rows) for row in rows]
             if shape:
                 below = BELOW if scales == "own" and across > 1 else 0.0
                 heights = [shape * self.panel_width + below] * len(rows)
             around = AROUND if frames else TITLE
-            panels = self._follow(places, across, heights, around, beside, share_x, share_y)
+            panels = self._follow(cell_of_panel, across, heights, around, scale_width, share_x, share_y)
         else:
             self.figure.set_size_inches(width, height)
-            grid = {"height_ratios": list(rows) * lines} if len(rows) > 1 else {}
-            size = lines * len(rows), columns
+            grid = {"height_ratios": list(rows) * line_count} if len(rows) > 1 else {}
+            size = line_count * len(rows), columns
             grid_axes: Any = self.figure.subplots(
                 *size, squeeze=False, sharex=share_x, sharey=share_y, gridspec_kw=grid
             )
             for axes in grid_axes.flat:
                 axes.set_visible(False)
-            taken = set(places.values())
+            occupied = set(cell_of_panel.values())
             panels = {
-                key: Panel(grid_axes[place], inner=_inner(key[1], place, taken))
-                for key, place in places.items()
+                key: Panel(grid_axes[place], inner=_inner(key[1], place, occupied))
+                for key, place in cell_of_panel.items()
             }
             for panel in panels.values():
                 panel.axes.set_visible(True)
-        self.panels = [panels[key] for key in sorted(places, key=places.__getitem__)]
+        self.panels = [panels[key] for key in sorted(cell_of_panel, key=cell_of_panel.__getitem__)]
         return [[panels[group, row] for row in range(len(rows))] for group in range(count)]
 
     def _follow(
@@ -136,15 +136,15 @@ class Sheet:
         # As wide as after the layout, about: it decides which numbers and names fit beside each other.
         sides = {"left": 0.15, "right": 0.99 - beside / NARROW}
         spec = self.figure.add_gridspec(len(lines), across, height_ratios=lines, **sides)
-        first: dict[tuple[str, int], Axes] = {}
+        first_axes: dict[tuple[str, int], Axes] = {}
         panels: dict[tuple[int, int], Panel] = {}
         for k, cell in enumerate(order):
             row, column = places[cell]
             keys = [("sharex", column if share_x == "col" else 0)] if share_x else []
             keys += [("sharey", row if share_y == "row" else 0)] if share_y else []
-            shared: dict[str, Any] = {key[0]: first.get(key) for key in keys}
+            shared: dict[str, Any] = {key[0]: first_axes.get(key) for key in keys}
             axes = self.figure.add_subplot(spec[k // across, k % across], **shared)
-            first = {**dict.fromkeys(keys, axes), **first}
+            first_axes = {**dict.fromkeys(keys, axes), **first_axes}
             panels[cell] = Panel(axes, narrow=True, before=panels[order[k - 1]] if k % across else None)
         return panels
 
@@ -185,38 +185,38 @@ class Sheet:
         if not self.narrow:
             owner = self.figure if above is None else above.axes
             return owner.legend(handles, names, title=title, **wide)
-        place: dict[str, Any] = {"loc": "outside lower center" if below else "outside upper left"}
+        placement: dict[str, Any] = {"loc": "outside lower center" if below else "outside upper left"}
         for columns in range(len(names), 0, -1):
-            made = self.figure.legend(
-                handles, names, title=title, ncols=columns, columnspacing=1.2, handletextpad=0.4, **place
+            legend = self.figure.legend(
+                handles, names, title=title, ncols=columns, columnspacing=1.2, handletextpad=0.4, **placement
             )
-            box = made.get_window_extent()
+            box = legend.get_window_extent()
             if columns == 1 or box.width <= (NARROW - 2 * MARGIN) * self.figure.dpi:
                 break
-            made.remove()
+            legend.remove()
         self.figure.set_figheight(self.figure.get_figheight() + box.height / self.figure.dpi)
-        return made
+        return legend
 
     def settle(self) -> Bbox | None:
         """Lay a narrow figure out, to be saved once; return the part of it that is shown, None if it does not fit."""
         from matplotlib import rc_context
         from matplotlib.transforms import Bbox
 
-        drawn = self.figure
+        figure = self.figure
         for panel in self.panels:
-            _turn(panel.axes, APART * drawn.dpi)
-        engine = drawn.get_layout_engine()
+            _turn(panel.axes, APART * figure.dpi)
+        engine = figure.get_layout_engine()
         if not self.panels or engine is None:
             return None
-        engine.execute(drawn)
+        engine.execute(figure)
         with rc_context({"figure.constrained_layout.use": False}):
-            drawn.set_layout_engine(None)  # it stays as it is, and is saved without another draft
+            figure.set_layout_engine(None)  # it stays as it is, and is saved without another draft
         # Placed relative to the figure, a legend stays where it is when margins are cut off.
-        for legend in drawn.legends:
-            legend.set_bbox_to_anchor((0.0, 0.0, 1.0, 1.0), drawn.transFigure)
-        box = drawn.get_tightbbox()
-        thin = any(panel.axes.bbox.width < LEAST * drawn.dpi for panel in self.panels)
-        if box.width > SLACK * NARROW or thin or any(_crowded(panel.axes) for panel in self.panels):
+        for legend in figure.legends:
+            legend.set_bbox_to_anchor((0.0, 0.0, 1.0, 1.0), figure.transFigure)
+        box = figure.get_tightbbox()
+        too_narrow = any(panel.axes.bbox.width < LEAST * figure.dpi for panel in self.panels)
+        if box.width > SLACK * NARROW or too_narrow or any(_crowded(panel.axes) for panel in self.panels):
             return None
         # Text is drawn by the reader's fonts, which may be somewhat wider.
         return Bbox([[min(box.x0, 0.0), box.y0], [max(box.x1, NARROW), box.y1]]).padded(MARGIN)

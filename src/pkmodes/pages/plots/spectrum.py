@@ -37,16 +37,16 @@ def spectrum(evidence: PlottedEvidence) -> Drawing:
         for stage, style in zip(evidence.stages, STYLES[-len(evidence.stages) :], strict=True):
             setup, mode = np.nonzero(stage.predicted.spectrum <= highest)
             y, ends = stage.predicted.spectrum[setup, mode], np.stack([setup - HALF, setup + HALF], axis=1)
-            many, label = len(y) > marks.RASTERIZE_ABOVE, f"model {stage.title}"
-            panel.lines(ends, y[:, None], label=label, zorder=2, rasterized=many, **style)
+            rasterized, label = len(y) > marks.RASTERIZE_ABOVE, f"model {stage.title}"
+            panel.lines(ends, y[:, None], label=label, zorder=2, rasterized=rasterized, **style)
         if evidence.spread is not None:
             _bands(panel, evidence.stages[0].predicted.spectrum, evidence.spread, highest)
-        place = evidence.setup.astype(float)
+        position = evidence.setup.astype(float)
         paired = evidence.mode() > 0
-        marks.mark_rows(panel, evidence, np.where(paired, place, np.nan), evidence.measured)
+        marks.mark_rows(panel, evidence, np.where(paired, position, np.nan), evidence.measured)
         if not paired.all():
             panel.scatter(
-                place[~paired],
+                position[~paired],
                 evidence.measured[~paired],
                 s=26,
                 linewidth=1.3,
@@ -73,9 +73,9 @@ def _bands(panel: Panel, spectrum: NDArray[np.float64], spread: NDArray[np.float
     low, high = (y[setup, mode] + side * sigma[setup, mode] for side in (-1.0, 1.0))
     corners = [(setup - HALF, low), (setup + HALF, low), (setup + HALF, high), (setup - HALF, high)]
     boxes = np.stack([np.stack(corner, axis=-1) for corner in corners], axis=1)
-    many = len(setup) > marks.RASTERIZE_ABOVE
+    rasterized = len(setup) > marks.RASTERIZE_ABOVE
     bands = PolyCollection(
-        list(boxes), facecolor=GREY, alpha=SHADE, linewidth=0, zorder=1, rasterized=many, label=BAND
+        list(boxes), facecolor=GREY, alpha=SHADE, linewidth=0, zorder=1, rasterized=rasterized, label=BAND
     )
     panel.axes.add_collection(bands, autolim=False)
     panel.limits(setup, low, high, BAND)

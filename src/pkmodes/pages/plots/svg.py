@@ -72,10 +72,10 @@ def inline_narrow(drawing: Drawing, title: str, description: str) -> str:
     with styled(), warnings.catch_warnings():
         warnings.simplefilter("ignore", UserWarning)  # panels that collapse, and characters that a font lacks
         sheet = drawing.sheet(narrow=True)
-        shown = sheet.settle()
-    if shown is None:
+        visible_box = sheet.settle()
+    if visible_box is None:
         return ""
-    return _element(sheet.figure, title, description, {"bbox_inches": shown, "dpi": SPARING})
+    return _element(sheet.figure, title, description, {"bbox_inches": visible_box, "dpi": SPARING})
 
 
 def _element(figure: Figure, title: str, description: str, settings: dict[str, Any]) -> str:
@@ -92,19 +92,19 @@ def _element(figure: Figure, title: str, description: str, settings: dict[str, A
             if child.tag in (f"{SVG}metadata", f"{SVG}style"):
                 parent.remove(child)
     # Matplotlib's ids are digests of places with all their digits, the last of which may differ between two layouts.
-    used = _used(root)
-    _rename(root, {identifier: str(k) for k, identifier in enumerate(used)})
+    used_ids = _used(root)
+    _rename(root, {identifier: str(k) for k, identifier in enumerate(used_ids)})
     for element in root.iter():
         _simplify(element)
     drawing = ElementTree.tostring(root, encoding="unicode")
     digest = sha256("\0".join((title, description, drawing)).encode()).hexdigest()
     prefix = f"f{digest[:DIGITS]}"
-    _rename(root, {str(k): f"{prefix}-{k}" for k in range(len(used))})
-    named = {"title": title, "desc": description}
-    for place, (tag, content) in enumerate(named.items()):
+    _rename(root, {str(k): f"{prefix}-{k}" for k in range(len(used_ids))})
+    texts_by_tag = {"title": title, "desc": description}
+    for position, (tag, content) in enumerate(texts_by_tag.items()):
         element = ElementTree.Element(tag, id=f"{prefix}-{tag}")
         element.text = content
-        root.insert(place, element)
+        root.insert(position, element)
     root.attrib = {
         "xmlns": SVG[1:-1],
         "viewBox": root.get("viewBox", ""),
@@ -118,16 +118,16 @@ def _element(figure: Figure, title: str, description: str, settings: dict[str, A
 
 def _used(root: ElementTree.Element) -> list[str]:
     """Return the ids that are referred to, in the order of their elements."""
-    used: set[str] = set()
+    referenced_ids: set[str] = set()
     for element in root.iter():
         for name, value in element.attrib.items():
             if name == LINK and value.startswith("#"):
-                used.add(value[1:])
-            used.update(REFERENCE.findall(value))
+                referenced_ids.add(value[1:])
+            referenced_ids.update(REFERENCE.findall(value))
     return [
         identifier
         for element in root.iter()
-        if (identifier := element.get("id")) in used and identifier is not None
+        if (identifier := element.get("id")) in referenced_ids and identifier is not None
     ]
 
 

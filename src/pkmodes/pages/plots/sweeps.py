@@ -43,7 +43,7 @@ def against(dataset: xarray.Dataset, path: str, spread: Array | None = None) -> 
         unit, factor = SHOWN[unit]
     values = dataset[path].values * factor
     frequency = _flat(dataset, path)
-    shares = ALL if frequency.shape[1] < FEW else INNER
+    probabilities = ALL if frequency.shape[1] < FEW else INNER
     modes = frequency.shape[-1]
     columns = min(modes, 3)
     height = 1.75 * -(-modes // columns) + 0.2
@@ -51,7 +51,7 @@ def against(dataset: xarray.Dataset, path: str, spread: Array | None = None) -> 
     def draw(sheet: Sheet) -> None:
         sheet.groups(modes, columns, height, share_x=True)
         for mode, panel in enumerate(sheet.panels):
-            low, middle, high = _quantiles(frequency[..., mode], shares)
+            low, middle, high = _quantiles(frequency[..., mode], probabilities)
             if spread is not None:
                 low, high = middle - spread[order, mode], middle + spread[order, mode]
             panel.band(values, low, high, color=BLUE, alpha=0.18, linewidth=0)
@@ -75,7 +75,7 @@ def along(dataset: xarray.Dataset, spread: Array | None = None) -> Drawing:
     )
     labels = [short(label) for label in dataset["pose"].values]
     step = max(1, -(-len(labels) // LABELS))
-    place = np.arange(len(labels))
+    position = np.arange(len(labels))
 
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(3.0)
@@ -85,12 +85,12 @@ def along(dataset: xarray.Dataset, spread: Array | None = None) -> Drawing:
             marker = "o" if len(labels) <= 60 else None
             if spread is not None:
                 low, high = (frequency[:, mode] + side * spread[:, mode] for side in (-1.0, 1.0))
-                panel.band(place, low, high, color=colour, alpha=0.18, linewidth=0)
+                panel.band(position, low, high, color=colour, alpha=0.18, linewidth=0)
             panel.plot(
-                place, frequency[:, mode], style, color=colour, marker=marker, label=f"mode {mode + 1}"
+                position, frequency[:, mode], style, color=colour, marker=marker, label=f"mode {mode + 1}"
             )
-        turned = 90 if len(labels) > 10 else 0
-        panel.name_places("x", range(0, len(labels), step), labels[::step], rotation=turned)
+        rotation = 90 if len(labels) > 10 else 0
+        panel.name_places("x", range(0, len(labels), step), labels[::step], rotation=rotation)
         panel.label(x="pose", y="f [Hz]")
         sheet.legend(panel, above=False, loc="outside right upper")
 
@@ -114,10 +114,10 @@ def scatter(dataset: xarray.Dataset) -> Drawing:
             values = relative[..., mode][np.isfinite(relative[..., mode])]
             if not len(values):
                 continue
-            place = [mode + 1] * 2
-            low, quarter, middle, three, top = np.quantile(values, [0.025, 0.25, 0.5, 0.75, 0.975])
-            panel.plot(place, [low, top], color=BLUE, linewidth=1.2)
-            panel.plot(place, [quarter, three], color=BLUE, linewidth=7, solid_capstyle="butt")
+            position = [mode + 1] * 2
+            low, quarter, middle, three_quarters, top = np.quantile(values, [0.025, 0.25, 0.5, 0.75, 0.975])
+            panel.plot(position, [low, top], color=BLUE, linewidth=1.2)
+            panel.plot(position, [quarter, three_quarters], color=BLUE, linewidth=7, solid_capstyle="butt")
             panel.plot([mode + 1], [middle], "o", color=VERMILLION)
         panel.axes.set_xticks(range(1, modes + 1))
         panel.axes.set_xlim(0.5, modes + 0.5)
@@ -132,10 +132,10 @@ def _flat(dataset: xarray.Dataset, dim: str) -> Array:
     return frequencies.reshape(frequencies.shape[0], -1, frequencies.shape[-1])
 
 
-def _quantiles(values: Array, shares: tuple[float, ...]) -> Array:
+def _quantiles(values: Array, probabilities: tuple[float, ...]) -> Array:
     """Return quantiles along the second axis, NaN where no pose can be evaluated."""
-    quantiles = np.full((len(shares), len(values)), np.nan)
+    quantiles = np.full((len(probabilities), len(values)), np.nan)
     evaluated = np.isfinite(values).any(axis=1)
     if evaluated.any():
-        quantiles[:, evaluated] = np.nanquantile(values[evaluated], shares, axis=1)
+        quantiles[:, evaluated] = np.nanquantile(values[evaluated], probabilities, axis=1)
     return quantiles

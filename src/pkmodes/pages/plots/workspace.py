@@ -56,27 +56,29 @@ def workspace(plane: Plane, volume: Volume | None) -> Drawing | str:
     # A median: poses next to a singular edge would decide a mean.
     finite, median = condition[np.isfinite(condition)], ""
     if len(finite):
-        over = "" if plane.area is None else f"\nover {typeset(plain(plane.area, 2))} m\N{SUPERSCRIPT TWO}"
-        median = f"median {np.median(finite):.2f}{over}"
+        area_text = (
+            "" if plane.area is None else f"\nover {typeset(plain(plane.area, 2))} m\N{SUPERSCRIPT TWO}"
+        )
+        median = f"median {np.median(finite):.2f}{area_text}"
 
     def draw(sheet: Sheet) -> None:
         if volume is None:
-            flat = sheet.panel(WIDTH * 0.55, WIDTH * 0.7, shape=plane.proportions, scales="own")
+            plane_panel = sheet.panel(WIDTH * 0.55, WIDTH * 0.7, shape=plane.proportions, scales="own")
         else:
             sheet.figure.set_size_inches(WIDTH, WIDTH * 0.5)
             parts: Any = sheet.figure.subfigures(1, 2, width_ratios=(1.5, 1.0))
             left, right = parts
-            solid = left.add_axes((0.02, 0.02, 0.86, 0.96), projection="3d", computed_zorder=False)
-            _volume(solid, plane, volume, low, high)
-            flat = sheet.adopt(right.add_subplot())
-        mesh = plane.draw(flat, condition, vmin=low, vmax=high)
-        plane.label_panel(flat, median)
+            volume_axes = left.add_axes((0.02, 0.02, 0.86, 0.96), projection="3d", computed_zorder=False)
+            _volume(volume_axes, plane, volume, low, high)
+            plane_panel = sheet.adopt(right.add_subplot())
+        mesh = plane.draw(plane_panel, condition, vmin=low, vmax=high)
+        plane.label_panel(plane_panel, median)
         label = "condition number [1]"
         if plane.is_tall:
-            flat.axes.set_anchor("E")  # next to its scale
+            plane_panel.axes.set_anchor("E")  # next to its scale
             sheet.scale(mesh, label, aspect=30, shrink=0.7, extend="both")
         else:
-            scale_beside(plane, flat, mesh, label)
+            scale_beside(plane, plane_panel, mesh, label)
 
     return Drawing(draw, narrow=volume is None)
 
@@ -85,12 +87,15 @@ def _outlines(x: Array, y: Array, valid: Array) -> list[list[Array]]:
     """Return the outlines at each height, closed lines of (x, y), without those that enclose next to nothing."""
     from matplotlib.figure import Figure
 
-    flat = Figure().add_subplot()  # only to find them
+    contour_axes = Figure().add_subplot()  # only to find them
     outlines = [
-        flat.contour(x, y, inside.astype(float), [0.5]).allsegs[0] if inside.any() else [] for inside in valid
+        contour_axes.contour(x, y, valid_plane.astype(float), [0.5]).allsegs[0] if valid_plane.any() else []
+        for valid_plane in valid
     ]
-    least = SHARD * max((_enclosed(line) for closed in outlines for line in closed), default=0.0)
-    return [[line for line in closed if _enclosed(line) >= least] for closed in outlines]
+    min_area = SHARD * max(
+        (_enclosed(line) for height_outlines in outlines for line in height_outlines), default=0.0
+    )
+    return [[line for line in height_outlines if _enclosed(line) >= min_area] for height_outlines in outlines]
 
 
 def _enclosed(line: Any) -> float:
@@ -110,16 +115,16 @@ def _volume(axes: Any, plane: Plane, volume: Volume, low: float, high: float) ->
     x, y, heights = (
         v * f for v, f in zip((volume.across, volume.along, volume.heights), factors, strict=True)
     )
-    at = plane.at * factors[2]
+    plane_height = plane.at * factors[2]
     outlines = _outlines(x, y, volume.valid)
-    for above in (False, True):
-        for height, closed in zip(heights, outlines, strict=True):
-            for line in closed if (height > at) == above else []:
+    for is_above in (False, True):
+        for height, height_outlines in zip(heights, outlines, strict=True):
+            for line in height_outlines if (height > plane_height) == is_above else []:
                 axes.plot(line[:, 0], line[:, 1], height, color=GREEN, linewidth=0.7, alpha=0.8)
-        if not above:
+        if not is_above:
             condition = plane.dataset["condition"].values
             colours = colormaps["cividis"](Normalize(low, high)(condition))
-            surface = np.where(np.isfinite(condition), at, np.nan)
+            surface = np.where(np.isfinite(condition), plane_height, np.nan)
             settings = {"shade": False, "linewidth": 0, "antialiased": False, "rasterized": True}
             X, Y = np.meshgrid(plane.drawn(plane.across), plane.drawn(plane.along))
             axes.plot_surface(X, Y, surface, facecolors=colours, rcount=80, ccount=80, **settings)

@@ -16,7 +16,7 @@ from pkmodes.pages.plots.style import styled
 from pkmodes.pages.report.blocks import Explorer, Slider
 from pkmodes.pages.report.formatting import clean, shortened
 from pkmodes.pages.report.map_values import DECIMALS, LARGEST, MapValues, values_of
-from pkmodes.pages.view.page_data import embedded
+from pkmodes.pages.view.page_data import script_json
 
 if TYPE_CHECKING:
     import xarray
@@ -66,7 +66,7 @@ def explorer_of(model: Model, dataset: xarray.Dataset, units: Any, *, machine: b
     several = [name for name in components if name in places and part.sizes[name] > 1]
     planes = [(a, b) for i, a in enumerate(several) for b in several[i + 1 :]]
     return Explorer(
-        embedded(data),
+        script_json(data),
         modes,
         sliders,
         planes if len(planes) > 1 else [],

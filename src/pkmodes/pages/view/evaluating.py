@@ -19,7 +19,7 @@ from pkmodes.core.robot.pose_table import poses_by_name
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.support.motors import motors_in_words
 from pkmodes.pages.view.page import page
-from pkmodes.pages.view.robot_drawing import RobotDrawing, Springs, present
+from pkmodes.pages.view.robot_drawing import RobotDrawing, Springs, springs_with_stiffness
 from pkmodes.pages.view.scene import Scene
 from pkmodes_description import Named
 
@@ -62,14 +62,14 @@ def scene(model: Model, poses: ArrayLike, chosen: int = 0, *, drives: str = FREE
         If a pose cannot be evaluated.
     """
     points = poses_by_name(poses, model.mechanism)
-    at = np.atleast_2d(np.asarray(points, dtype=float))
-    return scene_of([model] * len(at), at, chosen, drives=drives)
+    pose_array = np.atleast_2d(np.asarray(points, dtype=float))
+    return scene_of([model] * len(pose_array), pose_array, chosen, drives=drives)
 
 
 def scene_of(models: Sequence[Model], poses: Array, chosen: int = 0, *, drives: str = FREE) -> Scene:
     """Evaluate what a picture shows of machines that differ in values, each at a pose.
 
-    Where some of them have joints that others lock, only as many modes are kept as all of them have.
+    Where some machines have joints that others lock, only as many modes are kept as all machines have.
 
     - models: of one mechanism, length N; the first, or the one shown first, gives its name
     - poses: in SI units, (N, d)
@@ -80,27 +80,38 @@ def scene_of(models: Sequence[Model], poses: Array, chosen: int = 0, *, drives: 
     """
     starts = [i for i, model in enumerate(models) if i == 0 or model is not models[i - 1]]
     ends = [*starts[1:], len(models)]
-    parts = [_MachineMotion.of(models[i], poses[i:k], drives) for i, k in zip(starts, ends, strict=True)]
+    machine_motions = [
+        _MachineMotion.of(models[start], poses[start:end], drives)
+        for start, end in zip(starts, ends, strict=True)
+    ]
     model = models[chosen]
     drawing, mechanism = RobotDrawing(model.robot), model.mechanism
     coordinates = tuple(
-        name for name in mechanism.extended.COORDINATES if any(name in part.coordinates for part in parts)
+        name
+        for name in mechanism.extended.COORDINATES
+        if any(name in part.coordinates for part in machine_motions)
     )
-    named = tuple(dict.fromkeys(spring for part in parts for spring in part.springs.named))
-    count, rigid = min(part.frequencies.shape[1] for part in parts), min(part.rigid for part in parts)
-    widened = [_widened(part, coordinates, named) for part in parts]
-    springs, index = present(
-        Springs(named, *(np.concatenate([part.springs[k] for part in widened]) for k in (1, 2)))
+    all_springs = tuple(
+        dict.fromkeys(spring for part in machine_motions for spring in part.springs.descriptions)
     )
-    joined = {key: np.concatenate([getattr(part, key) for part in widened]) for key in _MachineMotion.PLACES}
-    modal = {
-        key: np.concatenate([getattr(part, key)[:, :count] for part in widened])
-        for key in _MachineMotion.MODES
+    mode_count = min(part.frequencies.shape[1] for part in machine_motions)
+    rigid_count = min(part.rigid for part in machine_motions)
+    aligned = [_align_coordinates(part, coordinates, all_springs) for part in machine_motions]
+    springs, spring_index = springs_with_stiffness(
+        Springs(all_springs, *(np.concatenate([part.springs[field] for part in aligned]) for field in (1, 2)))
+    )
+    pose_arrays = {
+        key: np.concatenate([getattr(part, key) for part in aligned]) for key in _MachineMotion.POSE_FIELDS
     }
-    strains = np.einsum("psn,pmn->pms", springs.strain, modal["shapes"])
+    modal_arrays = {
+        key: np.concatenate([getattr(part, key)[:, :mode_count] for part in aligned])
+        for key in _MachineMotion.MODE_FIELDS
+    }
+    strains = np.einsum("psn,pmn->pms", springs.strain, modal_arrays["shapes"])
     energies = 0.5 * springs.stiffness[:, None] * strains**2
-    for i, k, part in zip(starts, ends, parts, strict=True):
-        energies[i:k, rigid : part.rigid] = 0.0  # what is rigid in one machine need not be in another
+    for start, end, part in zip(starts, ends, machine_motions, strict=True):
+        # A mode that is rigid in one machine need not be in another.
+        energies[start:end, rigid_count : part.rigid] = 0.0
     return NotebookScene(
         robot=model.robot.name,
         title=mechanism.title,
@@ -111,19 +122,19 @@ def scene_of(models: Sequence[Model], poses: Array, chosen: int = 0, *, drives: 
         coordinates=coordinates,
         independent=mechanism.independent,
         elements=tuple(
-            replace(element, spring=index[element.spring] if element.spring >= 0 else -1)
+            replace(element, spring=spring_index[element.spring] if element.spring >= 0 else -1)
             for element in drawing.drawing.elements
         ),
-        springs=springs.named,
+        springs=springs.descriptions,
         motions_of=np.array(drawing.drawing.motions, dtype=np.intp),
-        poses=joined["poses"],
-        points=joined["points"],
-        motions=joined["motions"],
-        frequencies=modal["frequencies"],
-        shapes=modal["shapes"],
-        platform_shapes=modal["platform_shapes"],
+        poses=pose_arrays["poses"],
+        points=pose_arrays["points"],
+        motions=pose_arrays["motions"],
+        frequencies=modal_arrays["frequencies"],
+        shapes=modal_arrays["shapes"],
+        platform_shapes=modal_arrays["platform_shapes"],
         energies=energies,
-        rigid_modes=rigid,
+        rigid_modes=rigid_count,
         vertical=drawing.vertical,
         drives=drives,
         chosen=chosen,
@@ -134,10 +145,10 @@ def scene_of(models: Sequence[Model], poses: Array, chosen: int = 0, *, drives: 
 
 @dataclass(frozen=True, eq=False)
 class _MachineMotion:
-    """What one machine gives at some poses; arrays as in `Scene`."""
+    """Modes, points and springs of one machine at some poses; arrays as in `Scene`."""
 
-    PLACES: ClassVar = ("poses", "points", "motions")
-    MODES: ClassVar = ("frequencies", "shapes", "platform_shapes")
+    POSE_FIELDS: ClassVar = ("poses", "points", "motions")
+    MODE_FIELDS: ClassVar = ("frequencies", "shapes", "platform_shapes")
 
     coordinates: tuple[str, ...]
     springs: Springs
@@ -166,25 +177,28 @@ class _MachineMotion:
         )
 
 
-def _widened(part: _MachineMotion, coordinates: tuple[str, ...], named: tuple[Named, ...]) -> _MachineMotion:
-    """Return a part with zeros for the coordinates and springs that only others have."""
-    if part.coordinates == coordinates and part.springs.named == named:
+def _align_coordinates(
+    part: _MachineMotion, coordinates: tuple[str, ...], springs: tuple[Named, ...]
+) -> _MachineMotion:
+    """Return a part with zeros for the coordinates and springs that only other machines have."""
+    if part.coordinates == coordinates and part.springs.descriptions == springs:
         return part
-    columns = [coordinates.index(name) for name in part.coordinates]
-    rows = [named.index(spring) for spring in part.springs.named]
+    coordinate_columns = [coordinates.index(name) for name in part.coordinates]
+    spring_columns = [springs.index(spring) for spring in part.springs.descriptions]
 
-    def wide(values: Array) -> Array:
+    def fill_columns(values: Array) -> Array:
         zeros = np.zeros((*values.shape[:-1], len(coordinates)))
-        zeros[..., columns] = values
+        zeros[..., coordinate_columns] = values
         return zeros
 
     count = len(part.poses)
-    stiffness, strain = np.zeros((count, len(named))), np.zeros((count, len(named), len(coordinates)))
-    stiffness[:, rows], strain[:, rows] = part.springs.stiffness, wide(part.springs.strain)
+    stiffness, strain = np.zeros((count, len(springs))), np.zeros((count, len(springs), len(coordinates)))
+    stiffness[:, spring_columns] = part.springs.stiffness
+    strain[:, spring_columns] = fill_columns(part.springs.strain)
     return dataclasses.replace(
         part,
         coordinates=coordinates,
-        springs=Springs(named, stiffness, strain),
-        motions=wide(part.motions),
-        shapes=wide(part.shapes),
+        springs=Springs(springs, stiffness, strain),
+        motions=fill_columns(part.motions),
+        shapes=fill_columns(part.shapes),
     )

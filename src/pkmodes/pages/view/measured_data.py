@@ -1,7 +1,7 @@
-"""Measured modes as data of a page: components in the scale of the picture, and what of them can be drawn where.
+"""Measured modes as data of a page: components in the scale of the picture, and where they can be drawn.
 
 The platform, parts that one coordinate moves alone, and wheels that one coordinate turns are drawn; other components
-stand in the table only, which has all measured components of a mode beside those of the model.
+are only in the table, which has all measured components of a mode beside those of the model.
 """
 
 from __future__ import annotations
@@ -14,15 +14,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.pages.view.measured_modes import scale_factor, weights_of
+from pkmodes.pages.view.measured_modes import channel_weights, scale_factor
 from pkmodes.pages.view.scene import Scene
 
 Array = NDArray[np.float64]
-#: Kinds of elements on which a coordinate is shown as a displacement.
-MOVING = ("carriage", "arm", "gantry", "toolhead", "platform", "body")
-DIGITS = 4
+#: Kinds of elements on which a coordinate is drawn as a displacement; decimals of components.
+MOVING_KINDS = ("carriage", "arm", "gantry", "toolhead", "platform", "body")
+DECIMALS = 4
 #: Units of components for a largest displacement of 1 mm.
-SMALL = {"m": "mm", "rad": "mrad"}
+SCALED_UNITS = {"m": "mm", "rad": "mrad"}
 
 
 def measured_data(scene: Scene) -> dict[str, Any] | None:
@@ -45,13 +45,13 @@ def measured_data(scene: Scene) -> dict[str, Any] | None:
         if mode is None or not measured.has_shape:
             continue
         shapes, shape, scale = components(scene, pose), np.array(measured.shape), scene.scale(pose, mode)
-        scaled = scale * scale_factor(shape, shapes[mode], weights_of(shapes)) * shape
-        arrows, turns = _drawn(scene, pose, scaled)
+        scaled = scale * scale_factor(shape, shapes[mode], channel_weights(shapes)) * shape
+        arrows, turns = _drawn_components(scene, pose, scaled)
         entry |= {
             "measured": [
-                None if np.isnan(value) else round(value, DIGITS) + 0.0 for value in scaled.tolist()
+                None if np.isnan(value) else round(value, DECIMALS) + 0.0 for value in scaled.tolist()
             ],
-            "model": [round(value, DIGITS) + 0.0 for value in (scale * shapes[mode]).tolist()],
+            "model": [round(value, DECIMALS) + 0.0 for value in (scale * shapes[mode]).tolist()],
             "arrows": arrows,
             "turns": turns,
         }
@@ -71,62 +71,66 @@ def components(scene: Scene, pose: int) -> Array:
     return shapes
 
 
-def _drawn(scene: Scene, pose: int, scaled: Array) -> tuple[list[Any], list[Any]]:
+def _drawn_components(scene: Scene, pose: int, scaled: Array) -> tuple[list[Any], list[Any]]:
     """Return displacements as [point, x, y, z], and rotations as [element, angle], of the measured components."""
     platform, arrows, turns = np.zeros(3), [], []
-    linear = [component.name for component in scene.platform if component.unit == "m"]
+    linear_names = [component.name for component in scene.platform if component.unit == "m"]
     for channel, value in zip(scene.channels, scaled.tolist(), strict=True):
         if np.isnan(value):
             continue
-        if channel.name in linear:
+        if channel.name in linear_names:
             platform["xyz".index(channel.name[-1])] = value
         elif wheels := [i for i, e in enumerate(scene.elements) if e.turns and e.turns == channel.name]:
-            turns += [[i, round(value, DIGITS)] for i in wheels]
-        elif (place := _place(scene, pose, channel.name)) is not None:
-            point, along = place
-            arrows.append([point, *(round(v, DIGITS) + 0.0 for v in (along * value).tolist())])
+            turns += [[i, round(value, DECIMALS)] for i in wheels]
+        elif (moved_point := _moved_point(scene, pose, channel.name)) is not None:
+            point, displacement = moved_point
+            arrows.append([point, *(round(v, DECIMALS) + 0.0 for v in (displacement * value).tolist())])
     if platform.any():
-        arrows.insert(0, [0, *(round(v, DIGITS) + 0.0 for v in platform.tolist())])
+        arrows.insert(0, [0, *(round(v, DECIMALS) + 0.0 for v in platform.tolist())])
     return arrows, turns
 
 
-def _place(scene: Scene, pose: int, name: str) -> tuple[int, Array] | None:
+def _moved_point(scene: Scene, pose: int, name: str) -> tuple[int, Array] | None:
     """Return a point of a part that a coordinate moves alone, and its displacement per unit; None without one."""
     if name not in scene.coordinates:
         return None
     column = scene.coordinates.index(name)
-    base = [
+    other_columns = [
         k for k, coordinate in enumerate(scene.coordinates) if coordinate in scene.independent and k != column
     ]
     best = None
     for element in scene.elements:
-        for point in element.points if element.kind in MOVING else ():
+        for point in element.points if element.kind in MOVING_KINDS else ():
             motion = scene.motions[pose, scene.motions_of[point]]
             size = float(np.linalg.norm(motion[:, column]))
-            moves_alone = size > 1e-9 and np.abs(motion[:, base]).max(initial=0.0) < 1e-9 * size
+            moves_alone = size > 1e-9 and np.abs(motion[:, other_columns]).max(initial=0.0) < 1e-9 * size
             if moves_alone and (best is None or size > np.linalg.norm(best[1]) * (1 + 1e-9)):
                 best = int(point), motion[:, column]
     return best
 
 
-def measured_table(scene: Scene, key: str) -> str:
+def measured_table(scene: Scene, prefix: str) -> str:
     """Return the table of the first mode at the pose that is shown first; empty without measured components.
 
-    - key: prefix of identifiers, escaped
+    - prefix: prefix of identifiers, escaped
     """
     data = measured_data(scene)
     if data is None or not scene.channels:
         return '<p hidden data-part="compared"></p>' if data is not None else ""
     mode = min(scene.rigid_modes, scene.frequencies.shape[1] - 1)
-    here = [entry for entry in data["modes"] if entry["pose"] == scene.chosen and entry["mode"] == mode]
+    shown_entries = [
+        entry for entry in data["modes"] if entry["pose"] == scene.chosen and entry["mode"] == mode
+    ]
     rows = []
-    for k, channel in enumerate(scene.channels):
+    for index, channel in enumerate(scene.channels):
         cells = ""
         for name in ("measured", "model"):
-            value = here[0][name][k] if here and "measured" in here[0] else None
+            value = (
+                shown_entries[0][name][index] if shown_entries and "measured" in shown_entries[0] else None
+            )
             text = "\u2013" if value is None else f"{value + 0.0:.3f}".replace("-", "\u2212")
             cells += f'<td data-part="of-{name}">{text}</td>'
-        unit = escape(SMALL.get(channel.unit, channel.unit))
+        unit = escape(SCALED_UNITS.get(channel.unit, channel.unit))
         rows.append(
             f'<tr data-part="component"><th scope="row">{escape(channel.name)} [{unit}]</th>{cells}</tr>'
         )
@@ -137,31 +141,31 @@ def measured_table(scene: Scene, key: str) -> str:
         " drawn where its sensors are; nothing else was measured: all other motion in the picture is the"
         " model&#8217;s."
     )
-    heads = '<th scope="col">measured</th><th scope="col">model</th>'
-    return numbers_table(f"{key}-measured", caption, heads, rows)
+    head_cells = '<th scope="col">measured</th><th scope="col">model</th>'
+    return numbers_table(f"{prefix}-measured", caption, head_cells, rows)
 
 
-def numbers_table(name: str, caption: str, heads: str, rows: Sequence[str]) -> str:
+def numbers_table(identifier: str, caption: str, head_cells: str, rows: Sequence[str]) -> str:
     """Return a table of the viewer from its parts in HTML, with its caption under an identifier."""
     return (
-        f'<div class="pkview-numbers"><p id="{name}">{caption}</p>'
-        f'<div class="pkview-table" role="region" aria-labelledby="{name}" tabindex="0">'
-        f'<table aria-labelledby="{name}"><thead><tr><td></td>{heads}</tr></thead>'
+        f'<div class="pkview-numbers"><p id="{identifier}">{caption}</p>'
+        f'<div class="pkview-table" role="region" aria-labelledby="{identifier}" tabindex="0">'
+        f'<table aria-labelledby="{identifier}"><thead><tr><td></td>{head_cells}</tr></thead>'
         f"<tbody>{''.join(rows)}</tbody></table></div></div>"
     )
 
 
-def observed(scene: Scene) -> str:
-    """Return what was measured of the mode that is shown first, in words."""
+def measured_sentence(scene: Scene) -> str:
+    """Return a sentence on the measurement of the mode that is shown first."""
     mode = min(scene.rigid_modes, scene.frequencies.shape[1] - 1)
-    here = [
+    shown_modes = [
         measured
         for measured in scene.measured or ()
         if (measured.pose, measured.mode) == (scene.chosen, mode)
     ]
-    if not here:
+    if not shown_modes:
         return "Not measured at this pose."
-    (measured_mode, *_) = here
+    (measured_mode, *_) = shown_modes
     digits = min(max(0, 1 - math.floor(math.log10(measured_mode.sigma))), 4)
     text = f"Measured: {measured_mode.frequency:.{digits}f} \u00b1 {measured_mode.sigma:.{digits}f} Hz"
     if not measured_mode.has_shape:

@@ -5,7 +5,7 @@ measured components, in units of each component's motion over all modes, as in t
 
     a = sum w^2 u v / sum w^2 v^2,  w = 1 / sqrt(sum over modes of u^2)
 
-with v measured and u of the model (the modal scale factor).  What was not measured is not drawn.
+with v the measured components and u those of the model (the modal scale factor).  Only measured components are drawn.
 
 References
 ----------
@@ -74,10 +74,10 @@ def scale_factor(measured: Array, model: Array, weights: Array) -> float:
     """
     finite = np.isfinite(measured)
     v, u = np.where(finite, measured, 0.0) * weights, np.where(finite, model, 0.0) * weights
-    size = float(v @ v)
-    return float(u @ v) / size if size > 0.0 else 0.0
+    norm_squared = float(v @ v)
+    return float(u @ v) / norm_squared if norm_squared > 0.0 else 0.0
 
 
-def weights_of(shapes: Array) -> Array:
+def channel_weights(shapes: Array) -> Array:
     """Return the weight of each channel from the shapes of all modes there, (m, C): 1 / motion; 0 without motion."""
     return motion_weights(channel_motion(shapes))

@@ -1,7 +1,7 @@
 """A page that shows a scene: one HTML file without anything from a network; or the same viewer inside another page.
 
 `fragment` is the viewer itself, and `assets` what all viewers of a page share: the style, three.js and the program.
-Without WebGL, and without JavaScript, the table of the first pose remains.
+Without WebGL or JavaScript, the table of the first pose remains.
 """
 
 from __future__ import annotations
@@ -13,17 +13,17 @@ import numpy as np
 
 from pkmodes.core.robot.units import SHOWN
 from pkmodes.core.support.page_policy import with_policy
-from pkmodes.pages.view.interpolation import FINE
-from pkmodes.pages.view.measured_data import measured_table, numbers_table, observed
-from pkmodes.pages.view.page_data import as_data, embedded, platform_directions
+from pkmodes.pages.view.interpolation import SLIDER_STEPS
+from pkmodes.pages.view.measured_data import measured_sentence, measured_table, numbers_table
+from pkmodes.pages.view.page_data import platform_directions, scene_data, script_json
 from pkmodes.pages.view.scene import AMPLITUDE, Scene
-from pkmodes.pages.view.still import still
+from pkmodes.pages.view.still import still_svg
 from pkmodes_description import Named
 
-#: Parts of the program in the browser, in loading order.
+#: Scripts of the viewer, in loading order.
 PROGRAM = ("palette.js", "states.js", "shapes.js", "stage.js", "panel.js", "viewer.js")
 #: Shares of the strain energy that differ by less count as equal, as in panel.js.
-TIED = 0.0005
+EQUAL_SHARE_TOLERANCE = 0.0005
 #: End of every page title, by which `pkmodes show` recognises its own pages.
 PAGE_MARK = b": vibration modes</title>"
 ICON = "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg'/%3E"
@@ -67,7 +67,7 @@ def page(scene: Scene) -> str:
 <header>
 <h1>{name}</h1>
 <p>{escape(scene.title[:1].upper() + scene.title[1:])}; {scene.doing}</p>
-{_head(scene)}</header>
+{_about_list(scene)}</header>
 {fragment(scene)}
 <footer>
 <p>A mode is a free vibration about the static equilibrium at the pose.  The picture enlarges it; displacements are
@@ -80,8 +80,8 @@ give are drawn schematically.</p>
 """)
 
 
-def _head(scene: Scene) -> str:
-    """Return what the robot file says of the machine; empty if it says nothing."""
+def _about_list(scene: Scene) -> str:
+    """Return the lines of the robot file for the head of a page; empty if there are none."""
     lines = "".join(f"<dt>{title}</dt><dd><bdi>{escape(text)}</bdi></dd>\n" for title, text in scene.head)
     return f'<dl class="about">\n{lines}</dl>\n' if lines else ""
 
@@ -119,15 +119,15 @@ def fragment(scene: Scene, name: str = "robot") -> str:
     str
         HTML.
     """
-    key = escape(name)
-    data = embedded(as_data(scene))
+    prefix = escape(name)
+    data = script_json(scene_data(scene))
     return f"""<section class="pkview" aria-label="{escape(scene.robot)} in three dimensions">
 <div class="pkview-frame">
 <div class="pkview-stage">
 <canvas tabindex="0" role="application" aria-label="{escape(scene.robot)}, moving in the chosen mode.
  Arrow keys turn the view, plus and minus zoom, Home resets it, space plays and pauses."></canvas>
 <canvas class="pkview-still" aria-hidden="true"></canvas>
-{still(scene)}
+{still_svg(scene)}
 {_title(scene)}
 <div class="pkview-legend" aria-hidden="true">Share of the strain energy
 <div class="pkview-scale"></div>
@@ -137,24 +137,26 @@ def fragment(scene: Scene, name: str = "robot") -> str:
 <p class="pkview-message" role="alert" data-part="message" hidden></p>
 </div>
 <div class="pkview-panel">
-{_poses(scene, key)}
-{_modes(scene, key)}
-{_motion(scene, key)}
+{_pose_controls(scene, prefix)}
+{_mode_controls(scene, prefix)}
+{_motion_controls(scene, prefix)}
 </div>
 </div>
 <noscript><p>The moving picture needs JavaScript; the table is that of one pose.</p></noscript>
-{_table(scene, key)}
-{measured_table(scene, key)}
+{_mode_table(scene, prefix)}
+{measured_table(scene, prefix)}
 <script type="application/json">{data}</script>
 </section>
 """
 
 
-def _poses(scene: Scene, key: str) -> str:
+def _pose_controls(scene: Scene, prefix: str) -> str:
     if scene.levels is None:
         options = ""
         for i, pose in enumerate(scene.poses):  # in few characters: with one unit where all have the same
-            parts = [_shown(c, value).rpartition(" ") for c, value in zip(scene.pose, pose, strict=True)]
+            parts = [
+                _format_component(c, value).rpartition(" ") for c, value in zip(scene.pose, pose, strict=True)
+            ]
             single_unit = len({symbol for *_, symbol in parts}) == 1
             text = ", ".join(value if single_unit else f"{value} {symbol}" for value, _, symbol in parts)
             label = f"{scene.labels[i]}: " if scene.labels else ""
@@ -162,72 +164,77 @@ def _poses(scene: Scene, key: str) -> str:
             options += f'<option value="{i}"{" selected" if i == scene.chosen else ""}>{text}</option>'
         names = escape(", ".join(c.name for c in scene.pose))
         return (
-            f'<fieldset><legend id="{key}-pose-title">Pose: {names}</legend>'
-            f'<select id="{key}-pose" data-part="pose" aria-labelledby="{key}-pose-title">{options}</select>'
+            f'<fieldset><legend id="{prefix}-pose-title">Pose: {names}</legend>'
+            f'<select id="{prefix}-pose" data-part="pose" aria-labelledby="{prefix}-pose-title">{options}</select>'
             "</fieldset>"
         )
-    at = scene.poses[scene.chosen] if scene.values is None else scene.values[scene.chosen]
+    shown_values = scene.poses[scene.chosen] if scene.values is None else scene.values[scene.chosen]
     rows = "".join(
-        f'<div class="pkview-row"><label for="{key}-{c.name}">{escape(c.name).replace(".", ".<wbr>")}</label>'
-        f'<input type="range" id="{key}-{c.name}" data-part="level" min="0" max="{FINE * (len(values) - 1)}" step="1"'
-        f' value="{FINE * int(np.argmin(np.abs(values - value)))}" title="{escape(c.description)}">'
-        f'<output for="{key}-{c.name}" data-part="level-value">{_shown(c, value)}</output></div>'
-        for c, values, value in zip(scene.axes, scene.levels, at, strict=True)
+        f'<div class="pkview-row"><label for="{prefix}-{c.name}">{escape(c.name).replace(".", ".<wbr>")}</label>'
+        f'<input type="range" id="{prefix}-{c.name}" data-part="level" min="0"'
+        f' max="{SLIDER_STEPS * (len(values) - 1)}" step="1"'
+        f' value="{SLIDER_STEPS * int(np.argmin(np.abs(values - value)))}" title="{escape(c.description)}">'
+        f'<output for="{prefix}-{c.name}" data-part="level-value">{_format_component(c, value)}</output></div>'
+        for c, values, value in zip(scene.axes, scene.levels, shown_values, strict=True)
     )
-    title, kind = ("Values", ' class="pkview-varied"') if scene.varied else ("Pose", "")
+    title, css_class = ("Values", ' class="pkview-varied"') if scene.varied else ("Pose", "")
     hint = '<p class="pkview-hint" data-part="between"></p>'
-    return f"<fieldset{kind}><legend>{title}</legend>{rows}{hint}</fieldset>"
+    return f"<fieldset{css_class}><legend>{title}</legend>{rows}{hint}</fieldset>"
 
 
 def _title(scene: Scene) -> str:
-    """Return what the picture shows first: mode, frequency, spring with most energy, motion, model, measurement."""
+    """Return the title of the first mode: frequency, springs with most energy, motion, model, measurement."""
     pose, mode = scene.chosen, min(scene.rigid_modes, scene.frequencies.shape[1] - 1)
     number, shares = mode - scene.rigid_modes + 1, scene.shares[pose, mode]
     name = f"Mode {number}" if number > 0 else f"Rigid-body motion {mode + 1}"
-    held = "no spring is strained"
+    energy_text = "no spring is strained"
     if np.isfinite(shares).any():
         largest = float(np.nanmax(shares))
         *preceding, last = (
             escape(spring.name)
             for spring, share in zip(scene.springs, shares, strict=True)
-            if share > largest - TIED
+            if share > largest - EQUAL_SHARE_TOLERANCE
         )
-        where = f"each of {', '.join(preceding)} and {last}" if preceding else last
-        held = f"{100 * largest:.0f} % of the strain energy in {where}"
+        spring_names = f"each of {', '.join(preceding)} and {last}" if preceding else last
+        energy_text = f"{100 * largest:.0f} % of the strain energy in {spring_names}"
     moves = zip(scene.moves, platform_directions(scene)[pose, mode], strict=True)
-    along = ", ".join(
+    direction_text = ", ".join(
         f"{component} {round(move, 2) + 0.0:.2f}".replace("-", "\u2212") for component, move in moves
     )
-    about = f"<p>Model {escape(scene.what)}</p>" if scene.what else ""
+    further_lines = f"<p>Model {escape(scene.what)}</p>" if scene.what else ""
     if scene.varied:
-        about += '<p>Thin lines: as declared<span data-part="declared"></span></p>'
+        further_lines += '<p>Thin lines: as declared<span data-part="declared"></span></p>'
     if scene.measured is not None:
-        about += f'<p class="pkview-measured"><span data-part="observed">{observed(scene)}</span></p>'
+        further_lines += (
+            f'<p class="pkview-measured"><span data-part="observed">{measured_sentence(scene)}</span></p>'
+        )
     return (
         f'<div class="pkview-title"><h2 data-part="title">{name}: {scene.frequencies[pose, mode]:.2f} Hz</h2>'
-        f'<p><span data-part="held">{held}</span></p>'
-        f'<p>Platform moves along <span data-part="along">{along}</span></p>{about}</div>'
+        f'<p><span data-part="held">{energy_text}</span></p>'
+        f'<p>Platform moves along <span data-part="along">{direction_text}</span></p>{further_lines}</div>'
     )
 
 
-def _modes(scene: Scene, key: str) -> str:
+def _mode_controls(scene: Scene, prefix: str) -> str:
     rigid, count = scene.rigid_modes, scene.frequencies.shape[1]
-    first = min(rigid, count - 1)
-    labels, beside = (
+    first_mode = min(rigid, count - 1)
+    labels, comparison = (
         [],
         ""
         if scene.measured is None and not scene.varied
         else '<small data-part="beside" data-mode="{}"></small>',
     )
     for mode in [*range(rigid, count), *range(rigid)]:
-        kind = "" if mode >= rigid else ' class="pkview-rigid"'
+        css_class = "" if mode >= rigid else ' class="pkview-rigid"'
         name = str(mode - rigid + 1) if mode >= rigid else f"rigid {mode + 1}"
-        chosen = " checked" if mode == first else ""
-        hertz = f"{round(scene.frequencies[scene.chosen, mode], 2) + 0.0:.2f} Hz".replace("-", "\u2212")
+        chosen = " checked" if mode == first_mode else ""
+        frequency_text = f"{round(scene.frequencies[scene.chosen, mode], 2) + 0.0:.2f} Hz".replace(
+            "-", "\u2212"
+        )
         labels.append(
-            f'<label{kind}><input type="radio" name="{key}-mode" value="{mode}" data-part="mode"{chosen}>'
-            f'<b>{name}</b><span data-part="frequency" data-mode="{mode}">{hertz}</span>'
-            f"{beside.format(mode)}</label>"
+            f'<label{css_class}><input type="radio" name="{prefix}-mode" value="{mode}" data-part="mode"{chosen}>'
+            f'<b>{name}</b><span data-part="frequency" data-mode="{mode}">{frequency_text}</span>'
+            f"{comparison.format(mode)}</label>"
         )
     return (
         f'<fieldset><legend>Mode</legend><div class="pkview-modes">{"".join(labels)}</div></fieldset>'
@@ -237,12 +244,12 @@ def _modes(scene: Scene, key: str) -> str:
     )
 
 
-def _motion(scene: Scene, key: str) -> str:
+def _motion_controls(scene: Scene, prefix: str) -> str:
     def row(name: str, label: str, low: float, high: float, step: float, value: float) -> str:
         return (
-            f'<div class="pkview-row"><label for="{key}-{name}">{label}</label>'
-            f'<input type="range" id="{key}-{name}" data-part="{name}" min="{low}" max="{high}" step="{step}"'
-            f' value="{value}"><output for="{key}-{name}" data-part="{name}-value"></output></div>'
+            f'<div class="pkview-row"><label for="{prefix}-{name}">{label}</label>'
+            f'<input type="range" id="{prefix}-{name}" data-part="{name}" min="{low}" max="{high}" step="{step}"'
+            f' value="{value}"><output for="{prefix}-{name}" data-part="{name}-value"></output></div>'
         )
 
     return (
@@ -251,23 +258,25 @@ def _motion(scene: Scene, key: str) -> str:
         '<p class="pkview-hint">Amplitude: the largest displacement as a share of the robot&#8217;s size.'
         ' <span data-part="enlarged"></span></p></fieldset>'
         '<div class="pkview-boxes">'
-        f"{_box('labels', 'Labels')}"
-        f"{_box('space', 'Workspace') if scene.workspace is not None else ''}"
-        f"{_box('marks', 'Measured shape') if scene.channels else ''}</div>"
+        f"{_checkbox('labels', 'Labels')}"
+        f"{_checkbox('space', 'Workspace') if scene.workspace is not None else ''}"
+        f"{_checkbox('marks', 'Measured shape') if scene.channels else ''}</div>"
     )
 
 
-def _box(part: str, label: str) -> str:
+def _checkbox(part: str, label: str) -> str:
     return f'<label><input type="checkbox" data-part="{part}" checked>{label}</label>'
 
 
-def _table(scene: Scene, key: str) -> str:
+def _mode_table(scene: Scene, prefix: str) -> str:
     """Return the table of the vibration modes at the first pose: frequencies, directions, shares of the springs."""
-    i, modes = scene.chosen, range(scene.rigid_modes, scene.frequencies.shape[1])
-    moves, shares = platform_directions(scene)[i], scene.shares[i]
-    heads = "".join(f'<th scope="col" data-column="{m}">Mode {m - scene.rigid_modes + 1}</th>' for m in modes)
+    pose, modes = scene.chosen, range(scene.rigid_modes, scene.frequencies.shape[1])
+    moves, shares = platform_directions(scene)[pose], scene.shares[pose]
+    head_cells = "".join(
+        f'<th scope="col" data-column="{m}">Mode {m - scene.rigid_modes + 1}</th>' for m in modes
+    )
     frequencies = "".join(
-        f'<td data-column="{m}" data-part="frequency" data-mode="{m}">{scene.frequencies[i, m]:.2f} Hz</td>'
+        f'<td data-column="{m}" data-part="frequency" data-mode="{m}">{scene.frequencies[pose, m]:.2f} Hz</td>'
         for m in modes
     )
     rows = [f'<tr><th scope="row">Frequency</th>{frequencies}</tr>']
@@ -277,8 +286,8 @@ def _table(scene: Scene, key: str) -> str:
             f"{round(moves[m, k], 2) + 0.0:.2f}</td>"
             for m in modes
         )
-        which = component if component.startswith("about") else f"along {component}"
-        rows.append(f'<tr><th scope="row">Platform {escape(which)}</th>{cells}</tr>')
+        motion = component if component.startswith("about") else f"along {component}"
+        rows.append(f'<tr><th scope="row">Platform {escape(motion)}</th>{cells}</tr>')
     for k, spring in enumerate(scene.springs):
         cells = ""
         for m in modes:
@@ -294,32 +303,34 @@ def _table(scene: Scene, key: str) -> str:
         )
     caption = (
         f"<b>What rings with {scene.doing}:</b> share of every spring in the strain energy of each mode, and the"
-        f" direction of the platform&#8217;s motion{_turning(scene)},"
-        f' at <span data-part="place">{_place(scene, i)}</span>'
+        f" direction of the platform&#8217;s motion{_rotation_note(scene)},"
+        f' at <span data-part="place">{_place_text(scene, pose)}</span>'
     )
-    return numbers_table(f"{key}-caption", caption, heads, rows)
+    return numbers_table(f"{prefix}-caption", caption, head_cells, rows)
 
 
-def _turning(scene: Scene) -> str:
-    """State how rotations of the platform count."""
+def _rotation_note(scene: Scene) -> str:
+    """Return the length by which rotations of the platform are multiplied, in words; empty without rotations."""
     if not (scene.lengths != 1.0).any():
         return ""
     return f" (rotations times {1e3 * float(scene.lengths[-1]):.4g} mm)"
 
 
-def _place(scene: Scene, index: int) -> str:
+def _place_text(scene: Scene, index: int) -> str:
     parts = [
-        f"{c.name} = {_shown(c, value)}" for c, value in zip(scene.pose, scene.poses[index], strict=True)
+        f"{c.name} = {_format_component(c, value)}"
+        for c, value in zip(scene.pose, scene.poses[index], strict=True)
     ]
     if scene.values is not None:
         parts += [
-            f"{c.name} = {_shown(c, v)}" for c, v in zip(scene.varied, scene.values[index], strict=True)
+            f"{c.name} = {_format_component(c, v)}"
+            for c, v in zip(scene.varied, scene.values[index], strict=True)
         ]
     label = f"{scene.labels[index]}: " if scene.labels else ""
     return escape(label + ", ".join(parts))
 
 
-def _shown(component: Named, value: float) -> str:
+def _format_component(component: Named, value: float) -> str:
     if "." in component.name:  # a parameter, of any size
         digits = float(f"{value:.4g}")
         text = (

@@ -15,25 +15,26 @@ from pkmodes.pages.view.scene import AMPLITUDE, Scene
 from pkmodes.pages.view.workspace import Surface
 
 Array = NDArray[np.float64]
-#: Decimals of positions [m], of displacements and rotations per metre, of shares, and of errors between states.
-PLACES, MOVES, SHARES, OFF = 5, 4, 4, 5
+#: Decimals of positions [m], of displacements and rotations per metre of the largest displacement, of shares, and of
+#: interpolation errors.
+POSITION_DECIMALS, MOTION_DECIMALS, SHARE_DECIMALS, ERROR_DECIMALS = 5, 4, 4, 5
 
 
-def as_data(scene: Scene) -> dict[str, Any]:
+def scene_data(scene: Scene) -> dict[str, Any]:
     """Return the data of a page; arrays of a pose or mode are flat lists."""
-    turned = list(dict.fromkeys(element.turns for element in scene.elements if element.turns))
+    turning_coordinates = list(dict.fromkeys(element.turns for element in scene.elements if element.turns))
     shares = scene.shares
-    moved, turns = _moves(scene, turned)
+    displacements, rotations = _displacements_and_rotations(scene, turning_coordinates)
     levels, deviations = None, None
     if scene.levels is not None:  # of poses to a micrometre, of parameters as they are
-        levels = [values.tolist() if scene.varied else _rounded(values, 6) for values in scene.levels]
+        levels = [values.tolist() if scene.varied else _round_nested(values, 6) for values in scene.levels]
     if scene.deviations is not None:  # at the places of `interpolation.deviations`; None where unknown
         sizes = largest_around(scene.deviations).ravel().tolist()
-        deviations = [_rounded(size, OFF) if np.isfinite(size) else None for size in sizes]
+        deviations = [_round_nested(size, ERROR_DECIMALS) if np.isfinite(size) else None for size in sizes]
     return {
-        "size": _rounded(scene.size, PLACES),
+        "size": _round_nested(scene.size, POSITION_DECIMALS),
         "amplitude": AMPLITUDE,
-        "vertical": _rounded(scene.vertical, 6),
+        "vertical": _round_nested(scene.vertical, 6),
         "pose": [{"name": c.name, "unit": c.unit} for c in scene.pose],
         "components": list(scene.moves),
         "elements": [
@@ -43,7 +44,7 @@ def as_data(scene: Scene) -> dict[str, Any]:
                 "name": element.name,
                 "points": list(element.points),
                 "spring": element.spring,
-                "turns": turned.index(element.turns) if element.turns else -1,
+                "turns": turning_coordinates.index(element.turns) if element.turns else -1,
                 **({"marked": True} if i in scene.marked else {}),
             }
             for i, element in enumerate(scene.elements)
@@ -57,21 +58,25 @@ def as_data(scene: Scene) -> dict[str, Any]:
         "order": None if scene.order is None else scene.order.tolist(),
         "deviations": deviations,
         "checked": scene.checked,
-        "poses": _rounded(scene.poses, 6),
+        "poses": _round_nested(scene.poses, 6),
         "axes": [{"name": c.name, "unit": c.unit} for c in scene.axes],
         "varied": bool(scene.varied),
         "declared": scene.declared,
         "labels": list(scene.labels),
         "measured": measured_data(scene),
-        "points": _rounded(scene.points.reshape(len(scene.poses), -1), PLACES),
-        "frequencies": _rounded(scene.frequencies, 4),
-        "moved": _rounded(moved, MOVES),
-        "turned": _rounded(turns, MOVES),
+        "points": _round_nested(scene.points.reshape(len(scene.poses), -1), POSITION_DECIMALS),
+        "frequencies": _round_nested(scene.frequencies, 4),
+        "moved": _round_nested(displacements, MOTION_DECIMALS),
+        "turned": _round_nested(rotations, MOTION_DECIMALS),
         "shares": [
-            [None if np.isnan(held).any() else _rounded(held, SHARES) for held in modes] for modes in shares
+            [
+                None if np.isnan(mode_shares).any() else _round_nested(mode_shares, SHARE_DECIMALS)
+                for mode_shares in pose_shares
+            ]
+            for pose_shares in shares
         ],
-        "directions": _rounded(platform_directions(scene), MOVES),
-        "workspace": _surface(scene, scene.workspace),
+        "directions": _round_nested(platform_directions(scene), MOTION_DECIMALS),
+        "workspace": _surface_data(scene, scene.workspace),
     }
 
 
@@ -80,38 +85,38 @@ def platform_directions(scene: Scene) -> Array:
     return unit_vectors(scene.platform_shapes, scene.lengths)
 
 
-def embedded(data: dict[str, Any]) -> str:
-    """Return JSON that cannot end the script element it stands in."""
+def script_json(data: dict[str, Any]) -> str:
+    """Return JSON for a script element, without characters that could end the element."""
     text = json.dumps(data, separators=(",", ":"), allow_nan=False)
     return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
 
 
-def _moves(scene: Scene, turned: list[str]) -> tuple[Array, Array]:
+def _displacements_and_rotations(scene: Scene, turning_coordinates: list[str]) -> tuple[Array, Array]:
     """Return displacements (N, m, 3 B) and rotations (N, m, turned), for a largest displacement of 1 m."""
     count, modes = scene.frequencies.shape
     scales = np.array([[scene.scale(i, k) for k in range(modes)] for i in range(count)])
     shapes = scene.shapes * scales[:, :, None]
-    moved = np.einsum("pbcn,pmn->pmbc", scene.motions, shapes).reshape(count, modes, -1)
-    return moved, shapes[:, :, [scene.coordinates.index(name) for name in turned]]
+    displacements = np.einsum("pbcn,pmn->pmbc", scene.motions, shapes).reshape(count, modes, -1)
+    return displacements, shapes[:, :, [scene.coordinates.index(name) for name in turning_coordinates]]
 
 
-def _surface(scene: Scene, surface: Surface | None) -> dict[str, Any] | None:
+def _surface_data(scene: Scene, surface: Surface | None) -> dict[str, Any] | None:
     if surface is None:
         return None
     vertices = np.tile(scene.points[scene.chosen, 0], (len(surface.vertices), 1))
     vertices[:, ["xyz".index(name) for name in scene.directions]] = surface.vertices
     return {
         "corners": surface.faces.shape[1],
-        "vertices": _rounded(vertices.ravel(), 4),
+        "vertices": _round_nested(vertices.ravel(), 4),
         "faces": surface.faces.ravel().tolist(),
     }
 
 
-def _rounded(values: Any, digits: int) -> Any:
+def _round_nested(values: Any, digits: int) -> Any:
     """Return nested lists of rounded numbers, whole ones as integers: fewer characters in the page."""
     if isinstance(values, float):
         values = round(values, digits)
         return int(values) if values == int(values) else values
     if isinstance(values, list):
-        return [_rounded(value, digits) for value in values]
-    return _rounded(np.asarray(values, dtype=float).tolist(), digits)
+        return [_round_nested(value, digits) for value in values]
+    return _round_nested(np.asarray(values, dtype=float).tolist(), digits)

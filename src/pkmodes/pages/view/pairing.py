@@ -29,8 +29,8 @@ def paired_modes(shapes: Array, masses: Array, places: Index, rigid: int) -> Ind
     order = np.tile(np.arange(modes), (count, 1))
     if modes == rigid or not count:
         return order
-    states, there = np.maximum(places.ravel(), 0), places.ravel() >= 0
-    arrays = {"shape": shapes[states, rigid:], "code": np.where(there, 0, 1)}
+    states, has_state = np.maximum(places.ravel(), 0), places.ravel() >= 0
+    arrays = {"shape": shapes[states, rigid:], "code": np.where(has_state, 0, 1)}
     tracked = track(arrays, places.shape, (True,) * places.ndim, lambda rows: masses[states[rows]])
-    order[states[there], rigid:] = rigid + tracked.order[there]
+    order[states[has_state], rigid:] = rigid + tracked.order[has_state]
     return order

@@ -23,35 +23,35 @@ from pkmodes.machine.maps.workspace import (
     usable_poses,
 )
 from pkmodes.pages.view.evaluating import scene
-from pkmodes.pages.view.interpolation import FINE, interpolation_errors
+from pkmodes.pages.view.interpolation import SLIDER_STEPS, interpolation_errors
 from pkmodes.pages.view.pairing import paired_modes
 from pkmodes.pages.view.scene import Scene
 from pkmodes.pages.view.workspace import workspace
 
 Array = NDArray[np.float64]
 #: Every stop of a slider between two values of a component.
-STOPS = tuple(k / FINE for k in range(1, FINE))
+SLIDER_STOPS = tuple(k / SLIDER_STEPS for k in range(1, SLIDER_STEPS))
 
 
 class ViewGrid(NamedTuple):
     """How densely a page covers the workspace.
 
     - levels: values of each component
-    - checked: where between two of them frequencies are computed for comparison, and in words where that is not
-      everywhere
+    - checked: where between two of them frequencies are computed for comparison
+    - where: the same in words; empty where it is at all stops
     """
 
     levels: int
-    checked: tuple[float, ...] = STOPS
+    checked: tuple[float, ...] = SLIDER_STOPS
     where: str = ""
 
 
 #: Grids by the number of components: a page holds a few hundred poses.  At all stops of six components a large
 #: workspace has 16 million poses, which take five minutes.
 GRIDS = {1: ViewGrid(41), 2: ViewGrid(11), 3: ViewGrid(7)}
-OF_MORE = ViewGrid(3, STOPS[1::3], "at three stops in nine of each slider")
-#: Number of regular poses searched for.
-SEEDS = 200
+GRID_BEYOND_THREE = ViewGrid(3, SLIDER_STOPS[1::3], "at three stops in nine of each slider")
+#: Number of regular poses among which the typical pose is chosen.
+SEED_COUNT = 200
 
 
 def typical_pose(model: Model) -> Array:
@@ -74,23 +74,23 @@ def typical_pose(model: Model) -> Array:
         If no regular pose is found.
     """
     generated = Generated(model.mechanism.model, model.robot.parameters)
-    seeds = regular_poses(generated, model.mechanism, model.robot.parameters, SEEDS)
+    seeds = regular_poses(generated, model.mechanism, model.robot.parameters, SEED_COUNT)
     if model.robot.usable:
         seeds = seeds[limits_test(model)(seeds)] if len(seeds) else seeds
         seeds = seeds if len(seeds) else usable_poses(model)
     if not len(seeds):
         raise PoseError("found no pose well inside the workspace", model.robot.source, "give one with --pose")
-    lower = lower_branch(model, seeds)
-    heights = generated.gravity_potential(lower)
-    group = lower[heights <= np.median(heights)]
-    central: Array = group[np.argmin(np.linalg.norm(group - group.mean(axis=0), axis=-1))]
-    level = central.copy()
-    level[list(fixed_components(model))] = list(fixed_components(model).values())
-    central = level if usable_branch_test(model, central)(level[None])[0] else central
+    lower_poses = lower_branch(model, seeds)
+    heights = generated.gravity_potential(lower_poses)
+    lower_half = lower_poses[heights <= np.median(heights)]
+    central: Array = lower_half[np.argmin(np.linalg.norm(lower_half - lower_half.mean(axis=0), axis=-1))]
+    unturned = central.copy()
+    unturned[list(fixed_components(model))] = list(fixed_components(model).values())
+    central = unturned if usable_branch_test(model, central)(unturned[None])[0] else central
     low, high = usable_box(model, central)
     digits = int(np.ceil(-np.log10(0.05 * (high - low).max())))
-    for middle in (0.5 * (low + high), central):
-        rounded = middle.round(digits) + 0.0
+    for candidate in (0.5 * (low + high), central):
+        rounded = candidate.round(digits) + 0.0
         if model.check(rounded).valid and limits_test(model)(rounded[None])[0]:
             return np.asarray(rounded)
     return central
@@ -120,41 +120,46 @@ def poses_around(model: Model, pose: ArrayLike, *, drives: str = FREE) -> Scene:
     PoseError
         If the robot cannot be there.
     """
-    first = np.asarray(pose, dtype=float)
-    scene(model, first, drives=drives)  # its errors are those of this pose
-    inside, (low, high) = usable_branch_test(model, first), usable_box(model, first)
-    if turning := list(fixed_components(model, first)):
-        for end, of_rotations in zip((low, high), rotation_box(model, first), strict=True):
-            end[turning] = of_rotations[turning]
-    dense = GRIDS.get(len(first), OF_MORE)
-    levels = tuple(_levels(*ends, dense.levels) for ends in zip(low, high, first, strict=True))
+    shown_pose = np.asarray(pose, dtype=float)
+    scene(model, shown_pose, drives=drives)  # its errors are those of this pose
+    is_inside, (low, high) = usable_branch_test(model, shown_pose), usable_box(model, shown_pose)
+    if rotations := list(fixed_components(model, shown_pose)):
+        for end, rotation_end in zip((low, high), rotation_box(model, shown_pose), strict=True):
+            end[rotations] = rotation_end[rotations]
+    view_grid = GRIDS.get(len(shown_pose), GRID_BEYOND_THREE)
+    levels = tuple(
+        _levels_through(*ends, view_grid.levels) for ends in zip(low, high, shown_pose, strict=True)
+    )
     grid = np.stack(np.meshgrid(*levels, indexing="ij"), axis=-1)
-    valid = inside(grid.reshape(-1, len(first))).reshape(grid.shape[:-1])
+    valid = is_inside(grid.reshape(-1, len(shown_pose))).reshape(grid.shape[:-1])
     places = np.where(valid, np.cumsum(valid.ravel()).reshape(valid.shape) - 1, -1)
-    here = tuple(int(np.argmin(np.abs(values - value))) for values, value in zip(levels, first, strict=True))
-    shown = scene(model, grid[valid], int(places[here]), drives=drives)
+    shown_index = tuple(
+        int(np.argmin(np.abs(values - value))) for values, value in zip(levels, shown_pose, strict=True)
+    )
+    grid_scene = scene(model, grid[valid], int(places[shown_index]), drives=drives)
     masses, _ = model.matrices(grid[valid])
-    order, rigid = paired_modes(shown.shapes, masses, places, shown.rigid_modes), shown.rigid_modes
+    rigid = grid_scene.rigid_modes
+    order = paired_modes(grid_scene.shapes, masses, places, rigid)
     return replace(
-        shown,
+        grid_scene,
         levels=levels,
         places=places,
-        workspace=workspace(model, first, (low, high), inside),
+        workspace=workspace(model, shown_pose, (low, high), is_inside),
         order=order,
         deviations=interpolation_errors(
-            shown.frequencies[:, rigid:],
+            grid_scene.frequencies[:, rigid:],
             order[:, rigid:] - rigid,
             places,
             levels,
             lambda points: model.frequencies(points, on_error="nan", drives=drives)[:, rigid:],
-            dense.checked,
+            view_grid.checked,
         ),
-        checked=dense.where,
+        checked=view_grid.where,
     )
 
 
-def _levels(low: float, high: float, value: float, count: int) -> Array:
-    """Return evenly spaced values inside a range; the nearest is replaced by the given value, else the only one."""
+def _levels_through(low: float, high: float, value: float, count: int) -> Array:
+    """Return evenly spaced values inside a range, the nearest replaced by the given value; that alone without a range."""
     if high <= low:
         return np.array([value])
     step = (high - low) / (count + 1)

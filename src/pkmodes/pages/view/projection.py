@@ -11,8 +11,8 @@ from pkmodes_description import Element
 Array = NDArray[np.float64]
 #: Shapes of elements whose outlines enclose an area.
 AREAS = ("wheel", "plate")
-#: Viewing directions of a spatial and of a planar robot [deg].
-AZIMUTH, ELEVATION, ABOVE = -60.0, 18.0, 50.0
+#: Viewing direction of a spatial robot, and elevation for a planar one [deg].
+AZIMUTH, ELEVATION, PLANAR_ELEVATION = -60.0, 18.0, 50.0
 
 
 def camera(scene: Scene) -> Array:
@@ -22,7 +22,8 @@ def camera(scene: Scene) -> Array:
     side = np.cross(up, [1.0, 0.0, 0.0] if abs(up[0]) < 0.9 else [0.0, 1.0, 0.0])
     east = np.cross(side, up)
     east, side = east / np.linalg.norm(east), side / np.linalg.norm(side)
-    turn, rise = np.radians(-90.0 if planar else AZIMUTH), np.radians(ABOVE if planar else ELEVATION)
+    turn = np.radians(-90.0 if planar else AZIMUTH)
+    rise = np.radians(PLANAR_ELEVATION if planar else ELEVATION)
     towards = np.cos(rise) * (np.cos(turn) * east + np.sin(turn) * side) + np.sin(rise) * up
     right = np.cross(up, towards)
     right /= np.linalg.norm(right)
@@ -35,16 +36,16 @@ def outline(element: Element, points: Array, angle: float = 0.0) -> Array:
     - points: of the whole machine, (p, 3): to the right, up, and towards the viewer
     - angle: by which a wheel is turned [rad]
     """
-    at = points[list(element.points)]
+    positions = points[list(element.points)]
     if element.shape == "wheel":
-        axis = at[1] - at[0]
-        at = rim(at[0], axis, angle) if axis.any() else at[:1]
+        axis = positions[1] - positions[0]
+        positions = rim(positions[0], axis, angle) if axis.any() else positions[:1]
     elif element.shape == "ball":
-        at = at[:1]
+        positions = positions[:1]
     elif element.shape == "block":
-        at = np.stack([2.0 * at[0] - at[1], at[1]])
-    flat = at[:, :2]
-    return hull(flat) if element.shape == "plate" else flat
+        positions = np.stack([2.0 * positions[0] - positions[1], positions[1]])
+    projected = positions[:, :2]
+    return hull(projected) if element.shape == "plate" else projected
 
 
 def hull(points: Array) -> Array:
@@ -69,5 +70,5 @@ def rim(centre: Array, axis: Array, angle: float, corners: int = 48) -> Array:
     first = np.cross(unit, helper)
     first /= np.linalg.norm(first)
     turns = np.linspace(0.0, 2.0 * np.pi, corners + 1)[:, None] + angle
-    around: Array = centre + radius * (np.cos(turns) * first + np.sin(turns) * np.cross(unit, first))
-    return around
+    rim_points: Array = centre + radius * (np.cos(turns) * first + np.sin(turns) * np.cross(unit, first))
+    return rim_points

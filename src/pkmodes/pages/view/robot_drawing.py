@@ -14,15 +14,15 @@ from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes_description import Named
 
 Array = NDArray[np.float64]
-#: A direction counts as vertical below this sine of its angle to the vertical; upright then means outwards.
-VERTICAL = 0.3
+#: A direction is vertical if the sine of its angle to the vertical is below this; upright then means outwards.
+VERTICAL_SINE = 0.3
 Z = (0.0, 0.0, 1.0)
 
 
 class Springs(NamedTuple):
     """The springs that a robot has: names, stiffnesses (N, S), and elongation or twist by coordinate (N, S, n)."""
 
-    named: tuple[Named, ...]
+    descriptions: tuple[Named, ...]
     stiffness: Array
     strain: Array
 
@@ -47,11 +47,11 @@ class RobotDrawing:
 
     def points(self, p: Array) -> Array:
         """Return the positions of the points, (N, points, 3) [m]; the first is the platform."""
-        return np.asarray(self._generated.drawing_points(p, *self._upright(p)), dtype=float)
+        return np.asarray(self._generated.drawing_points(p, *self._up_argument(p)), dtype=float)
 
     def motions(self, p: Array) -> Array:
         """Return the Jacobians with respect to the coordinates, (N, motions, 3, n); points share them."""
-        motions = np.asarray(self._generated.drawing_motion(p, *self._upright(p)), dtype=float)
+        motions = np.asarray(self._generated.drawing_motion(p, *self._up_argument(p)), dtype=float)
         return motions[..., self._system.free]
 
     def springs(self, p: Array) -> Springs:
@@ -60,17 +60,17 @@ class RobotDrawing:
         free, first = self._system.free, self._system.first
         released = [c for effect in self._mechanism.effects.values() for c in effect.coordinates]
         joints = [i for i in free if i >= first]
-        named = []
+        joint_descriptions = []
         for name in self.coordinates[first:]:
             joint = next(c for c in released if c.name == name)
-            symbol = "N m/rad" if joint.unit == "rad" else "N/m"
-            named.append(Named(joint.description, symbol, f"released joint {name}"))
-        unit = np.broadcast_to(np.eye(len(free))[first:], (len(p), len(joints), len(free)))
+            stiffness_unit = "N m/rad" if joint.unit == "rad" else "N/m"
+            joint_descriptions.append(Named(joint.description, stiffness_unit, f"released joint {name}"))
+        joint_strain = np.broadcast_to(np.eye(len(free))[first:], (len(p), len(joints), len(free)))
         joint_stiffness = np.broadcast_to(self._system.joints[joints], (len(p), len(joints)))
         return Springs(
-            (*self.drawing.springs, *named),
+            (*self.drawing.springs, *joint_descriptions),
             np.concatenate([stiffness, joint_stiffness], axis=1),
-            np.concatenate([strain[..., free], unit], axis=1),
+            np.concatenate([strain[..., free], joint_strain], axis=1),
         )
 
     def motors(self, p: Array) -> Array:
@@ -83,7 +83,7 @@ class RobotDrawing:
         return self.points(p)[:, wheels]
 
     def _upright(self, p: Array) -> tuple[Array, ...]:
-        """Return the argument `up` of the generated functions, none if the robot leaves no direction open."""
+        """Return the argument `up` of the generated functions; none if all directions follow from the robot."""
         if not self.drawing.uprights:
             return ()
         generated = np.asarray(self._generated.drawing_directions(p), dtype=float)
@@ -104,19 +104,25 @@ def upright(directions: Array, places: Array, vertical: Array) -> Array:
     """
     outwards = places - places.mean(axis=0)
     uprights = []
-    for n, out in zip(directions, outwards, strict=True):
-        preferences = (vertical, out, *np.eye(3))
-        across = [w - (w @ n) * n for w in preferences]
-        sizes = [float(np.linalg.norm(a)) for a in across]
-        least = [VERTICAL, 1e-9, *([VERTICAL] * 3)]
-        chosen = next(i for i, size in enumerate(sizes) if size > least[i])
-        uprights.append(across[chosen] / sizes[chosen])
+    for direction, outward in zip(directions, outwards, strict=True):
+        preferences = (vertical, outward, *np.eye(3))
+        perpendiculars = [preference - (preference @ direction) * direction for preference in preferences]
+        lengths = [float(np.linalg.norm(vector)) for vector in perpendiculars]
+        min_lengths = [VERTICAL_SINE, 1e-9, *([VERTICAL_SINE] * 3)]
+        chosen = next(i for i, length in enumerate(lengths) if length > min_lengths[i])
+        uprights.append(perpendiculars[chosen] / lengths[chosen])
     return np.array(uprights)
 
 
-def present(springs: Springs) -> tuple[Springs, Sequence[int]]:
-    """Return the springs with a stiffness at any pose, and for each spring its index among them, -1 for none."""
-    there = (springs.stiffness != 0.0).any(axis=0)
-    index = np.where(there, np.cumsum(there) - 1, -1)
-    named = tuple(name for name, here in zip(springs.named, there, strict=True) if here)
-    return Springs(named, springs.stiffness[:, there], springs.strain[:, there]), index.tolist()
+def springs_with_stiffness(springs: Springs) -> tuple[Springs, Sequence[int]]:
+    """Return the springs with a stiffness at any pose, and for each spring its index among these, or -1."""
+    has_stiffness = (springs.stiffness != 0.0).any(axis=0)
+    index = np.where(has_stiffness, np.cumsum(has_stiffness) - 1, -1)
+    descriptions = tuple(
+        description
+        for description, is_present in zip(springs.descriptions, has_stiffness, strict=True)
+        if is_present
+    )
+    return Springs(
+        descriptions, springs.stiffness[:, has_stiffness], springs.strain[:, has_stiffness]
+    ), index.tolist()

@@ -1,6 +1,6 @@
 """A scene: where the points of a robot are, how they move in each mode, and which springs hold the strain energy.
 
-Neither the page nor a still picture needs the model any more.
+The page and still pictures are drawn from it without the model.
 A displacement is linear in the amplitude: what is shown is the mode, enlarged.
 """
 
@@ -142,8 +142,8 @@ class Scene:
     @property
     def size(self) -> float:
         """Diagonal of the box around the points at the pose shown first, of a single point at all poses [m]."""
-        here = np.linalg.norm(np.ptp(self.points[self.chosen], axis=0))
-        return float(here or np.linalg.norm(np.ptp(self.points, axis=(0, 1))) or 1.0)
+        diagonal = np.linalg.norm(np.ptp(self.points[self.chosen], axis=0))
+        return float(diagonal or np.linalg.norm(np.ptp(self.points, axis=(0, 1))) or 1.0)
 
     @property
     def axes(self) -> tuple[Named, ...]:
@@ -182,8 +182,8 @@ class Scene:
         ndarray, shape (P, 3)
             For the mass-normalised shape [m].
         """
-        moved: Array = self.motions[pose] @ self.shapes[pose, mode]
-        return moved[self.motions_of]
+        displacements: Array = self.motions[pose] @ self.shapes[pose, mode]
+        return displacements[self.motions_of]
 
     def scale(self, pose: int, mode: int) -> float:
         """Return the factor that makes the largest displacement of a mode 1 m.
@@ -204,8 +204,8 @@ class Scene:
         for element in self.elements:
             if element.turns:
                 centre, tip = self.points[pose, list(element.points[:2])]
-                turned = self.shapes[pose, mode, self.coordinates.index(element.turns)]
-                largest = max(largest, float(np.linalg.norm(tip - centre) * abs(turned)))
+                rotation = self.shapes[pose, mode, self.coordinates.index(element.turns)]
+                largest = max(largest, float(np.linalg.norm(tip - centre) * abs(rotation)))
         return 1.0 / largest if largest > 0.0 else 0.0
 
     def frames(
@@ -239,7 +239,7 @@ class Scene:
         """
         pose = self.chosen if pose is None else pose
         mode = min(self.rigid_modes, self.shapes.shape[1] - 1) if mode is None else mode
-        moved = self.scale(pose, mode) * amplitude * self.size * self.displacements(pose, mode)
+        displacements = self.scale(pose, mode) * amplitude * self.size * self.displacements(pose, mode)
         phase = np.sin(2.0 * np.pi * np.arange(count) / count)
-        frames: Array = self.points[pose] + phase[:, None, None] * moved
+        frames: Array = self.points[pose] + phase[:, None, None] * displacements
         return frames

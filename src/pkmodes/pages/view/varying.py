@@ -20,10 +20,10 @@ from pkmodes.pages.view.scene import Scene
 from pkmodes_description import Named
 
 Array = NDArray[np.float64]
-#: Most parameters varied at once, and most machines on a page.
-PARAMETERS, MACHINES = 3, 600
-#: Values of each parameter if no count is given, by the number of parameters.
-COUNTS = {1: 21, 2: 9, 3: 5}
+#: Maximum number of parameters varied at once, and of machines on a page.
+MAX_PARAMETERS, MAX_MACHINES = 3, 600
+#: Number of values of each parameter if no count is given, by the number of parameters.
+DEFAULT_COUNTS = {1: 21, 2: 9, 3: 5}
 
 
 def varied(model: Model, pose: ArrayLike, values: Mapping[str, ArrayLike], *, drives: str = FREE) -> Scene:
@@ -54,8 +54,8 @@ def varied(model: Model, pose: ArrayLike, values: Mapping[str, ArrayLike], *, dr
     PoseError
         If the declared robot cannot be at the pose.
     """
-    if not 1 <= len(values) <= PARAMETERS:
-        problem = f"expected 1 to {PARAMETERS} parameters that vary, found {len(values)}"
+    if not 1 <= len(values) <= MAX_PARAMETERS:
+        problem = f"expected 1 to {MAX_PARAMETERS} parameters that vary, found {len(values)}"
         raise PkmodesError(problem, "values", "vary the others on another page")
     point = model.modes(pose, drives=drives).poses
     paths = [resolve(model.robot, path) for path in values]
@@ -64,15 +64,15 @@ def varied(model: Model, pose: ArrayLike, values: Mapping[str, ArrayLike], *, dr
         for path, stated in zip(paths, values.values(), strict=True)
     )
     count = int(np.prod([len(level) for level in levels]))
-    if count > MACHINES:
+    if count > MAX_MACHINES:
         sizes = " x ".join(str(len(level)) for level in levels)
         problem = (
-            f"expected at most {MACHINES} combinations of values, found {count} "
+            f"expected at most {MAX_MACHINES} combinations of values, found {count} "
             f"({sizes}, declared values included)"
         )
         raise PkmodesError(problem, "values", "give smaller counts: the page interpolates between the values")
 
-    def machine(combination: tuple[float, ...]) -> Model:
+    def machine_with(combination: tuple[float, ...]) -> Model:
         changes = {
             path.path: value
             for path, value in zip(paths, combination, strict=True)
@@ -82,50 +82,59 @@ def varied(model: Model, pose: ArrayLike, values: Mapping[str, ArrayLike], *, dr
 
     for axis, level in enumerate(levels):  # an error of one value names it alone
         for end in (level[0], level[-1]):
-            machine(tuple(end if k == axis else path.value for k, path in enumerate(paths)))
+            machine_with(tuple(end if k == axis else path.value for k, path in enumerate(paths)))
     combinations = list(product(*(level.tolist() for level in levels)))
-    machines = [machine(combination) for combination in combinations]
-    there = np.array([bool(variant.check(point).valid) for variant in machines])
+    machines = [machine_with(combination) for combination in combinations]
+    is_reachable = np.array([bool(variant.check(point).valid) for variant in machines])
     shape = tuple(len(level) for level in levels)
     for axis, path in enumerate(paths):
-        reached = np.moveaxis(there.reshape(shape), axis, 0).reshape(shape[axis], -1).any(axis=1)
-        if np.count_nonzero(reached) == 1 < shape[axis]:
+        has_reachable = np.moveaxis(is_reachable.reshape(shape), axis, 0).reshape(shape[axis], -1).any(axis=1)
+        if np.count_nonzero(has_reachable) == 1 < shape[axis]:
             problem = f"the pose is out of reach with every value of {path.path} but the declared one"
             raise PkmodesError(problem, "values", "give values nearer to it, or another pose")
-    places = np.where(there, np.cumsum(there) - 1, -1).reshape(shape)
+    places = np.where(is_reachable, np.cumsum(is_reachable) - 1, -1).reshape(shape)
     declared = int(
         places[tuple(int(np.flatnonzero(v == p.value)[0]) for p, v in zip(paths, levels, strict=True))]
     )
-    kept = [variant for variant, valid in zip(machines, there, strict=True) if valid]
-    shown = scene_of(kept, np.tile(point, (len(kept), 1)), declared, drives=drives)
-    order = paired_modes(shown.shapes, _masses(shown, kept, point), places, shown.rigid_modes)
-    rigid, modes = shown.rigid_modes, shown.frequencies.shape[1]
+    reachable_machines = [variant for variant, valid in zip(machines, is_reachable, strict=True) if valid]
+    machine_scene = scene_of(
+        reachable_machines, np.tile(point, (len(reachable_machines), 1)), declared, drives=drives
+    )
+    order = paired_modes(
+        machine_scene.shapes,
+        _masses(machine_scene, reachable_machines, point),
+        places,
+        machine_scene.rigid_modes,
+    )
+    rigid, modes = machine_scene.rigid_modes, machine_scene.frequencies.shape[1]
 
-    def exact(middles: Array) -> Array:
-        variants = [machine(tuple(row)) for row in middles.tolist()]
+    def exact_frequencies(points: Array) -> Array:
+        variants = [machine_with(tuple(row)) for row in points.tolist()]
         spectra = [np.asarray(m.frequencies(point, on_error="nan", drives=drives)) for m in variants]
         return np.array([spectrum[rigid:modes] for spectrum in spectra])
 
-    vibrations = shown.frequencies[:, rigid:]
+    vibrations = machine_scene.frequencies[:, rigid:]
     return replace(
-        shown,
+        machine_scene,
         robot=model.robot.name,
         varied=tuple(Named(path.path, path.unit, path.path) for path in paths),
-        values=np.array(combinations)[there],
+        values=np.array(combinations)[is_reachable],
         levels=levels,
         places=places,
         declared=declared,
         order=order,
-        deviations=interpolation_errors(vibrations, order[:, rigid:] - rigid, places, levels, exact),
+        deviations=interpolation_errors(
+            vibrations, order[:, rigid:] - rigid, places, levels, exact_frequencies
+        ),
         checked="half-way between them",
     )
 
 
-def _masses(shown: Scene, machines: list[Model], point: Array) -> Array:
+def _masses(scene: Scene, machines: list[Model], point: Array) -> Array:
     """Return the mass matrices in the coordinates of the scene, zero at those that a machine locks."""
-    size = len(shown.coordinates)
+    size = len(scene.coordinates)
     masses = np.zeros((len(machines), size, size))
     for k, model in enumerate(machines):
-        columns = [shown.coordinates.index(name) for name in model.coordinates]
+        columns = [scene.coordinates.index(name) for name in model.coordinates]
         masses[k][np.ix_(columns, columns)] = model.matrices(point)[0]
     return masses

@@ -18,7 +18,7 @@ from pkmodes.machine.maps.workspace import PoseTest, branch_test, fixed_componen
 
 Array = NDArray[np.float64]
 #: Grid cells along each component, and fraction by which the grid extends beyond the box on each side.
-CELLS, AROUND = {2: 48, 3: 30}, 0.05
+CELLS, MARGIN = {2: 48, 3: 30}, 0.05
 BISECTIONS = 7
 #: Smoothing steps, each half-way to the mean of the neighbours: creases would be ragged otherwise.
 SMOOTHING = 5
@@ -47,21 +47,26 @@ def workspace(
 
     Returns None if the pose has other angles, or other than two or three components besides rotations.
     """
-    moving = [i for i in range(len(pose)) if i not in fixed_components(model, pose)]
-    if len(moving) not in CELLS or any(model.mechanism.pose[i].unit != "m" for i in moving):
+    linear_components = [i for i in range(len(pose)) if i not in fixed_components(model, pose)]
+    if len(linear_components) not in CELLS or any(
+        model.mechanism.pose[i].unit != "m" for i in linear_components
+    ):
         return None
-    belongs = branch_test(model, pose) if inside is None else inside
+    pose_test = branch_test(model, pose) if inside is None else inside
 
-    def within(points: Array) -> NDArray[np.bool_]:
+    def is_inside(points: Array) -> NDArray[np.bool_]:
         poses = np.tile(pose, (len(points), 1))
-        poses[:, moving] = points
-        return belongs(poses)
+        poses[:, linear_components] = points
+        return pose_test(poses)
 
-    low, high = (end[moving] for end in box)
-    room = AROUND * (high - low)
-    steps = [np.linspace(*ends, CELLS[len(moving)] + 1) for ends in zip(low - room, high + room, strict=True)]
-    mask = _component(within, steps, pose[moving])
-    return _contour(within, steps, mask) if mask.any() else None
+    low, high = (end[linear_components] for end in box)
+    margin = MARGIN * (high - low)
+    steps = [
+        np.linspace(*ends, CELLS[len(linear_components)] + 1)
+        for ends in zip(low - margin, high + margin, strict=True)
+    ]
+    mask = _component(is_inside, steps, pose[linear_components])
+    return _contour(is_inside, steps, mask) if mask.any() else None
 
 
 def _component(inside: PoseTest, steps: list[Array], pose: Array) -> NDArray[np.bool_]:
@@ -70,7 +75,7 @@ def _component(inside: PoseTest, steps: list[Array], pose: Array) -> NDArray[np.
 
     nodes = np.stack(np.meshgrid(*steps, indexing="ij"), axis=-1)
     mask = inside(nodes.reshape(-1, len(steps))).reshape(nodes.shape[:-1])
-    for axis in range(mask.ndim):  # the boundary closes at the edge of the grid
+    for axis in range(mask.ndim):  # nodes at the edge of the grid are outside, so that the boundary is closed
         edge = np.moveaxis(mask, axis, 0)
         edge[[0, -1]] = False
     labels, count = label(mask)
@@ -84,36 +89,38 @@ def _contour(inside: PoseTest, steps: list[Array], mask: NDArray[np.bool_]) -> S
     """Return the dual contour of a mask, with crossings found by bisection."""
     d = mask.ndim
     sums, counts = np.zeros((*(n - 1 for n in mask.shape), d)), np.zeros([n - 1 for n in mask.shape])
-    joined: list[Array] = []
+    rings: list[Array] = []
     for axis in range(d):
         near = np.moveaxis(np.moveaxis(mask, axis, 0)[:-1], 0, axis)
         far = np.moveaxis(np.moveaxis(mask, axis, 0)[1:], 0, axis)
         edges = np.argwhere(near != far)
         ends = edges + np.eye(d, dtype=int)[axis]
-        first, second = (
+        near_points, far_points = (
             np.stack([s[i] for s, i in zip(steps, e.T, strict=True)], axis=-1) for e in (edges, ends)
         )
-        out = near[tuple(edges.T)]
-        crossing = _bisected(
-            inside, np.where(out[:, None], first, second), np.where(out[:, None], second, first)
+        is_leaving = near[tuple(edges.T)]
+        crossing = _bisect(
+            inside,
+            np.where(is_leaving[:, None], near_points, far_points),
+            np.where(is_leaving[:, None], far_points, near_points),
         )
         cells = []
-        for offset in _around(d, axis):
+        for offset in _cell_offsets(d, axis):
             cell = edges + offset
             cells.append(cell)
             np.add.at(sums, tuple(cell.T), crossing)
             np.add.at(counts, tuple(cell.T), 1.0)
         ring = np.stack(cells, axis=1)
-        ring[~out] = ring[~out, ::-1]  # seen from outside, every face turns the same way
-        joined.append(ring)
-    used = counts > 0
-    number = np.full(counts.shape, -1, dtype=np.intp)
-    number[used] = np.arange(np.count_nonzero(used))
-    faces = np.concatenate([number[tuple(np.moveaxis(ring, -1, 0))] for ring in joined])
-    return Surface(_smoothed(sums[used] / counts[used][:, None], faces), faces)
+        ring[~is_leaving] = ring[~is_leaving, ::-1]  # seen from outside, every face turns the same way
+        rings.append(ring)
+    has_vertex = counts > 0
+    vertex_number = np.full(counts.shape, -1, dtype=np.intp)
+    vertex_number[has_vertex] = np.arange(np.count_nonzero(has_vertex))
+    faces = np.concatenate([vertex_number[tuple(np.moveaxis(ring, -1, 0))] for ring in rings])
+    return Surface(_smooth(sums[has_vertex] / counts[has_vertex][:, None], faces), faces)
 
 
-def _smoothed(vertices: Array, faces: NDArray[np.intp]) -> Array:
+def _smooth(vertices: Array, faces: NDArray[np.intp]) -> Array:
     """Return vertices moved towards the mean of those that share an edge of a face with them."""
     pairs = np.concatenate([np.stack([faces[:, i - 1], faces[:, i]], axis=1) for i in range(faces.shape[1])])
     pairs = np.unique(np.sort(pairs, axis=1), axis=0)
@@ -127,24 +134,24 @@ def _smoothed(vertices: Array, faces: NDArray[np.intp]) -> Array:
     return smoothed
 
 
-def _around(d: int, axis: int) -> list[NDArray[np.intp]]:
+def _cell_offsets(d: int, axis: int) -> list[NDArray[np.intp]]:
     """Return the offsets of the cells around an edge along an axis, in order around it."""
     across_axes = [(axis + k) % d for k in range(1, d)]
-    turns = list(product((-1, 0), repeat=d - 1))
+    all_shifts = list(product((-1, 0), repeat=d - 1))
     if d == 3:
-        turns = [(-1, -1), (0, -1), (0, 0), (-1, 0)]
+        all_shifts = [(-1, -1), (0, -1), (0, 0), (-1, 0)]
     offsets = []
-    for turn in turns:
+    for shifts in all_shifts:
         offset = np.zeros(d, dtype=np.intp)
-        offset[across_axes] = turn
+        offset[across_axes] = shifts
         offsets.append(offset)
     return offsets
 
 
-def _bisected(inside: PoseTest, good: Array, bad: Array) -> Array:
-    """Return the points between good and bad ones at which the workspace ends."""
-    for _ in range(BISECTIONS if len(good) else 0):
-        middle = 0.5 * (good + bad)
-        there = inside(middle)[:, None]
-        good, bad = np.where(there, middle, good), np.where(there, bad, middle)
-    return 0.5 * (good + bad)
+def _bisect(inside: PoseTest, inner: Array, outer: Array) -> Array:
+    """Return the boundary points of the workspace between inner and outer points."""
+    for _ in range(BISECTIONS if len(inner) else 0):
+        middle = 0.5 * (inner + outer)
+        middle_inside = inside(middle)[:, None]
+        inner, outer = np.where(middle_inside, middle, inner), np.where(middle_inside, outer, middle)
+    return 0.5 * (inner + outer)
