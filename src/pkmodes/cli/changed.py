@@ -110,26 +110,26 @@ def changed(
     failing_verdicts = frozenset() if fail_on is None else parse_verdicts(split_names(fail_on, "--fail-on"))
     from pkmodes.loop import updating  # SciPy is loaded only where it is used
 
-    declared = read_robot(robot)
-    campaigns = _campaigns(states, declared, parse_band_option(band), drives)
+    declared_robot = read_robot(robot)
+    campaigns = _campaigns(states, declared_robot, parse_band_option(band), drives)
     sources = sources_of(
         report_to,
         {"robot file": robot, **{f"measurement file {i}": file for i, file in enumerate(states, start=1)}},
     )
-    trusted, *later = campaigns
+    trusted_state, *later_states = campaigns
     with progress_lines("changed") as progress, errors_name_options("candidates", "holdout"):
         result = updating.changed(
-            declared,
-            campaigns[trusted],
-            {name: campaigns[name] for name in later},
+            declared_robot,
+            campaigns[trusted_state],
+            {name: campaigns[name] for name in later_states},
             candidates=candidate_names,
             holdout=held_out,
             progress=progress,
             terms=not no_beyond,
-            name=trusted,
+            name=trusted_state,
         )
-    data = campaigns[later[0]]
-    report = report_file(report_to, lambda: page_of(result, declared, data, sources))
+    data = campaigns[later_states[0]]
+    report = report_file(report_to, lambda: page_of(result, declared_robot, data, sources))
 
     def show() -> None:
         from pkmodes.cli.diagnosis_tables import show_causes
@@ -138,7 +138,7 @@ def changed(
         from pkmodes.pages.report.numbers import errors
         from pkmodes.pages.report.setting import ReportSetting
 
-        terminal, setting = Terminal(), ReportSetting(declared.name, declared, None, (), None)
+        terminal, setting = Terminal(), ReportSetting(declared_robot.name, declared_robot, None, (), None)
         summary = changes_summary(result, setting)
         terminal.summary(summary)
         for name, change in result.by_state.items() or [(result.states[-1], result)]:

@@ -150,15 +150,20 @@ def diagnose(
         parse_prior(text, "--prior", "write --prior measurement:offset.z=2mm") for text in priors
     )
     usable_limits = dict(parse_usable(text, "--usable", "write --usable z=40mm,300mm") for text in usable)
-    declared = read_robot(robot)
+    declared_robot = read_robot(robot)
     data = updating.read(
-        modes, parse_band_option(band), declared, drives=drives, priors=prior_sigmas, usable=usable_limits
+        modes,
+        parse_band_option(band),
+        declared_robot,
+        drives=drives,
+        priors=prior_sigmas,
+        usable=usable_limits,
     )
     sources = sources_of(report_to, {"robot file": robot, "measurement file": modes})
     options = errors_name_options("candidates", "holdout", "usable", priors="--prior")
     with progress_lines("diagnose") as progress, options:
         result = updating.diagnose(
-            declared,
+            declared_robot,
             data,
             candidates=candidate_names,
             holdout=held_out,
@@ -169,11 +174,11 @@ def diagnose(
     nothing_to_save = save_to is not None and not result.settled and term is None
     robot_file = ResultFile(
         None if nothing_to_save else save_to,
-        lambda: robot_with_term(declared, result) if term else corrected_robot(declared, result),
+        lambda: robot_with_term(declared_robot, result) if term else corrected_robot(declared_robot, result),
         lambda file: (
             _saved_term_lines(file, effect_to, term)
             if term
-            else _saved_robot_lines(file, mechanism, declared, result)
+            else _saved_robot_lines(file, mechanism, declared_robot, result)
         ),
     )
     if effect_to is not None:
@@ -183,12 +188,12 @@ def diagnose(
         lambda: effect_text(result, "--save-effect"),
         lambda file: [f"\nwrote {file}; next: pkmodes generate ROBOT.toml --effect {pasted(file)} --out DIR"],
     )
-    report = report_file(report_to, lambda: page_of(result, declared, data, sources))
+    report = report_file(report_to, lambda: page_of(result, declared_robot, data, sources))
     try:
         deliver(
             json_file,
             result.as_json(),
-            lambda: show_diagnosis(declared, result),
+            lambda: show_diagnosis(declared_robot, result),
             robot_file,
             effect_file,
             report,
@@ -234,7 +239,7 @@ def _saved_robot_lines(file: Path, mechanism: Path | None, robot: Robot, result:
                 )
     option = f"--mechanism {pasted(mechanism)} " if mechanism else ""
     command = f"pkmodes generate {option}{pasted(file)} --out DIR"  # not wrapped, so that it can be copied
-    lines = [line for text in sentences for line in Terminal().wrapped(text)]
+    lines = [line for text in sentences for line in Terminal().wrap(text)]
     return [f"\nwrote {file}; next: {command}", *lines]
 
 

@@ -95,7 +95,7 @@ def figures(
         for path in written:
             echo(path)
         for name, sentence in sentences.items():
-            for line in Terminal().wrapped(f"note: {name} holds a sentence instead of a picture: {sentence}"):
+            for line in Terminal().wrap(f"note: {name} holds a sentence instead of a picture: {sentence}"):
                 echo(line, err=True)
 
     deliver(json_file, document.as_json(), show)

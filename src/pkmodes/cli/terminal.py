@@ -33,10 +33,10 @@ class Terminal:
 
     def line(self, text: str = "", indent: str = "") -> None:
         """Print a sentence; every line starts with `indent`."""
-        for part in self.wrapped(text, indent) or [""]:
+        for part in self.wrap(text, indent) or [""]:
             self._console.print(part, soft_wrap=True)
 
-    def wrapped(self, text: str, indent: str = "") -> list[str]:
+    def wrap(self, text: str, indent: str = "") -> list[str]:
         """Return the lines of a sentence."""
         return wrap_sentence(text, self._width, indent)
 

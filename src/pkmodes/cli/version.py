@@ -61,8 +61,8 @@ def version_facts() -> Iterator[tuple[str, str]]:
             vectors = f" ({instructions})" if instructions else ""
             text = f"{library.width} poses at once{vectors}, {library.path}"
         yield f"compiled {name}", text
-    cc = build.compiler()
-    yield "C compiler", "none" if cc is None else f"{' '.join(cc)}{_version_of(cc)}"
+    compiler = build.compiler()
+    yield "C compiler", "none" if compiler is None else f"{' '.join(compiler)}{_version_of(compiler)}"
     try:
         yield "compiled libraries are kept in", str(loader.cache_folder())
     except loader.NoLibraryError as error:
@@ -89,11 +89,11 @@ def _libraries() -> Iterator[tuple[str, str]]:
     yield "of the extras", ", ".join(installed_extras) or "none"
 
 
-def _version_of(cc: tuple[str, ...]) -> str:
+def _version_of(compiler: tuple[str, ...]) -> str:
     """Return the first line of a compiler's version text."""
     try:
         output = subprocess.run(
-            [*cc, "--version"], capture_output=True, timeout=60, check=False, text=True
+            [*compiler, "--version"], capture_output=True, timeout=60, check=False, text=True
         ).stdout
     except (OSError, subprocess.TimeoutExpired):
         return ""

@@ -99,14 +99,14 @@ class Task:
     """Consecutive rows of a map, row = robot * poses + pose.
 
     - pieces: robots, and the poses of each, each (N, d)
-    - code: hash of the generated code
+    - generated_code_hash: from `code_hash`
     - max_condition: as for `pkmodes.Model`
     - normal: direction perpendicular to the plane of the grid
     - usable_only: whether poses beyond the usable limits of a robot are left out
     """
 
     pieces: tuple[tuple[Robot, Array], ...]
-    code: str
+    generated_code_hash: str
     max_condition: float
     normal: str | None
     layout: MapLayout
@@ -127,7 +127,7 @@ def evaluate(task: Task) -> dict[str, Array]:
     Raises PkmodesError if the generated code here is not that of the task.
     """
     mechanism = task.pieces[0][0].mechanism
-    if code_hash(mechanism) != task.code:
+    if code_hash(mechanism) != task.generated_code_hash:
         problem = f"the generated code of {mechanism.name} differs from that of the map"
         raise PkmodesError(
             problem, gethostname(), "generate it there with the same pkmodes, and restart the worker"

@@ -102,35 +102,35 @@ class MapFile:
         Raises OutputError if it cannot be written.
         """
         suffix = self.path.suffix.lower()
-        new, replaced = (folder / f"{name}{suffix}" for name in TEMPORARY_NAMES)
+        new_file, replaced_file = (folder / f"{name}{suffix}" for name in TEMPORARY_NAMES)
 
         def restore_replaced() -> None:
             """Undo the first of the two renames that replace a folder, if the second was not made."""
-            if replaced.exists() and not self.path.exists():
-                replaced.rename(self.path)
+            if replaced_file.exists() and not self.path.exists():
+                replaced_file.rename(self.path)
 
         try:
             restore_replaced()  # the previous run was killed between the two renames
-            for leftover in (new, replaced):  # by an interrupted run
+            for leftover in (new_file, replaced_file):  # by an interrupted run
                 _remove(leftover)
             if suffix == NETCDF:
                 import dask
 
                 encoded, encoding = encode_reasons(dataset)
                 with dask.config.set(scheduler=_sequential_scheduler):
-                    encoded.to_netcdf(new, format="NETCDF4", engine="netcdf4", encoding=encoding)
+                    encoded.to_netcdf(new_file, format="NETCDF4", engine="netcdf4", encoding=encoding)
             elif suffix == ZARR:
                 # Version 2 of the format: version 3 has no standard for text yet.
-                dataset.drop_encoding().to_zarr(new, mode="w", zarr_format=2, consolidated=True)
+                dataset.drop_encoding().to_zarr(new_file, mode="w", zarr_format=2, consolidated=True)
             else:
-                write_table(table_of(dataset), new)
+                write_table(table_of(dataset), new_file)
             try:
                 if self.path.is_dir():
-                    self.path.rename(replaced)
-                new.replace(self.path)
+                    self.path.rename(replaced_file)
+                new_file.replace(self.path)
             finally:
                 restore_replaced()
-            _remove(replaced)
+            _remove(replaced_file)
         except (OSError, RuntimeError) as error:  # the NetCDF library raises RuntimeError
             reason = (error.strerror if isinstance(error, OSError) else None) or str(error)
             remedy = "make room or choose another place; the same command continues"
@@ -141,7 +141,7 @@ class MapFile:
         """Whether the file is a table, which holds less than the dataset."""
         return self.path.suffix.lower() in (CSV, PARQUET)
 
-    def opened(self) -> xarray.Dataset:
+    def open_dataset(self) -> xarray.Dataset:
         """Open a map that was written, without loading its values."""
         engine = "netcdf4" if self.path.suffix.lower() == NETCDF else "zarr"
         dataset: xarray.Dataset = import_xarray().open_dataset(self.path, engine=engine)

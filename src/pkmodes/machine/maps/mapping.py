@@ -59,14 +59,14 @@ class MapPlan:
     layout: MapLayout
 
     @property
-    def poses(self) -> int:
+    def pose_count(self) -> int:
         """Number of poses of each robot."""
         return prod(self.map_poses.shape)
 
     @property
     def rows(self) -> int:
         """Number of poses of all robots."""
-        return len(self.variants.robots) * self.poses
+        return len(self.variants.robots) * self.pose_count
 
     @property
     def task_count(self) -> int:
@@ -79,7 +79,7 @@ class MapPlan:
 
     def task(self, number: int) -> Task:
         """Return a task."""
-        rows, size, pieces = self.rows_of(number), self.poses, []
+        rows, size, pieces = self.rows_of(number), self.pose_count, []
         for robot in range(rows.start // size, -(-rows.stop // size)):
             first, last = max(rows.start - robot * size, 0), min(rows.stop - robot * size, size)
             pieces.append((self.variants.robots[robot], self.map_poses.points(np.arange(first, last))))
@@ -244,7 +244,7 @@ def map_of(
             file.write(dataset, folder)
             table_dataset: xarray.Dataset | None = dataset.load() if file.is_table else None
         store.remove_files()
-    return file.opened() if table_dataset is None else table_dataset
+    return file.open_dataset() if table_dataset is None else table_dataset
 
 
 def _evaluate_missing_tasks(
@@ -274,7 +274,7 @@ def _evaluate_missing_tasks(
 
 def _refuse_outside(plan: MapPlan) -> NoReturn:
     """Refuse a map without a single pose that can be evaluated."""
-    model, size = Model(plan.variants.robots[0], plan.model.max_condition), plan.poses
+    model, size = Model(plan.variants.robots[0], plan.model.max_condition), plan.pose_count
     sample = plan.map_poses.points(np.unique(np.linspace(0, size - 1, min(size, 1000)).astype(int)))
     sentence = str(model.check(sample).sentences[0]).partition(";")[0] if len(sample) else ""
     sentence = sentence or model.reasons[USABLE]  # it can be reached
@@ -293,7 +293,7 @@ def _refuse_outside(plan: MapPlan) -> NoReturn:
 
 def track_plan(plan: MapPlan, arrays: Mapping[str, Any]) -> Tracked:
     """Track the modes of a map; samples are compared with the first one."""
-    robots, size = plan.variants.robots, plan.poses
+    robots, size = plan.variants.robots, plan.pose_count
 
     def masses(rows: NDArray[np.intp]) -> Array:
         matrices: Array | None = None

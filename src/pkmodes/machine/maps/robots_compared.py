@@ -191,10 +191,10 @@ def incomparable_modes_sentence(modes: Sequence[ModeChange]) -> str:
     if not names:
         return ""
     several = len(names) > 1
-    which = f"modes {', '.join(names[:-1])} and {names[-1]}" if several else f"mode {names[0]}"
+    modes_text = f"modes {', '.join(names[:-1])} and {names[-1]}" if several else f"mode {names[0]}"
     return (
-        f"{which} cannot be compared: the partner is another one at more than {100.0 * MAX_EXCHANGED:g} % of the "
-        f"poses, or the median MAC is below {MIN_MAC:g}, so that {'their' if several else 'its'} quantiles mix "
+        f"{modes_text} cannot be compared: the partner is another one at more than {100.0 * MAX_EXCHANGED:g} % of "
+        f"the poses, or the median MAC is below {MIN_MAC:g}, so that {'their' if several else 'its'} quantiles mix "
         "motions"
     )
 

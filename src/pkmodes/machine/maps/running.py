@@ -154,14 +154,14 @@ def _check_certificates(scheduler: str) -> None:
     """Refuse an encrypted address without certificates, for which the client's own error is of no help."""
     import distributed
 
-    configured = "none"
+    certificates = "none"
     try:
         if distributed.Security().get_connection_args("client").get("ssl_context"):
             return
     except OSError as error:
-        configured = f"files that cannot be read ({error.strerror or type(error).__name__})"
+        certificates = f"files that cannot be read ({error.strerror or type(error).__name__})"
     raise PkmodesError(
-        f"expected certificates for TLS in the configuration of Dask, found {configured}",
+        f"expected certificates for TLS in the configuration of Dask, found {certificates}",
         f"scheduler {shown(scheduler)}",
         "set distributed.comm.tls.ca-file, and cert and key of distributed.comm.tls.client",
     )

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 #: so short that the extremes are not representative.
 QUANTILES = {"quantile_2_hz": 0.02, "median_hz": 0.5, "quantile_98_hz": 0.98}
 #: Fewest poses of which 2 % are at least one.
-MIN_POSES_OF_TAILS = 50
+MIN_POSES_FOR_2_PERCENT = 50
 
 
 class ExtremesDocument(Document, frozen=True):
@@ -129,7 +129,7 @@ def summary_of(dataset: xarray.Dataset, file: str | None) -> MapSummary:
     most_singular: Any = None
     most_unstable: Any = None
     reasons: Counter[str] = Counter()
-    valid_count = near_singular_count = unstable_count = counted_count = 0
+    valid_count = near_singular_count = unstable_count = representative_count = 0
     dataset = with_medians(dataset)
     for origin, part in loaded_parts(
         dataset[["frequency", "condition", "valid", "reason", *MEDIAN_VARIABLES]], leading
@@ -147,12 +147,12 @@ def summary_of(dataset: xarray.Dataset, file: str | None) -> MapSummary:
             unstable_poses, np.nanmin(np.where(np.isnan(frequency), np.inf, frequency), axis=-1), np.nan
         )
         most_unstable = _update_extreme(most_unstable, lowest_unstable, origin, highest=False)
-        counted_poses = (singularity <= 1.0) & ~unstable_poses
-        counted_count += int(counted_poses.sum())
-        counted_frequency = np.where(counted_poses[..., None], frequency, np.nan)
+        representative_poses = (singularity <= 1.0) & ~unstable_poses
+        representative_count += int(representative_poses.sum())
+        representative_frequency = np.where(representative_poses[..., None], frequency, np.nan)
         for i in range(len(mode_numbers)):
-            lowest[i] = _update_extreme(lowest[i], counted_frequency[..., i], origin, highest=False)
-            highest[i] = _update_extreme(highest[i], counted_frequency[..., i], origin, highest=True)
+            lowest[i] = _update_extreme(lowest[i], representative_frequency[..., i], origin, highest=False)
+            highest[i] = _update_extreme(highest[i], representative_frequency[..., i], origin, highest=True)
 
     def representative_frequencies() -> Iterator[NDArray[Any]]:
         for _, part in loaded_parts(dataset[["frequency", "condition", *MEDIAN_VARIABLES]], leading):
@@ -167,7 +167,7 @@ def summary_of(dataset: xarray.Dataset, file: str | None) -> MapSummary:
         ranges=_ranges(dataset, leading),
         poses=int(np.prod([dataset.sizes[dim] for dim in leading])),
         valid=valid_count,
-        counted=counted_count,
+        counted=representative_count,
         near_singular=LeftOutDocument(near_singular_count, _pose_at(most_singular, dataset)),
         unstable=LeftOutDocument(unstable_count, _pose_at(most_unstable, dataset)),
         reasons=dict(sorted(reasons.items())),
@@ -189,7 +189,7 @@ def summary_of(dataset: xarray.Dataset, file: str | None) -> MapSummary:
 def quantiles_sentence(content: dict[str, Any]) -> str:
     """Return the explanation of the quantiles of a summary; with few poses, 2 % of them are less than one."""
     count = content["counted"]
-    if count >= MIN_POSES_OF_TAILS:
+    if count >= MIN_POSES_FOR_2_PERCENT:
         return "At 96 % of the poses a frequency lies between its 2 % and its 98 % quantile"
     poses = "pose" if count == 1 else "poses"
     return f"Quantiles of each frequency over {count} {poses}, interpolated between its values there"

@@ -66,7 +66,7 @@ def box_of(
     fixed = fixed_components(model, pose) if fixed is None else fixed
     reached = _draw_reachable(model, rng, fixed)
     if pose is None:
-        pose = lower_branch(model, _require_reachable(model, reached))[0]
+        pose = poses_on_lower_branch(model, _require_reachable(model, reached))[0]
     on_branch = branch_test(model, pose)
     reached = np.vstack([pose, reached[on_branch(reached)]]) if len(reached) else pose[None]
     low, high = reached.min(axis=0), reached.max(axis=0)
@@ -74,10 +74,10 @@ def box_of(
         size = np.where(high > low, high - low, 1e-3)
         drawn = rng.uniform(low - EXTENSION * size, high + EXTENSION * size, (DRAWS_PER_ROUND, len(low)))
         drawn[:, list(fixed)] = list(fixed.values())
-        reached_beyond = drawn[on_branch(drawn)]
-        if not len(reached_beyond):
+        new_poses = drawn[on_branch(drawn)]
+        if not len(new_poses):
             break
-        extended = np.minimum(low, reached_beyond.min(axis=0)), np.maximum(high, reached_beyond.max(axis=0))
+        extended = np.minimum(low, new_poses.min(axis=0)), np.maximum(high, new_poses.max(axis=0))
         change = max(((low - extended[0]) / size).max(), ((extended[1] - high) / size).max())
         low, high = extended
         if change <= SETTLED_CHANGE:
@@ -93,7 +93,7 @@ def branch_test(model: Model, pose: Array) -> PoseTest:
     return lambda points: model.check(points).valid & (model.assembly(points, "nan") == branch)
 
 
-def lower_branch(model: Model, poses: Array) -> Array:
+def poses_on_lower_branch(model: Model, poses: Array) -> Array:
     """Return the poses of the assembly branch that hangs lower: with the lower mean potential of gravity.
 
     Where the platform turns and its origin lies to one side of its joints, this branch is the one on that side; where
@@ -106,8 +106,8 @@ def lower_branch(model: Model, poses: Array) -> Array:
     branches, mechanism = model.assembly(poses), model.mechanism
     offset = np.zeros(len(mechanism.directions))  # from the middle of a platform's joints to its origin
     if mechanism.rotations:
-        middle = middle_of_joints(mechanism, model.robot.parameters)
-        offset = -middle[["xyz".index(axis) for axis in mechanism.directions]]
+        joint_centre = middle_of_joints(mechanism, model.robot.parameters)
+        offset = -joint_centre[["xyz".index(axis) for axis in mechanism.directions]]
     if np.linalg.norm(offset) > MIN_OFFSET * model.characteristic_length:
         height = -poses[:, : len(offset)] @ offset
     else:
@@ -158,10 +158,10 @@ def usable_box(model: Model, pose: Array | None = None) -> tuple[Array, Array]:
     within_limits = limits_test(model)
     if not model.robot.usable or not (pose is None or within_limits(pose[None])[0]):
         return box_of(model, pose)
-    first = lower_branch(model, usable_poses(model))[0] if pose is None else pose
-    low, high = _clipped(model, *box_of(model, first))
-    usable_on_branch, rng = usable_branch_test(model, first), np.random.default_rng(SEED)
-    batches, count = [first[None]], 1
+    branch_pose = poses_on_lower_branch(model, usable_poses(model))[0] if pose is None else pose
+    low, high = _clipped(model, *box_of(model, branch_pose))
+    usable_on_branch, rng = usable_branch_test(model, branch_pose), np.random.default_rng(SEED)
+    batches, count = [branch_pose[None]], 1
     for _ in range(MAX_ROUNDS):
         drawn = rng.uniform(low, high, (DRAWS_PER_ROUND, len(low)))
         batches.append(drawn[usable_on_branch(drawn)])

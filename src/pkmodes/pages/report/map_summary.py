@@ -12,7 +12,7 @@ from pkmodes.core.robot.units import SHOWN
 from pkmodes.core.solve.fields import FIELDS
 from pkmodes.core.support.motors import motors_in_words
 from pkmodes.machine.maps.left_out import left_out_sentences
-from pkmodes.machine.maps.summary import MIN_POSES_OF_TAILS, QUANTILES, quantiles_sentence
+from pkmodes.machine.maps.summary import MIN_POSES_FOR_2_PERCENT, QUANTILES, quantiles_sentence
 from pkmodes.pages.plots.labels import MINUS, typeset
 from pkmodes.pages.report.blocks import Cell, Column, Summary, Table
 from pkmodes.pages.report.formatting import hertz, label, number, plural, pointer, shortened, thousands, unit
@@ -71,7 +71,7 @@ def _headline(content: dict[str, Any]) -> str:
     if first["minimum_hz"] is None:
         return "The machine is not stable at any pose" if content["valid"] else "No pose could be evaluated"
     lowest = "Mode 1" if content["tracked"] else "The lowest frequency of vibration"
-    if count < MIN_POSES_OF_TAILS:
+    if count < MIN_POSES_FOR_2_PERCENT:
         low, high, where = first["minimum_hz"], first["maximum_hz"], ""
     else:
         low, high, where = first["quantile_2_hz"], first["quantile_98_hz"], " at 96 % of the poses"

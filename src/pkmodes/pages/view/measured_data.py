@@ -45,11 +45,11 @@ def measured_data(scene: Scene) -> dict[str, Any] | None:
         if mode is None or not measured.has_shape:
             continue
         shapes, shape, scale = components(scene, pose), np.array(measured.shape), scene.scale(pose, mode)
-        scaled = scale * scale_factor(shape, shapes[mode], channel_weights(shapes)) * shape
-        arrows, turns = _drawn_components(scene, pose, scaled)
+        scaled_shape = scale * scale_factor(shape, shapes[mode], channel_weights(shapes)) * shape
+        arrows, turns = _drawn_components(scene, pose, scaled_shape)
         entry |= {
             "measured": [
-                None if np.isnan(value) else round(value, DECIMALS) + 0.0 for value in scaled.tolist()
+                None if np.isnan(value) else round(value, DECIMALS) + 0.0 for value in scaled_shape.tolist()
             ],
             "model": [round(value, DECIMALS) + 0.0 for value in (scale * shapes[mode]).tolist()],
             "arrows": arrows,
@@ -71,11 +71,11 @@ def components(scene: Scene, pose: int) -> Array:
     return shapes
 
 
-def _drawn_components(scene: Scene, pose: int, scaled: Array) -> tuple[list[Any], list[Any]]:
+def _drawn_components(scene: Scene, pose: int, scaled_shape: Array) -> tuple[list[Any], list[Any]]:
     """Return displacements as [point, x, y, z], and rotations as [element, angle], of the measured components."""
     platform, arrows, turns = np.zeros(3), [], []
     linear_names = [component.name for component in scene.platform if component.unit == "m"]
-    for channel, value in zip(scene.channels, scaled.tolist(), strict=True):
+    for channel, value in zip(scene.channels, scaled_shape.tolist(), strict=True):
         if np.isnan(value):
             continue
         if channel.name in linear_names:
@@ -98,15 +98,15 @@ def _moved_point(scene: Scene, pose: int, name: str) -> tuple[int, Array] | None
     other_columns = [
         k for k, coordinate in enumerate(scene.coordinates) if coordinate in scene.independent and k != column
     ]
-    best = None
+    best_point = None
     for element in scene.elements:
         for point in element.points if element.kind in MOVING_KINDS else ():
             motion = scene.motions[pose, scene.motions_of[point]]
             size = float(np.linalg.norm(motion[:, column]))
             moves_alone = size > 1e-9 and np.abs(motion[:, other_columns]).max(initial=0.0) < 1e-9 * size
-            if moves_alone and (best is None or size > np.linalg.norm(best[1]) * (1 + 1e-9)):
-                best = int(point), motion[:, column]
-    return best
+            if moves_alone and (best_point is None or size > np.linalg.norm(best_point[1]) * (1 + 1e-9)):
+                best_point = int(point), motion[:, column]
+    return best_point
 
 
 def measured_table(scene: Scene, prefix: str) -> str:

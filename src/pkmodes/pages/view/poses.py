@@ -16,7 +16,7 @@ from pkmodes.core.model import Model
 from pkmodes.machine.maps.workspace import (
     fixed_components,
     limits_test,
-    lower_branch,
+    poses_on_lower_branch,
     rotation_box,
     usable_box,
     usable_branch_test,
@@ -80,7 +80,7 @@ def typical_pose(model: Model) -> Array:
         seeds = seeds if len(seeds) else usable_poses(model)
     if not len(seeds):
         raise PoseError("found no pose well inside the workspace", model.robot.source, "give one with --pose")
-    lower_poses = lower_branch(model, seeds)
+    lower_poses = poses_on_lower_branch(model, seeds)
     heights = generated.gravity_potential(lower_poses)
     lower_half = lower_poses[heights <= np.median(heights)]
     central: Array = lower_half[np.argmin(np.linalg.norm(lower_half - lower_half.mean(axis=0), axis=-1))]
@@ -159,7 +159,7 @@ def poses_around(model: Model, pose: ArrayLike, *, drives: str = FREE) -> Scene:
 
 
 def _levels_through(low: float, high: float, value: float, count: int) -> Array:
-    """Return evenly spaced values inside a range, the nearest replaced by the given value; that alone without a range."""
+    """Return evenly spaced values inside a range, the nearest replaced by a given value; or else that alone."""
     if high <= low:
         return np.array([value])
     step = (high - low) / (count + 1)

@@ -82,7 +82,7 @@ class RobotDrawing:
         wheels = [e.points[0] for e in self.drawing.elements if e.shape == "wheel" and e.turns in names]
         return self.points(p)[:, wheels]
 
-    def _upright(self, p: Array) -> tuple[Array, ...]:
+    def _up_argument(self, p: Array) -> tuple[Array, ...]:
         """Return the argument `up` of the generated functions; none if all directions follow from the robot."""
         if not self.drawing.uprights:
             return ()

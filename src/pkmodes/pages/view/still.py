@@ -33,12 +33,12 @@ def still_svg(scene: Scene) -> str:
     """Return the picture of the pose and mode that are shown first, an ``svg`` element."""
     pose, mode = scene.chosen, min(scene.rigid_modes, scene.frequencies.shape[1] - 1)
     factor = scene.scale(pose, mode) * AMPLITUDE * scene.size
-    rest = scene.points[pose]
-    displaced = rest + factor * scene.displacements(pose, mode)
+    rest_points = scene.points[pose]
+    displaced = rest_points + factor * scene.displacements(pose, mode)
     view = camera(scene)
-    platform_motion = (displaced - rest)[0]
-    arrow = np.stack([rest[0] - platform_motion, rest[0] + platform_motion])
-    view_points = np.concatenate([rest, displaced, arrow]) @ view.T
+    platform_motion = (displaced - rest_points)[0]
+    arrow = np.stack([rest_points[0] - platform_motion, rest_points[0] + platform_motion])
+    view_points = np.concatenate([rest_points, displaced, arrow]) @ view.T
     low, high = view_points[:, :2].min(axis=0), view_points[:, :2].max(axis=0)
     extent = max(float(high[0] - low[0]), float(high[1] - low[1]) / MAX_HEIGHT, 1e-12)
     scale = WIDTH * (1.0 - 2.0 * MARGIN) / extent
@@ -58,7 +58,9 @@ def still_svg(scene: Scene) -> str:
     shares = np.nan_to_num(scene.shares[pose, mode])
     rotations = {name: factor * scene.shapes[pose, mode, k] for k, name in enumerate(scene.coordinates)}
     svg_elements = [
-        _line(project(rest[list(e.points)]), "ghost", 0.0015) for e in scene.elements if e.shape == "line"
+        _line(project(rest_points[list(e.points)]), "ghost", 0.0015)
+        for e in scene.elements
+        if e.shape == "line"
     ]
     depths = [float((displaced[list(e.points)] @ view[2]).mean()) for e in scene.elements]
     for i in np.argsort(depths, kind="stable"):

@@ -60,8 +60,8 @@ def varied(model: Model, pose: ArrayLike, values: Mapping[str, ArrayLike], *, dr
     point = model.modes(pose, drives=drives).poses
     paths = [resolve(model.robot, path) for path in values]
     levels = tuple(
-        np.unique(np.append(np.asarray(stated, dtype=float).ravel(), path.value))
-        for path, stated in zip(paths, values.values(), strict=True)
+        np.unique(np.append(np.asarray(path_values, dtype=float).ravel(), path.value))
+        for path, path_values in zip(paths, values.values(), strict=True)
     )
     count = int(np.prod([len(level) for level in levels]))
     if count > MAX_MACHINES:
