@@ -179,7 +179,7 @@ def _failed_relations(report: Report) -> list[str]:
 
 
 def _verdict_if_holding(report: Report) -> str:
-    """Return the verdict on a target that holds."""
+    """Return the verdict on a target that passed all checks."""
     return "as generated, and current except for what was not checked" if report.unchecked else "current"
 
 

@@ -113,7 +113,7 @@ def _json_text(content: dict[str, Any], ascii_only: bool) -> str:
 
 
 def silence(stream: TextIO) -> None:
-    """Discard what is left in the buffer of a stream that cannot be written, and all that follows.
+    """Discard the buffer of a stream that cannot be written, and all later output.
 
     At the end the interpreter flushes it, and would report an error or replace the exit code by 120.
     """

@@ -91,7 +91,7 @@ def identify(
 
 
 def _print(identification: Identification, campaign: Campaign, content: dict[str, Any]) -> None:
-    """Print a table of each record, and what its columns mean."""
+    """Print a table of each record, and the meaning of its columns."""
     from pkmodes.cli.terminal import Terminal
     from pkmodes.pages.report.identified_record import meanings, modes_table
 

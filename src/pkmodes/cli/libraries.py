@@ -1,4 +1,4 @@
-"""What libraries would say on stderr themselves: nothing of it tells a user of a command what to do."""
+"""Messages of libraries on stderr, which are suppressed: none of them helps the user of a command."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import warnings
 def quiet_libraries() -> None:
     """Keep warnings of NumPy and SciPy and messages of Matplotlib from the user.
 
-    Whatever matters to a result is said by the command, with its place.  ``-W`` and ``PYTHONWARNINGS`` prevail.
+    The command itself reports what matters to a result.  ``-W`` and ``PYTHONWARNINGS`` take precedence.
     """
     if sys.warnoptions:
         return

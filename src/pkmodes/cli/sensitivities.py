@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 #: An example of --parameters, for messages.
 PARAMETERS_EXAMPLE = "--parameters platform.mass,axis.span; or omit the option"
-#: Maximum number of quantities printed by default, and a note on what is then left out.
+#: Maximum number of quantities printed by default, and a note on the rest.
 MAX_PRINTED = 10
 ALL_NOTE = (
     "--all prints everything, including coordinates, for which one per cent depends on where the origin lies, "
@@ -167,7 +167,7 @@ def sensitivities(options: SensitivitiesOptions) -> None:
 
 
 def _print(model: Model, content: dict[str, Any], parameters_given: bool, print_all: bool) -> None:
-    """Print the derivatives: the largest, or all of those that are asked for.
+    """Print the derivatives: the largest, or all that were requested.
 
     - parameters_given: whether --parameters names them
     - print_all: whether --all is given

@@ -49,8 +49,8 @@ def height_given(
 ) -> tuple[float, float] | None:
     """Return the heights of the first and the last value of ``--set`` [m]; None without ``--height``.
 
-    Raises PkmodesError if it is neither two heights nor a density times an area; or if it is one of these and what is
-    set is not a mass.
+    Raises PkmodesError if it is neither two heights nor a density times an area, or if it is the latter and the
+    parameter that is set is not a mass.
     """
     if text is None:
         return None

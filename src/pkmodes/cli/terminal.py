@@ -48,7 +48,7 @@ class Terminal:
         self.block(Facts([(name, [cell]) for name, cell in summary.facts]))
 
     def notes(self, summary: Summary) -> None:
-        """Print what the reader should know."""
+        """Print the notes of a result."""
         for note in summary.notes:
             self.line()
             self.line(f"note: {terminal_text(note)}")

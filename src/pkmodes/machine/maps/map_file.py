@@ -149,7 +149,7 @@ class MapFile:
 
 
 def encode_reasons(dataset: xarray.Dataset) -> tuple[xarray.Dataset, dict[str, dict[str, Any]]]:
-    """Return the dataset with its reasons as bytes, and the encoding with which NetCDF holds characters.
+    """Return the dataset with its reasons as bytes, and the encoding with which NetCDF stores characters.
 
     Characters compress well, because nearly all are alike, and xarray encodes text only as a whole.
     """

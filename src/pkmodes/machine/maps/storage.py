@@ -112,7 +112,7 @@ def disk_store(
     The metadata of each array is deleted and created anew over its chunks, which the new array adopts.
 
     - folder: exists; continued if it holds the same plan
-    - plan: what is computed, as JSON can hold it
+    - plan: what is computed, as JSON data
 
     Raises OutputError if the folder cannot be written, has no room, or holds another map.
     """
@@ -126,7 +126,7 @@ def disk_store(
     arrays: dict[str, Any] = {}
     try:
         if not _can_continue(group, plan):
-            if shutil.disk_usage(folder).free < bytes_needed:  # say so before anything is computed
+            if shutil.disk_usage(folder).free < bytes_needed:  # reported before anything is computed
                 raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
             zarr.create_group(group, overwrite=True, zarr_format=3, attributes=plan)
         for name, (pose_shape, dtype) in layouts.items():

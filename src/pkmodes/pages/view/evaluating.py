@@ -1,4 +1,4 @@
-"""Evaluate a scene: what a picture of a robot shows at some poses."""
+"""Evaluate the scene of a robot at some poses: points, modes and springs."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class NotebookScene(Scene):
 
 
 def scene(model: Model, poses: ArrayLike, chosen: int = 0, *, drives: str = FREE) -> Scene:
-    """Evaluate what a picture of a robot shows at some poses.
+    """Evaluate the scene of a robot at some poses.
 
     Parameters
     ----------
@@ -67,7 +67,7 @@ def scene(model: Model, poses: ArrayLike, chosen: int = 0, *, drives: str = FREE
 
 
 def scene_of(models: Sequence[Model], poses: Array, chosen: int = 0, *, drives: str = FREE) -> Scene:
-    """Evaluate what a picture shows of machines that differ in values, each at a pose.
+    """Evaluate the scene of machines that differ in their values, each at a pose.
 
     Where some machines have joints that others lock, only as many modes are kept as all machines have.
 

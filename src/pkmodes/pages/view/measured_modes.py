@@ -1,4 +1,4 @@
-"""Measured modes beside those of a scene: a measured shape in the scale of the model's, at the places of its sensors.
+"""Measured modes beside those of a scene: shapes scaled to those of the model, at the positions of the sensors.
 
 A measured shape has any scale and sign, and is known only at the sensors.  Its factor is that of least squares on the
 measured components, in units of each component's motion over all modes, as in the MAC:

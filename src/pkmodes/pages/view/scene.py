@@ -28,7 +28,7 @@ class Scene:
     Attributes
     ----------
     robot, title : str
-        Name of the robot, and what its mechanism is.
+        Name of the robot, and title of its mechanism.
     pose : tuple of Named
         Components of a pose.
     directions : tuple of str
@@ -36,7 +36,7 @@ class Scene:
     platform : tuple of Named
         Components of the platform's motion: displacements, then small rotations about base axes.
     lengths : ndarray, shape (components,)
-        What makes lengths of them: 1, or the characteristic length for rotations [m].
+        Factors that make lengths of them: 1, or the characteristic length for rotations [m].
     coordinates, independent : tuple of str
         All of them, and those that the others follow from.
     elements : tuple of Element
@@ -77,7 +77,7 @@ class Scene:
     deviations : ndarray, shape (2 size - 1 along each axis, m - rigid_modes), optional
         How far frequencies between the states of a grid are off: see ``pkmodes.pages.view.interpolation``.
     checked : str
-        Where between the states that was found, in words; empty where it was at all that the page can show.
+        Where between the states deviations were computed, in words; empty if at all that the page can show.
     varied : tuple of Named
         Parameters that change between the states, by path; empty where only the pose does.
     values : ndarray, shape (N, len(varied)), optional
@@ -147,7 +147,7 @@ class Scene:
 
     @property
     def axes(self) -> tuple[Named, ...]:
-        """What the levels of a grid are values of."""
+        """The quantities whose values are the levels of a grid."""
         return self.varied or self.pose
 
     @property
@@ -161,7 +161,7 @@ class Scene:
 
     @property
     def moves(self) -> tuple[str, ...]:
-        """What the platform does along each component of its motion, after "along": "x", or "about x"."""
+        """Names of the components of the platform's motion, to follow "along": "x", or "about x"."""
         return tuple(
             f"about {component.name[-1]}" if component.unit == "rad" else component.name[-1]
             for component in self.platform
@@ -227,7 +227,7 @@ class Scene:
         Returns
         -------
         ndarray, shape (count, P, 3)
-            Positions [m]; `elements` says what connects them.
+            Positions [m]; `elements` connect them.
 
         Examples
         --------

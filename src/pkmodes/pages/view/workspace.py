@@ -1,4 +1,4 @@
-"""The reachable workspace as a surface, or as an outline in a plane, found from the robot's own conditions on a pose.
+"""The reachable workspace as a surface, or as an outline in a plane, found by checking poses of the robot.
 
 Poses of a grid are checked, and the boundary is refined by bisection on every edge of the grid that crosses it.  A
 cell's vertex is the mean of its crossings, and every crossed edge joins the cells around it (a dual contour).  It is
