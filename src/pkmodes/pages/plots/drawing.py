@@ -118,7 +118,7 @@ def _columns(
         columns[title] = (
             selected.tolist() if coordinate_digits is None else _rounded(selected, coordinate_digits)
         )
-        if any(name != f"{at:g}" for at, name in names.items()):  # they say more than the numbers
+        if any(name != f"{position:g}" for position, name in names.items()):  # they say more than the numbers
             columns[f"{title} (name)"] = [_nearest(names, place) for place in selected.tolist()]
     if series.values is not None:
         title, values = panel.labels["scale"] or "value", series.values[is_drawn]

@@ -66,18 +66,18 @@ def frequencies(plane: Plane, motors: Array | None = None) -> Drawing | str:
         for mode in range(modes)
     ):
         medians = ", ".join(f"{value:.2f}" for value in np.nanmedian(values, axis=(0, 1)))
-        within = plain(100 * SAME * LEAST_SPAN, 2)
-        return f"Every frequency is the same within {within} % at every pose: {medians} Hz."
+        tolerance_percent = plain(100 * SAME * LEAST_SPAN, 2)
+        return f"Every frequency is the same within {tolerance_percent} % at every pose: {medians} Hz."
 
     def draw(sheet: Sheet) -> None:
         for mode, panel in mode_panels(sheet, plane, modes, scales="own", line=True):
             width = sheet.panel_width if sheet.narrow else width_of(plane, modes, colour_bars=True)
-            frequency, counted = values[..., mode], displayed[..., mode]
-            limits = limits_of(counted)
+            frequency, counted_frequency = values[..., mode], displayed[..., mode]
+            limits = limits_of(counted_frequency)
             low, high = widened(*limits)
             mesh = plane.draw(panel, frequency, vmin=low, vmax=high)
             _contours(plane, panel.axes, mesh, frequency, float(np.ptp(plane.drawn(plane.across))) / width)
-            _extremes(plane, panel, counted)
+            _extremes(plane, panel, counted_frequency)
             _motors(panel, motors)
             panel.axes.annotate(
                 _range(*limits), (0, 1), (0, 2), "axes fraction", "offset points", va="bottom", fontsize=7

@@ -63,9 +63,11 @@ class Plane:
         leading = [str(dim) for dim in dataset["frequency"].dims[:-1]]
         plane_dims = plane_axes({dim: dataset.sizes[dim] for dim in leading}, components, "map")
         constant_dims = [dim for dim in leading if dim not in plane_dims]
-        constant = {dim: float(dataset[dim].values[0]) for dim in components if dim in constant_dims}
+        constant_values = {dim: float(dataset[dim].values[0]) for dim in components if dim in constant_dims}
         is_linear = all(dataset[dim].attrs["units"] == "m" for dim in plane_dims)
-        normal = next((dim for dim in constant if is_linear and dataset[dim].attrs["units"] == "m"), None)
+        normal = next(
+            (dim for dim in constant_values if is_linear and dataset[dim].attrs["units"] == "m"), None
+        )
         extent = {dim: float(np.ptp(dataset[dim].values)) for dim in plane_dims}
         same_units = len({dataset[dim].attrs["units"] for dim in plane_dims}) == 1
         across, along = plane_dims[1], plane_dims[0]
@@ -74,7 +76,12 @@ class Plane:
         # Loaded first: text that is still in a file cannot be transposed.
         plane_dataset = dataset.isel(dict.fromkeys(constant_dims, 0)).load().transpose(along, across, ...)
         return cls(
-            plane_dataset, across, along, normal, constant.pop(normal, 0.0) if normal else 0.0, constant
+            plane_dataset,
+            across,
+            along,
+            normal,
+            constant_values.pop(normal, 0.0) if normal else 0.0,
+            constant_values,
         )
 
     @property
@@ -175,10 +182,10 @@ def where(plane: Plane) -> str:
 
     Rotations that are 0 are left out.
     """
-    constant = {} if plane.normal is None else {plane.normal: plane.at}
+    constant_values = {} if plane.normal is None else {plane.normal: plane.at}
     lengths = {name: value for name, value in plane.rest.items() if value or plane.unit(name)[0] != "deg"}
     coordinates = []
-    for name, value in (constant | lengths).items():
+    for name, value in (constant_values | lengths).items():
         unit, factor = plane.unit(name)
         coordinates.append(f"{name} = {typeset(f'{value * factor:.6g}')} {unit}")
     return ", ".join(coordinates) or f"{plane.across} and {plane.along}"

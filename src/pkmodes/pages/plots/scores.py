@@ -29,26 +29,26 @@ LEAST = 1e-300
 
 def candidate_scores(result: Diagnosis) -> Drawing | None:
     """Return the scores of the candidates, the most significant first; None if none was tested."""
-    tested = sorted(result.candidates, key=lambda candidate: candidate.p_value)[:MOST]
-    if not tested:
+    candidates = sorted(result.candidates, key=lambda candidate: candidate.p_value)[:MOST]
+    if not candidates:
         return None
     claimed = {name for effect in result.effects for name in effect.members}
     remaining = {
         name for group in result.survivors for explanation in group for name in explanation.split(" + ")
     }
     kinds = [
-        ("claimed, with its class", BLUE, [c for c in tested if c.name in claimed]),
-        ("remains", GREEN, [c for c in tested if c.name in remaining - claimed]),
-        ("not claimed", GREY, [c for c in tested if c.name not in claimed | remaining]),
+        ("claimed, with its class", BLUE, [c for c in candidates if c.name in claimed]),
+        ("remains", GREEN, [c for c in candidates if c.name in remaining - claimed]),
+        ("not claimed", GREY, [c for c in candidates if c.name not in claimed | remaining]),
     ]
 
     def draw(sheet: Sheet) -> None:
-        panel = sheet.panel(0.85 + ROW * len(tested))
+        panel = sheet.panel(0.85 + ROW * len(candidates))
         for label, colour, group in kinds:
             for detectable, face in ((True, colour), (False, PAPER)):
                 plotted = [c for c in group if c.detectable == detectable]
                 if plotted:
-                    y = np.array([tested.index(c) for c in plotted])
+                    y = np.array([candidates.index(c) for c in plotted])
                     x = -np.log10([max(c.p_value, LEAST) for c in plotted])
                     ends = np.stack([0.0 * x, x], axis=1)[x > 0.0]
                     panel.lines(ends, y[x > 0.0, None], color=colour, linewidth=1.6)
@@ -56,7 +56,7 @@ def candidate_scores(result: Diagnosis) -> Drawing | None:
                     panel.scatter(
                         x, y, s=22, facecolor=face, edgecolor=colour, linewidth=1.2, zorder=3, label=name
                     )
-        _rows(panel, [_label(candidate.sentence, candidate.name) for candidate in tested])
+        _rows(panel, [_label(candidate.sentence, candidate.name) for candidate in candidates])
         end = panel.axes.get_xlim()[1]
         panel.axes.set_xlim(-LEFT * end, end)
         panel.label(x="score: \u2212log\u2081\u2080 of the p-value of this candidate alone [1]")

@@ -87,15 +87,19 @@ class Sheet:
             for row in range(len(rows))
         }
         if self.narrow:
-            across = min(len(cell_of_panel), 1 + sum(shape >= ratio for ratio in TALL) if frames else 3)
-            scale_width = SCALE if scales == "common" or (scales == "own" and across == 1) else 0.0
-            self.panel_width = (NARROW - (LABELS if frames else 0.0) - scale_width) / across
+            panels_per_row = min(
+                len(cell_of_panel), 1 + sum(shape >= ratio for ratio in TALL) if frames else 3
+            )
+            scale_width = SCALE if scales == "common" or (scales == "own" and panels_per_row == 1) else 0.0
+            self.panel_width = (NARROW - (LABELS if frames else 0.0) - scale_width) / panels_per_row
             heights = [(height / line_count - LABELLED) * row / sum(rows) for row in rows]
             if shape:
-                below = BELOW if scales == "own" and across > 1 else 0.0
-                heights = [shape * self.panel_width + below] * len(rows)
-            around = AROUND if frames else TITLE
-            panels = self._follow(cell_of_panel, across, heights, around, scale_width, share_x, share_y)
+                scale_height = BELOW if scales == "own" and panels_per_row > 1 else 0.0
+                heights = [shape * self.panel_width + scale_height] * len(rows)
+            label_height = AROUND if frames else TITLE
+            panels = self._follow(
+                cell_of_panel, panels_per_row, heights, label_height, scale_width, share_x, share_y
+            )
         else:
             self.figure.set_size_inches(width, height)
             grid = {"height_ratios": list(rows) * line_count} if len(rows) > 1 else {}
@@ -118,24 +122,27 @@ class Sheet:
     def _follow(
         self,
         places: dict[tuple[int, int], tuple[int, int]],
-        across: int,
+        panels_per_row: int,
         heights: Sequence[float],
-        around: float,
-        beside: float,
+        label_height: float,
+        scale_width: float,
         share_x: Shared,
         share_y: Shared,
     ) -> dict[tuple[int, int], Panel]:
         """Return the panels of a narrow sheet by group and row, each with its space around and beside it [inch].
 
         - places: row and column of the panels on a wide sheet
-        - across: how many stand side by side: they follow each other group by group, or else row by row
+        - panels_per_row: how many stand side by side: they follow each other group by group, or else row by row
         """
-        order = list(places) if across == 1 else sorted(places, key=places.__getitem__)
-        lines = [max(heights[row] for _, row in order[k : k + across]) for k in range(0, len(order), across)]
-        self.figure.set_size_inches(NARROW, sum(lines) + len(lines) * around + 0.3)
+        order = list(places) if panels_per_row == 1 else sorted(places, key=places.__getitem__)
+        lines = [
+            max(heights[row] for _, row in order[k : k + panels_per_row])
+            for k in range(0, len(order), panels_per_row)
+        ]
+        self.figure.set_size_inches(NARROW, sum(lines) + len(lines) * label_height + 0.3)
         # As wide as after the layout, about: it decides which numbers and names fit beside each other.
-        sides = {"left": 0.15, "right": 0.99 - beside / NARROW}
-        spec = self.figure.add_gridspec(len(lines), across, height_ratios=lines, **sides)
+        sides = {"left": 0.15, "right": 0.99 - scale_width / NARROW}
+        spec = self.figure.add_gridspec(len(lines), panels_per_row, height_ratios=lines, **sides)
         first_axes: dict[tuple[str, int], Axes] = {}
         panels: dict[tuple[int, int], Panel] = {}
         for k, cell in enumerate(order):
@@ -143,9 +150,11 @@ class Sheet:
             keys = [("sharex", column if share_x == "col" else 0)] if share_x else []
             keys += [("sharey", row if share_y == "row" else 0)] if share_y else []
             shared: dict[str, Any] = {key[0]: first_axes.get(key) for key in keys}
-            axes = self.figure.add_subplot(spec[k // across, k % across], **shared)
+            axes = self.figure.add_subplot(spec[k // panels_per_row, k % panels_per_row], **shared)
             first_axes = {**dict.fromkeys(keys, axes), **first_axes}
-            panels[cell] = Panel(axes, narrow=True, before=panels[order[k - 1]] if k % across else None)
+            panels[cell] = Panel(
+                axes, narrow=True, before=panels[order[k - 1]] if k % panels_per_row else None
+            )
         return panels
 
     def adopt(self, axes: Axes, inner: Iterable[Part] = ()) -> Panel:

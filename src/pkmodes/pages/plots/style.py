@@ -53,9 +53,9 @@ def figure(height: float, width: float = WIDTH) -> Figure:
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-    drawn = Figure(figsize=(width, height), layout="constrained")
-    FigureCanvasAgg(drawn)  # without it, each layout measures every text anew
-    return drawn
+    new_figure = Figure(figsize=(width, height), layout="constrained")
+    FigureCanvasAgg(new_figure)  # without it, each layout measures every text anew
+    return new_figure
 
 
 def stated(sentence: str) -> Figure:
@@ -63,9 +63,9 @@ def stated(sentence: str) -> Figure:
     from textwrap import wrap
 
     lines = wrap(sentence, CHARACTERS)
-    drawn = figure(0.2 * len(lines) + 0.1)
-    drawn.text(0.01, 0.5, "\n".join(lines), va="center", linespacing=1.5)
-    return drawn
+    new_figure = figure(0.2 * len(lines) + 0.1)
+    new_figure.text(0.01, 0.5, "\n".join(lines), va="center", linespacing=1.5)
+    return new_figure
 
 
 def ink_on(colour: Sequence[float] | NDArray[Any]) -> str:

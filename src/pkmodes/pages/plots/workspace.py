@@ -101,8 +101,8 @@ def _outlines(x: Array, y: Array, valid: Array) -> list[list[Array]]:
 def _enclosed(line: Any) -> float:
     """Return the area that a closed line encloses."""
     x, y = line[:-1].T
-    following = line[1:].T
-    return float(abs(np.sum(x * following[1] - y * following[0])) / 2.0)
+    next_points = line[1:].T
+    return float(abs(np.sum(x * next_points[1] - y * next_points[0])) / 2.0)
 
 
 def _volume(axes: Any, plane: Plane, volume: Volume, low: float, high: float) -> None:
