@@ -214,7 +214,7 @@ def test_a_mechanism_of_ones_own_on_workers(
 def test_other_generated_code_on_the_workers(
     scheduler: str, workers: list[subprocess.Popen[bytes]], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(mapping, "code_of", lambda kind: "0" * 64)
+    monkeypatch.setattr(mapping, "code_hash", lambda kind: "0" * 64)
     with pytest.raises(PkmodesError, match="the generated code of linear_delta differs from that of the map"):
         model().map(GRID, scheduler=scheduler)
 
