@@ -31,7 +31,7 @@ class Example(Document, frozen=True):
 
 
 class ExamplesDocument(Document, frozen=True):
-    """The examples, and the files that were written."""
+    """The examples, and which files were written."""
 
     examples: Annotated[list[Example], Meta(description="Those asked for; without a name all of them.")]
     out: Annotated[str | None, Meta(description="The folder, as given; null where nothing was asked for.")]
