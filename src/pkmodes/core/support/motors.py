@@ -34,13 +34,13 @@ def motors_give_way(robot: Declaration) -> bool:
 def drives_in_use(robot: Declaration, drives: str | None = None) -> str:
     """Return what the motors do in a machine that follows commands: as requested, else as the robot file has them.
 
-    - drives: "free" or "held"; by default motors that give way turn against their springs, "free", and others are
-      held
+    - drives: "free" or "held"; by default "held" if the robot file says so, else "free" for motors that give way and
+      turn against their springs, and "held" for others
 
     Raises PkmodesError if it is neither word, or motors that nothing holds are to be free: they follow no command.
     """
     if drives is None:
-        return FREE if motors_give_way(robot) else HELD
+        return FREE if robot.drives == FREE and motors_give_way(robot) else HELD
     if checked_drives(drives) == FREE and not motors_give_way(robot):
         problem = (
             "motors that turn freely follow no command, and the robot file has no spring that holds them"

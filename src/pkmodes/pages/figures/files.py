@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pkmodes.core.base.arguments import check_argument, one_of
-from pkmodes.core.base.drives import FREE
 from pkmodes.core.base.errors import OutputError
 from pkmodes.core.support.replacing import check_replaced, holds
 from pkmodes.core.support.writing import write_files
@@ -32,7 +31,7 @@ def write_pictures(
     grid: Any = None,
     formats: Sequence[str] = ("svg",),
     *,
-    drives: str = FREE,
+    drives: str | None = None,
     overwrite: bool = False,
 ) -> list[Path]:
     """Draw the figures of a robot and write them, all or none.
@@ -49,7 +48,7 @@ def write_pictures(
         As for `pictures`.
     formats : sequence of {"svg", "png", "pdf"}
         Each figure is written in all of them.
-    drives : {"free", "held"}
+    drives : {"free", "held"}, optional
         As for `pkmodes.Model.modes`.
     overwrite : bool
         Whether to replace a file that has the name of a figure but is something else.
@@ -70,7 +69,7 @@ def write_pictures(
 
 
 def write_pictures_and_sentences(
-    model: Model, folder: Path, grid: Any, formats: Sequence[str], *, drives: str, overwrite: bool
+    model: Model, folder: Path, grid: Any, formats: Sequence[str], *, drives: str | None, overwrite: bool
 ) -> tuple[list[Path], dict[str, str]]:
     """Like `write_pictures`; return the files, and the sentences that replace figures, by figure name."""
     for file_format in formats:

@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING, Any
 
 from numpy.typing import NDArray
 
-from pkmodes.core.base.drives import FREE
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.base.numbers import plain
 from pkmodes.core.mechanism.length import lengths_of
@@ -213,7 +212,7 @@ PICTURES = (
 )
 
 
-def pictures(model: Model, grid: Any = None, *, drives: str = FREE) -> Iterator[Picture]:
+def pictures(model: Model, grid: Any = None, *, drives: str | None = None) -> Iterator[Picture]:
     """Draw the figures of a robot, one after the other.
 
     Parameters
@@ -223,7 +222,7 @@ def pictures(model: Model, grid: Any = None, *, drives: str = FREE) -> Iterator[
     grid : mapping of str to array_like, optional
         Two components of the pose with several values, the others with one; by default from
         `working_plane`.
-    drives : {"free", "held"}
+    drives : {"free", "held"}, optional
         As for `pkmodes.Model.modes`.
 
     Yields
@@ -250,6 +249,7 @@ def pictures(model: Model, grid: Any = None, *, drives: str = FREE) -> Iterator[
     plane_axes(
         dict(zip(places.dims, places.shape, strict=True)), components, "grid"
     )  # before it is evaluated
+    drives = model.robot.resolve_drives(drives)
     say("computing the modes in the plane")
     plane = Plane.of(map_of(model, places, shapes=True, drives=drives), components)
     robot = RobotPlane(model, plane, drives)
