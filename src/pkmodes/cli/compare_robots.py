@@ -43,7 +43,7 @@ def compare_robot_files(
     first, second = map(load, files)
     check_one_mechanism(first.robot, second.robot)
     places = places_given(first, grid, poses)
-    with errors_name_options("grid", poses="--poses" if poses else "--grid"):
+    with errors_name_options("grid", "drives", poses="--poses" if poses else "--grid"):
         document = compare_robots(first, second, _points(first, second, places), drives)
     content = document.as_json()
 

@@ -15,6 +15,8 @@ def motors_in_words(
 ) -> str:
     """Return what the motors of a robot do, in words: motors free, held, or on their servo stiffness.
 
+    Where a robot file puts motors on springs, held ones are said to be without them.
+
     - drives: as for `pkmodes.Model.modes`.  A machine that is switched on has free motors with the effect of its
       position loop; they turn against it.
     - causes: effects that the robot has beside those of its file
@@ -22,7 +24,10 @@ def motors_in_words(
     words = motors([drives] if isinstance(drives, str) else drives)
     mechanism = robot.mechanism
     for name in (*springs_on_motors(mechanism, robot.effects), *motor_springs_among(mechanism, causes)):
-        return words.replace(FREE, f"on their {name.replace('_', ' ')}")
+        spring = name.replace("_", " ")
+        if words == motors([HELD]):
+            return f"{words}, not on their {spring}"
+        return words.replace(FREE, f"on their {spring}")
     return words
 
 

@@ -47,7 +47,11 @@ def labels_of(mechanism: Mechanism, modes: int, coordinates: tuple[str, ...]) ->
     part = "component" if mechanism.rotations else "direction"
     return {
         MODE: (MODE, numbers, {"units": "1", "long_name": "vibration mode, rigid-body modes left out"}),
-        DIRECTION: (DIRECTION, np.array(mechanism.components), _named(f"{part} of the platform's motion")),
+        DIRECTION: (
+            DIRECTION,
+            np.array(mechanism.components),
+            _named(f"{part} of motion of the {mechanism.moving_body()}"),
+        ),
         COORDINATE: (COORDINATE, np.array(coordinates), _named("generalised coordinate")),
         DRIVE: (DRIVE, np.array([d.name for d in mechanism.drives]), _named("drive")),
     }

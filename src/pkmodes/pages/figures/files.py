@@ -78,7 +78,14 @@ def write_pictures_and_sentences(
         problem = "the file exists, and is not such a figure"
         paths = [folder / f"{kind.name}.{file_format}" for file_format in formats]
         remedy = "choose another folder, or replace what is there with overwrite=True (--overwrite)"
-        check_replaced(paths, "folder", overwrite, holds(kind.title.encode()), what=problem, remedy=remedy)
+        check_replaced(
+            paths,
+            "folder",
+            overwrite,
+            holds(kind.title.partition(" of the {body}")[0].encode()),
+            what=problem,
+            remedy=remedy,
+        )
     files: dict[str, bytes] = {}
     sentences: dict[str, str] = {}
     for picture in pictures(model, grid, drives=drives):

@@ -104,6 +104,7 @@ def scene_of(models: Sequence[Model], poses: Array, chosen: int = 0, *, drives: 
     return NotebookScene(
         robot=model.robot.name,
         title=mechanism.title,
+        moving_body=mechanism.moving_body(),
         pose=mechanism.pose,
         directions=mechanism.directions,
         platform=mechanism.platform,

@@ -294,7 +294,7 @@ def _table(scene: Scene, key: str) -> str:
         )
     caption = (
         f"<b>What rings with {scene.doing}:</b> share of every spring in the strain energy of each mode, and the"
-        f" direction of the platform&#8217;s motion{_turning(scene)},"
+        f" direction of motion of the {scene.moving_body}{_turning(scene)},"
         f' at <span data-part="place">{_place(scene, i)}</span>'
     )
     return numbers_table(f"{key}-caption", caption, heads, rows)
