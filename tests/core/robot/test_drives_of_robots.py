@@ -28,7 +28,9 @@ def robot_file(folder: Path, drives: str | None, further: str = "", name: str = 
     """Write the published robot with what its motors do, and further tables."""
     stated = "" if drives is None else f"drives = {drives}\n"
     path = folder / name
-    path.write_text(published().replace("format = 1\n", f"format = 1\n{stated}", 1) + further, encoding="utf-8")
+    path.write_text(
+        published().replace("format = 1\n", f"format = 1\n{stated}", 1) + further, encoding="utf-8"
+    )
     return path
 
 
@@ -48,9 +50,9 @@ def held(tmp_path: Path) -> Model:
         lambda model, **drives: model.state_space(POSE, ["force_x"], ["p_x"], **drives).A,
         lambda model, **drives: model.sensitivities(POSE, ["platform.mass"], **drives).frequencies,
         lambda model, **drives: model.map({"x": [0.6], "y": 0.0, "z": -0.245}, **drives).frequency.values,
-        lambda model, **drives: (
-            model.with_values({"platform.mass": {"value": 1.5, "sigma": 0.1}}).frequency_sigmas(POSE, **drives)
-        ),
+        lambda model, **drives: model.with_values(
+            {"platform.mass": {"value": 1.5, "sigma": 0.1}}
+        ).frequency_sigmas(POSE, **drives),
     ],
     ids=["frequencies", "modes", "batch", "poles", "frf", "state_space", "sensitivities", "map", "sigmas"],
 )
@@ -64,7 +66,9 @@ def test_every_method_takes_the_drives_of_the_robot_file(held: Model, evaluate: 
 def test_results_name_the_state_of_the_motors(held: Model) -> None:
     modes = held.modes(POSE)
     assert (modes.drives, modes.rigid_modes, len(modes.frequencies)) == ("held", 0, 6)
-    assert (held.modes(POSE, drives="free").drives, pkmodes.load(PUBLISHED).modes(POSE).drives) == ("free",) * 2
+    assert (held.modes(POSE, drives="free").drives, pkmodes.load(PUBLISHED).modes(POSE).drives) == (
+        "free",
+    ) * 2
     # Matrices are those of all coordinates, whatever the motors do.
     np.testing.assert_array_equal(modes.mass_matrix, pkmodes.load(PUBLISHED).modes(POSE).mass_matrix)
 
@@ -100,7 +104,18 @@ def test_commands_take_and_name_it(tmp_path: Path, capsys: pytest.CaptureFixture
     for arguments in (
         ["modes", robot, "--pose", pose],
         ["sensitivities", robot, "--pose", pose, "--parameters", "platform.mass"],
-        ["response", robot, "--pose", pose, "--inputs", "force_x", "--outputs", "p_x", "--frequencies", "20:30:3"],
+        [
+            "response",
+            robot,
+            "--pose",
+            pose,
+            "--inputs",
+            "force_x",
+            "--outputs",
+            "p_x",
+            "--frequencies",
+            "20:30:3",
+        ],
         ["map", robot, "--grid", "x=0.6,y=0,z=-0.245"],
     ):
         assert printed(*arguments)["drives"] == "held", arguments
