@@ -110,6 +110,8 @@ class Machine:
         Directions in which the platform and the frame move.
     components : tuple of str
         The components of the platform's motion: the directions, then "r" and the axis for each rotation.
+    moving_bodies : tuple of str
+        What moves along each of the directions, such as "tool head", if it is not the platform.
     carrier : Carrier or None
         The body that carries payloads, if it is not the platform.
     loads : list of PointMass
@@ -167,6 +169,7 @@ class Machine:
         self.turned: dict[Symbol, tuple[Symbol, Expr]] = {}
         self.units: set[tuple[Expr, ...]] = set()
         self.platform: tuple[Expr, ...] = ()
+        self.moving_bodies: tuple[str, ...] = ()
         self.carrier: Carrier | None = None
         self.points: list[PointMass] = []
         self.loads: list[PointMass] = []

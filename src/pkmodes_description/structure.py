@@ -410,6 +410,8 @@ class Description(Part, frozen=True, omit_defaults=True):
         Axes about which the platform turns, if any: see `components`.
     terms : tuple of Term
         What a diagnosis tries beyond the effects.
+    moving_bodies : tuple of str
+        What moves along each of the directions, such as "tool head"; empty where it is the platform.
     """
 
     name: Name = field(name="mechanism")
@@ -433,6 +435,22 @@ class Description(Part, frozen=True, omit_defaults=True):
     drawing: Drawing
     rotations: tuple[Axis, ...] = ()
     terms: tuple[Term, ...] = ()
+    moving_bodies: tuple[Name, ...] = ()
+
+    def moving_body(self, axis: str = "") -> str:
+        """Return what moves along an axis, without an article; without one, what moves along any.
+
+        Machines whose directions belong to several bodies have them all: "tool head (x) and bed (y)".
+        """
+        bodies = dict(zip(self.directions, self.moving_bodies, strict=False))
+        if axis or len(set(bodies.values())) < 2:
+            return bodies.get(axis or self.directions[0], "platform")
+        return " and ".join(f"{body} ({direction})" for direction, body in bodies.items())
+
+    def body_moves(self) -> str:
+        """Return a clause that says that they move: "platform moves", "tool head (x) and bed (y) move"."""
+        body = self.moving_body()
+        return f"{body} move" if len(set(self.moving_bodies)) > 1 else f"{body} moves"
 
     @property
     def components(self) -> tuple[Name, ...]:

@@ -30,7 +30,7 @@ OWN = "planar_pair"
 FRAME = "frame.mass"
 #: What every robot file may have besides the tables of its mechanism: docs/reference/robot-file.md.
 COMMON = {
-    *("format", "name", "mechanism", "gravity", "damping.ratio"),
+    *("format", "name", "mechanism", "drives", "gravity", "damping.ratio"),
     *(f"report.{key}" for key in ("customer", "machine", "serial", "operator")),
     *(f"covariance.{key}" for key in ("paths", "correlation", "sigma")),
 }

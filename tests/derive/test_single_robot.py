@@ -74,7 +74,12 @@ def applies(effects: tuple[str, ...], name: str) -> bool:
 
 
 def robot(name: str, effects: tuple[str, ...], **tables: dict) -> pkmodes.Model:
-    content = {**document(name), "name": "sample", "effects": {e: VALUES[e] for e in effects}}
+    content = {
+        **document(name),
+        "name": "sample",
+        "drives": "free",
+        "effects": {e: VALUES[e] for e in effects},
+    }
     content.update({key: {**content.get(key, {}), **table} for key, table in tables.items()})
     return pkmodes.Model(robot_from_document(content, "sample.toml"))
 

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.robots.one_of_each import load_free
 from helpers.robots.sample_mechanisms import TYPICAL, effect_names, sample
 from helpers.robots.sample_mechanisms import model as generated
 from pkmodes.core.mechanism.registry import mechanism
@@ -206,7 +207,7 @@ def test_a_level_plane_needs_no_torque(name: str) -> None:
 
 def test_a_print_slows_the_bed_down_and_not_the_tool_head() -> None:
     """Each slide of a bed slinger is a mass m and a rotor I on one spring: omega^2 = k (1/m + R^2/I)."""
-    model = pkmodes.load("robots/bed-slinger.toml")
+    model = load_free("bed-slinger.toml")
     q, p = model.robot.parameters, np.array([0.1, 0.15])
     k = (q.belt_width * q.belt_specific_stiffness)[:, None] / (q.axis_lengths + p[:, None] * [1, -1])
     rotors = q.pulley_inertia + q.gear_ratio**2 * q.motor_inertia

@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.robots.one_of_each import load_free
 from helpers.references.high_precision import Exact, solved
 from helpers.references.high_precision_mechanisms import mp
 from helpers.references.oracle import Oracle
@@ -206,7 +207,7 @@ def test_without_keeping_the_parts_apart_the_digits_would_be_lost() -> None:
     ],
 )
 def test_what_cannot_be_resolved_is_refused(values: dict[str, float], blamed: str) -> None:
-    model = pkmodes.Model(replace(pkmodes.read_robot(PRINTER), effects=values))
+    model = pkmodes.Model(replace(load_free(PRINTER).robot, effects=values))
     for evaluate in (model.modes, lambda p: model.sensitivities(p, ["toolhead.mass"])):
         with pytest.raises(PoseError) as caught:
             evaluate([0.1, 0.1])

@@ -84,11 +84,15 @@ def describe(
         drawing=drawing,
         rotations=machine.rotations,
         terms=terms,
+        moving_bodies=machine.moving_bodies,
     )
 
 
 def _component(machine: Machine, axis: str) -> str:
     """Return what a component of the pose is."""
+    if len(set(machine.moving_bodies)) > 1 and axis in machine.directions:
+        body = machine.moving_bodies[machine.directions.index(axis)]
+        return f"{axis} of the {body} in the base frame"
     if axis in machine.directions:
         return f"{axis} of the {machine.pose_is}"
     if len(machine.rotations) == 1:

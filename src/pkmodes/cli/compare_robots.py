@@ -13,7 +13,6 @@ from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import errors_name_options
 from pkmodes.cli.poses import places_given
 from pkmodes.cli.reporting import report_file, sources_of
-from pkmodes.core.base.drives import FREE
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.support.progress import say
 
@@ -44,8 +43,8 @@ def compare_robot_files(
     first, second = map(load, files)
     check_one_mechanism(first.robot, second.robot)
     places = places_given(first, grid, poses)
-    with errors_name_options("grid", poses="--poses" if poses else "--grid"):
-        document = compare_robots(first, second, _points(first, second, places), drives or FREE)
+    with errors_name_options("grid", "drives", poses="--poses" if poses else "--grid"):
+        document = compare_robots(first, second, _points(first, second, places), drives)
     content = document.as_json()
 
     def page() -> str:

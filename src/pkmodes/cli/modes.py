@@ -224,11 +224,11 @@ def _sentences(model: Model, result: Modes, statics: Statics, with_sigmas: bool)
     yield from _motor_sentences(model, result)
     if model.mechanism.rotations:
         yield (
-            "p, r*L: how the platform moves and turns about base axes, a unit vector; "
+            f"p, r*L: how the {model.mechanism.moving_body()} moves and turns about base axes, a unit vector; "
             f"L = {model.characteristic_length:.4g} m, the rms distance of its joints from its origin"
         )
     else:
-        yield "p: direction in which the platform moves, a unit vector in the base frame"
+        yield f"p: direction in which the {model.mechanism.body_moves()}, a unit vector in the base frame"
     if with_sigmas:
         yield "+-: one standard deviation, from those that the robot file states"
     rigid_frequencies = result.frequencies[: result.rigid_modes]

@@ -10,7 +10,7 @@ from typing import Any
 
 import click
 
-from pkmodes.core.base.drives import DRIVES, FREE
+from pkmodes.core.base.drives import DRIVES
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.core.support.pasting import pasted
 
@@ -65,16 +65,16 @@ unregistered_mechanism_option = click.option("--mechanism", **_MECHANISM_SETTING
 drives_option = click.option(
     "--drives",
     type=click.Choice(DRIVES),
-    default=FREE,
-    show_default=True,
-    help="Motors: free to turn, or held by position loops far stiffer than the machine.",
+    help="Motors: free to turn, or held by position loops far stiffer than the machine; by default as the robot file "
+    "says, else free.",
 )
 
 #: The same option for a command that reads measurements, whose file may state the drives.
 measured_drives_option = click.option(
     "--drives",
     type=click.Choice(DRIVES),
-    help="Motors in the test, if the file does not state it: free to turn, or held; by default free.",
+    help="Motors in the test, if the file does not state it: free to turn, or held; by default as the robot file "
+    "says, else free.",
 )
 
 band_option = click.option(

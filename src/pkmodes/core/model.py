@@ -137,7 +137,7 @@ class Model:
         on_error: OnError = "raise",
         *,
         fields: Fields = None,
-        drives: str = FREE,
+        drives: str | None = None,
         out: Out = None,
         backend: str = AUTO,
         threads: int | None = None,
@@ -153,9 +153,9 @@ class Model:
         fields : sequence of str, optional
             Which of ``Modes.FIELDS`` to compute and keep, such as ``("frequencies", "platform_shapes")``; by default
             all, or the fields in `out`.  The values of a field do not depend on the other fields requested.
-        drives : {"free", "held"}
+        drives : {"free", "held"}, optional
             What the motors do: they turn freely, or position loops far stiffer than the machine hold them
-            (docs/model.md).
+            (docs/model.md); by default as the robot file says, else "free".
         out : mapping of str to ndarray, optional
             Arrays to fill in place, by field, with the shapes given in `Modes`; they become the fields.
         backend : {"auto", "numpy", "compiled"}
@@ -189,6 +189,7 @@ class Model:
         if fields is not None or out is not None:
             requested = chosen_fields(fields, out, Modes.fields_of(self.robot.mechanism))
         number = checked_threads(threads)
+        drives = self.robot.drives if drives is None else drives
         plan = self._plan(requested, out, backend, drives)
         checked, arrays = self._run(plan.fields, poses, on_error, out, number)
         for name, same in plan.shared.items():
@@ -214,7 +215,7 @@ class Model:
         poses: ArrayLike,
         on_error: OnError = "raise",
         *,
-        drives: str = FREE,
+        drives: str | None = None,
         out: Array | None = None,
         backend: str = AUTO,
         threads: int | None = None,
@@ -246,7 +247,7 @@ class Model:
         if out_arrays:
             requested = chosen_fields(requested, out_arrays, Modes.fields_of(self.robot.mechanism))
         number = checked_threads(threads)
-        plan = self._plan(requested, out_arrays, backend, drives)
+        plan = self._plan(requested, out_arrays, backend, self.robot.drives if drives is None else drives)
         _, arrays = self._run(plan.fields, poses, on_error, out_arrays, number)
         return arrays["frequencies"]
 

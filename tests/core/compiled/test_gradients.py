@@ -20,7 +20,7 @@ from helpers.robots.lane_samples import (
     results,
     robot_of,
 )
-from helpers.robots.one_of_each import EVERY, POSES, ROBOTS
+from helpers.robots.one_of_each import EVERY, POSES, load_free
 from pkmodes import PkmodesError
 from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.loop.sensitivity.compiled import terms_of
@@ -115,7 +115,7 @@ def test_a_payload_counts_for_paths_of_the_robot() -> None:
 def test_derivatives_are_those_of_differences(name: str) -> None:
     """Central differences of frequencies that NumPy computes, with the accuracy of differences."""
     pose = POSES[name]
-    model = pkmodes.load(ROBOTS / EVERY[name])
+    model = load_free(EVERY[name])
     kept = [path for path in model.sensitivities(pose).parameters if "effects" not in path]
     found = model.sensitivities(pose, kept, fields=["frequencies"], backend="compiled")
     rigid = model.modes(pose).rigid_modes
@@ -164,7 +164,7 @@ def test_derivatives_by_the_pose(name: str, effects: str) -> None:
 @pytest.mark.parametrize("fields", [["frequencies"], ["eigenvalues"], ["eigenvalues", "frequencies"]])
 @pytest.mark.parametrize("name", NAMES)
 def test_both_back_ends_say_the_same(name: str, fields: list[str]) -> None:
-    model = pkmodes.load(ROBOTS / EVERY[name])
+    model = load_free(EVERY[name])
     poses = np.array([POSES[name], [9.0] * len(POSES[name]), POSES[name]])
     poses[2, 0] += 0.01
     numpy, compiled = (

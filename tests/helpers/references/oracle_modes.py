@@ -11,6 +11,7 @@ import numpy as np
 import pkmodes
 from helpers.references.high_precision import solved
 from helpers.references.high_precision_mechanisms import HighPrecision, mp
+from helpers.robots.one_of_each import load_free
 from helpers.robots.sample_mechanisms import Sample, description, oracle
 
 FILES = {"rotary_delta": "clavel-delta.toml", "corexy": "corexy-printer.toml"}
@@ -54,5 +55,5 @@ def model_of(name: str, robot: Sample, chosen: Any) -> pkmodes.Model:
                 constants[path] = value or {"frame_compliance.mass": 50.0}.get(path, 0.0)
             if value:
                 values[f"{effect['name']}.{parameter['name']}"] = value
-    read = pkmodes.read_robot(ROBOTS / FILES[name])
+    read = load_free(FILES[name]).robot
     return pkmodes.Model(replace(read, parameters=parameters, effects=values, constants=constants))

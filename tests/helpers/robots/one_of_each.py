@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -38,12 +39,17 @@ for _name, _file in EVERY.items():  # the workspace is the travel of the pose's 
         POSES[_name] = np.round(_low + (_high - _low) * [1 / 3, 1 / 6], 3)
 
 
+def load_free(file: str | Path) -> pkmodes.Model:
+    """Load a supplied robot with free motors, whatever its file says of its use."""
+    return pkmodes.Model(replace(pkmodes.read_robot(ROBOTS / file), drives="free"))
+
+
 def model_of(name: str, *effects: Mapping[str, float], ratio: float = 0.0) -> pkmodes.Model:
-    """The robot of a mechanism with effects, without those that do not apply to it."""
+    """The robot of a mechanism with free motors and with effects, without those that do not apply to it."""
     given = {path: value for some in effects for path, value in some.items()}
     # One that applies to no mechanism is misspelt.
     assert given.keys() <= set().union(*(_effect_paths(mechanism(each)) for each in FILES))
-    plain = pkmodes.load(ROBOTS / FILES[name])
+    plain = load_free(FILES[name])
     known = _effect_paths(plain.mechanism)
     values = {f"effects.{path}": value for path, value in given.items() if path in known}
     return plain.with_values({**values, "damping.ratio": ratio} if ratio else values)

@@ -11,6 +11,7 @@ import xarray
 
 import pkmodes
 from helpers.commands.map_runs import done_in
+from helpers.robots.one_of_each import load_free
 from pkmodes.machine.maps import mapping, running
 from pkmodes.machine.maps.evaluating import Task
 
@@ -26,7 +27,7 @@ OF_DAMPING, OF_HELD = {"damping_ratio"}, {"vibration_amplitude", "softest_stiffn
 
 
 def model_of(robot: str, values: dict[str, float] | None = None) -> pkmodes.Model:
-    return pkmodes.load(ROBOTS / f"{robot}.toml").with_values(values or {})
+    return load_free(f"{robot}.toml").with_values(values or {})
 
 
 def points_of(found: xarray.Dataset, model: pkmodes.Model) -> np.ndarray:

@@ -54,6 +54,7 @@ def declare(m: Machine) -> None:
     zero = Integer(0)
     head, bed = (x, zero, zero), (zero, y, zero)
     m.platform = (x, y, zero)
+    m.moving_bodies = ("tool head", "bed")
     m.points.append(PointMass(m_h, head, "toolhead", "the tool head"))
     m.points.append(PointMass(m_b, bed, "bed", "the bed"))
     m.carrier = Carrier("the bed", "on the bed", bed)

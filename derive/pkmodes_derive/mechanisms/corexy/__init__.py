@@ -57,6 +57,7 @@ def declare(m: Machine) -> None:
     # Bodies ------------------------------------------------------------------------------------------------------
     zero = Integer(0)
     m.platform = (x, y, zero)
+    m.moving_bodies = ("tool head", "tool head")
     m.points.append(PointMass(m_h, m.platform, "platform", "the tool head"))
     beam = PointMass(m_g, (zero, y, zero), "gantry", "the gantry")
     m.points.append(beam)

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from pkmodes.core.base.drives import FREE, checked_drives
 from pkmodes.core.mechanism import registry
 from pkmodes.core.mechanism.described import DAMPING_RATIO, Mechanism
 from pkmodes.core.robot.covariance import Covariance
@@ -52,6 +53,8 @@ class Declaration:
         What the head of reports says of the machine, by key of the table ``[report]``.
     covariance : tuple of Covariance
         Values whose errors belong together; all others are independent.
+    drives : {"free", "held"}
+        How the machine is used: its motors turn freely, or position loops far stiffer than the machine hold them.
     kept : dict
         Results kept for this robot, to be computed once.
     """
@@ -66,6 +69,7 @@ class Declaration:
     usable: Mapping[str, Bound] = field(default_factory=dict)
     report: Mapping[str, str] = field(default_factory=dict)
     covariance: tuple[Covariance, ...] = ()
+    drives: str = FREE
     kept: dict[str, Any] = field(default_factory=dict, init=False, repr=False)
 
     def __eq__(self, other: object) -> bool:
@@ -96,12 +100,33 @@ class Declaration:
             tuple((array.shape, *array.ravel().tolist()) for array in arrays),
             *(frozenset(mapping.items()) for mapping in mappings),
             self.covariance,
+            self.drives,
         )
 
     @property
     def mechanism(self) -> Mechanism:
         """The mechanism: description and generated functions."""
         return registry.mechanism(self.mechanism_name)
+
+    def resolve_drives(self, drives: str | None) -> str:
+        """Return the state of the motors: as requested, or else as the machine is used.
+
+        Parameters
+        ----------
+        drives : {None, "free", "held"}
+            None takes that of the robot file.
+
+        Returns
+        -------
+        str
+            "free" or "held".
+
+        Raises
+        ------
+        PkmodesError
+            If it is neither.
+        """
+        return self.drives if drives is None else checked_drives(drives)
 
     @property
     def damping_ratio(self) -> float:

@@ -16,8 +16,8 @@ class Robot(Declaration):
 
     Two robots are equal if their declarations are equal; the location of their files is ignored.  The attributes are
     those of `pkmodes.core.robot.declaration.Declaration`: ``name``, ``mechanism_name``, ``source``, ``parameters``,
-    ``quantities``, ``effects``, ``constants``, ``usable``, ``report``, ``covariance``, and the derived
-    ``mechanism`` and ``declared``.
+    ``quantities``, ``effects``, ``constants``, ``usable``, ``report``, ``covariance``, ``drives``, and the
+    derived ``mechanism`` and ``declared``.
     """
 
     _repr_html_ = Attached("pkmodes.pages.report.notebook:of_robot")

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from operator import ge, gt, le, lt
 from typing import Any
 
+from pkmodes.core.base.drives import DRIVES
 from pkmodes.core.base.errors import shown
 from pkmodes.core.robot.layout import XYZ
 from pkmodes.core.robot.units import (
@@ -132,6 +133,16 @@ def choice(raw: Any, allowed: tuple[int, ...]) -> int:
         choices = " or ".join(map(str, allowed))
         raise RefusedError(f"expected {choices}, found {shown(raw)}", f"write {choices}")
     return raw
+
+
+def state_of_motors(raw: Any) -> str:
+    """Read what the motors do: "free" or "held"."""
+    if raw not in DRIVES:
+        raise RefusedError(
+            f'expected "free" or "held", found {shown(raw)}',
+            'write drives = "held" if position loops far stiffer than the machine hold the motors, else "free"',
+        )
+    return str(raw)
 
 
 def is_bare(key: str) -> bool:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Container, Mapping, Sequence
 from functools import partial
 from typing import Any, TypeVar
 
+from pkmodes.core.base.drives import FREE
 from pkmodes.core.base.errors import PkmodesError, RobotFileError, nearest_name, shown
 from pkmodes.core.mechanism import registry
 from pkmodes.core.mechanism.described import Mechanism
@@ -21,6 +22,8 @@ FORMAT_HELP = "see docs/reference/robot-file.md for the format"
 FORMAT = 1
 #: Keys that every robot file has before its tables.
 HEAD = ("format", "name", "mechanism", GRAVITY.name)
+#: Key before the tables that says how the machine is used.
+STATE_OF_MOTORS = "drives"
 COUNTS = ("no", "one", "two", "three", "four", "five", "six")
 
 T = TypeVar("T")
@@ -39,6 +42,7 @@ class Tables:
     - usable: limits of components of the pose, where the file gives any
     - report: fields of the head of reports
     - covariance: the tables of correlations as they were given: they need all values
+    - drives: what the motors do where the machine is used
 
     Raises RobotFileError if the mechanism is unknown, because it defines the tables.
     """
@@ -70,7 +74,11 @@ class Tables:
         if REPORT not in tables:
             self.report = read_report(document.get(REPORT, {}), self.problem)
         self.covariance: Any = [] if COVARIANCE in tables else document.get(COVARIANCE, [])
-        self._unknown(document, "", [*HEAD, *tables, EFFECTS, USABLE, REPORT, COVARIANCE])
+        self.drives = FREE
+        if STATE_OF_MOTORS not in tables and STATE_OF_MOTORS in document:
+            self.drives = self._present(document, STATE_OF_MOTORS, schema.state_of_motors) or FREE
+        optional = EFFECTS, USABLE, REPORT, COVARIANCE, STATE_OF_MOTORS
+        self._unknown(document, "", [*HEAD, *tables, *optional])
 
     def raise_problems(self) -> None:
         """Raise an error with all problems, if there are any."""

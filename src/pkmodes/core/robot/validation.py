@@ -95,6 +95,7 @@ def declaration(document: Mapping[str, Any], source: str) -> Declaration:
         usable=tables.usable,
         report=tables.report,
         covariance=covariance,
+        drives=tables.drives,
     )
     robot.kept[CONTENT] = Content(tables.values, merged, tables.effects)
     return robot

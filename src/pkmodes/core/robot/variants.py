@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from pkmodes.core.base.drives import FREE
 from pkmodes.core.base.errors import PkmodesError, nearest_name, shown
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.robot import schema
@@ -20,7 +21,7 @@ from pkmodes.core.robot.declaration import Declaration, changeable, unit_of
 from pkmodes.core.robot.layout import EFFECTS, Number, by_path, items, lent, takers
 from pkmodes.core.robot.parameter_groups import elements_at_value, group_items, groups_by_path
 from pkmodes.core.robot.report_fields import REPORT
-from pkmodes.core.robot.tables import FORMAT
+from pkmodes.core.robot.tables import FORMAT, STATE_OF_MOTORS
 from pkmodes.core.robot.units import Quantity
 from pkmodes.core.robot.usable import USABLE, Bound, raw_of
 from pkmodes.core.robot.validation import CONTENT, changed, declaration
@@ -68,6 +69,7 @@ def document_of(
     usable: Mapping[str, Bound] | None = None,
     report: Mapping[str, str] | None = None,
     covariance: Sequence[Covariance] = (),
+    drives: str = FREE,
 ) -> dict[str, Any]:
     """Return the document of a robot file with only these values.
 
@@ -76,10 +78,13 @@ def document_of(
     - usable: where the machine is used
     - report: fields of the head of reports
     - covariance: values whose errors belong together
+    - drives: what the motors do where the machine is used
 
     Raises KeyError if an element of a vector is missing.
     """
     document: dict[str, Any] = {"format": FORMAT, "name": name, "mechanism": mechanism.name}
+    if drives != FREE:
+        document[STATE_OF_MOTORS] = drives
     for table in mechanism.tables:
         if table.count:
             document[table.name] = [{} for _ in range(table.count)]
@@ -113,7 +118,9 @@ def _read(
     robot: Declaration, values: Mapping[str, Any], source: str, covariance: Sequence[Covariance] = ()
 ) -> Declaration:
     """Return the declaration of a file with only these values."""
-    document = document_of(robot.mechanism, robot.name, values, robot.usable, robot.report, covariance)
+    document = document_of(
+        robot.mechanism, robot.name, values, robot.usable, robot.report, covariance, robot.drives
+    )
     return declaration(document, source)
 
 

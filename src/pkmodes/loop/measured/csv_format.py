@@ -29,7 +29,7 @@ def read_csv(path: str | PathLike[str], machine: Machine) -> Measurements:
     components = components_of(cells, machine.components, machine.channels)
     columns = read_header(cells, where, machine, components)
     lines = of_state(lines, cells, source, machine.state)
-    return read_table(columns, lines, source, components, machine.drives)
+    return read_table(columns, lines, source, components, machine.drives, machine.usual_drives)
 
 
 def states_in(path: str | PathLike[str]) -> tuple[str, ...]:

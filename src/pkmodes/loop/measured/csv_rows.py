@@ -174,12 +174,14 @@ def read_table(
     source: str,
     components: Mapping[str, str],
     drives: str | None = None,
+    usual_drives: str = FREE,
 ) -> Measurements:
     """Convert the cells below the header; each invalid cell counts as a problem.
 
     - source: the file
     - components: pose components and their units
     - drives: what the motors did, if the user says so
+    - usual_drives: what they did if neither the user nor the file says so
 
     Raises MeasurementError with the first problem.
     """
@@ -218,7 +220,7 @@ def read_table(
             continue
         for column, cell in zip(columns, cells, strict=True):
             if column.name == "drives":
-                word = cell.lower() or stated_drives or FREE
+                word = cell.lower() or stated_drives or usual_drives
                 if word in DRIVES and stated_drives not in (None, word):
                     problem = f"expected {stated_drives}, as stated for all rows, found {shown(cell)}"
                     problems.append(Problem(row, column.text, problem, "correct the row, or the statement"))
@@ -239,7 +241,7 @@ def read_table(
     refuse(problems, source, numbers_of_lines)
     units = {column.name: column.unit for column in columns}
     try:
-        motors: str | list[str] = texts["drives"] or stated_drives or FREE
+        motors: str | list[str] = texts["drives"] or stated_drives or usual_drives
         return _measurements(texts, numbers, lines, source, units, components, motors)
     except BrokenRuleError as error:
         problem = message(error.problem, lambda quoted: _as_written(quoted, columns, lines))

@@ -8,6 +8,7 @@ from os import PathLike
 from types import MappingProxyType
 from typing import Generic, TypeVar
 
+from pkmodes.core.base.drives import FREE
 from pkmodes.loop.measured.columns import POSITION
 from pkmodes.loop.measured.measurements import Measurements
 
@@ -24,6 +25,7 @@ class Machine:
     - state: the state of the machine whose rows are read, of a file with rows of several
     - others: returns the columns that measurements of other machines may have, by what such a machine is called: a
       mapping of str to collection of str.  An error says whose columns a file has.
+    - usual_drives: what the motors did if neither the user nor the file says so
     """
 
     channels: Collection[str] | Mapping[str, str]
@@ -33,6 +35,7 @@ class Machine:
     drives: str | None = None
     state: str | None = None
     others: Callable[[], Mapping[str, Collection[str]]] = dict
+    usual_drives: str = FREE
 
 
 #: Function that reads a format of measurements, from the path of a file and the machine.

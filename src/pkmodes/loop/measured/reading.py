@@ -7,6 +7,7 @@ from os import PathLike
 from pathlib import Path
 from types import MappingProxyType
 
+from pkmodes.core.base.drives import FREE
 from pkmodes.loop.measured.columns import POSITION
 from pkmodes.loop.measured.csv_format import CSV
 from pkmodes.loop.measured.formats import Format, Machine, Reader
@@ -44,6 +45,7 @@ def read_measurements(
     drives: str | None = None,
     state: str | None = None,
     others: Callable[[], Mapping[str, Collection[str]]] = dict,
+    usual_drives: str = FREE,
 ) -> Measurements:
     """Read modal measurements of a machine whose setups are poses.
 
@@ -60,7 +62,7 @@ def read_measurements(
     - positions: whether the pose components are required.  If not, either all or none of them must be present.
     - components: possible sets of pose components, each with SI units; if there are several, the header decides
     - settings: paths that a column ``set:<path>`` may name, with their SI units
-    - drives: what the motors did, "free" or "held", if the file does not say it; otherwise free
+    - drives: what the motors did, "free" or "held", if the file does not say it; otherwise `usual_drives`
     - state: the state of the machine whose rows are read, of a file with rows of several
     - others: returns the columns of other machines, by what such a machine is called: an error says whose columns a
       file has
@@ -70,7 +72,7 @@ def read_measurements(
     was found.
     """
     return format_of(path).read(
-        path, Machine(channels, positions, components, settings, drives, state, others)
+        path, Machine(channels, positions, components, settings, drives, state, others, usual_drives)
     )
 
 

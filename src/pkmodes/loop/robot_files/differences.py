@@ -13,6 +13,7 @@ from pkmodes.core.base.numbers import plain
 from pkmodes.core.robot.covariance import COVARIANCE
 from pkmodes.core.robot.declaration import Declaration
 from pkmodes.core.robot.layout import by_path, takers
+from pkmodes.core.robot.tables import STATE_OF_MOTORS
 from pkmodes.core.robot.usable import numbers_of
 from pkmodes.core.support.documents import Document
 
@@ -105,6 +106,8 @@ def differences(first: Declaration, second: Declaration) -> Differences:
         for path, choice in first.declared.items()
         if path not in first.quantities and path in second.declared and choice != second.declared[path]
     ]
+    if first.drives != second.drives:
+        choices.append(ChoiceDifference(STATE_OF_MOTORS, first.drives, second.drives))
     ours, theirs = (list(dict.fromkeys(path.split(".")[0] for path in robot.effects)) for robot in both)
     return Differences(
         tuple(

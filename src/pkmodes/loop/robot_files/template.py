@@ -14,13 +14,14 @@ from typing import Any
 
 import numpy as np
 
+from pkmodes.core.base.drives import FREE
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.mechanism.regular import sample
 from pkmodes.core.robot import schema
 from pkmodes.core.robot.covariance import CORRELATION, COVARIANCE, PATHS, SIGMA
 from pkmodes.core.robot.layout import EFFECTS, GRAVITY, OF_QUANTITIES, Item, items, lent
 from pkmodes.core.robot.report_fields import REPORT, TITLES
-from pkmodes.core.robot.tables import FORMAT, dimension_of_effect
+from pkmodes.core.robot.tables import FORMAT, STATE_OF_MOTORS, dimension_of_effect
 from pkmodes.core.robot.units import DIMENSIONS, SHOWN, with_unit
 from pkmodes.core.robot.usable import RADIUS, SINGULAR_ANGLE, USABLE, limits_written
 from pkmodes.core.robot.variants import document_of
@@ -51,6 +52,16 @@ LIMITS = {
 }
 HEAD_OF_REPORTS = "what the head of every report says; nothing is computed from it"
 TOGETHER = "values of this file with correlated errors; without this table they are independent"
+IN_USE_OF_MOTORS = (
+    'Motors of the machine in use: "held" where position loops or stepper motors hold the shafts, "free" where they '
+    "turn freely, as in the paper.  Every command takes this unless --drives, or a file of measurements, says "
+    "otherwise."
+)
+SERVO_STIFFNESS = "servo_stiffness"
+MOTORS_ON_SPRINGS = (
+    f"  A motor that gives way is on a spring, [{EFFECTS}.{SERVO_STIFFNESS}] below, which takes "
+    f'{STATE_OF_MOTORS}="{FREE}".'
+)
 OF_EFFECTS = (
     "Effects: physical causes beyond the model above; 0 is none.  They need not be known: pkmodes diagnose finds "
     "which of them measured modes show, and how large they are."
@@ -69,7 +80,8 @@ def template(mechanism: Mechanism, commands: Sequence[str] = ()) -> str:
     if commands:
         lines += [*_prose("The file works at every step:"), *(f"#   {command}" for command in commands)]
     lines += ["", f"format = {FORMAT}", f"name = {_toml(document['name'])}"]
-    lines += [f"mechanism = {_toml(mechanism.name)}", "", *_key(GRAVITY, GRAVITY.name, document)]
+    lines += [f"mechanism = {_toml(mechanism.name)}", *_state_of_motors(mechanism, document)]
+    lines += ["", *_key(GRAVITY, GRAVITY.name, document)]
     for table in mechanism.tables:
         lines += _repeated(mechanism, table, document) if table.count else _single(table, document)
     lines += _common(mechanism, document)
@@ -77,6 +89,15 @@ def template(mechanism: Mechanism, commands: Sequence[str] = ()) -> str:
     for effect in mechanism.effects.values():
         lines += _effect(mechanism, effect, document.get(EFFECTS, {}))
     return "\n".join(lines) + "\n"
+
+
+def _state_of_motors(mechanism: Mechanism, document: Mapping[str, Any]) -> Iterator[str]:
+    """Yield the key that says how the machine is used, without one if the mechanism has a table of its name."""
+    if STATE_OF_MOTORS not in [table.name for table in mechanism.tables]:
+        springs = MOTORS_ON_SPRINGS if SERVO_STIFFNESS in mechanism.effects else ""
+        yield from ("", *_prose(IN_USE_OF_MOTORS + springs))
+        given = document.get(STATE_OF_MOTORS)
+        yield f"{'' if given else '#'}{STATE_OF_MOTORS} = {_toml(given or FREE)}"
 
 
 def example_document(mechanism: Mechanism) -> dict[str, Any]:

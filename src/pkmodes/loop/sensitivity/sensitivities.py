@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.core.base.arguments import is_all
-from pkmodes.core.base.drives import FREE, checked_drives
+from pkmodes.core.base.drives import FREE
 from pkmodes.core.base.errors import PkmodesError, listed, shown
 from pkmodes.core.compiled.lanes import ALL_COORDINATES, RATES_OF_MATRICES, Terms
 from pkmodes.core.linalg.eigen import has_stiff_joint, magnitude
@@ -170,7 +170,7 @@ def sensitivities_at(
     close: float = 1e-6,
     on_error: OnError = "raise",
     fields: Fields = None,
-    drives: str = FREE,
+    drives: str | None = None,
     out: Out = None,
     backend: str = AUTO,
     threads: int | None = None,
@@ -194,7 +194,7 @@ def sensitivities_at(
         Which of ``Sensitivities.FIELDS`` to compute and keep; by default all, or the fields in `out`.
         ``"frequencies"`` and ``"eigenvalues"`` alone take a seventh of the time at one pose and a hundredth at many;
         without the compiled library, at many poses a third.
-    drives : {"free", "held"}
+    drives : {"free", "held"}, optional
         As for `modes`.
     out : mapping of str to ndarray, optional
         As for `modes`.
@@ -215,7 +215,8 @@ def sensitivities_at(
         If a path is unknown (the message suggests the nearest), or a field or an array in `out` is invalid as
         in `modes`.
     """
-    resolved = _resolved(model, parameters, checked_drives(drives))
+    drives = model.robot.resolve_drives(drives)
+    resolved = _resolved(model, parameters, drives)
     solver, count = model.solver(backend, drives).inner, checked_threads(threads)
     solvers = _Solvers(solver, solver if drives == FREE else model.solver(backend, FREE))
     robot, system = resolved.robot, resolved.system

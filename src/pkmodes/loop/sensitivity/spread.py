@@ -20,7 +20,6 @@ from collections.abc import Collection, Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.core.base.drives import FREE, checked_drives
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.mechanism.poses import OnError
 from pkmodes.core.model import Model
@@ -91,7 +90,7 @@ def _independent(model: Model, names: list[str], drives: str) -> tuple[Sequence[
 
 
 def frequency_sigmas(
-    model: Model, poses: ArrayLike, on_error: OnError = "raise", *, drives: str = FREE
+    model: Model, poses: ArrayLike, on_error: OnError = "raise", *, drives: str | None = None
 ) -> Array:
     """Compute the standard deviations of the frequencies from those that the robot file states.
 
@@ -106,7 +105,7 @@ def frequency_sigmas(
         In SI units.
     on_error : {"raise", "nan"}
         As for `modes`.
-    drives : {"free", "held"}
+    drives : {"free", "held"}, optional
         As for `modes`.
 
     Returns
@@ -128,7 +127,7 @@ def frequency_sigmas(
     >>> model.frequency_sigmas([0.6, 0.0, -0.245])[3:].round(2)
     array([0.56, 0.6 , 0.62, 1.31, 1.34, 1.34])
     """
-    spread = spread_of(model, poses, checked_drives(drives), on_error)
+    spread = spread_of(model, poses, model.robot.resolve_drives(drives), on_error)
     if spread is None:
         problem = "no value of the robot that changes a frequency has a standard deviation"
         remedy = 'declare some, such as mass = { value = "1.5 kg", sigma = "1 %" }'

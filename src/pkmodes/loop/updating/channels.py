@@ -24,10 +24,11 @@ def sensors(mechanism: Mechanism) -> tuple[Sensor, ...]:
     same unit and in the same order: the displacements of a frame.
     """
     axes = mechanism.directions
-    place = mechanism.pose_is.partition(" in ")[0].removesuffix(" centre")
     components = tuple(component.name for component in mechanism.platform)
     of_platform = (axes, components[: len(axes)]), (mechanism.rotations, components[len(axes) :])
-    multi_axis = [Sensor(place, channels, along) for along, channels in of_platform if len(along) > 1]
+    multi_axis = [
+        Sensor(mechanism.moving_body(), channels, along) for along, channels in of_platform if len(along) > 1
+    ]
     if len(axes) < 2:
         return tuple(multi_axis)
     for effect in mechanism.effects_in_order:

@@ -10,7 +10,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from pkmodes.core.base.drives import checked_drives
+from pkmodes.core.base.drives import FREE, checked_drives
 from pkmodes.core.base.errors import MeasurementError, PkmodesError, shown
 from pkmodes.core.mechanism.registry import Mechanism, mechanism, names
 from pkmodes.core.model import Model
@@ -48,8 +48,8 @@ def read(
     robot : Robot or Model, optional
         Robot whose mechanism defines the allowed columns; by default those of any mechanism.
     drives : {"free", "held"}, optional
-        What the motors did in the test, if the file does not state it: they turned freely, which is the default, or
-        position loops held them.
+        What the motors did in the test, if the file does not state it: they turned freely, or position loops held
+        them; by default as the robot file says, else "free".
     priors : mapping of str to float or str, optional
         Standard deviations of candidates of a diagnosis by name, numbers in SI units or text with a unit, beside
         those that the file states.
@@ -79,6 +79,7 @@ def read(
         components=[_components(machine) for machine in mechanisms],
         settings={name: unit for machine in mechanisms for name, unit in settable(machine, of).items()},
         drives=None if drives is None else checked_drives(drives),
+        usual_drives=FREE if of is None else of.drives,
         state=state,
         others=dict if of is None else partial(columns_of_others, of.mechanism),
     )

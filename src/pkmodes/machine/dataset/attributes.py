@@ -50,7 +50,7 @@ def axis_coordinates(mechanism: Mechanism, mode_count: int, coordinates: tuple[s
         DIRECTION: (
             DIRECTION,
             np.array(mechanism.components),
-            _label_attributes(f"{part} of the platform's motion"),
+            _label_attributes(f"{part} of motion of the {mechanism.moving_body()}"),
         ),
         COORDINATE: (COORDINATE, np.array(coordinates), _label_attributes("generalised coordinate")),
         DRIVE: (DRIVE, np.array([d.name for d in mechanism.drives]), _label_attributes("drive")),

@@ -24,6 +24,12 @@ def robot_file_text(robot: Robot) -> str:
     except (PkmodesError, OSError, ValueError):  # the file changed since
         pass
     document = document_of(
-        robot.mechanism, robot.name, raw_values(robot), robot.usable, robot.report, robot.covariance
+        robot.mechanism,
+        robot.name,
+        raw_values(robot),
+        robot.usable,
+        robot.report,
+        robot.covariance,
+        robot.drives,
     )
     return tomlkit.dumps(document)

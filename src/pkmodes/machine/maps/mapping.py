@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any, NoReturn
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.base.drives import FREE, checked_drives
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.base.version import VERSION
 from pkmodes.core.model import Model
@@ -140,7 +139,7 @@ def map_of(
     scheduler: str | None = None,
     threads: int | None = None,
     backend: str = AUTO,
-    drives: str = FREE,
+    drives: str | None = None,
     progress: Progress | None = None,
 ) -> xarray.Dataset:
     """Compute the modes over the workspace, and over ranges of parameters.
@@ -173,7 +172,7 @@ def map_of(
         Without a scheduler, by default one per core.
     backend : {"auto", "numpy", "compiled"}
         As for `modes`.
-    drives : {"free", "held"}
+    drives : {"free", "held"}, optional
         As for `modes`.
     progress : callable, optional
         Called with the number of poses done and their total.
@@ -206,7 +205,9 @@ def map_of(
     thread_count = checked_threads(threads)
     variants = variants_of(model.robot, sweep, samples, seed)
     poses = grid_over_workspace(model) if grid is None else checked_poses(model.mechanism, grid)
-    layout = layout_of(variants.robots, shapes or tracked, chosen(backend), checked_drives(drives))
+    layout = layout_of(
+        variants.robots, shapes or tracked, chosen(backend), model.robot.resolve_drives(drives)
+    )
     plan = MapPlan(model, poses, variants, layout)
     if tracked:
         systems = map(evaluation, variants.robots)

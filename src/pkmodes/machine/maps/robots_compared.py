@@ -11,9 +11,10 @@ from msgspec import Meta
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
-from pkmodes.core.base.drives import FREE, Drives
-from pkmodes.core.base.errors import PoseError
+from pkmodes.core.base.drives import Drives
+from pkmodes.core.base.errors import PkmodesError, PoseError
 from pkmodes.core.model import Model
+from pkmodes.core.robot.robot import Robot
 from pkmodes.core.support.documents import Count, Document, Number, Probability
 from pkmodes.core.support.mac import mass_weighted_mac
 from pkmodes.core.support.progress import say
@@ -138,11 +139,12 @@ class RobotsCompared(Document, frozen=True):
     notes: Annotated[tuple[str, ...], Meta(description="What the reader should know.")]
 
 
-def compare_robots(first: Model, second: Model, poses: Array, drives: str = FREE) -> RobotsCompared:
+def compare_robots(first: Model, second: Model, poses: Array, drives: str | None = None) -> RobotsCompared:
     """Compare two robots by what their files declare, and by their frequencies over poses.
 
     Parameters, and errors raised, are those of `compare_frequencies`.
     """
+    drives = _drives_of_both(first.robot, second.robot, drives)
     declared = differences(first.robot, second.robot)
     changes = compare_frequencies(first, second, poses, drives)
     modes = mode_changes(changes)
@@ -199,18 +201,21 @@ def incomparable_modes_sentence(modes: Sequence[ModeChange]) -> str:
     )
 
 
-def compare_frequencies(first: Model, second: Model, poses: Array, drives: str = FREE) -> FrequencyChanges:
+def compare_frequencies(
+    first: Model, second: Model, poses: Array, drives: str | None = None
+) -> FrequencyChanges:
     """Evaluate two robots at the same poses and pair their modes at each of them.
 
     The pairs are those with the largest sum of MAC, so a mode keeps its partner where frequencies cross or veer.
 
     - poses: where a robot cannot be evaluated, it is left out, (N, d)
-    - drives: as for `pkmodes.Model.modes`
+    - drives: as for `pkmodes.Model.modes`; by default as both robot files say
 
     Raises PoseError if there is no pose that both can reach.
-    Raises PkmodesError if their mechanisms differ.
+    Raises PkmodesError if their mechanisms differ, or they are used with different drives and `drives` is not given.
     """
     check_one_mechanism(first.robot, second.robot)
+    drives = _drives_of_both(first.robot, second.robot, drives)
     parts = []
     for start in range(0, len(poses), CHUNK_POSES):
         say(f"{start:,} of {len(poses):,} poses of the two robots")
@@ -228,6 +233,14 @@ def compare_frequencies(first: Model, second: Model, poses: Array, drives: str =
         problem = f"expected poses that both robots can reach, found none among {len(poses):,}"
         raise PoseError(problem, "poses", "give poses in the workspaces of both")
     return changes
+
+
+def _drives_of_both(first: Robot, second: Robot, drives: str | None) -> str:
+    """Return what the motors of both do: as requested, else as both robot files say."""
+    if drives is None and first.drives != second.drives:
+        problem = f"the motors are {first.drives} in the first robot file and {second.drives} in the second"
+        raise PkmodesError(problem, "drives", "choose drives for both (--drives free, or --drives held)")
+    return first.resolve_drives(drives)
 
 
 def mode_changes(changes: FrequencyChanges) -> tuple[ModeChange, ...]:

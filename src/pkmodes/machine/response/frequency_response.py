@@ -14,7 +14,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.core.base.arguments import real_numbers
-from pkmodes.core.base.drives import FREE
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.mechanism.poses import OnError, placed
 from pkmodes.core.model import Model
@@ -182,7 +181,7 @@ def frequency_response(
     inputs: Sequence[str],
     outputs: Sequence[Output],
     *,
-    drives: str = FREE,
+    drives: str | None = None,
     quantity: str = "displacement",
     on_error: OnError = "raise",
     backend: str = AUTO,
@@ -204,7 +203,7 @@ def frequency_response(
     outputs : sequence of str or mapping
         ``p_<direction>``, ``r_<axis>`` of a platform that turns, ``{"name": [dx, dy, dz]}`` for another direction of
         the platform, ``motor_j``, and every coordinate of the robot.
-    drives : {"free", "held"}
+    drives : {"free", "held"}, optional
         As for `modes`.
     quantity : {"displacement", "velocity", "acceleration"}
         Of every output.
@@ -232,6 +231,7 @@ def frequency_response(
     >>> float(found.frequencies[abs(found.values[:, 0, 0]).argmax()].round(1))
     36.2
     """
+    drives = model.robot.resolve_drives(drives)
     request = ResponseRequest.of(model, inputs, outputs, quantity, drives)
     hertz = checked_frequencies(frequencies, model.solved(drives).rigid_modes, drives)
     omega = 2.0 * np.pi * hertz

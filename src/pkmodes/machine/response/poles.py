@@ -12,7 +12,6 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.core.base.drives import FREE, checked_drives
 from pkmodes.core.base.numbers import plain
 from pkmodes.core.linalg.damping import ModalDamping
 from pkmodes.core.mechanism.poses import OnError
@@ -35,7 +34,7 @@ def poles_at(
     poses: ArrayLike,
     on_error: OnError = "raise",
     *,
-    drives: str = FREE,
+    drives: str | None = None,
     backend: str = AUTO,
 ) -> Complex:
     """Compute the poles of small vibrations, whatever the damping (docs/how-to/response.md).
@@ -48,7 +47,7 @@ def poles_at(
         In SI units.
     on_error : {"raise", "nan"}
         As for `modes`.
-    drives : {"free", "held"}
+    drives : {"free", "held"}, optional
         As for `modes`.
     backend : {"auto", "numpy", "compiled"}
         As for `modes`: what solves the undamped eigenproblem.
@@ -67,10 +66,10 @@ def poles_at(
     >>> model.poles([0.6, 0.0, -0.245], drives="held")[:2].round(2)
     array([-4.05+202.7j, -4.05-202.7j])
     """
-    checked_drives(drives)
+    motors = model.robot.resolve_drives(drives)
 
     def at(points: Array) -> Complex:
-        return poles(LinearisedRobot(model, points, drives, backend).damping)
+        return poles(LinearisedRobot(model, points, motors, backend).damping)
 
     (values,) = model.evaluated(at, model.checked(poses, on_error))
     return nan_in_both_parts(np.asarray(values, dtype=complex))

@@ -25,7 +25,6 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.linalg import expm
 
 from pkmodes.core.base.arguments import is_integer
-from pkmodes.core.base.drives import FREE
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.core.mechanism.poses import OnError
 from pkmodes.core.model import Model
@@ -221,7 +220,7 @@ def state_space(
     inputs: Sequence[str],
     outputs: Sequence[Output],
     *,
-    drives: str = FREE,
+    drives: str | None = None,
     modes: int | None = None,
     residual: bool = True,
     quantity: str = "displacement",
@@ -238,7 +237,7 @@ def state_space(
         In SI units.
     inputs, outputs : sequence
         As for `frf`.
-    drives : {"free", "held"}
+    drives : {"free", "held"}, optional
         As for `modes`.
     modes : int, optional
         Number of modes kept, the lowest, rigid ones included; all by default.
@@ -274,6 +273,7 @@ def state_space(
     >>> system.discretized(0.001).at().dt
     0.001
     """
+    drives = model.robot.resolve_drives(drives)
     request = ResponseRequest.of(model, inputs, outputs, quantity, drives)
     into, out = request.inputs, request.outputs
     system = model.solved(drives)

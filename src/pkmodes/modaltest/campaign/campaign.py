@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from os import PathLike, fspath
 from pathlib import Path
 
+from pkmodes.core.base.drives import FREE
 from pkmodes.core.base.errors import MeasurementError, PkmodesError, nearest_name, shown
 from pkmodes.core.model import Model
 from pkmodes.core.robot.reading import read_robot
@@ -266,7 +267,7 @@ def _record(
         kind=record_table.kind,
         setups={name: tuple(folder / file for file in listed) for name, listed in files.items()},
         band=band if record_table.band is None else band_of(record_table.band, f"{where}.band"),
-        drives=record_table.drives or table.drives,
+        drives=record_table.drives or table.drives or (FREE if model is None else model.robot.drives),
         averages=record_table.averages,
         exponential=None
         if record_table.exponential is None

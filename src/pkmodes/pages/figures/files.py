@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pkmodes.core.base.arguments import check_argument, one_of
-from pkmodes.core.base.drives import FREE
 from pkmodes.core.base.errors import OutputError
 from pkmodes.core.support.replacing import check_replaced, holds
 from pkmodes.core.support.writing import write_files
@@ -32,7 +31,7 @@ def write_pictures(
     grid: Any = None,
     formats: Sequence[str] = ("svg",),
     *,
-    drives: str = FREE,
+    drives: str | None = None,
     overwrite: bool = False,
 ) -> list[Path]:
     """Draw the figures of a robot and write them, all or none.
@@ -49,7 +48,7 @@ def write_pictures(
         As for `pictures`.
     formats : sequence of {"svg", "png", "pdf"}
         Each figure is written in all of them.
-    drives : {"free", "held"}
+    drives : {"free", "held"}, optional
         As for `pkmodes.Model.modes`.
     overwrite : bool
         Whether to replace a file that has the name of a figure but is something else.
@@ -70,7 +69,7 @@ def write_pictures(
 
 
 def write_pictures_and_sentences(
-    model: Model, folder: Path, grid: Any, formats: Sequence[str], *, drives: str, overwrite: bool
+    model: Model, folder: Path, grid: Any, formats: Sequence[str], *, drives: str | None, overwrite: bool
 ) -> tuple[list[Path], dict[str, str]]:
     """Like `write_pictures`; return the files, and the sentences that replace figures, by figure name."""
     for file_format in formats:
@@ -79,7 +78,14 @@ def write_pictures_and_sentences(
         problem = "the file exists, and is not such a figure"
         paths = [folder / f"{kind.name}.{file_format}" for file_format in formats]
         remedy = "choose another folder, or replace what is there with overwrite=True (--overwrite)"
-        check_replaced(paths, "folder", overwrite, holds(kind.title.encode()), what=problem, remedy=remedy)
+        check_replaced(
+            paths,
+            "folder",
+            overwrite,
+            holds(kind.title.partition(" of the {body}")[0].encode()),
+            what=problem,
+            remedy=remedy,
+        )
     files: dict[str, bytes] = {}
     sentences: dict[str, str] = {}
     for picture in pictures(model, grid, drives=drives):

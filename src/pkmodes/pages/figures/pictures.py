@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING, Any
 
 from numpy.typing import NDArray
 
-from pkmodes.core.base.drives import FREE
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.base.numbers import plain
 from pkmodes.core.mechanism.length import lengths_of
@@ -105,6 +104,11 @@ class RobotPlane:
     plane: Plane
     drives: str
 
+    @property
+    def body(self) -> str:
+        """What moves in the plane."""
+        return self.model.mechanism.moving_body()
+
     @cached_property
     def lengths(self) -> NDArray[Any] | None:
         """What makes lengths of the components of the platform's motion, where it turns."""
@@ -121,7 +125,8 @@ class RobotPlane:
 class PictureKind:
     """A figure that every robot has.
 
-    - name, title, description: as those of the `Picture`; the robot and its plane are added to the description
+    - name, title, description: as those of the `Picture`; ``{body}`` in the title stands for what moves; the robot
+      and its plane are added to the description
     - draw: returns the figure, or a sentence where it would show the same everywhere
     - planar: the description for a mechanism that moves in a plane, if it is another
     - addition: returns what the description says besides of this robot
@@ -178,16 +183,16 @@ PICTURES = (
     ),
     PictureKind(
         "directions",
-        "Directions of the platform's motion",
+        "Directions of motion of the {body}",
         "Lines show the direction in the plane, as long as its share of the motion.",
-        lambda robot: maps.directions(robot.plane, robot.lengths),
+        lambda robot: maps.directions(robot.plane, robot.body, robot.lengths),
         addition=lambda robot: with_rotations(robot.lengths),
     ),
     PictureKind(
         "components",
-        "In-plane and out-of-plane motion of the platform",
+        "In-plane and out-of-plane motion of the {body}",
         "Mass-normalised mode shapes on one scale.",
-        lambda robot: maps.components(robot.plane, robot.lengths),
+        lambda robot: maps.components(robot.plane, robot.body, robot.lengths),
         planar="Mass-normalised mode shapes on one scale; this mechanism does not move out of the plane.",
         addition=lambda robot: with_rotations(robot.lengths),
     ),
@@ -213,7 +218,7 @@ PICTURES = (
 )
 
 
-def pictures(model: Model, grid: Any = None, *, drives: str = FREE) -> Iterator[Picture]:
+def pictures(model: Model, grid: Any = None, *, drives: str | None = None) -> Iterator[Picture]:
     """Draw the figures of a robot, one after the other.
 
     Parameters
@@ -223,7 +228,7 @@ def pictures(model: Model, grid: Any = None, *, drives: str = FREE) -> Iterator[
     grid : mapping of str to array_like, optional
         Two components of the pose with several values, the others with one; by default from
         `working_plane`.
-    drives : {"free", "held"}
+    drives : {"free", "held"}, optional
         As for `pkmodes.Model.modes`.
 
     Yields
@@ -250,6 +255,7 @@ def pictures(model: Model, grid: Any = None, *, drives: str = FREE) -> Iterator[
     plane_axes(
         dict(zip(places.dims, places.shape, strict=True)), components, "grid"
     )  # before it is evaluated
+    drives = model.robot.resolve_drives(drives)
     say("computing the modes in the plane")
     plane = Plane.of(map_of(model, places, shapes=True, drives=drives), components)
     robot = RobotPlane(model, plane, drives)
@@ -258,8 +264,8 @@ def pictures(model: Model, grid: Any = None, *, drives: str = FREE) -> Iterator[
         say(f"picture {number} of {len(PICTURES)}: {kind.name}")
         description = kind.description if plane.normal else kind.planar or kind.description
         description += kind.addition(robot) if kind.addition else ""
-        drawn = kind.draw(robot)
+        drawn, title = kind.draw(robot), kind.title.format(body=robot.body)
         if isinstance(drawn, str):
-            yield Picture(kind.name, kind.title, f"{drawn} {about}.", None, about, drawn)
+            yield Picture(kind.name, title, f"{drawn} {about}.", None, about, drawn)
         else:
-            yield Picture(kind.name, kind.title, f"{description} {about}.", drawn, about)
+            yield Picture(kind.name, title, f"{description} {about}.", drawn, about)

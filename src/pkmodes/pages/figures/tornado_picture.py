@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 from numpy.typing import ArrayLike
 
-from pkmodes.core.base.drives import FREE, checked_drives
 from pkmodes.core.mechanism.poses import placed
 from pkmodes.core.support.extras import require
 from pkmodes.core.support.motors import motors_in_words
@@ -23,7 +22,9 @@ TITLES = {
 }
 
 
-def tornado_picture(model: Model, pose: ArrayLike, *, by: str = PERCENT, drives: str = FREE) -> Picture:
+def tornado_picture(
+    model: Model, pose: ArrayLike, *, by: str = PERCENT, drives: str | None = None
+) -> Picture:
     """Draw what a change of each quantity does to each frequency of vibration at a pose.
 
     Parameters
@@ -34,7 +35,7 @@ def tornado_picture(model: Model, pose: ArrayLike, *, by: str = PERCENT, drives:
         In SI units.
     by : {"percent", "sigma"}
         Each quantity changes by one per cent of its value, or by the standard deviation that the robot file states.
-    drives : {"free", "held"}
+    drives : {"free", "held"}, optional
         As for `pkmodes.Model.modes`.
 
     Returns
@@ -52,7 +53,8 @@ def tornado_picture(model: Model, pose: ArrayLike, *, by: str = PERCENT, drives:
         If matplotlib is not installed.
     """
     require("tornado charts", "plot", "matplotlib")
-    point = model.modes(pose, fields=["frequencies"], drives=checked_drives(drives)).poses
+    drives = model.robot.resolve_drives(drives)
+    point = model.modes(pose, fields=["frequencies"], drives=drives).poses
     changes = changes_at(model, point, drives, by)
     at, doing = placed(model.mechanism, point, "g"), motors_in_words(model.robot, drives)
     text = f"{describe(changes)} {model.robot.name} at {at}, {doing}."

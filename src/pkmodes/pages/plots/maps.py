@@ -44,7 +44,7 @@ APART, MARGIN, SHORTEST = 0.22, 0.12, 0.5
 #: Numbers on contours steeper than this are upright: turned, 60 reads as 09 [degree].
 STEEP = 60.0
 #: Shown in place of a figure for a plane in which the platform turns.
-NO_DIRECTIONS = "The axes of this plane are not two directions of the platform's motion."
+NO_DIRECTIONS = "The axes of this plane are not two directions of motion."
 #: Blues up to this fraction of the scale are light enough for black lines, also in grey.
 LIGHT = 0.55
 
@@ -87,12 +87,13 @@ def frequencies(plane: Plane, motors: Array | None = None) -> Drawing | str:
     return Drawing(draw)
 
 
-def directions(plane: Plane, lengths: Array | None = None) -> Drawing | str:
+def directions(plane: Plane, body: str = "platform", lengths: Array | None = None) -> Drawing | str:
     """Draw the direction of the platform's motion in each mode (figures 9 to 14).
 
     Lines show the part in the plane, as long as its share of the motion; colours the share perpendicular to it.  A
     sentence if no direction depends on the pose, or the plane is not one of directions.
 
+    - body: what moves
     - lengths: what makes lengths of the components of the platform's motion, (components,), where it turns
     """
     names = plane.dataset["direction"].values.tolist()
@@ -105,7 +106,7 @@ def directions(plane: Plane, lengths: Array | None = None) -> Drawing | str:
     modes, is_turning = motion.shape[2], lengths is not None
     # Directions have no sign: their squares and products tell them apart.
     if same_everywhere(unit[..., :, None] * unit[..., None, :], axes=(0, 1), scale=1.0):
-        return "In each mode the platform moves in almost the same direction at every pose."
+        return f"In each mode the direction of motion of the {body} is almost the same at every pose."
     below = 0.0 if plane.is_tall or plane.normal is None else 0.5
     x, y = plane.drawn(plane.across), plane.drawn(plane.along)
     step = max(1, round(min(len(x), len(y)) / STROKES))
@@ -142,7 +143,7 @@ def directions(plane: Plane, lengths: Array | None = None) -> Drawing | str:
     return Drawing(draw)
 
 
-def components(plane: Plane, lengths: Array | None = None) -> Drawing | str:
+def components(plane: Plane, body: str = "platform", lengths: Array | None = None) -> Drawing | str:
     """Draw the in-plane and out-of-plane motion of the platform in each mode, all on one scale (figures 15 to 20).
 
     Where it turns, a third row is its rotation, times the characteristic length.
@@ -150,7 +151,7 @@ def components(plane: Plane, lengths: Array | None = None) -> Drawing | str:
     Mass-normalised shapes are compared: the platform's motion for the same kinetic energy of the whole robot.  A
     sentence if none depends on the pose, or the plane is not one of directions.
 
-    - lengths: as for `directions`, (components,)
+    - body, lengths: as for `directions`, (components,)
     """
     if not plane.is_linear:
         return NO_DIRECTIONS
@@ -169,7 +170,7 @@ def components(plane: Plane, lengths: Array | None = None) -> Drawing | str:
     motions = np.stack([values for _, values in kinds])
     high = limits_of(motions)[1]
     if same_everywhere(motions, axes=(1, 2), scale=high):
-        return "In each mode the platform moves by almost the same amount at every pose."
+        return f"In each mode the motion of the {body} has almost the same size at every pose."
     line_count = -(-modes // TALL_ROW)
     columns = -(-modes // line_count)
     width = (WIDTH - 1.3) / columns

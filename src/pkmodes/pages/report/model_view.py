@@ -27,7 +27,7 @@ def view_of(
     poses: ArrayLike | None = None,
     *,
     start: ArrayLike | None = None,
-    drives: str = FREE,
+    drives: str | None = None,
 ) -> str | None:
     """Return the view of a robot as HTML.
 
@@ -39,7 +39,7 @@ def view_of(
         By default a grid over the workspace.
     start : array_like, shape (d,), optional
         The pose of the grid to show first, by default from `pkmodes.view.typical_pose`.
-    drives : {"free", "held"}
+    drives : {"free", "held"}, optional
         As for `pkmodes.Model.modes`.
 
     Returns

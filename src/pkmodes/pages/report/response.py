@@ -155,11 +155,12 @@ def _port_meaning(port: str, mechanism: Mechanism) -> str:
     if kind in ("p", "r", "force", "moment") and which not in ("x", "y", "z"):
         return ""  # a direction that the user named
     moved, exerted = ("length", "force") if mechanism.drives[0].unit == "N" else ("angle", "torque")
+    body = mechanism.moving_body(which if kind in ("p", "force") else "")
     return {
-        "p": f"the motion of the platform along {which}",
-        "r": f"the rotation of the platform about {which}",
-        "force": f"a force on the platform along {which}",
-        "moment": f"a moment on the platform about {which}",
+        "p": f"the motion of the {body} along {which}",
+        "r": f"the rotation of the {body} about {which}",
+        "force": f"a force on the {body} along {which}",
+        "moment": f"a moment on the {body} about {which}",
         "motor": f"the {moved} of motor {which}",
         "torque": f"the {exerted} of motor {which}",
     }.get(kind, "")
@@ -275,7 +276,7 @@ def _modes_table(model: Model, response: FrequencyResponse) -> Block:
         )
     caption = (
         f"{plural(len(rows), 'vibration mode')} at this pose: undamped natural frequency, damping ratio, and the "
-        "direction in which the platform moves."
+        f"direction in which the {model.mechanism.body_moves()}."
     )
     if model.mechanism.rotations:
         caption += f" Rotations are times L = {model.characteristic_length:.4g} m."

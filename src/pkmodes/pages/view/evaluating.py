@@ -12,7 +12,6 @@ import numpy as np
 from msgspec.structs import replace
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.core.base.drives import FREE
 from pkmodes.core.mechanism.length import lengths_of
 from pkmodes.core.model import Model
 from pkmodes.core.robot.pose_table import poses_by_name
@@ -37,7 +36,7 @@ class NotebookScene(Scene):
         return f'<iframe title="{title}" srcdoc="{source}" style="width:100%;height:760px;border:0"></iframe>'
 
 
-def scene(model: Model, poses: ArrayLike, chosen: int = 0, *, drives: str = FREE) -> Scene:
+def scene(model: Model, poses: ArrayLike, chosen: int = 0, *, drives: str | None = None) -> Scene:
     """Evaluate the scene of a robot at some poses.
 
     Parameters
@@ -48,7 +47,7 @@ def scene(model: Model, poses: ArrayLike, chosen: int = 0, *, drives: str = FREE
         In SI units.
     chosen : int
         Index of the pose to show first.
-    drives : {"free", "held"}
+    drives : {"free", "held"}, optional
         As for `pkmodes.Model.modes`.
 
     Returns
@@ -66,7 +65,7 @@ def scene(model: Model, poses: ArrayLike, chosen: int = 0, *, drives: str = FREE
     return scene_of([model] * len(pose_array), pose_array, chosen, drives=drives)
 
 
-def scene_of(models: Sequence[Model], poses: Array, chosen: int = 0, *, drives: str = FREE) -> Scene:
+def scene_of(models: Sequence[Model], poses: Array, chosen: int = 0, *, drives: str | None = None) -> Scene:
     """Evaluate the scene of machines that differ in their values, each at a pose.
 
     Where some machines have joints that others lock, only as many modes are kept as all machines have.
@@ -78,6 +77,7 @@ def scene_of(models: Sequence[Model], poses: Array, chosen: int = 0, *, drives: 
 
     Raises PoseError if a pose cannot be evaluated.
     """
+    drives = models[chosen].robot.resolve_drives(drives)
     starts = [i for i, model in enumerate(models) if i == 0 or model is not models[i - 1]]
     ends = [*starts[1:], len(models)]
     machine_motions = [
@@ -115,6 +115,7 @@ def scene_of(models: Sequence[Model], poses: Array, chosen: int = 0, *, drives: 
     return NotebookScene(
         robot=model.robot.name,
         title=mechanism.title,
+        moving_body=mechanism.moving_body(),
         pose=mechanism.pose,
         directions=mechanism.directions,
         platform=mechanism.platform,

@@ -303,7 +303,7 @@ def _mode_table(scene: Scene, prefix: str) -> str:
         )
     caption = (
         f"<b>What rings with {scene.doing}:</b> share of every spring in the strain energy of each mode, and the"
-        f" direction of the platform&#8217;s motion{_rotation_note(scene)},"
+        f" direction of motion of the {scene.moving_body}{_rotation_note(scene)},"
         f' at <span data-part="place">{_place_text(scene, pose)}</span>'
     )
     return numbers_table(f"{prefix}-caption", caption, head_cells, rows)

@@ -8,7 +8,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.core.base.drives import FREE
 from pkmodes.core.base.errors import PoseError
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.regular import regular_poses
@@ -96,7 +95,7 @@ def typical_pose(model: Model) -> Array:
     return central
 
 
-def poses_around(model: Model, pose: ArrayLike, *, drives: str = FREE) -> Scene:
+def poses_around(model: Model, pose: ArrayLike, *, drives: str | None = None) -> Scene:
     """Return the scene of a page: a grid of poses that covers the workspace and contains the given one.
 
     The workspace is that within the usable limits of the robot, unless the pose itself is beyond them.
@@ -107,7 +106,7 @@ def poses_around(model: Model, pose: ArrayLike, *, drives: str = FREE) -> Scene:
         The robot.
     pose : array_like, shape (d,)
         The pose to show first.
-    drives : {"free", "held"}
+    drives : {"free", "held"}, optional
         As for `pkmodes.Model.modes`.
 
     Returns
@@ -120,6 +119,7 @@ def poses_around(model: Model, pose: ArrayLike, *, drives: str = FREE) -> Scene:
     PoseError
         If the robot cannot be there.
     """
+    drives = model.robot.resolve_drives(drives)
     shown_pose = np.asarray(pose, dtype=float)
     scene(model, shown_pose, drives=drives)  # its errors are those of this pose
     is_inside, (low, high) = usable_branch_test(model, shown_pose), usable_box(model, shown_pose)

@@ -62,6 +62,8 @@ class Scene:
         Number of modes that strain no spring.
     vertical : ndarray, shape (3,)
         Unit vector against gravity.
+    moving_body : str
+        What moves with the pose, such as "tool head".
     drives : {"free", "held"}
         What the motors do.
     chosen : int
@@ -120,6 +122,7 @@ class Scene:
     energies: Array
     rigid_modes: int
     vertical: Array
+    moving_body: str = "platform"
     drives: str = FREE
     chosen: int = 0
     levels: tuple[Array, ...] | None = None

@@ -9,7 +9,6 @@ from itertools import product
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.core.base.drives import FREE
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.model import Model
 from pkmodes.loop.sensitivity.paths import resolve
@@ -26,7 +25,9 @@ MAX_PARAMETERS, MAX_MACHINES = 3, 600
 DEFAULT_COUNTS = {1: 21, 2: 9, 3: 5}
 
 
-def varied(model: Model, pose: ArrayLike, values: Mapping[str, ArrayLike], *, drives: str = FREE) -> Scene:
+def varied(
+    model: Model, pose: ArrayLike, values: Mapping[str, ArrayLike], *, drives: str | None = None
+) -> Scene:
     """Return the scene of a page whose sliders change values of the robot at a pose.
 
     Parameters
@@ -38,7 +39,7 @@ def varied(model: Model, pose: ArrayLike, values: Mapping[str, ArrayLike], *, dr
     values : mapping of str to array_like
         Ascending values in SI units of up to three parameters or effect parameters, by path; all combinations are
         computed, and the declared value is added where it is not among them.
-    drives : {"free", "held"}
+    drives : {"free", "held"}, optional
         As for `pkmodes.Model.modes`.
 
     Returns
@@ -57,6 +58,7 @@ def varied(model: Model, pose: ArrayLike, values: Mapping[str, ArrayLike], *, dr
     if not 1 <= len(values) <= MAX_PARAMETERS:
         problem = f"expected 1 to {MAX_PARAMETERS} parameters that vary, found {len(values)}"
         raise PkmodesError(problem, "values", "vary the others on another page")
+    drives = model.robot.resolve_drives(drives)
     point = model.modes(pose, drives=drives).poses
     paths = [resolve(model.robot, path) for path in values]
     levels = tuple(
