@@ -35,7 +35,8 @@ def summary_of_map(model: Model, content: dict[str, Any]) -> Summary:
         ends = _value(low * factor) if count == 1 else f"{_value(low * factor)} to {_value(high * factor)}"
         values = f" ({count} values)" if count > 1 else ""
         parts.append(f"{dim} {ends} {name}".rstrip() + values)
-    mapped = f"Mapped with {motors_in_words(model.robot, content['drives'])}: {', '.join(parts)}."
+    state = motors_in_words(model.robot, content["drives"])
+    mapped = f"Mapped with {state}: {', '.join(parts)}."
     share = content["valid"] / content["poses"]
     notes = [
         f"{plural(count, 'pose')} cannot be evaluated: {model.reasons[code]}."
@@ -55,7 +56,7 @@ def summary_of_map(model: Model, content: dict[str, Any]) -> Summary:
         ("vibration modes", Cell(str(len(content["modes"])), len(content["modes"]))),
     ]
     return Summary(
-        subject=shortened(content["robot"]),
+        subject=f"{shortened(content['robot'])}, {state}",
         kind="Map",
         headline=_headline(content),
         reason=mapped,

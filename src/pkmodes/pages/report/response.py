@@ -128,7 +128,7 @@ def response_summary(model: Model, response: FrequencyResponse, drawn: DrawnChan
     ]:
         reason += f" Here {', '.join(meanings)}."
     return Summary(
-        subject=shortened(model.robot.name),
+        subject=f"{shortened(model.robot.name)}, {motors_in_words(model.robot, response.drives)}",
         kind="Frequency responses",
         headline=headline,
         reason=reason,

@@ -75,7 +75,7 @@ def sensitivities_summary(
         cell = uncertain_cell(frequency, error, place) if error > 0.0 else hertz(frequency, place)
         facts.append((f"mode {mode + 1} [Hz]", cell))
     return Summary(
-        subject=shortened(content["robot"]),
+        subject=f"{shortened(content['robot'])}, {doing}",
         kind="Sensitivities",
         headline=headline,
         reason=f"{reason}At {at}, {doing}; the pose and all other quantities are held constant.",
