@@ -9,6 +9,7 @@ import pytest
 
 import pkmodes
 from helpers.references.loop_solver import LoopSolver
+from helpers.robots.one_of_each import load_free
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.solve import backends
 from pkmodes.core.system.evaluation import ExtendedSystem
@@ -33,7 +34,7 @@ def registered(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.fixture(params=[(name, released) for name in CASES for released in (False, True)], ids=str)
 def model(request: pytest.FixtureRequest) -> pkmodes.Model:
     name, released = request.param
-    plain = pkmodes.load(ROBOTS / f"{name}.toml")
+    plain = load_free(f"{name}.toml")
     return plain.with_values({f"effects.{CASES[name][1]}.compliance": 1e-6}) if released else plain
 
 

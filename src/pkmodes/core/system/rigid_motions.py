@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.mechanism.regular import sample, sample_pose
@@ -39,13 +40,19 @@ def rigid_motions(
 
     - springs: the effect parameters that hold it to ground, by generated field
     - locked: coordinates without effects that are at rest, such as those of held motors
+
+    Raises PkmodesError if the description has a sample without inertia.
     """
     plain, pose, base = sample(mechanism), sample_pose(mechanism), len(mechanism.coordinates)
     none = mechanism.extended.Effects()
     kept = np.setdiff1d(np.arange(base), locked)
     place = np.ix_(kept, kept)
     M, K, _ = Generated(mechanism.extended, plain, none).extended_matrices(pose)
-    scale = 1.0 / np.sqrt(np.diag(M)[kept])
+    inertia = np.diag(M)[kept]
+    if not (inertia > 0.0).all():
+        problem = f"the sample robot of {mechanism.name} has a coordinate without positive inertia"
+        raise PkmodesError(problem, "description.json: sample", "restore the file, or generate it again")
+    scale = 1.0 / np.sqrt(inertia)
     both = np.outer(scale, scale)
     levels, modes = np.linalg.eigh(K[place] * both)
     loose = modes[:, levels < RIGID * levels.max(initial=0.0)]
