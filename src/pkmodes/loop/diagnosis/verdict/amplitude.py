@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from pkmodes.loop.diagnosis.readings.amplitude import dependence_in_words
+from pkmodes.loop.diagnosis.readings.amplitude import format_level_dependence
 from pkmodes.loop.diagnosis.verdict import misfit
 from pkmodes.loop.diagnosis.verdict.evidence import Evidence, Says
 
@@ -17,7 +17,7 @@ def depends_on_amplitude(e: Evidence) -> Says | None:
     trend = e.amplitude
     if trend is None or not trend.significant or trend.squares < DECIDES * _beside(e):
         return None
-    how = dependence_in_words(trend, e.fitter.data)
+    how = format_level_dependence(trend, e.fitter.data)
     return Says(
         f"the residual depends on amplitude, and no candidate of a linear model does: {how}; no cause is claimed "
         "from levels that contradict each other: diagnose those of the lowest level by themselves",

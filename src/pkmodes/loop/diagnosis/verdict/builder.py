@@ -15,8 +15,12 @@ from pkmodes.loop.diagnosis.match.predicted import spectrum_of
 from pkmodes.loop.diagnosis.match.stage import MatchStage
 from pkmodes.loop.diagnosis.posterior.probabilities import probabilities
 from pkmodes.loop.diagnosis.problem import Array, reached_bounds
-from pkmodes.loop.diagnosis.readings.amplitude import dependence_in_words, note, notes_on_amplitude
-from pkmodes.loop.diagnosis.readings.table import declared_otherwise, reading_remarks
+from pkmodes.loop.diagnosis.readings.amplitude import (
+    format_amplitude_note,
+    format_level_dependence,
+    notes_on_amplitude,
+)
+from pkmodes.loop.diagnosis.readings.table import first_declared_reading, reading_remarks
 from pkmodes.loop.diagnosis.search.ranges import plausible_sizes
 from pkmodes.loop.diagnosis.verdict import caveats, held_out, limits
 from pkmodes.loop.diagnosis.verdict.all_setups import AllSetups
@@ -75,7 +79,7 @@ class DiagnosisBuilder:
         bounded, fit = limits.unknown(store, start.suspected), None
         remarks: tuple[str, ...] = (decision.says.text,)
         if not decision.says.of_reading:
-            fit, remarks = start.first, declared_otherwise(self.fitter)
+            fit, remarks = start.first, first_declared_reading(self.fitter)
             if fit is not None:
                 remarks = (*remarks, *self._remarked(fit), *notes_on_amplitude(self.fitter, fit.values))
                 bounded = limits.beside(store, [fit], start.suspected, noise=not start.contradicted)
@@ -178,8 +182,8 @@ class DiagnosisBuilder:
         if of_reading:
             yield reason
         trend, data = evidence.amplitude, self.fitter.data
-        if trend is not None and trend.significant and dependence_in_words(trend, data) not in reason:
-            yield note(trend, data)
+        if trend is not None and trend.significant and format_level_dependence(trend, data) not in reason:
+            yield format_amplitude_note(trend, data)
         yield from self._remarked(evidence.final)
         if verdict.settled:
             yield from evidence.held_out.notes

@@ -13,7 +13,7 @@ import numpy as np
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.problem import Assumption, Candidate
-from pkmodes.loop.diagnosis.readings.amplitude import dependence
+from pkmodes.loop.diagnosis.readings.amplitude import level_dependence
 from pkmodes.loop.diagnosis.search.limits import ONE_SIDED, moved_by_defaults
 from pkmodes.loop.diagnosis.search.search import Outcome, Search
 from pkmodes.loop.diagnosis.verdict import misfit, reasons
@@ -153,7 +153,7 @@ class Evidence:
     @cached_property
     def amplitude(self) -> AmplitudeDependence | None:
         """How the frequencies of the fitted setups depend on the level; None if none differ in their level alone."""
-        return dependence(self.fitter, self.final.values)
+        return level_dependence(self.fitter, self.final.values)
 
     @cached_property
     def single_joints(self) -> dict[str, JointAlone]:

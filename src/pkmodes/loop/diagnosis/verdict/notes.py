@@ -15,7 +15,7 @@ from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.match.stage import MatchStage
 from pkmodes.loop.diagnosis.problem import reached_bounds
-from pkmodes.loop.diagnosis.readings.copies import all_alike
+from pkmodes.loop.diagnosis.readings.copies import setups_with_equal_shapes
 from pkmodes.loop.diagnosis.search.unmeasured import never_measured
 from pkmodes.loop.diagnosis.verdict.naming import count
 from pkmodes.loop.diagnosis.verdict.shapes import strange_shapes
@@ -48,7 +48,7 @@ def notes(store: FitStore, fit: Fit, adequate: bool) -> list[str]:
 
 def _shapes(store: FitStore, fit: Fit) -> Iterator[str]:
     data, c = store.fitter.data, store.fitter.criteria
-    alike = all_alike(data, c.readings.same_shape)
+    alike = setups_with_equal_shapes(data, c.readings.same_shape)
     if alike:
         listed = ", ".join(alike[:5]) + (", ..." if len(alike) > 5 else "")
         poses = f"pose{'' if len(alike) == 1 else 's'} {listed}"
