@@ -188,7 +188,7 @@ def _ordered(search: Search, group: Sequence[Fit]) -> list[Fit]:
 def _named(search: Search, group: Sequence[Fit]) -> Fit:
     """Return the first member of a class whose residual is noise in all respects, a term before others."""
     level = search.criteria.gate.surely
-    noise = [fit for fit in group if search.gate(fit).above(level)]
+    noise = [fit for fit in group if search.gate(fit).passes_at(level)]
     terms = [fit for fit in noise if all(cause.form for cause in fit.causes)]
     return next(iter([*terms, *noise]), group[0])
 

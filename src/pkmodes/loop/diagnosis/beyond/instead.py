@@ -35,7 +35,7 @@ def may_compete(structure: Structure, catalogue: Evidence, held: Sequence[int]) 
     - structure: with its terms, at all measured setups
     - held: held-out setups
     """
-    declared = catalogue.outcome.nuisances
+    declared = catalogue.outcome.nuisance_fit
     fitter = fitter_of(structure, catalogue, held, catalogue.fitter.shape_scatter)
     plain = FitStore(fitter).fit(Hypothesis(), fitter.padded(declared.values))
     if plain is None:

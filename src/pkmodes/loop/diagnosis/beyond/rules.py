@@ -57,7 +57,7 @@ def leaves_more(e: TermEvidence) -> str:
         return f"{start} leaves {gate.unpaired} measured mode{'' if gate.unpaired == 1 else 's'} unmatched"
     if gate.p_unmeasured <= level:
         return f"{start} adds modes between the measured ones that were not measured"
-    if not gate.above(level):
+    if not gate.passes_at(level):
         return f"{start} what it leaves still points to a cause of the catalogue ({p_in_words(gate.p_candidates)})"
     if e.pointed is not None:
         term, p_value = e.pointed
@@ -109,7 +109,7 @@ def found(e: TermEvidence) -> Says:
     """One class of at most five members is left."""
     setting_aside = noise(e.final, e.fitter.data.lines)
     aside = f"; {setting_aside}" if setting_aside else ""
-    first = e.outcome.first
+    first = e.outcome.first_gate
     p = p_in_words(min(first.p_value, first.p_candidates))
     text = explained([e.finding(0)])
     return Says(

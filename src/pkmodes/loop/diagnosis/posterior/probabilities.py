@@ -81,7 +81,7 @@ def probabilities(
     - outcome: of the search
     - accepted: whether the verdict accepts an explanation, or leaves a few
     """
-    fitter, nuisance_fit, count = search.store.fitter, outcome.nuisances, max(len(search.candidates), 1)
+    fitter, nuisance_fit, count = search.store.fitter, outcome.nuisance_fit, max(len(search.candidates), 1)
     priors = np.log([P_NOTHING, P_ONE_CAUSE / count, P_TWO_CAUSES / max(comb(count, 2), 1)])
     ranked = sorted(
         (
@@ -113,7 +113,11 @@ def probabilities(
         )
     log_weight_outside = _log_weight_outside(search, nuisance_fit, priors, models)
     doubt = (
-        DOUBT_IF_ACCEPTED if accepted else DOUBT_IF_REFUSED if outcome.last.passed else DOUBT_IF_UNEXPLAINED
+        DOUBT_IF_ACCEPTED
+        if accepted
+        else DOUBT_IF_REFUSED
+        if outcome.last_gate.passed
+        else DOUBT_IF_UNEXPLAINED
     )
     return _normalise(
         fitter, _merge_same_causes(search, nuisance_fit, explanations), log_weight_outside, doubt
@@ -221,7 +225,7 @@ def _log_weight_outside(
     log_p_change, log_p_joint = np.log(
         [
             (1.0 - P_SINGLE_JOINT) * P_OUTSIDE / (1.0 - P_OUTSIDE),
-            P_SINGLE_JOINT * P_OUTSIDE / max(len(search.remote), 1),
+            P_SINGLE_JOINT * P_OUTSIDE / max(len(search.remote_candidates), 1),
         ]
     )
     weights_and_models = [(log_p_joint + model.log_evidence, model) for model in remote_models]

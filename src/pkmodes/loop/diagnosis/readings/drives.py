@@ -61,7 +61,7 @@ def other_drives_refitted(store: FitStore) -> str:
         )
         if explains or distances.far_better(c.readings.drives_gain, c.readings.drives_difference):
             # A cause that holds the motors weakly, or makes them heavy, has nearly the same effect.
-            single_causes = Search(store, structure.candidates).additions.would_do()
+            single_causes = Search(store, structure.candidates).additions.sufficient_causes()
             lowest_criterion = min(
                 (store.criterion(fit_of_cause) for fit_of_cause in single_causes), default=np.inf
             )

@@ -18,14 +18,14 @@ from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 
 
-class Seen(NamedTuple):
+class ModeCounts(NamedTuple):
     """Number of modes of a model between the measured ones, and of unmeasured ones among them."""
 
     modes: int
     unmeasured: int
 
 
-def seen(fitter: Fitter, fit: Fit) -> Seen:
+def count_modes(fitter: Fitter, fit: Fit) -> ModeCounts:
     """Count the modes of a fit between the lowest and highest measured ones of each setup."""
     margin, logs = fitter.criteria.gate.margin, fit.prediction.log_frequencies
     used, visible = fitter.used(fit.hypothesis), _visible(fitter, fit)
@@ -40,10 +40,10 @@ def seen(fitter: Fitter, fit: Fit) -> Seen:
         )
         between = np.flatnonzero((logs[setup] > low) & (logs[setup] < high) & visible[setup])
         between = between[between >= fit.prediction.rigid]
-        free = between[~np.isin(between, fit.pairing.partner[rows])]
+        unpaired = between[~np.isin(between, fit.pairing.partner[rows])]
         # An excluded row may be one of them.
-        unmeasured += max(len(free) - int((~used[rows]).sum()), 0)
-    return Seen(paired + unmeasured, unmeasured)
+        unmeasured += max(len(unpaired) - int((~used[rows]).sum()), 0)
+    return ModeCounts(paired + unmeasured, unmeasured)
 
 
 def _visible(fitter: Fitter, fit: Fit) -> NDArray[np.bool_]:
@@ -53,8 +53,8 @@ def _visible(fitter: Fitter, fit: Fit) -> NDArray[np.bool_]:
     if not shapes.shape[-1]:
         return np.ones(shapes.shape[:2], dtype=bool)
     peaks = np.sqrt(np.mean((shapes / np.where(moves > 0.0, moves, np.inf)[:, None]) ** 2, axis=-1))
-    usual = np.median(peaks[:, fit.prediction.rigid :], axis=1)
-    return np.asarray(peaks >= fitter.criteria.gate.visible * usual[:, None])
+    median_peaks = np.median(peaks[:, fit.prediction.rigid :], axis=1)
+    return np.asarray(peaks >= fitter.criteria.gate.visible * median_peaks[:, None])
 
 
 def p_unmeasured(fitter: Fitter, declared: Fit, fit: Fit) -> float:
@@ -63,7 +63,7 @@ def p_unmeasured(fitter: Fitter, declared: Fit, fit: Fit) -> float:
     It is 1 if at least half of the added modes were measured.  If no sensor is known, modes may be missed because
     they move none, and their absence counts half as much.
     """
-    before, after = seen(fitter, declared), seen(fitter, fit)
+    before, after = count_modes(fitter, declared), count_modes(fitter, fit)
     missed = max(after.unmeasured - before.unmeasured, 0)
     measured = max(after.modes - after.unmeasured - before.modes + before.unmeasured, 0)
     if missed <= measured:
@@ -88,7 +88,7 @@ def never_measured(fitter: Fitter, fit: Fit) -> list[NeverMeasured]:
     Modes with free motors differ from those with held motors, even if they have the same number.
     """
     margin, logs = fitter.criteria.gate.margin, fit.prediction.log_frequencies
-    visible, ranges = _visible(fitter, fit), []
+    visible, missing_modes = _visible(fitter, fit), []
     measured = np.zeros(logs.shape, dtype=bool)
     paired = fit.pairing.partner >= 0
     measured[fitter.data.pose[paired], fit.pairing.partner[paired]] = True
@@ -98,15 +98,15 @@ def never_measured(fitter: Fitter, fit: Fit) -> list[NeverMeasured]:
         np.maximum.at(high, fitter.data.pose, fitter.observations.log_frequencies)
     else:
         low[:], high[:] = np.log(fitter.data.band)
-    inside = (logs > low[:, None] + margin) & (logs < high[:, None] - margin) & visible
+    is_inside = (logs > low[:, None] + margin) & (logs < high[:, None] - margin) & visible
     for drives in dict.fromkeys(fitter.data.drives):
-        alike = np.array(fitter.data.drives) == drives
+        same_drives = np.array(fitter.data.drives) == drives
         for k in range(fit.prediction.rigid, logs.shape[1]):
-            there = inside[:, k] & alike
-            count = int(there.sum())
-            if count >= max(2, alike.sum() / 2) and not measured[alike, k].any():
-                frequencies = np.exp(logs[there, k])
-                ranges.append(
+            is_expected = is_inside[:, k] & same_drives
+            count = int(is_expected.sum())
+            if count >= max(2, same_drives.sum() / 2) and not measured[same_drives, k].any():
+                frequencies = np.exp(logs[is_expected, k])
+                missing_modes.append(
                     NeverMeasured(float(frequencies.min()), float(frequencies.max()), count, drives)
                 )
-    return ranges
+    return missing_modes

@@ -167,7 +167,7 @@ def differentiate_shapes(K: Array, modes: SetupModes, forces: Array, norm: Array
     """Differentiate the shapes.
 
     - K: (n, n)
-    - forces, norm: from `changes_of`, (T, m, n) and (T, m)
+    - forces, norm: from `modal_forces`, (T, m, n) and (T, m)
 
     Returns (T, m, n).
     """

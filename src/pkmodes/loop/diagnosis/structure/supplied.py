@@ -19,7 +19,7 @@ Derivatives = Callable[[Mapping[str, float], str, str], tuple[Any, Any]]
 #: Relative change of the matrices in a difference that approximates a derivative: rounding and curvature balance.
 TARGET_CHANGE = 1e-6
 #: Factor by which the actual change may differ from that, and largest number of trial steps.  Steps grow up to
-#: LARGEST for a parameter without any effect.
+#: MAX_STEP for a parameter without any effect.
 MAX_CHANGE_FACTOR, MAX_TRIALS, MAX_STEP = 100.0, 30, 1e12
 #: Steps smaller than this, relative to the value, may be lost to rounding.
 MIN_RELATIVE_STEP = 1e-12
@@ -207,7 +207,7 @@ class SuppliedMatrices:
     def _find_step(
         self, values: Array, i: int, setups: Mapping[str, MatrixPair], step: float, is_linear: bool = False
     ) -> _StepSearch:
-        """Find the step that changes the matrices by about `CHANGE`."""
+        """Find the step that changes the matrices by about `TARGET_CHANGE`."""
         p = self.parameters[i]
         rates, finite = None, False
         for _ in range(MAX_TRIALS):

@@ -27,8 +27,8 @@ def depends_on_amplitude(e: Evidence) -> Says | None:
 
 def _beside(e: Evidence) -> float:
     """Return the chi2 with which a dependence is compared; infinite if the data show nothing else."""
-    final, declared = e.final, e.outcome.nuisances
-    if not e.outcome.last.passed:
+    final, declared = e.final, e.outcome.nuisance_fit
+    if not e.outcome.last_gate.passed:
         # The best explanation without errors of the measurement and without remote causes.
         fits = [
             fit for fit in e.store.tried() if not ((h := fit.hypothesis).remote or h.excluded or h.scatter)

@@ -100,7 +100,7 @@ class DiagnosisBuilder:
         remaining = claim.remains(decision.says.instead) if verdict is AMBIGUOUS else []
         bounded, plausible, tested = self._candidates(evidence, decision, findings, remaining)
         unseen = tuple(test.name for test in tested if not test.detectable)
-        refit = final if verdict is ADEQUATE else outcome.nuisances
+        refit = final if verdict is ADEQUATE else outcome.nuisance_fit
         causes = final if verdict is EFFECT_FOUND else None
         models = self._models(search.store, refit, causes, bounded, verdict.settled)
         # Another reading of the data contradicts all explanations of it as it stands.
@@ -156,16 +156,16 @@ class DiagnosisBuilder:
             bounded = limits.beside(search.store, [claim.final], unclaimed, noise=True)
             last = claim.last.scores
         else:
-            open_fits = [fit for named in remaining for _, fit in named] or [outcome.nuisances]
+            open_fits = [fit for named in remaining for _, fit in named] or [outcome.nuisance_fit]
             bounded = limits.beside(search.store, open_fits, unclaimed, noise=False)
-            last = outcome.first.scores
+            last = outcome.first_gate.scores
         shown = claimed | {cause.name for named in remaining for _, fit in named for cause in fit.causes}
         shown |= {*decision.says.named, *(name for trial in evidence.trials for name in trial.entry.effects)}
         apart = [candidate for candidate in search.candidates if candidate.name not in bounded.candidates]
-        plausible = {**plausible_sizes(self.fitter, outcome.nuisances, apart), **bounded.plausible}
+        plausible = {**plausible_sizes(self.fitter, outcome.nuisance_fit, apart), **bounded.plausible}
         tested = examined(
             self.fitter,
-            outcome.first.scores,
+            outcome.first_gate.scores,
             last,
             plausible,
             shown=shown,

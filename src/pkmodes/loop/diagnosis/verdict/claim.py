@@ -107,7 +107,7 @@ class Claim:
 
 def claim_of(search: Search, outcome: Outcome) -> Claim:
     """Return what the outcome of a search would claim."""
-    final, last = outcome.final, outcome.last
+    final, last = outcome.final_fit, outcome.last_gate
     if not last.passed or not final.causes:
         return Claim(final, last)
     final, places = _preferred(search, final)
@@ -121,7 +121,7 @@ def claim_of(search: Search, outcome: Outcome) -> Claim:
             grouped = ([named, *grouped[0][1:]], *grouped[1:])
     alike = grouped
     members = dict.fromkeys(fit.causes[-1] for groups in grouped if groups for fit in groups[0])
-    plausible = plausible_sizes(search.store.fitter, outcome.nuisances, list(members))
+    plausible = plausible_sizes(search.store.fitter, outcome.nuisance_fit, list(members))
     final, grouped, left_out = _possible(search, final, grouped, plausible)
     final, grouped = _plausible_first(search, final, grouped)
     return Claim(

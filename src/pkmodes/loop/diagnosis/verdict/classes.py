@@ -116,7 +116,9 @@ def other_pairs(search: Search, final: Fit, grouped: Sequence[Sequence[Sequence[
         if {a, b} != {cause.name for cause in final.causes} and (many or not within):
             beside.append(pair)
     remote = [
-        fit for fit in search.alone() if store.criterion(fit) <= store.criterion(final) + c.search.survives
+        fit
+        for fit in search.single_remote_causes()
+        if store.criterion(fit) <= store.criterion(final) + c.search.survives
     ]
     return beside + [fit for fit in remote if store.p_value(fit) > c.gate.surely and not fit.at_bound]
 
@@ -174,7 +176,7 @@ def more_general(search: Search, final: Fit) -> tuple[Candidate, Candidate] | No
     fitted, because close modes could then be paired differently, a gain that the null distribution does not include.
     """
     for cause in final.causes:
-        for general in search.general:
+        for general in search.general_candidates:
             if general.general_of != cause.name:
                 continue
             scores = score(search.store.fitter, final, [general])

@@ -14,7 +14,7 @@ from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.problem import Assumption, Candidate
 from pkmodes.loop.diagnosis.readings.amplitude import level_dependence
-from pkmodes.loop.diagnosis.search.limits import ONE_SIDED, moved_by_defaults
+from pkmodes.loop.diagnosis.search.limits import ONE_SIDED, value_shifts_by_default
 from pkmodes.loop.diagnosis.search.search import Outcome, Search
 from pkmodes.loop.diagnosis.verdict import misfit, reasons
 from pkmodes.loop.diagnosis.verdict.all_setups import AllSetups
@@ -78,7 +78,7 @@ class Start:
         """Causes that would remove the contradiction, best first."""
         if not self.contradicted:
             return []
-        singles = Search(self.plain, self.suspected).additions.would_do()
+        singles = Search(self.plain, self.suspected).additions.sufficient_causes()
         return [single.causes[0].name for single in singles[:HINTS]]
 
 
@@ -172,7 +172,7 @@ class Evidence:
     @property
     def refit_needed(self) -> bool:
         """Whether the residual of the model as declared is more than noise."""
-        return self.p_declared <= self.outcome.last.level
+        return self.p_declared <= self.outcome.last_gate.level
 
     @cached_property
     def term_instead(self) -> Fit | None:
@@ -182,7 +182,7 @@ class Evidence:
     @cached_property
     def by_default(self) -> list[Assumption]:
         """The defaults on which values of the causes depend noticeably."""
-        moved = moved_by_defaults(self.store, self.final)
+        moved = value_shifts_by_default(self.store, self.final)
         indices = [i for cause in self.final.causes for i in self.fitter.indices(cause)]
         return [
             assumption
@@ -204,7 +204,7 @@ class Evidence:
         worst = store.criterion(final) + c.search.survives
         noise = [
             fit
-            for fit in self.search.additions.errors(worst)
+            for fit in self.search.additions.with_errors_only(worst)
             if store.p_value(fit) > c.gate.surely and not self._by_nature(fit.hypothesis)
         ]
         best = min(noise, key=store.criterion, default=None)

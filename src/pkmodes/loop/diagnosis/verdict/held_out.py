@@ -74,7 +74,7 @@ def predicted(setups: AllSetups, search: Search, final: Fit, rivals: Sequence[Fi
     instead = better
     if instead is None and rivals is None:
         # The best single cause, remote ones included, that explains all setups.
-        single = [*full_search.additions.singles(), *full_search.alone()]
+        single = [*full_search.additions.single_causes(), *full_search.single_remote_causes()]
         instead = next(
             (
                 fit
@@ -169,12 +169,13 @@ def _better(search: Search, again: Fit) -> Fit | None:
     """Return the remote cause that explains all setups better than the claimed causes do; None if none does."""
     c = search.criteria
     plain = len(again.causes) == 1 and not again.hypothesis.excluded
-    if not again.causes or (plain and search.gate(again).above(c.gate.plainly)):
+    if not again.causes or (plain and search.gate(again).passes_at(c.gate.plainly)):
         return None
     # A remote cause with the same predictions is listed in the class of the cause.
     difference = search.store.fitter.difference
     return next(
-        (fit for fit in search.better_alone(again) if difference(again, fit) >= c.claim.told_apart), None
+        (fit for fit in search.better_remote_causes(again) if difference(again, fit) >= c.claim.told_apart),
+        None,
     )
 
 

@@ -45,7 +45,7 @@ def joint_alone(setups: AllSetups, search: Search, fit: Fit) -> JointAlone | Non
     criterion = apart.store.criterion
     fits = [
         option
-        for option in apart.additions.causes(base, score(fitter, base, [*singles.values()]))
+        for option in apart.additions.with_another_cause(base, score(fitter, base, [*singles.values()]))
         if not option.at_bound
     ]
     best, rest = next(iter(fits), None), fits[1:]

@@ -30,7 +30,7 @@ from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.matrices import slowness
 from pkmodes.loop.diagnosis.problem import Array, Assumption, Candidate, Parameter
-from pkmodes.loop.diagnosis.search.limits import ONE_SIDED, Bound, bounds, moved_by_defaults
+from pkmodes.loop.diagnosis.search.limits import ONE_SIDED, Bound, bounds, value_shifts_by_default
 from pkmodes.loop.diagnosis.verdict.findings import NOTICEABLE, Limit, Unseen
 
 #: Largest number of remaining explanations beside which limits are determined.
@@ -91,7 +91,7 @@ def beside(
     by_name: dict[str, Limit] = {}
     for bound in bounded:
         p = fitter.parameters[bound.index]
-        name, limit = limit_key(p), Limit(bound.candidate.name, bound.size, p.unit, bound.change)
+        name, limit = limit_key(p), Limit(bound.candidate.name, bound.size, p.unit, bound.frequency_change)
         by_name[name] = max(
             by_name.get(name, limit),
             limit,
@@ -99,7 +99,7 @@ def beside(
         )
     unseen = {}
     if noise and len(fits) == 1:
-        unseen = _unseen(fits[0], bounded, moved_by_defaults(store, fits[0]))
+        unseen = _unseen(fits[0], bounded, value_shifts_by_default(store, fits[0]))
     ordered = (limit_key(fitter.parameters[i]) for c in all_candidates for i in fitter.indices(c))
     return CandidateLimits(
         {name: by_name[name] for name in ordered if name in by_name},
@@ -121,9 +121,12 @@ def _unseen(
     """Return the largest movement of each fitted value as a standard deviation, and its origin."""
     unseen = {}
     for i in fit.free if bounded else ():
-        worst = max(bounded, key=lambda bound: bound.moved[i])
-        open_end = max(bounded, key=lambda bound: bound.farther[i])
-        sigma, farther_sigma = float(worst.moved[i]) / ONE_SIDED, float(open_end.farther[i]) / ONE_SIDED
+        worst = max(bounded, key=lambda bound: bound.value_shifts[i])
+        open_end = max(bounded, key=lambda bound: bound.unbounded_shifts[i])
+        sigma, farther_sigma = (
+            float(worst.value_shifts[i]) / ONE_SIDED,
+            float(open_end.unbounded_shifts[i]) / ONE_SIDED,
+        )
         counted = math.hypot(fit.sigma_of(i), sigma)
         farther = farther_sigma > sigma and math.hypot(fit.sigma_of(i), farther_sigma) > NOTICEABLE * counted
         unseen[i] = Unseen(sigma, worst.candidate.name, open_end.candidate.name if farther else "")

@@ -49,7 +49,7 @@ def decide_before_search(start: Start) -> Decision[Start, Says] | None:
 def decide(evidence: Evidence) -> Decision[Evidence, Says]:
     """Return the verdict after a search, and why it is given."""
     of_noise = CLAIMS if evidence.final.causes else ADEQUACY
-    decision = first((*after(), *(of_noise if evidence.outcome.last.passed else OPEN)), evidence)
+    decision = first((*after(), *(of_noise if evidence.outcome.last_gate.passed else OPEN)), evidence)
     assert decision is not None  # the last rule of each table always applies
     return decision
 
@@ -107,7 +107,7 @@ def not_predicted(e: Evidence) -> str:
 
 def nothing_missing(e: Evidence) -> Says:
     """The residual is noise, as declared or with the uncertain values refitted."""
-    gate = e.outcome.last
+    gate = e.outcome.last_gate
     setting_aside = noise(e.final, e.fitter.data.lines)
     aside = f", with {setting_aside}" if setting_aside else ""
     p = f"({p_in_words(gate.p_value)}, and {p_text(gate.p_candidates)} for the best candidate)"
@@ -123,8 +123,8 @@ def nothing_missing(e: Evidence) -> Says:
 def remote_cause(e: Evidence) -> str:
     """A remote cause, which is never claimed, is needed, survives, or explains far more."""
     final, rivals = e.final, e.claim.rivals
-    doubtful = len(final.causes) == 1 and not e.claim.last.above(e.criteria.gate.plainly)
-    better = e.search.better_alone(final) if doubtful else []
+    doubtful = len(final.causes) == 1 and not e.claim.last.passes_at(e.criteria.gate.plainly)
+    better = e.search.better_remote_causes(final) if doubtful else []
     remote = [cause for fit in (final, *rivals, *better) for cause in fit.causes if cause.remote]
     if not remote:
         return ""
@@ -140,7 +140,7 @@ def in_one_joint(e: Evidence) -> str:
     store, c, final = e.store, e.criteria, e.final
     if len(final.causes) != 1:
         return ""
-    fits, limit = e.search.in_one_joint(final), final.deviance + c.claim.told_apart
+    fits, limit = e.search.single_joint_causes(final), final.deviance + c.claim.told_apart
     single = next((fit for fit in fits if fit.deviance < limit and store.p_value(fit) > c.gate.surely), None)
     if single is None:
         return ""
@@ -306,7 +306,7 @@ def one_term(e: Evidence) -> str:
 
 def causes_found(e: Evidence) -> Says:
     """One class for each cause is left."""
-    gate, setting_aside = e.outcome.first, noise(e.final, e.fitter.data.lines)
+    gate, setting_aside = e.outcome.first_gate, noise(e.final, e.fitter.data.lines)
     smallest = min(gate.p_value, gate.p_candidates)
     aside = f"; {setting_aside}" if setting_aside else ""
     explanation, resting = explained(e.claim.findings(e.fitter, e.single_joints)), once(e.search, e.final)

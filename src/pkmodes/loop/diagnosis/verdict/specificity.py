@@ -94,7 +94,7 @@ def p_coincidence(search: Search, final: Fit) -> float:
     drawn = arbitrary_draws(fitter, plain, DRAWS, rng)
     p_value = coincidence(search, final, gain, drawn, directions, degrees, final.chi2)
     # A few candidates do not represent what else may be wrong: their combinations are not informative.
-    all_directions = (*directions, *score(fitter, plain, search.remote).directions)
+    all_directions = (*directions, *score(fitter, plain, search.remote_candidates).directions)
     many = search.criteria.claim.many * len(final.causes)
     if gain <= 0.0 or len(all_directions) < many:
         return p_value

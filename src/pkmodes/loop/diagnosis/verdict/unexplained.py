@@ -18,7 +18,7 @@ from pkmodes.loop.diagnosis.verdict.verdicts import UNEXPLAINED
 
 def added_modes(e: Evidence) -> str:
     """The best causes leave noise, but add modes between the measured ones that were not measured."""
-    last = e.outcome.last
+    last = e.outcome.last_gate
     if not last.p_unmeasured <= last.level < min(last.p_value, last.p_candidates):
         return ""
     causes = e.final.causes
@@ -28,7 +28,7 @@ def added_modes(e: Evidence) -> str:
 
 def unmatched_modes(e: Evidence) -> Says | None:
     """Measured modes are unmatched, and no candidate adds one there."""
-    count = e.outcome.last.unpaired
+    count = e.outcome.last_gate.unpaired
     if not count:
         return None
     which = "1 measured mode is" if count == 1 else f"{count} measured modes are"
@@ -37,7 +37,7 @@ def unmatched_modes(e: Evidence) -> Says | None:
 
 def value_far_away(e: Evidence) -> Says | None:
     """Frequencies and shapes agree, but an uncertain value is more than three sigma from its declared value."""
-    store, fit, first, c = e.store, e.outcome.nuisances, e.outcome.first, e.criteria
+    store, fit, first, c = e.store, e.outcome.nuisance_fit, e.outcome.first_gate, e.criteria
     if min(part.p_value for part in _misfits(store, fit)) <= c.gate.surely:
         return None
     name, away = misfit.far_away(store, fit, e.fitter.nuisances)
@@ -52,13 +52,13 @@ def value_far_away(e: Evidence) -> Says | None:
 
 def shapes_differ(e: Evidence) -> Says | None:
     """The frequencies agree with the model, and nothing explains the shapes too."""
-    frequencies, shapes = _misfits(e.store, e.outcome.nuisances)
+    frequencies, shapes = _misfits(e.store, e.outcome.nuisance_fit)
     if (
         min(frequencies.p_value, shapes.p_value) > e.criteria.gate.surely
         or frequencies.p_value <= e.criteria.gate.level
     ):
         return None
-    line = misfit.worst_shape(e.store, e.outcome.nuisances)
+    line = misfit.worst_shape(e.store, e.outcome.nuisance_fit)
     text = (
         f"the frequencies agree with the model, but the shapes do not (chi2 per degree of freedom "
         f"{plain(shapes.ratio, 3)}, worst in line {line}), and no candidate or pair of candidates explains both"
@@ -91,7 +91,7 @@ def beyond_prior(e: Evidence) -> Says | None:
 def nearly_all(e: Evidence) -> Says | None:
     """One cause, or two if the data clearly ask for a second, would explain nearly all of the residual."""
     store, (part, limit) = e.store, e.criteria.reasons.nearly_all
-    before = _larger(store, e.outcome.nuisances)
+    before = _larger(store, e.outcome.nuisance_fit)
     explanations = []
     for fit in _without_errors(store):
         if fit.at_bound:
@@ -126,10 +126,10 @@ def nearly_all(e: Evidence) -> Says | None:
 
 def no_direction(e: Evidence) -> Says | None:
     """The residual, scaled to the size of noise, points to no candidate: perhaps the stated errors are too small."""
-    frequencies, _ = _misfits(e.store, e.outcome.nuisances)
+    frequencies, _ = _misfits(e.store, e.outcome.nuisance_fit)
     scale, (least, largest), c = frequencies.ratio, e.criteria.reasons.dispersed, e.criteria
     gains = (
-        s.gain / scale / max(len(s.candidate.parameters), 1) for s in e.outcome.first.scores.by_candidate
+        s.gain / scale / max(len(s.candidate.parameters), 1) for s in e.outcome.first_gate.scores.by_candidate
     )
     if not (least < scale < largest and max(gains, default=0.0) < c.reasons.no_direction):
         return None
@@ -138,13 +138,13 @@ def no_direction(e: Evidence) -> Says | None:
     if len(e.fitter.observations.log_frequencies) < c.search.rows_to_set_aside:
         perhaps = "something outside the candidates, or stated errors that are too small"
     nowhere = "" if best is not None else " and points to no candidate"
-    detail = uneven(e.fitter, e.outcome.nuisances) or perhaps
+    detail = uneven(e.fitter, e.outcome.nuisance_fit) or perhaps
     return _beside_best(e, f"the residual is {larger(scale**0.5)} the stated errors{nowhere}: {detail}")
 
 
 def small(e: Evidence) -> Says | None:
     """The residual is hardly more than noise, but points to a candidate."""
-    first = e.outcome.first
+    first = e.outcome.first_gate
     if first.p_value <= e.criteria.gate.level:
         return None
     pointed = _pointed(first)
@@ -157,7 +157,7 @@ def small(e: Evidence) -> Says | None:
 
 def real(e: Evidence) -> Says:
     """No candidate or pair of candidates reduces the residual to noise."""
-    size, pattern = _larger(e.store, e.outcome.nuisances), uneven(e.fitter, e.outcome.nuisances)
+    size, pattern = _larger(e.store, e.outcome.nuisance_fit), uneven(e.fitter, e.outcome.nuisance_fit)
     suffix = f"; {pattern}" if pattern else ""
     text = (
         f"the residual is real, {larger(size**0.5)} the stated errors, and no candidate or pair of candidates "
@@ -195,7 +195,7 @@ def _best_of_all(e: Evidence) -> tuple[str, list[Candidate]] | None:
     None if none reduces it clearly.  A second cause is named if the data clearly require it.
     """
     store = e.store
-    better = store.criterion(e.outcome.nuisances) - e.criteria.search.survives
+    better = store.criterion(e.outcome.nuisance_fit) - e.criteria.search.survives
     improving = [fit for fit in _without_errors(store) if not fit.at_bound and store.criterion(fit) < better]
     best = min(improving, key=_priced(e), default=None)
     if best is None:
