@@ -60,10 +60,10 @@ class TermEvidence(Evidence):
             search.gate(final),
             (groups,),
             p_values=(p_value,),
-            plausible=plausible,
-            implausible=frozenset(implausible),
+            max_deviations=plausible,
+            implausible_names=frozenset(implausible),
         )
-        outcome = Outcome(tried.plain, search.gate(tried.plain), final, claim.last)
+        outcome = Outcome(tried.plain, search.gate(tried.plain), final, claim.last_gate)
         super().__init__(tried.setups, search, outcome, claim)
 
     @property
@@ -103,7 +103,7 @@ class TermEvidence(Evidence):
             covariances=covariances,
             about={
                 name: replace(
-                    member(fitter, fit, self.claim.plausible),
+                    member(fitter, fit, self.claim.max_deviations),
                     name=name,
                     sentence=" and ".join(cause.sentence or cause.name for cause in fit.causes),
                 )

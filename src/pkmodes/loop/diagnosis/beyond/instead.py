@@ -25,7 +25,7 @@ COMPETES = 0.5
 
 def one_of_many(catalogue: Evidence) -> bool:
     """Return whether what would be claimed is several causes, or a wrong value of one axis, or any change."""
-    local = any(fit.causes[-1].local for fits in catalogue.claim.own for fit in fits)
+    local = any(fit.causes[-1].local for fits in catalogue.claim.own_classes for fit in fits)
     return len(catalogue.final.causes) > 1 or local or catalogue.criteria.claim.any_place
 
 

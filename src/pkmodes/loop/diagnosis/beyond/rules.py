@@ -11,7 +11,7 @@ from pkmodes.core.base.numbers import p_in_words, plain
 from pkmodes.loop.diagnosis.beyond.evidence import TermEvidence
 from pkmodes.loop.diagnosis.verdict import rules
 from pkmodes.loop.diagnosis.verdict.classes import distinct_causes, measured
-from pkmodes.loop.diagnosis.verdict.evidence import Rule, Says
+from pkmodes.loop.diagnosis.verdict.evidence import Answer, Rule
 from pkmodes.loop.diagnosis.verdict.naming import explained
 from pkmodes.loop.diagnosis.verdict.reasons import larger, names, noise
 from pkmodes.loop.diagnosis.verdict.verdicts import FOUND, NOTHING, SEVERAL
@@ -51,7 +51,7 @@ def in_the_catalogue(e: TermEvidence) -> str:
 
 def leaves_more(e: TermEvidence) -> str:
     """What the best term leaves is not noise in all respects, or points to another term."""
-    gate, level = e.claim.last, e.criteria.gate.surely
+    gate, level = e.claim.last_gate, e.criteria.gate.surely
     start = f"{e.words} would explain nearly all of the residual, but"
     if gate.unpaired:
         return f"{start} leaves {gate.unpaired} measured mode{'' if gate.unpaired == 1 else 's'} unmatched"
@@ -105,14 +105,14 @@ def several(e: TermEvidence) -> str:
     return f"these data cannot tell {members} explanations apart: {_any_of(e, 0)}"
 
 
-def found(e: TermEvidence) -> Says:
+def found(e: TermEvidence) -> Answer:
     """One class of at most five members is left."""
     setting_aside = noise(e.final, e.fitter.data.lines)
     aside = f"; {setting_aside}" if setting_aside else ""
     first = e.outcome.first_gate
     p = p_in_words(min(first.p_value, first.p_candidates))
     text = explained([e.finding(0)])
-    return Says(
+    return Answer(
         f"{text}; the residual of the declared model is not noise ({p}), and the tests leave no other of "
         f"{len(e.tried.terms)} terms, each one form at one place{aside}"
     )
@@ -122,7 +122,7 @@ def _any_of(e: TermEvidence, k: int) -> str:
     """Return the members of a class, and how many more it has."""
     group = e.groups[k]
     listed = [
-        names(fit.causes) + (" (implausible)" if fit.causes[-1].name in e.claim.implausible else "")
+        names(fit.causes) + (" (implausible)" if fit.causes[-1].name in e.claim.implausible_names else "")
         for fit in group[: e.criteria.claim.most_members]
     ]
     unlisted = len(group) - len(listed)
@@ -130,7 +130,7 @@ def _any_of(e: TermEvidence, k: int) -> str:
 
 
 #: Rules for what was tried beyond the catalogue.
-BEYOND: tuple[Rule[TermEvidence, Says], ...] = (
+BEYOND: tuple[Rule[TermEvidence, Answer], ...] = (
     Rule("beyond.nothing", NOTHING, nothing),
     Rule("beyond.in_the_catalogue", NOTHING, in_the_catalogue),
     Rule("beyond.leaves_more", NOTHING, leaves_more),

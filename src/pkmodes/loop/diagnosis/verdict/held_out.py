@@ -52,7 +52,7 @@ def predicted(setups: AllSetups, search: Search, final: Fit, rivals: Sequence[Fi
     - final: its result, with or without causes
     - rivals: other explanations of the fitted setups; by default remote causes are tried
     """
-    if not setups.is_held.any():
+    if not setups.is_held_out.any():
         return HeldOut()
     c, fitted = search.criteria, f"{explains(final.causes)} the fitted poses"
     full_search, again = _fitted_to_all(setups, search, final)
@@ -68,7 +68,7 @@ def predicted(setups: AllSetups, search: Search, final: Fit, rivals: Sequence[Fi
                 f"{names(final.causes)} would explain all poses, but {names(better.causes)} explains them better: "
                 "look there"
             )
-        aside = (row for row in sorted(again.hypothesis.excluded) if setups.is_held[row])
+        aside = (row for row in sorted(again.hypothesis.excluded) if setups.is_held_out[row])
         doubtful = "does not agree with the other held-out rows: check it"
         return HeldOut(notes=tuple(f"{_row(setups.data, row)} {doubtful}" for row in aside))
     instead = better
@@ -93,7 +93,7 @@ def p_of_held_out(setups: AllSetups, search: Search, final: Fit) -> float:
     - search: of the fitted setups
     - final: to these
     """
-    if not setups.is_held.any():
+    if not setups.is_held_out.any():
         return 1.0
     full_search, again = _fitted_to_all(setups, search, final)
     if again is None:
@@ -111,7 +111,7 @@ def p_held_out(setups: AllSetups, fitter: Fitter, hypothesis: Hypothesis, final:
     - hypothesis: about all setups; the causes are those of the fit
     - final: to the setups that are not held out
     """
-    held = setups.is_held & fitter.used(hypothesis)
+    held = setups.is_held_out & fitter.used(hypothesis)
     rows, count = fitter.observations.mask_of_stated(held)
     there = fitter.evaluated(hypothesis, final.values, final.scatter)
     if there is None:
@@ -156,7 +156,7 @@ def _without_one_row(
     """
     fitter, c, h = store.fitter, store.fitter.criteria, again.hypothesis
     worst, sigmas = fitter.worst_rows(again)
-    row = next(int(r) for r in worst if setups.is_held[r])
+    row = next(int(r) for r in worst if setups.is_held_out[r])
     enough = len(fitter.observations.log_frequencies) >= c.search.rows_to_set_aside
     if not enough or sigmas[row] <= c.reasons.far or again.leverage[row] >= c.search.redundant:
         return again, p_value

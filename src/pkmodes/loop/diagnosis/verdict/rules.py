@@ -20,7 +20,7 @@ from pkmodes.loop.diagnosis.verdict.amplitude import depends_on_amplitude
 from pkmodes.loop.diagnosis.verdict.classes import distinct_causes, more_general, parts_alone
 from pkmodes.loop.diagnosis.verdict.defaults import by_a_default
 from pkmodes.loop.diagnosis.verdict.dispersion import stiffness_of_frequency
-from pkmodes.loop.diagnosis.verdict.evidence import Decision, Evidence, Rule, Says, Start, T, first
+from pkmodes.loop.diagnosis.verdict.evidence import Answer, Decision, Evidence, Rule, Start, T, first_decision
 from pkmodes.loop.diagnosis.verdict.naming import explained
 from pkmodes.loop.diagnosis.verdict.notes import drift
 from pkmodes.loop.diagnosis.verdict.reasons import causes_in_words, names, noise
@@ -41,15 +41,17 @@ from pkmodes.loop.diagnosis.verdict.verdicts import (
 MENTIONED = 4
 
 
-def decide_before_search(start: Start) -> Decision[Start, Says] | None:
+def decide_before_search(start: Start) -> Decision[Start, Answer] | None:
     """Return the verdict that needs no search; None if one is needed."""
-    return first(before(), start)
+    return first_decision(before(), start)
 
 
-def decide(evidence: Evidence) -> Decision[Evidence, Says]:
+def decide(evidence: Evidence) -> Decision[Evidence, Answer]:
     """Return the verdict after a search, and why it is given."""
     of_noise = CLAIMS if evidence.final.causes else ADEQUACY
-    decision = first((*after(), *(of_noise if evidence.outcome.last_gate.passed else OPEN)), evidence)
+    decision = first_decision(
+        (*after(), *(of_noise if evidence.outcome.last_gate.passed else OPEN)), evidence
+    )
     assert decision is not None  # the last rule of each table always applies
     return decision
 
@@ -105,16 +107,16 @@ def not_predicted(e: Evidence) -> str:
     return e.held_out.doubt
 
 
-def nothing_missing(e: Evidence) -> Says:
+def nothing_missing(e: Evidence) -> Answer:
     """The residual is noise, as declared or with the uncertain values refitted."""
     gate = e.outcome.last_gate
     setting_aside = noise(e.final, e.fitter.data.lines)
     aside = f", with {setting_aside}" if setting_aside else ""
     p = f"({p_in_words(gate.p_value)}, and {p_text(gate.p_candidates)} for the best candidate)"
     if not e.refit_needed:
-        return Says(f"the residual of the declared model is noise {p}{aside}")
+        return Answer(f"the residual of the declared model is noise {p}{aside}")
     refit = "the residual is noise once the uncertain values are refitted"
-    return Says(f"{refit} {p}, not as declared ({p_in_words(e.p_declared)}){aside}")
+    return Answer(f"{refit} {p}, not as declared ({p_in_words(e.p_declared)}){aside}")
 
 
 # Causes leave noise --------------------------------------------------------------------------------------------
@@ -123,7 +125,7 @@ def nothing_missing(e: Evidence) -> Says:
 def remote_cause(e: Evidence) -> str:
     """A remote cause, which is never claimed, is needed, survives, or explains far more."""
     final, rivals = e.final, e.claim.rivals
-    doubtful = len(final.causes) == 1 and not e.claim.last.passes_at(e.criteria.gate.plainly)
+    doubtful = len(final.causes) == 1 and not e.claim.last_gate.passes_at(e.criteria.gate.plainly)
     better = e.search.better_remote_causes(final) if doubtful else []
     remote = [cause for fit in (final, *rivals, *better) for cause in fit.causes if cause.remote]
     if not remote:
@@ -170,9 +172,9 @@ def not_significant(e: Evidence) -> str:
     """The improvement may be chance: its p-value, corrected for the number of candidates, is above 0.1 %."""
     if all(p <= e.criteria.claim.claimed for p in e.claim.p_values):
         return ""
-    perhaps = f"; measurement errors would explain it too: {e.errors}" if e.errors else ""
+    perhaps = f"; measurement errors would explain it too: {e.errors_instead}" if e.errors_instead else ""
     return (
-        f"the residual points to {e.who.removesuffix(',')}, but not clearly enough for a claim "
+        f"the residual points to {e.cause_names.removesuffix(',')}, but not clearly enough for a claim "
         f"({p_in_words(max(e.claim.p_values))} among all candidates): measure more{perhaps}"
     )
 
@@ -197,9 +199,9 @@ def two_of_few(e: Evidence) -> str:
 
 def measurement_errors(e: Evidence) -> str:
     """Errors of the measurement explain the residual nearly as well."""
-    if not e.errors:
+    if not e.errors_instead:
         return ""
-    return f"{e.explains} the residual, but measurement errors would do so nearly as well: {e.errors}"
+    return f"{e.explains} the residual, but measurement errors would do so nearly as well: {e.errors_instead}"
 
 
 def not_specific(e: Evidence) -> str:
@@ -236,13 +238,13 @@ def one_row(e: Evidence) -> str:
     return rests_on_one_row(e.search, e.final)
 
 
-def not_settled(e: Evidence) -> Says | str:
+def not_settled(e: Evidence) -> Answer | str:
     """The preferred causes do not pass the gate, or do not survive in their places."""
     causes, (why, pointed) = e.final.causes, left_by(e, e.final)
     if why:
         text = f"the best explanation, {names(causes)}, is not claimed: {why}"
-        return Says.naming(text, [*causes, *pointed])
-    if e.claim.kept:
+        return Answer.naming(text, [*causes, *pointed])
+    if e.claim.causes_survive:
         return ""
     lone = [cause for place, cause in enumerate(causes) if not e.store.predicts(e.final, place)]
     if not lone:
@@ -252,27 +254,27 @@ def not_settled(e: Evidence) -> Says | str:
     return f"{e.explains} the residual, but {help_not}: measure at more poses"
 
 
-def several_explanations(e: Evidence) -> Says | None:
+def several_explanations(e: Evidence) -> Answer | None:
     """Several classes or pairs survive, or one class of more than five members, or of directions without a whole."""
     claim, limit = e.claim, e.criteria.claim.most_members
-    many = any(len(groups) > 1 for groups in claim.grouped)
-    many = many or any(distinct_causes(fits) > limit or parts_alone(fits) for fits in claim.own)
+    many = any(len(groups) > 1 for groups in claim.classes_by_cause)
+    many = many or any(distinct_causes(fits) > limit or parts_alone(fits) for fits in claim.own_classes)
     if not claim.rivals and not many:
         return None
     single_joints = {name: joint.sentence for name, joint in e.single_joints.items()}
-    remarks = single_joints | dict.fromkeys(claim.implausible, "implausible")
+    remarks = single_joints | dict.fromkeys(claim.implausible_names, "implausible")
     remaining = [
         [f"{name} ({remarks[name]})" if name in remarks else name for name, _ in group]
-        for group in claim.remains()
+        for group in claim.remaining_explanations()
     ]
     listed = "; ".join(" or ".join(group) for group in remaining)
     undecided = f"these data cannot tell {len(remaining[0])} explanations apart: {listed}"
-    return Says(
+    return Answer(
         undecided if len(remaining) == 1 else f"{len(remaining)} different explanations remain: {listed}"
     )
 
 
-def another_with_other_errors(e: Evidence) -> Says | None:
+def another_with_other_errors(e: Evidence) -> Answer | None:
     """With errors halved or doubled, or priors twice as wide, another cause takes the place of a claimed one."""
     for trial in e.trials:
         if trial.instead is not None:
@@ -280,7 +282,7 @@ def another_with_other_errors(e: Evidence) -> Says | None:
                 f"{e.explains} the residual, but with {trial.entry.change}, {names(trial.instead.causes)} would do "
                 "so better"
             )
-            return Says.naming(text, e.final.causes, trial.instead)
+            return Answer.naming(text, e.final.causes, trial.instead)
     return None
 
 
@@ -304,14 +306,14 @@ def one_term(e: Evidence) -> str:
     return f"{e.explains} the residual, but so would {description}"
 
 
-def causes_found(e: Evidence) -> Says:
+def causes_found(e: Evidence) -> Answer:
     """One class for each cause is left."""
     gate, setting_aside = e.outcome.first_gate, noise(e.final, e.fitter.data.lines)
     smallest = min(gate.p_value, gate.p_candidates)
     aside = f"; {setting_aside}" if setting_aside else ""
     explanation, resting = explained(e.claim.findings(e.fitter, e.single_joints)), once(e.search, e.final)
     rests = f"; {resting}" if resting else ""
-    return Says(
+    return Answer(
         f"the residual of the declared model is not noise ({p_in_words(smallest)}); {explanation}{rests}{aside}"
     )
 
@@ -319,20 +321,20 @@ def causes_found(e: Evidence) -> Says:
 # The tables ----------------------------------------------------------------------------------------------------
 
 
-def before() -> tuple[Rule[Start, Says], ...]:
+def before() -> tuple[Rule[Start, Answer], ...]:
     """Return the rules that are tried before a search."""
     return (
         *_of_readings(
             "before", lambda reading: None if reading.refitted else reading.declared, lambda s: (s.fitter,)
         ),
         Rule("before.too_few", INSUFFICIENT_DATA, too_few),
-        *_of_readings("before", lambda reading: reading.refitted, lambda s: (s.plain,)),
+        *_of_readings("before", lambda reading: reading.refitted, lambda s: (s.store,)),
     )
 
 
-def after() -> tuple[Rule[Evidence, Says], ...]:
+def after() -> tuple[Rule[Evidence, Answer], ...]:
     """Return the rules that are tried after a search, whatever its result."""
-    amplitude = Rule[Evidence, Says]("after.amplitude", UNEXPLAINED, depends_on_amplitude)
+    amplitude = Rule[Evidence, Answer]("after.amplitude", UNEXPLAINED, depends_on_amplitude)
     return (
         *_of_readings("after", lambda reading: reading.explained, lambda e: (e.fitter, e.final)),
         amplitude,
@@ -343,7 +345,7 @@ def _of_readings(
     prefix: str,
     question: Callable[[table.Reading], Callable[..., str] | None],
     of: Callable[[T], tuple[object, ...]],
-) -> Iterator[Rule[T, Says]]:
+) -> Iterator[Rule[T, Answer]]:
     """Yield the rules about other readings of the data."""
     for reading in table.READINGS:
         if ask := question(reading):
@@ -351,14 +353,14 @@ def _of_readings(
             yield Rule(f"{prefix}.{reading.name}", UNEXPLAINED, functools.wraps(ask)(says))
 
 
-def _says(ask: Callable[..., str], of: Callable[[T], tuple[object, ...]], evidence: T) -> Says | None:
+def _says(ask: Callable[..., str], of: Callable[[T], tuple[object, ...]], evidence: T) -> Answer | None:
     """Return what is wrong in the file: nothing is claimed, and no cause named."""
     text = ask(*of(evidence))
-    return Says(text, of_reading=True) if text else None
+    return Answer(text, decided_by_reading=True) if text else None
 
 
 #: Tried if the declared model leaves noise.
-ADEQUACY: tuple[Rule[Evidence, Says], ...] = (
+ADEQUACY: tuple[Rule[Evidence, Answer], ...] = (
     Rule("adequacy.shapes", UNEXPLAINED, modes_of_other_shapes),
     Rule("adequacy.extra_modes", UNEXPLAINED, extra_modes),
     Rule("adequacy.unstated_error", UNEXPLAINED, unstated_error),
@@ -367,7 +369,7 @@ ADEQUACY: tuple[Rule[Evidence, Says], ...] = (
 )
 
 #: Tried if causes leave noise.
-CLAIMS: tuple[Rule[Evidence, Says], ...] = (
+CLAIMS: tuple[Rule[Evidence, Answer], ...] = (
     Rule("claims.remote", UNEXPLAINED, remote_cause),
     Rule("claims.one_joint", UNEXPLAINED, in_one_joint),
     Rule("claims.shapes", UNEXPLAINED, modes_of_other_shapes),

@@ -19,7 +19,7 @@ def too_few(start: Start) -> str:
     rows, shapes = len(observations.log_frequencies), int(observations.shapes.count.sum())
     if (
         observations.degrees_of_freedom(observations.all_rows)
-        >= start.unknown - HELD + start.criteria.claim.redundancy
+        >= start.effective_parameters - HELD + start.criteria.claim.redundancy
     ):
         return ""
     uncertain = [fitter.parameters[i].name for i in fitter.nuisances]
@@ -28,10 +28,10 @@ def too_few(start: Start) -> str:
     modes += " is" if rows == 1 else " are"
     values = f"the uncertain {', '.join(uncertain)} and " if uncertain else ""
     text = f"{modes} too few to fit {values}a cause, with one value left to test it"
-    if start.first is None:
+    if start.declared_fit is None:
         return text
-    single, p = rows == 1, p_in_words(start.plain.p_value(start.first))
-    if not start.contradicted:
+    single, p = rows == 1, p_in_words(start.store.p_value(start.declared_fit))
+    if not start.is_contradicted:
         them = "it" if single else "them"
         return f"{text}; the declared model with its uncertain values does not contradict {them} ({p})"
     they, verb = ("it", "contradicts") if single else ("they", "contradict")

@@ -11,7 +11,7 @@ from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.problem import Candidate
 from pkmodes.loop.diagnosis.search.gate import Gate
 from pkmodes.loop.diagnosis.verdict import misfit
-from pkmodes.loop.diagnosis.verdict.evidence import Evidence, Rule, Says
+from pkmodes.loop.diagnosis.verdict.evidence import Answer, Evidence, Rule
 from pkmodes.loop.diagnosis.verdict.reasons import larger, names, uneven
 from pkmodes.loop.diagnosis.verdict.verdicts import UNEXPLAINED
 
@@ -26,7 +26,7 @@ def added_modes(e: Evidence) -> str:
     return f"{names(causes)} would explain the measured modes, but {verb} modes between them that were not measured"
 
 
-def unmatched_modes(e: Evidence) -> Says | None:
+def unmatched_modes(e: Evidence) -> Answer | None:
     """Measured modes are unmatched, and no candidate adds one there."""
     count = e.outcome.last_gate.unpaired
     if not count:
@@ -35,7 +35,7 @@ def unmatched_modes(e: Evidence) -> Says | None:
     return _beside_best(e, f"{which} unmatched: the model has no mode there, and no candidate adds one")
 
 
-def value_far_away(e: Evidence) -> Says | None:
+def value_far_away(e: Evidence) -> Answer | None:
     """Frequencies and shapes agree, but an uncertain value is more than three sigma from its declared value."""
     store, fit, first, c = e.store, e.outcome.nuisance_fit, e.outcome.first_gate, e.criteria
     if min(part.p_value for part in _misfits(store, fit)) <= c.gate.surely:
@@ -50,7 +50,7 @@ def value_far_away(e: Evidence) -> Says | None:
     return _beside_best(e, text)
 
 
-def shapes_differ(e: Evidence) -> Says | None:
+def shapes_differ(e: Evidence) -> Answer | None:
     """The frequencies agree with the model, and nothing explains the shapes too."""
     frequencies, shapes = _misfits(e.store, e.outcome.nuisance_fit)
     if (
@@ -66,7 +66,7 @@ def shapes_differ(e: Evidence) -> Says | None:
     return _beside_best(e, text)
 
 
-def beyond_prior(e: Evidence) -> Says | None:
+def beyond_prior(e: Evidence) -> Answer | None:
     """A single candidate would explain the data, but only with a value beyond its prior."""
     store, c = e.store, e.criteria
     explanations = []
@@ -85,10 +85,10 @@ def beyond_prior(e: Evidence) -> Says | None:
         f"{name} = {plain(value, 4)} would explain the data, but this is {away:.1f} sigma outside the range declared "
         "plausible for it, and nothing else explains them"
     )
-    return Says(text, frozenset({name}))
+    return Answer(text, frozenset({name}))
 
 
-def nearly_all(e: Evidence) -> Says | None:
+def nearly_all(e: Evidence) -> Answer | None:
     """One cause, or two if the data clearly ask for a second, would explain nearly all of the residual."""
     store, (part, limit) = e.store, e.criteria.reasons.nearly_all
     before = _larger(store, e.outcome.nuisance_fit)
@@ -121,10 +121,10 @@ def nearly_all(e: Evidence) -> Says | None:
         f"{names(causes)} {verb} nearly all of the residual (chi2 per degree of freedom from {plain(before, 3)} to "
         f"{plain(after, 3)}), but {but}"
     )
-    return Says.naming(text, [*causes, *pointed])
+    return Answer.naming(text, [*causes, *pointed])
 
 
-def no_direction(e: Evidence) -> Says | None:
+def no_direction(e: Evidence) -> Answer | None:
     """The residual, scaled to the size of noise, points to no candidate: perhaps the stated errors are too small."""
     frequencies, _ = _misfits(e.store, e.outcome.nuisance_fit)
     scale, (least, largest), c = frequencies.ratio, e.criteria.reasons.dispersed, e.criteria
@@ -142,7 +142,7 @@ def no_direction(e: Evidence) -> Says | None:
     return _beside_best(e, f"the residual is {larger(scale**0.5)} the stated errors{nowhere}: {detail}")
 
 
-def small(e: Evidence) -> Says | None:
+def small(e: Evidence) -> Answer | None:
     """The residual is hardly more than noise, but points to a candidate."""
     first = e.outcome.first_gate
     if first.p_value <= e.criteria.gate.level:
@@ -155,7 +155,7 @@ def small(e: Evidence) -> Says | None:
     return _beside_best(e, text, pointed)
 
 
-def real(e: Evidence) -> Says:
+def real(e: Evidence) -> Answer:
     """No candidate or pair of candidates reduces the residual to noise."""
     size, pattern = _larger(e.store, e.outcome.nuisance_fit), uneven(e.fitter, e.outcome.nuisance_fit)
     suffix = f"; {pattern}" if pattern else ""
@@ -167,7 +167,7 @@ def real(e: Evidence) -> Says:
 
 
 #: Tried if nothing leaves noise.
-OPEN: tuple[Rule[Evidence, Says], ...] = (
+OPEN: tuple[Rule[Evidence, Answer], ...] = (
     Rule("open.added_modes", UNEXPLAINED, added_modes),
     Rule("open.unmatched", UNEXPLAINED, unmatched_modes),
     Rule("open.value_far_away", UNEXPLAINED, value_far_away),
@@ -180,13 +180,13 @@ OPEN: tuple[Rule[Evidence, Says], ...] = (
 )
 
 
-def _beside_best(e: Evidence, text: str, *pointed: Candidate) -> Says:
+def _beside_best(e: Evidence, text: str, *pointed: Candidate) -> Answer:
     """Return a description of the residual, with the explanation that reduces it most and why that is not claimed."""
     best = _best_of_all(e)
     if best is None:
-        return Says.naming(text, pointed)
+        return Answer.naming(text, pointed)
     clause, named = best
-    return Says.naming(f"{text}; {clause}", [*pointed, *named])
+    return Answer.naming(f"{text}; {clause}", [*pointed, *named])
 
 
 def _best_of_all(e: Evidence) -> tuple[str, list[Candidate]] | None:
