@@ -87,8 +87,8 @@ def _explained(terminal: Terminal, result: Diagnosis | Damping) -> None:
 
 def _class(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected]) -> None:
     """Print a class: what its members have in common, and each with its value and whether that is implausible."""
-    label = f"one of {naming.count(len(effect.members))} ({p_in_words(effect.p_value)})"
-    terminal.line(f"cause: {label}: {naming.of_class(effect)}")
+    label = f"one of {naming.number_in_words(len(effect.members))} ({p_in_words(effect.p_value)})"
+    terminal.line(f"cause: {label}: {naming.class_in_words(effect)}")
     for place, member in enumerate(effect.members):
         if place == 1:
             terminal.line("these data cannot distinguish it from", "  ")

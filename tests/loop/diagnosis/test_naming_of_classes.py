@@ -68,9 +68,11 @@ def test_a_headline_counts_what_does_not_fit_and_names_no_member_as_the_cause() 
 
 
 def test_a_name_stands_for_a_candidate_without_a_sentence() -> None:
-    assert naming.explained([Finding("brace", ("brace",), (), {}, 0.0, "")]) == "explanation: brace"
+    assert (
+        naming.explanation_in_words([Finding("brace", ("brace",), (), {}, 0.0, "")]) == "explanation: brace"
+    )
     two = Finding("brace", ("brace", "strut"), (), {}, 0.0, "")
-    assert naming.explained([two]) == "the cause is narrowed to two: brace, or strut"
+    assert naming.explanation_in_words([two]) == "the cause is narrowed to two: brace, or strut"
 
 
 def test_every_candidate_with_a_kind_is_one_of_some_mechanism() -> None:

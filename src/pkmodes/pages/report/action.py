@@ -97,7 +97,7 @@ def _where(name: str, result: Diagnosis, setting: ReportSetting) -> str:
     """Return where to look for a cause; its sentence if no advice is listed."""
     if name in result.alone:
         joint_change, (_, colon, advice) = result.alone[name], WHERE.get(name, "").partition(": ")
-        return f"{joint_change.joint.words}, which is {joint_change.compared}{colon}{advice}"
+        return f"{joint_change.joint.words}, which is {joint_change.comparison}{colon}{advice}"
     if name in WHERE:
         return WHERE[name]
     if (term_class := _beyond(result)) and term_class.forms.get(name, DECLARED) not in ("", DECLARED):

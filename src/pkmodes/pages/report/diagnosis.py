@@ -112,9 +112,13 @@ def _summary(result: Diagnosis, setting: ReportSetting) -> Summary:
 
 def verdict_headline(result: Diagnosis) -> str:
     """Return the verdict as a sentence, with the causes and what matters of the refitted values."""
-    if result.beyond is not None and not result.effects and (words := result.beyond.words(naming.LONGEST)):
+    if (
+        result.beyond is not None
+        and not result.effects
+        and (words := result.beyond.words(naming.MAX_CLASS_LENGTH))
+    ):
         return clean(words)
-    causes = clean(naming.found_in_words(result.effects, naming.LONGEST)) if result.effects else ""
+    causes = clean(naming.found_in_words(result.effects, naming.MAX_CLASS_LENGTH)) if result.effects else ""
     verdict = VERDICTS[result.verdict].sentence.format(
         causes=causes, s="s" if len(result.effects) > 1 else ""
     )
@@ -212,7 +216,7 @@ def _correction(result: Diagnosis, robot: Robot | None) -> list[Block]:
         return [Paragraph("The robot file needs no correction.")]
     losses = "the losses that the damping shows, " if result.damping.effects else ""
     several = [effect for effect in result.every_cause if len(effect.members) > 1]
-    chosen = "".join(f" {sentence(clean(naming.chosen(effect)))}" for effect in several)
+    chosen = "".join(f" {sentence(clean(naming.choice_in_words(effect)))}" for effect in several)
     return [
         Paragraph(
             "What changes in the corrected robot file, as written by --save-robot: the cause where "

@@ -41,10 +41,10 @@ def causes(result: Diagnosis | Damping, setting: ReportSetting, *top: str) -> li
     blocks: list[Block] = []
     for i, effect in enumerate(result.effects):
         several = len(effect.members) > 1
-        class_name = clean(naming.of_class(effect))
+        class_name = clean(naming.class_in_words(effect))
         entries: list[tuple[str, list[Cell]]] = [
             (
-                f"One of {naming.count(len(effect.members))}" if several else "Cause",
+                f"One of {naming.number_in_words(len(effect.members))}" if several else "Cause",
                 [Cell(class_name, strong=True)],
             )
         ]
@@ -292,7 +292,7 @@ def standing(result: Diagnosis | Damping, name: str) -> str:
     for effect in result.effects:
         if name in effect.members:
             several = len(effect.members) > 1
-            return f"one of {naming.count(len(effect.members))}" if several else "found"
+            return f"one of {naming.number_in_words(len(effect.members))}" if several else "found"
     for i, group in enumerate(result.survivors, start=1):
         if any(name in explanation.split(" + ") for explanation in group):
             return f"remains ({i})"

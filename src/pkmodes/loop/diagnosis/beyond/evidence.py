@@ -21,7 +21,7 @@ from pkmodes.loop.diagnosis.verdict.claim import Claim, fitted_values
 from pkmodes.loop.diagnosis.verdict.classes import classes, survivors
 from pkmodes.loop.diagnosis.verdict.evidence import Evidence
 from pkmodes.loop.diagnosis.verdict.findings import Finding
-from pkmodes.loop.diagnosis.verdict.held_out import HeldOut, predicted
+from pkmodes.loop.diagnosis.verdict.held_out import HeldOut, check_held_out
 from pkmodes.loop.diagnosis.verdict.possible import member, unusual
 from pkmodes.loop.diagnosis.verdict.reasons import causes_in_words
 from pkmodes.loop.diagnosis.verdict.stability import Trial, trials
@@ -132,7 +132,7 @@ class TermEvidence(Evidence):
     @cached_property
     def held_out(self) -> HeldOut:
         """The test of the final fit by the held-out setups."""
-        return predicted(self.setups, self.search, self.final, self.contenders)
+        return check_held_out(self.setups, self.search, self.final, self.contenders)
 
     @cached_property
     def p_outside(self) -> float:

@@ -10,9 +10,9 @@ from __future__ import annotations
 from pkmodes.core.base.numbers import p_in_words, plain
 from pkmodes.loop.diagnosis.beyond.evidence import TermEvidence
 from pkmodes.loop.diagnosis.verdict import rules
-from pkmodes.loop.diagnosis.verdict.classes import distinct_causes, measured
+from pkmodes.loop.diagnosis.verdict.classes import are_added_modes_credible, count_distinct_causes
 from pkmodes.loop.diagnosis.verdict.evidence import Answer, Rule
-from pkmodes.loop.diagnosis.verdict.naming import explained
+from pkmodes.loop.diagnosis.verdict.naming import explanation_in_words
 from pkmodes.loop.diagnosis.verdict.reasons import larger, names, noise
 from pkmodes.loop.diagnosis.verdict.verdicts import FOUND, NOTHING, SEVERAL
 
@@ -34,7 +34,7 @@ def nothing(e: TermEvidence) -> str:
     if p_value <= e.criteria.gate.surely:
         factor = larger((squares / max(degrees, 1.0)) ** 0.5)
         return f"{count}: the best, {e.words}, leaves a residual {factor} the stated errors ({p_in_words(p_value)})"
-    if not measured(e.search, e.final):
+    if not are_added_modes_credible(e.search, e.final):
         return f"{count}: {best}, because it adds modes between the measured ones that were not measured"
     return f"{count}: {best}, because it does not help to predict setups left out of the fit"
 
@@ -99,7 +99,7 @@ def several(e: TermEvidence) -> str:
         unlisted = len(e.groups) - rules.MENTIONED
         rest = f"; and {unlisted} more" if unlisted > 0 else ""
         return f"{len(e.groups)} different explanations remain: {best}{rest}"
-    members = distinct_causes(e.groups[0])
+    members = count_distinct_causes(e.groups[0])
     if members <= e.criteria.claim.most_members:
         return ""
     return f"these data cannot tell {members} explanations apart: {_any_of(e, 0)}"
@@ -111,7 +111,7 @@ def found(e: TermEvidence) -> Answer:
     aside = f"; {setting_aside}" if setting_aside else ""
     first = e.outcome.first_gate
     p = p_in_words(min(first.p_value, first.p_candidates))
-    text = explained([e.finding(0)])
+    text = explanation_in_words([e.finding(0)])
     return Answer(
         f"{text}; the residual of the declared model is not noise ({p}), and the tests leave no other of "
         f"{len(e.tried.terms)} terms, each one form at one place{aside}"

@@ -25,7 +25,7 @@ from pkmodes.loop.diagnosis.search.ranges import plausible_sizes
 from pkmodes.loop.diagnosis.verdict import caveats, held_out, limits
 from pkmodes.loop.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.loop.diagnosis.verdict.claim import fitted_values, name_of_last_cause
-from pkmodes.loop.diagnosis.verdict.detectable import examined
+from pkmodes.loop.diagnosis.verdict.detectable import examine_candidates
 from pkmodes.loop.diagnosis.verdict.evidence import Answer, Decision, Evidence, Start
 from pkmodes.loop.diagnosis.verdict.explanations import NamedFits
 from pkmodes.loop.diagnosis.verdict.findings import Corrected, Examined, Finding, Refitted
@@ -76,7 +76,7 @@ class DiagnosisBuilder:
         """Return the result where data are too few, or obviously mistaken: nothing is searched for."""
         verdict, store = decision.verdict, start.store
         undetectable = tuple(candidate.name for candidate in start.claimable)
-        candidate_limits, fit = limits.unknown(store, start.claimable), None
+        candidate_limits, fit = limits.unknown_limits(store, start.claimable), None
         remarks: tuple[str, ...] = (decision.answer.text,)
         if not decision.answer.decided_by_reading:
             fit, remarks = start.declared_fit, first_declared_reading(self.fitter)
@@ -86,8 +86,8 @@ class DiagnosisBuilder:
                     *self._reading_remarks(fit),
                     *notes_on_amplitude(self.fitter, fit.values),
                 )
-                candidate_limits = limits.beside(
-                    store, [fit], start.claimable, noise=not start.is_contradicted
+                candidate_limits = limits.limits_beside(
+                    store, [fit], start.claimable, residual_is_noise=not start.is_contradicted
                 )
             undetectable = tuple(
                 name for name in undetectable if name not in {*candidate_limits.limited, *start.hints}
@@ -167,11 +167,15 @@ class DiagnosisBuilder:
         claimed = {name for finding in findings for name in finding.members}
         unclaimed = [candidate for candidate in search.candidates if candidate.name not in claimed]
         if decision.verdict.settled:
-            candidate_limits = limits.beside(search.store, [claim.final], unclaimed, noise=True)
+            candidate_limits = limits.limits_beside(
+                search.store, [claim.final], unclaimed, residual_is_noise=True
+            )
             last_scores = claim.last_gate.scores
         else:
             open_fits = [fit for named in remaining for _, fit in named] or [outcome.nuisance_fit]
-            candidate_limits = limits.beside(search.store, open_fits, unclaimed, noise=False)
+            candidate_limits = limits.limits_beside(
+                search.store, open_fits, unclaimed, residual_is_noise=False
+            )
             last_scores = outcome.first_gate.scores
         shown = claimed | {cause.name for named in remaining for _, fit in named for cause in fit.causes}
         shown |= {
@@ -183,14 +187,14 @@ class DiagnosisBuilder:
         ]
         max_deviations = {
             **plausible_sizes(self.fitter, outcome.nuisance_fit, without_limits),
-            **candidate_limits.plausible,
+            **candidate_limits.max_deviations,
         }
-        examined_candidates = examined(
+        examined_candidates = examine_candidates(
             self.fitter,
             outcome.first_gate.scores,
             last_scores,
             max_deviations,
-            shown=shown,
+            named=shown,
             limited=candidate_limits.limited,
             unbounded=candidate_limits.unbounded - shown,
         )
@@ -305,7 +309,7 @@ class DiagnosisBuilder:
             corrected=models.corrected,
             correlation=() if last_fit is None else tuple(map(tuple, last_fit.correlation.tolist())),
             shape_scatter=models.shape_scatter,
-            limits=models.limits.of,
+            limits=models.limits.by_parameter,
             stages=stages,
         )
 

@@ -21,10 +21,10 @@ from pkmodes.loop.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.loop.diagnosis.verdict.caveats import Caveats
 from pkmodes.loop.diagnosis.verdict.claim import Claim, claim_of, name_of_last_cause
 from pkmodes.loop.diagnosis.verdict.findings import NOTICEABLE
-from pkmodes.loop.diagnosis.verdict.held_out import HeldOut, predicted
+from pkmodes.loop.diagnosis.verdict.held_out import HeldOut, check_held_out
 from pkmodes.loop.diagnosis.verdict.joint_alone import joint_alone
 from pkmodes.loop.diagnosis.verdict.joints import JointAlone
-from pkmodes.loop.diagnosis.verdict.naming import count
+from pkmodes.loop.diagnosis.verdict.naming import number_in_words
 from pkmodes.loop.diagnosis.verdict.stability import Trial, trials
 from pkmodes.loop.diagnosis.verdict.values import shows_once
 from pkmodes.loop.diagnosis.verdict.verdicts import Verdict
@@ -131,7 +131,8 @@ class Evidence:
         named_members = members[:max_named] if len(members) <= max_named else members[: max_named - 1]
         unnamed_count = len(members) - len(named_members)
         if unnamed_count:
-            return f"{', '.join(named_members)} or {count(unnamed_count)} others, which these data cannot tell apart,"
+            others = f"{number_in_words(unnamed_count)} others"
+            return f"{', '.join(named_members)} or {others}, which these data cannot tell apart,"
         return f"{', '.join(named_members[:-1])} or {named_members[-1]}, which these data cannot tell apart,"
 
     @property
@@ -151,7 +152,7 @@ class Evidence:
     @cached_property
     def held_out(self) -> HeldOut:
         """The test of the final fit by the held-out setups."""
-        return predicted(self.setups, self.search, self.final)
+        return check_held_out(self.setups, self.search, self.final)
 
     @cached_property
     def amplitude(self) -> AmplitudeDependence | None:

@@ -17,7 +17,7 @@ from pkmodes.loop.diagnosis.match.stage import MatchStage
 from pkmodes.loop.diagnosis.problem import reached_bounds
 from pkmodes.loop.diagnosis.readings.copies import setups_with_equal_shapes
 from pkmodes.loop.diagnosis.search.unmeasured import never_measured
-from pkmodes.loop.diagnosis.verdict.naming import count
+from pkmodes.loop.diagnosis.verdict.naming import number_in_words
 from pkmodes.loop.diagnosis.verdict.shapes import strange_shapes
 from pkmodes.loop.diagnosis.verdict.unevaluated import unevaluated
 
@@ -139,7 +139,7 @@ def low_modes(declared: MatchStage) -> list[str]:
         if np.isclose(low, high, rtol=1e-2)
         else f"from {plain(low, 3)} to {plain(high, 3)} Hz"
     )
-    which = "a measured mode lies" if largest == 1 else f"up to {count(largest)} measured modes lie"
+    which = "a measured mode lies" if largest == 1 else f"up to {number_in_words(largest)} measured modes lie"
     at = "every" if setups == len(measured) else f"{setups} of {len(measured)}"
     held = " or something holds motions that are free in the model, such as motors or a cable"
     also = f",{held}" if declared.prediction.rigid else ""

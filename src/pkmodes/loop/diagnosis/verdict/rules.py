@@ -17,11 +17,15 @@ import numpy as np
 from pkmodes.core.base.numbers import p_in_words, p_text, plain
 from pkmodes.loop.diagnosis.readings import table
 from pkmodes.loop.diagnosis.verdict.amplitude import depends_on_amplitude
-from pkmodes.loop.diagnosis.verdict.classes import distinct_causes, more_general, parts_alone
+from pkmodes.loop.diagnosis.verdict.classes import (
+    count_distinct_causes,
+    find_more_general,
+    has_parts_without_whole,
+)
 from pkmodes.loop.diagnosis.verdict.defaults import by_a_default
-from pkmodes.loop.diagnosis.verdict.dispersion import stiffness_of_frequency
+from pkmodes.loop.diagnosis.verdict.dispersion import frequency_dependent_stiffness
 from pkmodes.loop.diagnosis.verdict.evidence import Answer, Decision, Evidence, Rule, Start, T, first_decision
-from pkmodes.loop.diagnosis.verdict.naming import explained
+from pkmodes.loop.diagnosis.verdict.naming import explanation_in_words
 from pkmodes.loop.diagnosis.verdict.notes import drift
 from pkmodes.loop.diagnosis.verdict.reasons import causes_in_words, names, noise
 from pkmodes.loop.diagnosis.verdict.shapes import better_by_shape, shapes_disagree
@@ -161,7 +165,7 @@ def better_shapes(e: Evidence) -> str:
 
 def general_cause(e: Evidence) -> str:
     """The residual points to a more general form of a cause, with a value of its own for each joint (score test)."""
-    pair = more_general(e.search, e.final)
+    pair = find_more_general(e.search, e.final)
     if pair is None:
         return ""
     cause, general = pair
@@ -258,7 +262,9 @@ def several_explanations(e: Evidence) -> Answer | None:
     """Several classes or pairs survive, or one class of more than five members, or of directions without a whole."""
     claim, limit = e.claim, e.criteria.claim.most_members
     many = any(len(groups) > 1 for groups in claim.classes_by_cause)
-    many = many or any(distinct_causes(fits) > limit or parts_alone(fits) for fits in claim.own_classes)
+    many = many or any(
+        count_distinct_causes(fits) > limit or has_parts_without_whole(fits) for fits in claim.own_classes
+    )
     if not claim.rivals and not many:
         return None
     single_joints = {name: joint.sentence for name, joint in e.single_joints.items()}
@@ -311,7 +317,10 @@ def causes_found(e: Evidence) -> Answer:
     gate, setting_aside = e.outcome.first_gate, noise(e.final, e.fitter.data.lines)
     smallest = min(gate.p_value, gate.p_candidates)
     aside = f"; {setting_aside}" if setting_aside else ""
-    explanation, resting = explained(e.claim.findings(e.fitter, e.single_joints)), once(e.search, e.final)
+    explanation, resting = (
+        explanation_in_words(e.claim.findings(e.fitter, e.single_joints)),
+        once(e.search, e.final),
+    )
     rests = f"; {resting}" if resting else ""
     return Answer(
         f"the residual of the declared model is not noise ({p_in_words(smallest)}); {explanation}{rests}{aside}"
@@ -386,7 +395,7 @@ CLAIMS: tuple[Rule[Evidence, Answer], ...] = (
     Rule("claims.default", AMBIGUOUS, by_a_default),
     Rule("claims.other_errors", AMBIGUOUS, another_with_other_errors),
     Rule("claims.priors", UNEXPLAINED, held_by_priors),
-    Rule("claims.dispersion", UNEXPLAINED, stiffness_of_frequency),
+    Rule("claims.dispersion", UNEXPLAINED, frequency_dependent_stiffness),
     Rule("claims.held_out", UNEXPLAINED, not_predicted),
     Rule("claims.one_term", AMBIGUOUS, one_term),
     Rule("claims.found", EFFECT_FOUND, causes_found),

@@ -15,7 +15,7 @@ from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.search.search import Search
-from pkmodes.loop.diagnosis.verdict.classes import nested
+from pkmodes.loop.diagnosis.verdict.classes import are_nested
 from pkmodes.loop.diagnosis.verdict.findings import Stability
 from pkmodes.loop.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, UNEXPLAINED, Verdict
 from pkmodes.loop.measured.scaling import with_errors
@@ -137,4 +137,4 @@ def _is_kin(search: Search, final: Fit, rival: Fit, members: Sequence[set[str]])
     adequate, the data cannot tell the two apart, and the claim covers both.
     """
     names = {c.name for c in final.causes} ^ {c.name for c in rival.causes}
-    return any(names <= group for group in members) and nested(search.store.fitter, final, rival)
+    return any(names <= group for group in members) and are_nested(search.store.fitter, final, rival)

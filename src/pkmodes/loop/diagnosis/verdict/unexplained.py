@@ -40,7 +40,7 @@ def value_far_away(e: Evidence) -> Answer | None:
     store, fit, first, c = e.store, e.outcome.nuisance_fit, e.outcome.first_gate, e.criteria
     if min(part.p_value for part in _misfits(store, fit)) <= c.gate.surely:
         return None
-    name, away = misfit.far_away(store, fit, e.fitter.nuisances)
+    name, away = misfit.farthest_value(store, fit, e.fitter.nuisances)
     if first.p_value > c.gate.level or away <= c.reasons.far:
         return None
     text = (
@@ -74,7 +74,7 @@ def beyond_prior(e: Evidence) -> Answer | None:
         if len(fit.causes) != 1:
             continue
         index = e.fitter.indices(fit.causes[0])
-        _, away = misfit.far_away(store, fit, index)
+        _, away = misfit.farthest_value(store, fit, index)
         explained = min(part.p_value for part in _misfits(store, fit))
         if away > c.reasons.far and explained > c.gate.level:
             explanations.append((store.criterion(fit), fit.causes[0].name, float(fit.values[index[0]]), away))
