@@ -12,9 +12,9 @@ with this class or pair and nothing else; *refused*: any other verdict or claim.
 both causes; *one of two*: a class that contains one of two causes; *wrong* otherwise, also where nothing is missing
 or the cause is outside the catalogue.
 
-The stated probability of a class or pair contains the doubt that its verdict leaves (`probabilities.ACCEPTED`,
-`REFUSED`, `NONE`), so that none of an `unexplained` case is high, whatever the data say; *as if accepted* it has the
-doubt of an accepted explanation in its place.
+The stated probability of a class or pair contains the doubt that its verdict leaves (`DOUBT_IF_ACCEPTED`,
+`DOUBT_IF_REFUSED`, `DOUBT_IF_UNEXPLAINED` of `probabilities`), so that none of an `unexplained` case is high,
+whatever the data say; *as if accepted* it has the doubt of an accepted explanation in its place.
 
 Every case that is refused by a rule which is asked where causes leave noise, however probable its best explanation,
 is diagnosed again without that rule: what is then claimed, or which other rules refuse.  A claim is also wrong if a

@@ -16,10 +16,10 @@ from pkmodes.loop.diagnosis.verdict.findings import (
     Corrected,
     Finding,
     Value,
-    believed,
-    left_out,
+    explain_saved_sigma,
+    omission_in_words,
     saved_as,
-    why_larger,
+    with_saved_sigma,
 )
 from pkmodes.loop.diagnosis.verdict.result import Damping, Diagnosis
 from pkmodes.pages.report.action import action
@@ -109,7 +109,7 @@ def _class(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected]) 
                 "have done"
             )
         if saved.unseen.unbounded:
-            remarks.append(left_out(saved.unseen))
+            remarks.append(omission_in_words(saved.unseen))
     terminal.line("; ".join(dict.fromkeys(remarks)), "  ")
 
 
@@ -128,7 +128,9 @@ def _values(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected])
         terminal.line("relative to their mean:", "  ")
     for value in relative or effect.parameters:
         shown, reason = (
-            (value, "") if relative else (believed(value, corrected), why_larger(value, corrected))
+            (value, "")
+            if relative
+            else (with_saved_sigma(value, corrected), explain_saved_sigma(value, corrected))
         )
         terminal.line(f"{_short(value)} = {_with_sigma(shown)}{effect.assumed}", "    " if relative else "  ")
         if reason:
@@ -136,10 +138,10 @@ def _values(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected])
     if reason := effect.member(effect.name).implausible:
         terminal.line(f"implausible: {reason}", "  ")
     if relative:
-        with_mean = ", ".join(_with_sigma(believed(value, corrected)) for value in effect.parameters)
+        with_mean = ", ".join(_with_sigma(with_saved_sigma(value, corrected)) for value in effect.parameters)
         terminal.line("with their mean, which is less certain:", "  ")
         terminal.line(with_mean, "    ")
-        reasons = dict.fromkeys(why_larger(value, corrected) for value in effect.parameters)
+        reasons = dict.fromkeys(explain_saved_sigma(value, corrected) for value in effect.parameters)
         for reason in filter(None, reasons):
             terminal.line(reason, "    ")
 

@@ -12,7 +12,7 @@ from helpers.pages.report_examples import made_up
 from helpers.robots.small_structures import of_signatures, with_changes
 from pkmodes.loop.diagnosis import Diagnosis, diagnose
 from pkmodes.loop.diagnosis.verdict import caveats
-from pkmodes.loop.diagnosis.verdict.findings import Corrected, Unseen, believed, why_larger
+from pkmodes.loop.diagnosis.verdict.findings import Corrected, Unseen, explain_saved_sigma, with_saved_sigma
 from pkmodes.pages.report import report
 
 
@@ -111,13 +111,13 @@ def test_the_sigma_that_may_be_relied_on_comes_first_and_the_reason_why_with_it(
     payload = Corrected("effects.payload.mass", 0.3, 0.01, "kg", 0.0, None, False, Unseen(0.04, "belt_mass"))
     found = replace(result, corrected=(payload,))
     (value,) = found.effects[0].parameters
-    assert believed(value, found.corrected).sigma == pytest.approx(np.hypot(0.01, 0.04))
+    assert with_saved_sigma(value, found.corrected).sigma == pytest.approx(np.hypot(0.01, 0.04))
     why = "+- 0.010 by the fit alone; the rest is what an unseen belt_mass could have done"
-    assert why_larger(value, found.corrected) == why
+    assert explain_saved_sigma(value, found.corrected) == why
     assert "payload.mass = 0.300 +- 0.041 kg" in str(found)
     summary = read(report(found, data=data)).by_id("summary").text
     assert "0.300 \u00b1 0.041" in summary
     assert why in summary
-    assert why_larger(value, result.corrected) == ""
+    assert explain_saved_sigma(value, result.corrected) == ""
     assert "0.300 +- 0.010 kg" in str(result)
     assert found.as_json()["effects"][0]["parameters"]["mass"]["sigma"] == 0.01  # type: ignore[index]

@@ -97,7 +97,9 @@ def test_a_wrong_unit_in_the_header_is_recognised_from_the_numbers() -> None:
         assert f"write frequency [{is_in}]" in found.reason
     assert notes(replace(data, unit="Hz")).verdict == "adequate"
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("pkmodes.loop.diagnosis.readings.units.ENOUGH", 2)  # of the setups tell the unit of all
+        patch.setattr(
+            "pkmodes.loop.diagnosis.readings.units.MAX_SETUPS", 2
+        )  # of the setups tell the unit of all
         assert "write frequency [Hz]" in notes(changed).reason
         assert notes(data).verdict == "adequate"
 

@@ -46,8 +46,8 @@ DIRECTIONS = directions(ROWS, 30)
 @pytest.fixture
 def exact_errors(monkeypatch: pytest.MonkeyPatch) -> None:
     """Stated errors that are certainly right, so that a linear structure has an evidence in closed form."""
-    monkeypatch.setattr(marginal, "SCALE_SIGMA", 1e-4)
-    monkeypatch.setattr(marginal, "WIDE", 0.0)
+    monkeypatch.setattr(marginal, "NARROW_SIGMA", 1e-4)
+    monkeypatch.setattr(marginal, "WIDE_WEIGHT", 0.0)
 
 
 # The evidence against quadrature ----------------------------------------------------------------------------------
@@ -363,7 +363,7 @@ def test_something_outside_that_the_data_cannot_show_is_as_probable_as_before(
     monkeypatch: pytest.MonkeyPatch, kind: str, statement: object, missed: float
 ) -> None:
     """Beside one cause or two, and if these add modes that were not measured."""
-    monkeypatch.setattr(posterior, "ACCEPTED", 0.0)
+    monkeypatch.setattr(posterior, "DOUBT_IF_ACCEPTED", 0.0)
     monkeypatch.setattr(posterior, "log_evidence_outside", lambda _, model: model.log_evidence)
     monkeypatch.setattr(posterior, "p_unmeasured", lambda *_: missed)
     said = diagnosed(kind).probabilities

@@ -46,7 +46,7 @@ def test_an_added_reading_decides_and_is_a_note_of_a_comparison(monkeypatch: pyt
     assert (found.verdict, found.reason, found.rule) == ("unexplained", said, "before.half_waves")
     assert found.notes == updating.compare(robot, wrong).notes == (said,)
     assert updating.diagnose(robot, right).rule == "adequacy.adequate"
-    (rule,) = [rule for rule in rules.before() if rule.name == "before.half_waves"]
+    (rule,) = [rule for rule in rules.rules_before_search() if rule.name == "before.half_waves"]
     assert rule.about.startswith("The frequencies fit far better when doubled")
 
 

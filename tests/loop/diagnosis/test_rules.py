@@ -22,8 +22,8 @@ ROOT = Path(__file__).parents[3]
 PAGE = ROOT / "docs/reference/verdicts.md"
 #: What the page calls the tables, in its order.
 TABLES = {
-    "Before a search": rules.before(),
-    "Whatever a search found": rules.after(),
+    "Before a search": rules.rules_before_search(),
+    "Whatever a search found": rules.rules_after_search(),
     "The declared model leaves noise": rules.ADEQUACY,
     "Causes leave noise": rules.CLAIMS,
     "Nothing leaves noise": unexplained.OPEN,

@@ -22,7 +22,7 @@ from pkmodes.loop.diagnosis.verdict.classes import classes, survivors
 from pkmodes.loop.diagnosis.verdict.evidence import Evidence
 from pkmodes.loop.diagnosis.verdict.findings import Finding
 from pkmodes.loop.diagnosis.verdict.held_out import HeldOut, check_held_out
-from pkmodes.loop.diagnosis.verdict.possible import member, unusual
+from pkmodes.loop.diagnosis.verdict.possible import describe_member, violated_usual_range
 from pkmodes.loop.diagnosis.verdict.reasons import causes_in_words
 from pkmodes.loop.diagnosis.verdict.stability import Trial, trials
 
@@ -53,7 +53,10 @@ class TermEvidence(Evidence):
         causes = dict.fromkeys(cause for group in groups for fit in group for cause in fit.causes)
         plausible = plausible_sizes(store.fitter, tried.plain, list(causes))
         implausible = {
-            name_of_explanation(fit) for group in groups for fit in group if unusual(store.fitter, fit)
+            name_of_explanation(fit)
+            for group in groups
+            for fit in group
+            if violated_usual_range(store.fitter, fit)
         }
         claim = Claim(
             final,
@@ -103,7 +106,7 @@ class TermEvidence(Evidence):
             covariances=covariances,
             about={
                 name: replace(
-                    member(fitter, fit, self.claim.max_deviations),
+                    describe_member(fitter, fit, self.claim.max_deviations),
                     name=name,
                     sentence=" and ".join(cause.sentence or cause.name for cause in fit.causes),
                 )
@@ -182,7 +185,7 @@ def _ordered(search: Search, group: Sequence[Fit]) -> list[Fit]:
         if fit not in terms or len(store.added(fit)) == fewest or store.criterion(fit) <= best
     ]
     fitter = store.fitter
-    return sorted(best_first(store, kept), key=lambda fit: bool(unusual(fitter, fit)))
+    return sorted(best_first(store, kept), key=lambda fit: bool(violated_usual_range(fitter, fit)))
 
 
 def _named(search: Search, group: Sequence[Fit]) -> Fit:

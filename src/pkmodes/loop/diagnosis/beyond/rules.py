@@ -13,7 +13,7 @@ from pkmodes.loop.diagnosis.verdict import rules
 from pkmodes.loop.diagnosis.verdict.classes import are_added_modes_credible, count_distinct_causes
 from pkmodes.loop.diagnosis.verdict.evidence import Answer, Rule
 from pkmodes.loop.diagnosis.verdict.naming import explanation_in_words
-from pkmodes.loop.diagnosis.verdict.reasons import larger, names, noise
+from pkmodes.loop.diagnosis.verdict.reasons import errors_in_words, names, ratio_in_words
 from pkmodes.loop.diagnosis.verdict.verdicts import FOUND, NOTHING, SEVERAL
 
 
@@ -32,7 +32,7 @@ def nothing(e: TermEvidence) -> str:
     if p_value <= e.criteria.gate.surely < e.store.frequency_p_value(e.final):
         return f"{count}: the best, {e.words}, leaves frequencies as measured, but not shapes ({p_in_words(p_value)})"
     if p_value <= e.criteria.gate.surely:
-        factor = larger((squares / max(degrees, 1.0)) ** 0.5)
+        factor = ratio_in_words((squares / max(degrees, 1.0)) ** 0.5)
         return f"{count}: the best, {e.words}, leaves a residual {factor} the stated errors ({p_in_words(p_value)})"
     if not are_added_modes_credible(e.search, e.final):
         return f"{count}: {best}, because it adds modes between the measured ones that were not measured"
@@ -95,8 +95,8 @@ def implausible(e: TermEvidence) -> str:
 def several(e: TermEvidence) -> str:
     """Several classes leave noise, or one of more than five members."""
     if len(e.groups) > 1:
-        best = "; ".join(_any_of(e, k) for k in range(min(len(e.groups), rules.MENTIONED)))
-        unlisted = len(e.groups) - rules.MENTIONED
+        best = "; ".join(_any_of(e, k) for k in range(min(len(e.groups), rules.MAX_CAUSES_MENTIONED)))
+        unlisted = len(e.groups) - rules.MAX_CAUSES_MENTIONED
         rest = f"; and {unlisted} more" if unlisted > 0 else ""
         return f"{len(e.groups)} different explanations remain: {best}{rest}"
     members = count_distinct_causes(e.groups[0])
@@ -107,7 +107,7 @@ def several(e: TermEvidence) -> str:
 
 def found(e: TermEvidence) -> Answer:
     """One class of at most five members is left."""
-    setting_aside = noise(e.final, e.fitter.data.lines)
+    setting_aside = errors_in_words(e.final, e.fitter.data.lines)
     aside = f"; {setting_aside}" if setting_aside else ""
     first = e.outcome.first_gate
     p = p_in_words(min(first.p_value, first.p_candidates))
@@ -136,7 +136,7 @@ BEYOND: tuple[Rule[TermEvidence, Answer], ...] = (
     Rule("beyond.leaves_more", NOTHING, leaves_more),
     Rule("beyond.shapes", NOTHING, rules.modes_of_other_shapes),
     Rule("beyond.better_shapes", NOTHING, rules.better_shapes),
-    Rule("beyond.one_row", NOTHING, rules.one_row),
+    Rule("beyond.one_row", NOTHING, rules.depends_on_one_row),
     Rule("beyond.errors", NOTHING, rules.measurement_errors),
     Rule("beyond.not_significant", NOTHING, rules.not_significant),
     Rule("beyond.no_value", NOTHING, rules.value_without_support),

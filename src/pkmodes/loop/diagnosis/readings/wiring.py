@@ -1,8 +1,8 @@
 """Sensors wired or mounted differently from the file, or not connected.
 
 If the shapes disagree with the model, every wiring that a single mistake gives is tried, each with the modes paired
-anew (`misfits`).  A mistake is reported if some wiring fits far better than the file's; it is named if no other
-wiring fits nearly as well.
+anew (`misfits_by_wiring`).  A mistake is reported if some wiring fits far better than the file's; it is named if no
+other wiring fits nearly as well.
 """
 
 from __future__ import annotations

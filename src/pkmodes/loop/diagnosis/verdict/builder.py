@@ -35,7 +35,7 @@ from pkmodes.loop.diagnosis.verdict.notes import low_modes, notes
 from pkmodes.loop.diagnosis.verdict.possible import usual_size
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis, Stages
 from pkmodes.loop.diagnosis.verdict.rows import Error
-from pkmodes.loop.diagnosis.verdict.stability import unchanged
+from pkmodes.loop.diagnosis.verdict.stability import unchanged_entries
 from pkmodes.loop.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, UNEXPLAINED
 
 #: Stage and error of a model that a result does not have.
@@ -97,7 +97,7 @@ class DiagnosisBuilder:
             self._result(decision, models),
             undetectable=undetectable,
             notes=(*remarks, *models.notes),
-            stability=unchanged(verdict),
+            stability=unchanged_entries(verdict),
         )
 
     def after_search(self, evidence: Evidence, decision: Decision[Evidence, Answer]) -> Diagnosis:
@@ -105,7 +105,9 @@ class DiagnosisBuilder:
         search, outcome, claim = evidence.search, evidence.outcome, evidence.claim
         verdict, final = decision.verdict, claim.final
         findings = claim.findings(self.fitter, evidence.single_joints) if verdict is EFFECT_FOUND else ()
-        remaining = claim.remaining_explanations(decision.answer.instead) if verdict is AMBIGUOUS else []
+        remaining = (
+            claim.remaining_explanations(decision.answer.better_explanation) if verdict is AMBIGUOUS else []
+        )
         candidate_limits, max_deviations, examined_candidates = self._candidates(
             evidence, decision, findings, remaining
         )
@@ -147,7 +149,7 @@ class DiagnosisBuilder:
             candidates=examined_candidates,
             alone=evidence.single_joints if findings or remaining else {},
             notes=tuple(self._notes(evidence, decision, models)),
-            stability=tuple(trial.entry for trial in evidence.trials),
+            stability=tuple(trial.stability for trial in evidence.trials),
             probabilities=explanation_probabilities,
         )
 
@@ -180,7 +182,7 @@ class DiagnosisBuilder:
         shown = claimed | {cause.name for named in remaining for _, fit in named for cause in fit.causes}
         shown |= {
             *decision.answer.named,
-            *(name for trial in evidence.trials for name in trial.entry.effects),
+            *(name for trial in evidence.trials for name in trial.stability.effects),
         }
         without_limits = [
             candidate for candidate in search.candidates if candidate.name not in candidate_limits.candidates

@@ -21,7 +21,7 @@ from pkmodes.loop.diagnosis.search.search import Outcome, Search
 from pkmodes.loop.diagnosis.verdict.classes import classes, other_pairs, survivors
 from pkmodes.loop.diagnosis.verdict.findings import Finding, Value
 from pkmodes.loop.diagnosis.verdict.joints import JointAlone
-from pkmodes.loop.diagnosis.verdict.possible import member, possible, unusual
+from pkmodes.loop.diagnosis.verdict.possible import describe_member, split_possible, violated_usual_range
 
 #: Largest number of times that a cause is replaced by a better survivor.
 MAX_PREFERENCES = 4
@@ -100,7 +100,7 @@ class Claim:
                     name: tuple(map(tuple, fits[name].covariance_of(index[name]).tolist())) for name in names
                 },
                 about={
-                    name: member(fitter, fit, self.max_deviations, single_joints.get(name))
+                    name: describe_member(fitter, fit, self.max_deviations, single_joints.get(name))
                     for name, fit in fits.items()
                 },
                 alone=joint,
@@ -149,7 +149,7 @@ def claim_of(search: Search, outcome: Outcome) -> Claim:
             for groups in classes_by_cause
             for fits in groups
             for fit in fits
-            if unusual(search.store.fitter, fit)
+            if violated_usual_range(search.store.fitter, fit)
         ),
     )
 
@@ -181,7 +181,7 @@ def _without_impossible(
     """
     possible_classes, left_out = [], list[str]()
     for cause, groups in zip(final.causes, classes_by_cause, strict=True):
-        possible_fits, removed_sentences = possible(
+        possible_fits, removed_sentences = split_possible(
             search.store.fitter, groups[0] if groups else [], max_deviations
         )
         if removed_sentences and all(fit.causes[-1] != cause for fit in possible_fits):
@@ -204,11 +204,13 @@ def _order_by_plausibility(
     """
     fitter = search.store.fitter
     ordered = tuple(
-        [sorted(fits, key=lambda fit: bool(unusual(fitter, fit))) for fits in groups]
+        [sorted(fits, key=lambda fit: bool(violated_usual_range(fitter, fit))) for fits in groups]
         for groups in classes_by_cause
     )
-    if len(final.causes) == 1 and ordered[0] and unusual(fitter, final):
-        usual_fits = (fit for fit in ordered[0][0] if not unusual(fitter, fit) and search.gate(fit).passed)
+    if len(final.causes) == 1 and ordered[0] and violated_usual_range(fitter, final):
+        usual_fits = (
+            fit for fit in ordered[0][0] if not violated_usual_range(fitter, fit) and search.gate(fit).passed
+        )
         final = next(usual_fits, final)
     return final, ordered
 

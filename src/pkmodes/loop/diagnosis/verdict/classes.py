@@ -152,7 +152,7 @@ def count_distinct_causes(members: Sequence[Fit]) -> int:
     return sum(cause.part_of not in names for cause in causes)
 
 
-def has_parts_without_whole(members: Sequence[Fit]) -> bool:
+def lacks_whole(members: Sequence[Fit]) -> bool:
     """Return whether a class has several parts of a whole that is not in it, such as two directions of a frame.
 
     Data that do not show along which direction a frame yields do not show either that it yields along one of them

@@ -216,10 +216,10 @@ class Evidence:
         ]
         best = min(error_fits, key=store.criterion, default=None)
         if best is not None and store.criterion(best) <= max_criterion:
-            errors = reasons.noise(best, store.fitter.data.lines)
+            errors = reasons.errors_in_words(best, store.fitter.data.lines)
             fit_without_errors = store.fit(Hypothesis())
             pattern = (
-                reasons.uneven(store.fitter, fit_without_errors)
+                reasons.variation_with_pose(store.fitter, fit_without_errors)
                 if fit_without_errors is not None and best.hypothesis.scatter
                 else ""
             )
@@ -234,7 +234,7 @@ class Evidence:
         criterion_with_larger_errors = store.criterion(declared_fit) - squares + count * (1.0 + np.log(ratio))
         if criterion_with_larger_errors + np.log(rows) > max_criterion or ratio > c.claim.wrong_errors**2:
             return ""
-        return f"errors {reasons.larger(ratio**0.5)} the stated ones"
+        return f"errors {reasons.ratio_in_words(ratio**0.5)} the stated ones"
 
     def _cause_shows_in_these_rows(self, errors: Hypothesis) -> bool:
         """Return whether the rows set aside are those in which alone a cause by nature shows."""
@@ -251,7 +251,7 @@ class Answer:
 
     - text: the reason of the verdict
     - named: candidates to which, according to it, the data point without a claim: these cannot be undetectable
-    - instead: an explanation that is better with other errors or priors
+    - better_explanation: an explanation that is better with other errors or priors
     - decided_by_reading: whether another reading of the data decided, because the file is wrong, or no linear
       model can explain it.  The text is then also the first note, and explanations of the data as they stand have no
       probabilities.
@@ -259,13 +259,13 @@ class Answer:
 
     text: str
     named: frozenset[str] = frozenset()
-    instead: Fit | None = None
+    better_explanation: Fit | None = None
     decided_by_reading: bool = False
 
     @classmethod
-    def naming(cls, text: str, causes: Iterable[Candidate], instead: Fit | None = None) -> Answer:
+    def naming(cls, text: str, causes: Iterable[Candidate], better_explanation: Fit | None = None) -> Answer:
         """Return an answer that names some candidates."""
-        return cls(text, frozenset(cause.name for cause in causes), instead)
+        return cls(text, frozenset(cause.name for cause in causes), better_explanation)
 
 
 A = TypeVar("A", bound=Answer)

@@ -6,7 +6,7 @@ from pkmodes.core.base.numbers import p_in_words
 from pkmodes.loop.diagnosis.verdict.evidence import Start
 
 #: Effective number of uncertain values that the data may determine although these count as held by their priors.
-HELD = 0.1
+MAX_DETERMINED_PART = 0.1
 
 
 def too_few(start: Start) -> str:
@@ -19,7 +19,7 @@ def too_few(start: Start) -> str:
     rows, shapes = len(observations.log_frequencies), int(observations.shapes.count.sum())
     if (
         observations.degrees_of_freedom(observations.all_rows)
-        >= start.effective_parameters - HELD + start.criteria.claim.redundancy
+        >= start.effective_parameters - MAX_DETERMINED_PART + start.criteria.claim.redundancy
     ):
         return ""
     uncertain = [fitter.parameters[i].name for i in fitter.nuisances]
@@ -30,10 +30,10 @@ def too_few(start: Start) -> str:
     text = f"{modes} too few to fit {values}a cause, with one value left to test it"
     if start.declared_fit is None:
         return text
-    single, p = rows == 1, p_in_words(start.store.p_value(start.declared_fit))
+    is_single, p = rows == 1, p_in_words(start.store.p_value(start.declared_fit))
     if not start.is_contradicted:
-        them = "it" if single else "them"
+        them = "it" if is_single else "them"
         return f"{text}; the declared model with its uncertain values does not contradict {them} ({p})"
-    they, verb = ("it", "contradicts") if single else ("they", "contradict")
-    would = f"; {they} would not with {' or '.join(start.hints)}" if start.hints else ""
-    return f"{text}; yet {they} {verb} the declared model and its uncertain values ({p}){would}"
+    they, verb = ("it", "contradicts") if is_single else ("they", "contradict")
+    hint_clause = f"; {they} would not with {' or '.join(start.hints)}" if start.hints else ""
+    return f"{text}; yet {they} {verb} the declared model and its uncertain values ({p}){hint_clause}"
