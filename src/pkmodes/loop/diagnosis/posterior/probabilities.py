@@ -191,10 +191,8 @@ def _log_occam_factors(search: Search, scores: Sequence[Score], max_deviations: 
     )
     degrees = np.array([max(len(limits), 1) for limits in signals])
     signs = np.array([one_sided(fitter, candidate_score.candidate) != 0 for candidate_score in scores])
-    log_factors, width = (
-        log_occam_factor(signal, degrees, max_signals, signs),
-        fitter.priors.width(fitter.declared),
-    )
+    log_factors = log_occam_factor(signal, degrees, max_signals, signs)
+    width = fitter.priors.width(fitter.declared)
     for k, candidate_score in enumerate(scores):
         if candidate_score.candidate.sigma is not None:
             rows = fitter.priors.rows(fitter.indices(candidate_score.candidate))
@@ -297,10 +295,8 @@ def _normalise(
         (pair for pair in groups_and_probabilities if pair[1] >= MIN_CLASS_PROBABILITY),
         key=lambda pair: -pair[1],
     )
-    p_nothing, p_outside = (
-        probability_of.get((), 0.0),
-        doubt + (1.0 - doubt) * _probability(log_weight_outside - total),
-    )
+    p_nothing = probability_of.get((), 0.0)
+    p_outside = doubt + (1.0 - doubt) * _probability(log_weight_outside - total)
     total_reported = p_nothing + p_outside + sum(probability for _, probability in reported)
     return Probabilities(
         nothing_missing=p_nothing / total_reported,

@@ -34,10 +34,8 @@ def count_modes(fitter: Fitter, fit: Fit) -> ModeCounts:
         if not len(rows):
             continue
         # A test may have stopped after the highest mode, whatever its band: modes above it carry no information.
-        low, high = (
-            observations.log_frequencies[rows].min() + margin,
-            observations.log_frequencies[rows].max() - margin,
-        )
+        low = observations.log_frequencies[rows].min() + margin
+        high = observations.log_frequencies[rows].max() - margin
         between = np.flatnonzero((logs[setup] > low) & (logs[setup] < high) & visible[setup])
         between = between[between >= fit.prediction.rigid]
         unpaired = between[~np.isin(between, fit.pairing.partner[rows])]

@@ -106,10 +106,8 @@ class SuppliedMatrices:
         Difference derivatives would be dominated by its noise.
         """
         declared = np.array([p.value for p in self.parameters])
-        first_pair, second_pair = (
-            self.evaluate(declared, setup, finite=True),
-            self._call_matrices(declared, setup, finite=True),
-        )
+        first_pair = self.evaluate(declared, setup, finite=True)
+        second_pair = self._call_matrices(declared, setup, finite=True)
         assert second_pair is not None
         difference = max(_relative_change(b - a, a) for a, b in zip(first_pair, second_pair, strict=True))
         if difference > (REPEATABILITY_TOLERANCE if self.derivatives is None else TARGET_CHANGE):

@@ -74,11 +74,9 @@ class SuppliedWithTerms:
     """
 
     def __init__(self, supplied: SuppliedMatrices, terms: Sequence[CoordinateTerm]) -> None:
-        self._supplied, self._supplied_count, size = (
-            supplied,
-            len(supplied.parameters),
-            supplied.coordinate_count,
-        )
+        self._supplied = supplied
+        self._supplied_count = len(supplied.parameters)
+        size = supplied.coordinate_count
         zero = np.zeros((size, size))
         self._changes = [term.change(size, zero) for term in terms]
         self._is_mass = np.array([term.candidate.form == MASS for term in terms])

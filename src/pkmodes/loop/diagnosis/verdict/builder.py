@@ -206,11 +206,9 @@ class DiagnosisBuilder:
         self, evidence: Evidence, decision: Decision[Evidence, Answer], models: _Models
     ) -> Iterator[str]:
         """Yield the notes on the result of a search: on the data, on the fit, and on what the result leaves out."""
-        verdict, of_reading, reason = (
-            decision.verdict,
-            decision.answer.decided_by_reading,
-            decision.answer.text,
-        )
+        verdict = decision.verdict
+        of_reading = decision.answer.decided_by_reading
+        reason = decision.answer.text
         if of_reading:
             yield reason
         trend, data = evidence.amplitude, self.fitter.data

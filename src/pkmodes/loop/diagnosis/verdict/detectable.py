@@ -44,10 +44,8 @@ def examine_candidates(
     - named: candidates that are claimed, in the class of a claim, remain, or are named by the reason or the stability
     - limited, unbounded: candidates with a parameter that the data bound, and with one that they do not bound
     """
-    c, scores_beside_claims = (
-        fitter.criteria,
-        {entry.candidate.name: entry for entry in last_scores.by_candidate},
-    )
+    c = fitter.criteria
+    scores_beside_claims = {entry.candidate.name: entry for entry in last_scores.by_candidate}
     tests = []
     for candidate_score in first_scores.by_candidate:
         name, index = candidate_score.candidate.name, fitter.indices(candidate_score.candidate)

@@ -123,10 +123,8 @@ def _unseen_effects(
     for i in fit.free if all_bounds else ():
         largest_shift = max(all_bounds, key=lambda bound: bound.value_shifts[i])
         largest_unbounded = max(all_bounds, key=lambda bound: bound.unbounded_shifts[i])
-        sigma, farther_sigma = (
-            float(largest_shift.value_shifts[i]) / ONE_SIDED,
-            float(largest_unbounded.unbounded_shifts[i]) / ONE_SIDED,
-        )
+        sigma = float(largest_shift.value_shifts[i]) / ONE_SIDED
+        farther_sigma = float(largest_unbounded.unbounded_shifts[i]) / ONE_SIDED
         total_sigma = math.hypot(fit.sigma_of(i), sigma)
         is_farther = (
             farther_sigma > sigma and math.hypot(fit.sigma_of(i), farther_sigma) > NOTICEABLE * total_sigma

@@ -95,10 +95,8 @@ def _propose(
     informative poses, it is the one where these differ most.  If none differ enough anywhere, it is where two differ
     most.
     """
-    predictions, index_pairs = (
-        [predict_elsewhere(fitter, condition, rival.fit) for rival in rivals],
-        pairs(len(rivals)),
-    )
+    predictions = [predict_elsewhere(fitter, condition, rival.fit) for rival in rivals]
+    index_pairs = pairs(len(rivals))
     distances, _, overlaps = explanation_distances(predictions, range(len(points)))
     probabilities = np.array([rival.probability for rival in rivals])
     probabilities /= probabilities.sum()

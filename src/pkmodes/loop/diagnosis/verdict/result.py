@@ -313,10 +313,8 @@ def _values_in_words(effect: Finding, member: str, result: Diagnosis) -> str:
         else fitted
     )
     values = [f"{v.name} = {v.rounded} {v.unit}".removesuffix(" 1") for v in reported]
-    relative_clause, implausible_reason = (
-        " relative to their mean" if relative else "",
-        effect.member(member).implausible,
-    )
+    relative_clause = " relative to their mean" if relative else ""
+    implausible_reason = effect.member(member).implausible
     assumption_clause = f", for {text}" if (text := effect.member(member).assumed) else ""
     return (
         ", ".join(values)

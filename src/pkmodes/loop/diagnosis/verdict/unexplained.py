@@ -165,10 +165,8 @@ def small_residual(e: Evidence) -> Answer | None:
 
 def real_residual(e: Evidence) -> Answer:
     """No candidate or pair of candidates reduces the residual to noise."""
-    size, pattern = (
-        _larger_ratio(e.store, e.outcome.nuisance_fit),
-        variation_with_pose(e.fitter, e.outcome.nuisance_fit),
-    )
+    size = _larger_ratio(e.store, e.outcome.nuisance_fit)
+    pattern = variation_with_pose(e.fitter, e.outcome.nuisance_fit)
     suffix = f"; {pattern}" if pattern else ""
     text = (
         f"the residual is real, {ratio_in_words(size**0.5)} the stated errors, and no candidate or pair of "

@@ -66,10 +66,8 @@ def deciding_row(search: Search, final: Fit) -> str:
                 continue
             with_cause = replace(h, excluded=h.excluded | {row})
             without = replace(with_cause, causes=tuple(kept for kept in h.causes if kept != cause))
-            fit_with_cause, fit_without_cause = (
-                store.fit(with_cause, final.values),
-                store.fit(without, store.undone(final, without)),
-            )
+            fit_with_cause = store.fit(with_cause, final.values)
+            fit_without_cause = store.fit(without, store.undone(final, without))
             if fit_with_cause is None or fit_without_cause is None:
                 continue
             is_lost = (
