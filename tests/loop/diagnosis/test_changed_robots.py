@@ -211,7 +211,7 @@ def test_modes_are_paired_with_what_was_measured_before() -> None:
     expected = expected_modes(
         np.log([50.0, 60.0, 100.0]), 0.02, np.zeros((3, 0)), trusted, (), np.array([0, 1]), 0
     )
-    assert expected.row.tolist() == [0, 1, -1]
+    assert expected.trusted_row.tolist() == [0, 1, -1]
     later = one_setup([51.5, 56.8, 101.0])
     pairs = pair_with_expected(expected, later, np.arange(3), np.zeros(0), Criteria().pairing)
     assert sorted(pairs) == [(0, 0), (1, 1), (2, 2)]
@@ -223,7 +223,7 @@ def test_a_mode_missed_before_is_not_taken_for_another() -> None:
     expected = expected_modes(np.log([66.0, 86.0]), 0.02, np.zeros((2, 0)), trusted, (), np.array([1]), 0)
     (pair,) = pair_with_expected(expected, one_setup([66.5]), np.arange(1), np.zeros(0), Criteria().pairing)
     assert pair == (0, 0)
-    assert expected.row[0] == -1
+    assert expected.trusted_row[0] == -1
 
 
 def test_close_modes_are_paired_by_their_order_whatever_their_shapes() -> None:

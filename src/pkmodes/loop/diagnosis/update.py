@@ -26,8 +26,8 @@ from pkmodes.loop.diagnosis.one_state import split
 from pkmodes.loop.diagnosis.problem import Candidate, Structure, reached_bounds
 from pkmodes.loop.diagnosis.readings.amplitude import notes_on_amplitude
 from pkmodes.loop.diagnosis.readings.table import (
-    first_declared_reading,
-    first_explained_reading,
+    answer_for_declared_model,
+    answer_for_final_fit,
     reading_remarks,
 )
 from pkmodes.loop.diagnosis.verdict.all_setups import AllSetups
@@ -145,8 +145,8 @@ def update(
     squares, degrees = store.frequency_misfit(fit)
     updated = tuple(_updated(fitter, fit, i) for i in chosen)
     messages = [
-        *first_declared_reading(fitter),
-        *first_explained_reading(fitter, fit),
+        *answer_for_declared_model(fitter),
+        *answer_for_final_fit(fitter, fit),
         *reading_remarks(setups.stage(fit.values), fitter.criteria.readings),
         *notes_on_amplitude(fitter, fit.values),
     ]

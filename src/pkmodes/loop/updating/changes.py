@@ -108,7 +108,7 @@ def changed(
         parameters = [Parameter(path, move.value, move.unit) for path, move in moves.items()]
         structure = with_known_values(_extended(measured_structure, (parameters, moves)), common.values)
         ask = partial(
-            common.changed_to,
+            common.diagnose_change,
             name,
             data=measured.data,
             holdout=None

@@ -62,7 +62,7 @@ class LinearisedFit:
 
     @cached_property
     def squares(self) -> tuple[float, ...]:
-        """Sums of squares of these parts."""
+        """Sums of squares of the parts of the data."""
         return tuple(float(self.white[part] @ self.white[part]) for part in self.parts)
 
     @cached_property
@@ -88,7 +88,7 @@ class LinearisedFit:
 
 
 def linearise(fitter: Fitter, fit: Fit, max_deviations: Mapping[int, float]) -> LinearisedFit:
-    """Return the linear model at a fit, without rows that are no modes.
+    """Return the linear model at a fit, without rows that are not modes.
 
     - max_deviations: largest plausible deviations of parameters of causes from their declared values
     """
@@ -166,9 +166,9 @@ def _log_occam_factor_of_cause(
     signals = np.linalg.eigvalsh(information * np.outer(ratio, ratio))
     signal = float(np.sqrt(max(z @ information @ z, 0.0)))
     max_signal = max(float(np.sqrt(max(signals[-1], 1.0))), MIN_SIGNAL_RATIO * signal)
-    determined, is_one_sided = max(int((signals > 1.0).sum()), 1), one_sided(fitter, cause) != 0
+    degrees, is_one_sided = max(int((signals > 1.0).sum()), 1), one_sided(fitter, cause) != 0
     return float(
-        log_occam_factor(
-            *(np.array([argument]) for argument in (signal, determined, max_signal, is_one_sided))
-        )[0]
+        log_occam_factor(*(np.array([argument]) for argument in (signal, degrees, max_signal, is_one_sided)))[
+            0
+        ]
     )

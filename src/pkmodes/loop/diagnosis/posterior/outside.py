@@ -10,8 +10,7 @@ the frequencies, beside whatever is fitted, is normal with the covariance
 :math:`s^2 I + \frac{a^2}{n} G G^T`, where G has the n unit signatures of these products and a is the size of the
 change, log-uniform from `MIN_SIGNAL` to what changes the frequencies by `MAX_FREQUENCY_CHANGE`.  The factor s may be
 larger than that of misstated errors: a change that differs between setups, or adds a mode, is not in this family and
-looks like scatter.
-Misstated errors, rows set aside and errors shared in a setup are treated as for the catalogue.
+looks like scatter.  Misstated errors, rows set aside and errors shared in a setup are treated as for the catalogue.
 """
 
 from __future__ import annotations
@@ -93,6 +92,5 @@ def spectrum(fitter: Fitter, model: LinearisedFit) -> tuple[Array, Array]:
     projection = model.basis[rows].T @ root
     g, axes = np.linalg.eigh(root.T @ root - projection.T @ projection)
     is_significant = g > 100.0 * ROUNDING * g.max(initial=0.0)
-    return g[is_significant], (axes[:, is_significant].T @ (root.T @ model.white[rows])) ** 2 / g[
-        is_significant
-    ]
+    squares = (axes[:, is_significant].T @ (root.T @ model.white[rows])) ** 2
+    return g[is_significant], squares / g[is_significant]

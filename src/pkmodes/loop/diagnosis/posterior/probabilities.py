@@ -106,22 +106,12 @@ def probabilities(
     ]
     for cause_count in (0, 1):
         base = next((model for model in catalogue_models if len(model.fit.causes) == cause_count), None)
-        explanations += (
-            []
-            if base is None
-            else _linear_explanations(search, max_deviations, base, priors[cause_count + 1])
-        )
+        if base is not None:
+            explanations += _linear_explanations(search, max_deviations, base, priors[cause_count + 1])
     log_weight_outside = _log_weight_outside(search, nuisance_fit, priors, models)
-    doubt = (
-        DOUBT_IF_ACCEPTED
-        if accepted
-        else DOUBT_IF_REFUSED
-        if outcome.last_gate.passed
-        else DOUBT_IF_UNEXPLAINED
-    )
-    return _normalise(
-        fitter, _merge_same_causes(search, nuisance_fit, explanations), log_weight_outside, doubt
-    )
+    doubt = DOUBT_IF_REFUSED if outcome.last_gate.passed else DOUBT_IF_UNEXPLAINED
+    merged = _merge_same_causes(search, nuisance_fit, explanations)
+    return _normalise(fitter, merged, log_weight_outside, DOUBT_IF_ACCEPTED if accepted else doubt)
 
 
 def _names(fit: Fit, *added: str) -> tuple[str, ...]:
@@ -216,10 +206,8 @@ def _log_weight_outside(
     - priors: logarithms of the priors of fits with no cause, one and two, (3,)
     """
     fitter, remote_models = search.store.fitter, [model for model in models if model.fit.hypothesis.remote]
-    models_without_causes = [model for model in models if not model.fit.causes][:MAX_FITS_BESIDE_OUTSIDE]
-    models_with_causes = [model for model in models if model.fit.causes and not model.fit.hypothesis.remote][
-        :MAX_FITS_BESIDE_OUTSIDE
-    ]
+    without_causes = [model for model in models if not model.fit.causes]
+    with_causes = [model for model in models if model.fit.causes and not model.fit.hypothesis.remote]
     log_p_change, log_p_joint = np.log(
         [
             (1.0 - P_SINGLE_JOINT) * P_OUTSIDE / (1.0 - P_OUTSIDE),
@@ -227,15 +215,13 @@ def _log_weight_outside(
         ]
     )
     weights_and_models = [(log_p_joint + model.log_evidence, model) for model in remote_models]
-    for model in (*models_without_causes, *models_with_causes):
-        weights_and_models.append(
-            (log_p_change + priors[len(model.fit.causes)] + log_evidence_outside(fitter, model), model)
-        )
-    return float(
-        special.logsumexp(
-            [weight + _log_p_missed(search, nuisance_fit, model.fit) for weight, model in weights_and_models]
-        )
-    )
+    for model in (*without_causes[:MAX_FITS_BESIDE_OUTSIDE], *with_causes[:MAX_FITS_BESIDE_OUTSIDE]):
+        weight = log_p_change + priors[len(model.fit.causes)] + log_evidence_outside(fitter, model)
+        weights_and_models.append((weight, model))
+    weights = [
+        weight + _log_p_missed(search, nuisance_fit, model.fit) for weight, model in weights_and_models
+    ]
+    return float(special.logsumexp(weights))
 
 
 def _merge_same_causes(

@@ -33,7 +33,7 @@ def copied_shapes(stage: MatchStage, criteria: ReadingCriteria) -> Iterator[str]
 
 
 def poses_at_one_position(stage: MatchStage, criteria: ReadingCriteria) -> Iterator[str]:
-    """Yield a sentence for each pair of poses, measured alike at one position, whose common modes mostly differ."""
+    """Yield a sentence for each pair of poses, at one position under equal conditions, whose modes mostly differ."""
     data = stage.data
     if not data.points.any():  # setups without positions
         return
@@ -44,9 +44,8 @@ def poses_at_one_position(stage: MatchStage, criteria: ReadingCriteria) -> Itera
     for rank, (i, end) in enumerate(zip(order, ends, strict=True)):
         neighbours = order[rank + 1 : end]
         neighbours = neighbours[conditions[neighbours] == conditions[i]]
-        neighbours = neighbours[
-            ~(np.abs(np.log(data.level[neighbours] / data.level[i])) > np.log(DIFFER))
-        ]  # reported apart
+        at_other_level = np.abs(np.log(data.level[neighbours] / data.level[i])) > np.log(DIFFER)
+        neighbours = neighbours[~at_other_level]  # the others are reported separately
         distances = np.linalg.norm(data.points[neighbours] - data.points[i], axis=1)
         for k in neighbours[distances <= POSITION_TOLERANCE]:
             first, second = sorted((int(i), int(k)))

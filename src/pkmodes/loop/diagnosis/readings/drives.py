@@ -1,7 +1,7 @@
 """Motors that were held although the measurements say free, or the reverse.
 
-Held motors change every frequency, and no cause is needed to explain that.  It is reported if the declared model fits
-far better, or only, with the motors in the other state, and no single cause does better.
+Held motors change every frequency, and no cause is needed to explain that.  The mistake is reported if the declared
+model fits far better, or fits only, with the motors in the other state, and no single cause does better.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pkmodes.core.base.drives import other_drives as other
+from pkmodes.core.base.drives import other_drives
 from pkmodes.core.base.numbers import plain
 from pkmodes.core.support.ordering import listed
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
@@ -51,22 +51,20 @@ def other_drives_refitted(store: FitStore) -> str:
         fit = other_store.fit(Hypothesis())
         if fit is None:
             continue
-        explains = other_store.p_value(fit) > c.gate.level
+        is_explained = other_store.p_value(fit) > c.gate.level
         other_distance = _mean_difference(fitter, setups, fit.residual)
-        distances = ModelDistances(
-            declared_distances.as_filed
-            if declared_fit is None
-            else _mean_difference(fitter, setups, declared_fit.residual),
-            other_distance,
-        )
-        if explains or distances.far_better(c.readings.drives_gain, c.readings.drives_difference):
+        distance = declared_distances.as_filed
+        if declared_fit is not None:
+            distance = _mean_difference(fitter, setups, declared_fit.residual)
+        distances = ModelDistances(distance, other_distance)
+        if is_explained or distances.far_better(c.readings.drives_gain, c.readings.drives_difference):
             # A cause that holds the motors weakly, or makes them heavy, has nearly the same effect.
             single_causes = Search(store, structure.candidates).additions.sufficient_causes()
             lowest_criterion = min(
                 (store.criterion(fit_of_cause) for fit_of_cause in single_causes), default=np.inf
             )
-            if other_store.criterion(fit) <= lowest_criterion + (c.search.survives if explains else 0.0):
-                return _sentence(fitter, setups, None if explains else distances)
+            if other_store.criterion(fit) <= lowest_criterion + (c.search.survives if is_explained else 0.0):
+                return _sentence(fitter, setups, None if is_explained else distances)
     return ""
 
 
@@ -125,7 +123,7 @@ def _sentence(fitter: Fitter, setups: Sequence[int], distances: ModelDistances |
     at_all_setups = len(setups) == len(data.labels)
     location = "" if at_all_setups else f" at {listed([data.labels[k] for k in setups], MAX_LABELS)}"
     (state,) = states
-    other_state, comparison = other(state), ", not" if distances is None else " than"
+    other_state, comparison = other_drives(state), ", not" if distances is None else " than"
     remedy = (
         f"write # drives: {other_state}, or --drives {other_state}"
         if at_all_setups

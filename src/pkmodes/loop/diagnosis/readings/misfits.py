@@ -65,10 +65,10 @@ class WiringMisfit:
         )
 
     def deviance(self, frequencies: bool = True) -> float:
-        """Return the deviance, with errors of the size that the misfit shows, whether they are stated or not.
+        """Return the deviance, with the errors scaled to the misfit, whether they are stated or not.
 
-        - frequencies: whether the frequencies count: not if something else is missing in the model, because modes
-          paired wrongly may then seem to fit better
+        - frequencies: whether the frequencies count.  They do not if something else is missing in the model, because
+          wrongly paired modes may then seem to fit better
         """
         counted = self.count > 0
         counted[0] &= frequencies
@@ -77,7 +77,7 @@ class WiringMisfit:
 
     @property
     def shape_squares(self) -> float:
-        """Sum of squares of the shapes relative to the least one."""
+        """Sum of squares of the shapes, not below that of the smallest realistic errors."""
         return float(np.maximum(self.squares, self.min_squares)[1:].sum())
 
     @property
@@ -107,7 +107,7 @@ def misfits_at_prediction(
         for rewired, columns, wiring in zip(shapes, column_orders, batch, strict=True):
             rewired[..., fitter.observations.pairer.columns] = prediction.shapes[..., columns] * wiring.signs
         eigenvalues = np.tile(prediction.eigenvalues, (len(batch), 1))
-        tiled_prediction = _modes(eigenvalues, np.concatenate(shapes), prediction.rigid)
+        tiled_prediction = _prediction_without_rates(eigenvalues, np.concatenate(shapes), prediction.rigid)
         pairing = tiled_observations.pairer.pair(tiled_prediction, tiled_mask, compare=False)
         residuals = tiled_observations.split_copies(
             tiled_observations.residual(tiled_prediction, pairing, tiled_mask)
@@ -130,13 +130,13 @@ def is_rewiring_promising(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -
     worst_setups = np.sort(np.argsort(sums)[-SETUPS_TRIED_FIRST:])
     worst_fitter = fitter.at(worst_setups.tolist())
     all_wirings, used = [as_in_file(fitter.data.channels), *wirings], worst_fitter.observations.all_rows
-    fitted = _modes(
+    fitted_prediction = _prediction_without_rates(
         fit.prediction.eigenvalues[worst_setups], fit.prediction.shapes[worst_setups], fit.prediction.rigid
     )
-    declared = worst_fitter.structure.predict(worst_fitter.declared, ())
+    declared_prediction = worst_fitter.structure.predict(worst_fitter.declared, ())
     misfits_by_model = [
         misfits_at_prediction(worst_fitter, used, prediction, all_wirings)
-        for prediction in (declared, fitted)
+        for prediction in (declared_prediction, fitted_prediction)
     ]
     smallest = [
         min(misfit.shape_squares for misfit in alternatives)
@@ -189,6 +189,6 @@ def misfits_by_wiring(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> di
     return by_wiring
 
 
-def _modes(eigenvalues: Array, shapes: Array, rigid: int) -> Prediction:
+def _prediction_without_rates(eigenvalues: Array, shapes: Array, rigid: int) -> Prediction:
     """Return modes without derivatives."""
     return Prediction(eigenvalues, np.zeros((*eigenvalues.shape, 0)), shapes, rigid)

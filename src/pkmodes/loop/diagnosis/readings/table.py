@@ -51,13 +51,13 @@ READINGS = (
 )
 
 
-def first_declared_reading(fitter: Fitter) -> tuple[str, ...]:
+def answer_for_declared_model(fitter: Fitter) -> tuple[str, ...]:
     """Return the answer of the first reading with which the declared model fits far better, if there is one."""
     answers = (reading.declared(fitter) for reading in READINGS if reading.declared)
     return tuple(itertools.islice(filter(None, answers), 1))
 
 
-def first_explained_reading(fitter: Fitter, fit: Fit) -> tuple[str, ...]:
+def answer_for_final_fit(fitter: Fitter, fit: Fit) -> tuple[str, ...]:
     """Return the answer of the first reading that the final fit shows, if there is one."""
     answers = (reading.explained(fitter, fit) for reading in READINGS if reading.explained)
     return tuple(itertools.islice(filter(None, answers), 1))

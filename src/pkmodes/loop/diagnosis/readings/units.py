@@ -59,17 +59,17 @@ def other_unit(fitter: Fitter) -> str:
     sampled = sorted(set(np.linspace(0, count - 1, min(count, MAX_SETUPS)).astype(int).tolist()))
     declared, data = fitter.structure.subset(sampled).predict(fitter.declared, ()), fitter.data.at(sampled)
 
-    def median_difference(reading: Measurements) -> tuple[float, float]:
+    def compare(reading: Measurements) -> tuple[float, float]:
         """Return the median difference, since the model may lack some modes, and the part of the rows paired."""
-        distances, paired = frequency_differences(fitter, declared, reading)
-        return float(np.median(np.abs(distances))), float(paired.mean())
+        distances, paired_part = frequency_differences(fitter, declared, reading)
+        return float(np.median(np.abs(distances))), float(paired_part.mean())
 
-    smallest, paired, unit = min(
-        ((*median_difference(unit.applied_to(data)), unit) for unit in other_meanings(data.unit)),
+    smallest, paired_part, unit = min(
+        ((*compare(unit.applied_to(data)), unit) for unit in other_meanings(data.unit)),
         key=lambda trial: trial[0],
     )
-    distances = ModelDistances(median_difference(data)[0], smallest)
-    if paired < c.unit_paired or not distances.far_better(c.unit_gain, c.unit_difference):
+    distances = ModelDistances(compare(data)[0], smallest)
+    if paired_part < c.unit_paired or not distances.far_better(c.unit_gain, c.unit_difference):
         return ""
     claim = f"the header says {data.unit}, but the numbers" if data.unit else "the frequencies"
     return f"{claim} fit the declared model as {unit.meaning} ({plain(100 * smallest, 2)} %): {unit.remedy}"

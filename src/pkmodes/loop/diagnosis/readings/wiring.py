@@ -38,7 +38,7 @@ MAX_WIRINGS_NAMED = 4
 class BetterWirings(NamedTuple):
     """Wirings that fit far better than that of the file, up to the sign of all columns, the best one first.
 
-    It is certain if that one brings the shapes near to the errors of the measurement.
+    - certain: whether the best one brings the shapes near to the errors of the measurement
     """
 
     wirings: list[Wiring]

@@ -99,24 +99,24 @@ def wiring_in_words(wiring: Wiring, columns: Sequence[str], sensors: Sequence[Se
     moved_columns = [columns[k] for k in wrong_columns if wiring.channels[k] != columns[k]]
     if not moved_columns and len(reversed_columns) == 1:
         return f"{reversed_columns[0]} is reversed"
-    measures = ", ".join(
+    description = ", ".join(
         f"{columns[k]} measures {'-' if wiring.signs[k] < 0 else ''}{wiring.channels[k]}"
         for k in wrong_columns
     )
     if {wiring.channels[columns.index(name)] for name in moved_columns} != set(moved_columns):
-        return measures  # one of them measures an axis that is not in the file
+        return description  # one of them measures an axis that is not in the file
     if len(moved_columns) == 2 and not reversed_columns:
         return f"{joined(moved_columns)} are exchanged"
     if len(moved_columns) > 2 and not reversed_columns:
-        return f"{joined(moved_columns)} are exchanged cyclically ({measures})"
+        return f"{joined(moved_columns)} are exchanged cyclically ({description})"
     sensor = next((s for s in sensors if all(columns[k] in s.channels for k in wrong_columns)), None)
     W = None if sensor is None else _axis_matrix(wiring, columns, sensor)
     if sensor is not None and W is not None and round(float(np.linalg.det(W))) == 1:
         location = f"at the {sensor.place}" if sensor.place else f"of {joined(sensor.channels)}"
-        return f"the sensor {location} is turned{_turn_in_words(W, sensor)} ({measures})"
+        return f"the sensor {location} is turned{_turn_in_words(W, sensor)} ({description})"
     if not moved_columns:
         return f"{joined(reversed_columns)} are {'both' if len(reversed_columns) == 2 else 'all'} reversed"
-    return f"{joined(moved_columns)} are exchanged and {joined(reversed_columns)} reversed ({measures})"
+    return f"{joined(moved_columns)} are exchanged and {joined(reversed_columns)} reversed ({description})"
 
 
 def remedy(wiring: Wiring, columns: Sequence[str]) -> str:

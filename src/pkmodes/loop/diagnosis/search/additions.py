@@ -133,7 +133,9 @@ class Additions:
             if candidate_score.visible
             and (candidate_score.gain >= min_gain or one_sided(self.fitter, candidate_score.candidate))
         ]
-        return self.store.finished(self.refit([x for x in promising if self._testable(fit, x[1].candidate)]))
+        return self.store.finished(
+            self.refit([addition for addition in promising if self._testable(fit, addition[1].candidate)])
+        )
 
     def single_causes(self) -> list[Fit]:
         """Return fits with one cause and nothing else."""

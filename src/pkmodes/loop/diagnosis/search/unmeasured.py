@@ -39,7 +39,7 @@ def count_modes(fitter: Fitter, fit: Fit) -> ModeCounts:
         between = np.flatnonzero((logs[setup] > low) & (logs[setup] < high) & visible[setup])
         between = between[between >= fit.prediction.rigid]
         unpaired = between[~np.isin(between, fit.pairing.partner[rows])]
-        # An excluded row may be one of them.
+        # An excluded row may have measured one of them.
         unmeasured += max(len(unpaired) - int((~used[rows]).sum()), 0)
     return ModeCounts(paired + unmeasured, unmeasured)
 
@@ -59,14 +59,14 @@ def p_unmeasured(fitter: Fitter, declared: Fit, fit: Fit) -> float:
     """Return the p-value of the number of missed modes among those that a fit adds to the declared model.
 
     It is 1 if at least half of the added modes were measured.  If no sensor is known, modes may be missed because
-    they move none, and their absence counts half as much.
+    they move no sensor, and their absence counts half as much.
     """
     before, after = count_modes(fitter, declared), count_modes(fitter, fit)
     missed = max(after.unmeasured - before.unmeasured, 0)
     measured = max(after.modes - after.unmeasured - before.modes + before.unmeasured, 0)
     if missed <= measured:
         return 1.0
-    total = after.modes + 1  # and one that might exist
+    total = after.modes + 1  # with one more that might exist
     p = float(stats.hypergeom.sf(missed - 1, total, after.unmeasured, min(missed + measured, total)))
     return p if len(fitter.observations.pairer.columns) else float(np.sqrt(p))
 

@@ -1,7 +1,7 @@
-"""Changes between states of one machine: differences compared with differences.
+"""Changes between states of one machine, diagnosed from the differences of their measurements.
 
 The first state is trusted.  Uncertain values are fitted to it, and the residual is the error of the model, which the
-other states share (`shared_errors`).  Without that error a later state is diagnosed like a machine by itself: its
+other states share (`shared_errors`).  With that error removed, a later state is diagnosed as any machine is: its
 candidates are what may have changed.  Poses of a later state are held out, never a state as a whole.
 """
 
@@ -90,7 +90,7 @@ class TrustedState:
         """Root mean square of the relative error of the model with its values fitted."""
         return _rms(self.fit.residual[self.fitter.observations.frequency_rows][self.fit.pairing.partner >= 0])
 
-    def changed_to(
+    def diagnose_change(
         self,
         name: str,
         structure: Structure,
@@ -195,7 +195,7 @@ def diagnose_changes(
 ) -> Change:
     """Return what changed between states of any structure, as `pkmodes.diagnosis.diagnose` does.
 
-    Raises PkmodesError also if a setup has no state, or there is one state only.
+    Raises PkmodesError also if a setup has no state, or there is only one state.
     """
     structure = checked(structure, data)
     trusted, setups_of_later_states = setups_by_state(data, states)
@@ -207,7 +207,7 @@ def diagnose_changes(
         held_out_labels = (
             None if holdout is None else [label for label in holdout if states.get(label) == state]
         )
-        changes[state] = trusted_state.changed_to(
+        changes[state] = trusted_state.diagnose_change(
             state,
             fitted_structure,
             data.at(later_setups),
@@ -234,7 +234,7 @@ def setups_by_state(
 ) -> tuple[tuple[str, list[int]], dict[str, list[int]]]:
     """Return the trusted state and the others, each with its setups.
 
-    Raises PkmodesError if it is not a mapping, a measured setup is missing in it, or it has one state only.
+    Raises PkmodesError if the states are not a mapping, lack a measured setup, or are only one.
     """
     example = '{"P1": "before", "P1 again": "after"}'
     if not isinstance(states, Mapping) or not all(

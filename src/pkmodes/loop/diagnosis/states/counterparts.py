@@ -29,16 +29,16 @@ MAX_LOG_DIFFERENCE, UNIT_LOG_DIFFERENCE = 0.3, 0.1
 class ExpectedModes(NamedTuple):
     """The modes of one setup as they were before, of the model or measured.
 
-    - log, sigma: logarithms of the frequencies, and their standard deviations, (m,)
+    - log_frequencies, sigma: logarithms of the frequencies, and their standard deviations, (m,)
     - shapes: at the channels of the later state, (m, C), NaN where not known
-    - mode, row: mode of the model, and row of the trusted state, (m,); -1 where there is none
+    - model_mode, trusted_row: mode of the model, and row of the trusted state, (m,); -1 where there is none
     """
 
-    log: Array
+    log_frequencies: Array
     sigma: Array
     shapes: Array
-    mode: Index
-    row: Index
+    model_mode: Index
+    trusted_row: Index
 
 
 def expected_modes(
@@ -87,9 +87,9 @@ def pair_with_expected(
 
     - weights: factors by which the channels are comparable, (C,)
     """
-    log_difference = np.abs(FREQUENCY.transformed(later)[rows][None, :] - expected.log[:, None])
+    log_difference = np.abs(FREQUENCY.transformed(later)[rows][None, :] - expected.log_frequencies[:, None])
     shape_difference = 1.0 - _mac_of_each(expected.shapes * weights, later.shapes[rows] * weights)
-    groups = close_groups(expected.log, expected.sigma, criteria)
+    groups = close_groups(expected.log_frequencies, expected.sigma, criteria)
     for group in np.unique(groups):
         in_group = groups == group
         smallest = np.where(np.isnan(shape_difference[in_group]), np.inf, shape_difference[in_group]).min(

@@ -131,9 +131,9 @@ def shared_errors(
         )
         in_setup = np.flatnonzero(later.pose == setup)
         for row, position in pair_with_expected(expected, later, in_setup, weights, trusted.criteria.pairing):
-            if expected.mode[position] >= 0:
-                partner[row] = expected.mode[position] + after.rigid
-            counterpart[row] = expected.row[position]
+            if expected.model_mode[position] >= 0:
+                partner[row] = expected.model_mode[position] + after.rigid
+            counterpart[row] = expected.trusted_row[position]
     offset, variance = mode_errors.of_rows(partner, later.pose)
     model_shapes = after.shapes[later.pose, np.maximum(partner, 0)][:, columns]
     paired_shapes = np.where((partner >= 0)[:, None], model_shapes, np.nan)
@@ -210,20 +210,20 @@ class ModeErrors(NamedTuple):
     - mean: of ln f, (S, m)
     - covariances: of each mode at all setups, (m, S, S)
     - scatter: standard deviation of the part that differs between setups
-    - unknown: standard deviation for a mode that the trusted state does not determine
+    - unknown_sigma: standard deviation for a mode that the trusted state does not determine
     """
 
     mean: Array
     covariances: Array
     scatter: float
-    unknown: float
+    unknown_sigma: float
 
     def of_rows(self, partner: NDArray[np.intp], pose: NDArray[np.int_]) -> tuple[Array, Array]:
         """Return the errors of rows with these modes at these setups, and their variances as if independent.
 
         The sum of the moduli in a row of a covariance bounds it by a diagonal one.
         """
-        mean, variance = np.zeros(len(partner)), np.full(len(partner), self.unknown**2)
+        mean, variance = np.zeros(len(partner)), np.full(len(partner), self.unknown_sigma**2)
         for mode in np.unique(partner[partner >= 0]):
             rows = np.flatnonzero(partner == mode)
             mean[rows] = self.mean[pose[rows], mode]
@@ -238,13 +238,13 @@ def predict_mode_errors(rows: TrustedRows, setups: SameSetups, count: int) -> Mo
     scatter = scatter_between_setups(
         residual[paired], sigma[paired], partner[paired], setups.trusted, pose[paired]
     )
-    unknown = max(MIN_SIGMA, float(np.sqrt(np.mean(residual[paired] ** 2))) if paired.any() else 0.0)
+    unknown_sigma = max(MIN_SIGMA, float(np.sqrt(np.mean(residual[paired] ** 2))) if paired.any() else 0.0)
     mean, covariances = np.zeros((len(setups.later), count)), []
     for mode in range(count):
         rows_of_mode = np.flatnonzero(partner == mode)
         setups_of_rows = pose[rows_of_mode]
         if not len(rows_of_mode):
-            covariances.append(np.full(setups.later.shape, unknown**2) + scatter**2 * setups.later)
+            covariances.append(np.full(setups.later.shape, unknown_sigma**2) + scatter**2 * setups.later)
             continue
         covariance = (
             MODE_SIGMA**2
@@ -255,7 +255,7 @@ def predict_mode_errors(rows: TrustedRows, setups: SameSetups, count: int) -> Mo
         gain = np.linalg.solve(covariance, cross_covariance.T).T
         mean[:, mode] = gain @ residual[rows_of_mode]
         covariances.append(MODE_SIGMA**2 + scatter**2 * setups.later - gain @ cross_covariance.T)
-    return ModeErrors(mean, np.array(covariances), scatter, unknown)
+    return ModeErrors(mean, np.array(covariances), scatter, unknown_sigma)
 
 
 def _nearest_setups(

@@ -160,7 +160,7 @@ class SuppliedMatrices:
     def _difference_rates(
         self, values: Array, i: int, setups: Mapping[str, MatrixPair]
     ) -> list[MatrixPair] | None:
-        """Return the same by differences; the step found at the declared values is tried first."""
+        """Return these derivatives by differences; the step found at the declared values is tried first."""
         p = self.parameters[i]
         declared = np.array([p.value for p in self.parameters])
         key = i, tuple(setups)
@@ -169,9 +169,12 @@ class SuppliedMatrices:
             centres = {setup: self.evaluate(declared, setup) for setup in setups}
             evaluated = {setup: pair for setup, pair in centres.items() if pair is not None}
             if len(evaluated) == len(centres):
-                first = self._find_step(declared, i, evaluated, step)
-                if first.rates is not None:
-                    step, is_linear = first.step, self._is_linear(declared, i, evaluated, first.step)
+                declared_search = self._find_step(declared, i, evaluated, step)
+                if declared_search.rates is not None:
+                    step, is_linear = (
+                        declared_search.step,
+                        self._is_linear(declared, i, evaluated, declared_search.step),
+                    )
             self.steps[key] = step, is_linear
         step, is_linear = self.steps[key]
         if step < MIN_RELATIVE_STEP * abs(values[i]):  # lost in a value that is far from the declared one
@@ -196,9 +199,8 @@ class SuppliedMatrices:
             if first is None or second is None:
                 return False
             for first_change, second_change, reference in zip(first, second, centre, strict=True):
-                if _relative_change(
-                    second_change - first_change, reference
-                ) > LINEARITY_TOLERANCE * _relative_change(first_change, reference):
+                curvature = _relative_change(second_change - first_change, reference)
+                if curvature > LINEARITY_TOLERANCE * _relative_change(first_change, reference):
                     return False
         return True
 

@@ -24,7 +24,7 @@ QUANTITIES = {MASS: "mass", SPRING: "stiffness"}
 class CoordinateTerm(NamedTuple):
     """A mass or a spring at one or between two coordinates.
 
-    - coordinates: the coordinates
+    - coordinates: their indices
     """
 
     candidate: Candidate
@@ -52,14 +52,14 @@ def coordinate_terms(
         *((SPRING, (i,)) for i in range(len(coordinates))),
         *((SPRING, pair) for pair in combinations(range(len(coordinates)), 2)),
     ]
-    taken = set(used_names)
+    all_names = set(used_names)
     for form, indices in forms_and_indices:
         names = [coordinates[i] for i in indices]
         term = f"{form}:{'/'.join(names)}"
         parameter = Parameter(f"{term}.{QUANTITIES[form]}", 0.0, units[form == SPRING], lower=0.0)
-        if {term, parameter.name} & taken:
+        if {term, parameter.name} & all_names:
             continue
-        taken |= {term, parameter.name}
+        all_names |= {term, parameter.name}
         between = " and ".join(names) if len(names) > 1 else f"{names[0]} and the ground"
         sentence = f"a mass at {names[0]}" if form == MASS else f"a spring between {between}"
         yield CoordinateTerm(
@@ -88,7 +88,7 @@ class SuppliedWithTerms:
 
     @property
     def seconds(self) -> float:
-        """Their total time [s]."""
+        """Total time of these calls [s]."""
         return self._supplied.seconds
 
     @overload

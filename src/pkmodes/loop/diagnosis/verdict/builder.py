@@ -20,7 +20,7 @@ from pkmodes.loop.diagnosis.readings.amplitude import (
     format_level_dependence,
     notes_on_amplitude,
 )
-from pkmodes.loop.diagnosis.readings.table import first_declared_reading, reading_remarks
+from pkmodes.loop.diagnosis.readings.table import answer_for_declared_model, reading_remarks
 from pkmodes.loop.diagnosis.search.ranges import plausible_sizes
 from pkmodes.loop.diagnosis.verdict import caveats, held_out, limits
 from pkmodes.loop.diagnosis.verdict.all_setups import AllSetups
@@ -79,7 +79,7 @@ class DiagnosisBuilder:
         candidate_limits, fit = limits.unknown_limits(store, start.claimable), None
         remarks: tuple[str, ...] = (decision.answer.text,)
         if not decision.answer.decided_by_reading:
-            fit, remarks = start.declared_fit, first_declared_reading(self.fitter)
+            fit, remarks = start.declared_fit, answer_for_declared_model(self.fitter)
             if fit is not None:
                 remarks = (
                     *remarks,
@@ -179,8 +179,10 @@ class DiagnosisBuilder:
                 search.store, open_fits, unclaimed, residual_is_noise=False
             )
             last_scores = outcome.first_gate.scores
-        shown = claimed | {cause.name for named in remaining for _, fit in named for cause in fit.causes}
-        shown |= {
+        named_candidates = claimed | {
+            cause.name for named in remaining for _, fit in named for cause in fit.causes
+        }
+        named_candidates |= {
             *decision.answer.named,
             *(name for trial in evidence.trials for name in trial.stability.effects),
         }
@@ -196,9 +198,9 @@ class DiagnosisBuilder:
             outcome.first_gate.scores,
             last_scores,
             max_deviations,
-            named=shown,
+            named=named_candidates,
             limited=candidate_limits.limited,
-            unbounded=candidate_limits.unbounded - shown,
+            unbounded=candidate_limits.unbounded - named_candidates,
         )
         return candidate_limits, max_deviations, examined_candidates
 
@@ -207,9 +209,9 @@ class DiagnosisBuilder:
     ) -> Iterator[str]:
         """Yield the notes on the result of a search: on the data, on the fit, and on what the result leaves out."""
         verdict = decision.verdict
-        of_reading = decision.answer.decided_by_reading
+        decided_by_reading = decision.answer.decided_by_reading
         reason = decision.answer.text
-        if of_reading:
+        if decided_by_reading:
             yield reason
         trend, data = evidence.amplitude, self.fitter.data
         if trend is not None and trend.significant and format_level_dependence(trend, data) not in reason:
@@ -217,7 +219,7 @@ class DiagnosisBuilder:
         yield from self._reading_remarks(evidence.final)
         if verdict.settled:
             yield from evidence.held_out.notes
-        if verdict is UNEXPLAINED and not of_reading:
+        if verdict is UNEXPLAINED and not decided_by_reading:
             yield from low_modes(models.declared[0])
         yield from models.notes
         yield from evidence.claim.left_out
