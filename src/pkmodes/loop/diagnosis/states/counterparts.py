@@ -68,9 +68,9 @@ def expected_modes(
     mode = np.concatenate([np.arange(count), np.full(len(unpaired), -1)]).astype(np.intp)
     for trusted_row in rows:
         paired = partner[trusted_row] >= 0
-        index = (
-            int(partner[trusted_row]) if paired else count + int(np.flatnonzero(unpaired == trusted_row)[0])
-        )
+        index = int(partner[trusted_row])
+        if not paired:
+            index = count + int(np.flatnonzero(unpaired == trusted_row)[0])
         logs[index], row[index] = FREQUENCY.transformed(trusted)[trusted_row], trusted_row
         sigmas[index] = FREQUENCY.transformed_sigma(trusted)[trusted_row]
         measured = dict(zip(trusted.channels, trusted.shapes[trusted_row], strict=True))
@@ -92,9 +92,8 @@ def pair_with_expected(
     groups = close_groups(expected.log_frequencies, expected.sigma, criteria)
     for group in np.unique(groups):
         in_group = groups == group
-        smallest = np.where(np.isnan(shape_difference[in_group]), np.inf, shape_difference[in_group]).min(
-            axis=0
-        )
+        of_group = shape_difference[in_group]
+        smallest = np.where(np.isnan(of_group), np.inf, of_group).min(axis=0)
         shape_difference[in_group] = np.where(np.isfinite(smallest), smallest, np.nan)
     cost = (log_difference / UNIT_LOG_DIFFERENCE) ** 2 + np.nan_to_num(shape_difference)
     pairs = zip(*linear_sum_assignment(np.where(log_difference > MAX_LOG_DIFFERENCE, 1e6, cost)), strict=True)

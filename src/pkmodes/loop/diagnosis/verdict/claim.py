@@ -118,10 +118,10 @@ def claim_of(search: Search, outcome: Outcome) -> Claim:
     classes_by_cause = tuple(classes(search.store, fits) for fits in survivors_by_cause)
     if final_fit.hypothesis.remote and classes_by_cause[0]:
         # A cause of the same class that is not remote and passes the gate names the class.
-        unremote = (
+        fits_not_remote = (
             fit for fit in classes_by_cause[0][0] if not fit.causes[-1].remote and search.gate(fit).passed
         )
-        final_fit = next(unremote, final_fit)
+        final_fit = next(fits_not_remote, final_fit)
         if not final_fit.causes[-1].remote:  # remote causes that are not nameable are not listed in a class
             nameable_fits = [fit for fit in classes_by_cause[0][0] if fit.causes[-1].nameable]
             classes_by_cause = ([nameable_fits, *classes_by_cause[0][1:]], *classes_by_cause[1:])

@@ -93,7 +93,7 @@ def are_added_modes_credible(search: Search, fit: Fit) -> bool:
     return p_unmeasured(store.fitter, declared, fit) > search.criteria.gate.surely
 
 
-def other_pairs(search: Search, final: Fit, grouped: Sequence[Sequence[Sequence[Fit]]]) -> list[Fit]:
+def other_pairs(search: Search, final: Fit, classes_by_cause: Sequence[Sequence[Sequence[Fit]]]) -> list[Fit]:
     """Return the survivors beside a pair of causes: pairs outside its classes, and single remote causes.
 
     Both causes may differ at once, as between a structure and its mirror image.  If there are many pairs within its
@@ -108,7 +108,7 @@ def other_pairs(search: Search, final: Fit, grouped: Sequence[Sequence[Sequence[
         if len(fit.causes) == len(final.causes) == c.search.most_causes
         and (fit.hypothesis.excluded, fit.hypothesis.scatter) == (h.excluded, h.scatter)
     ]
-    names_by_cause = [{fit.causes[-1].name for fit in groups[0]} for groups in grouped if groups]
+    names_by_cause = [{fit.causes[-1].name for fit in groups[0]} for groups in classes_by_cause if groups]
     are_many = int(np.prod([len(names) for names in names_by_cause])) > c.claim.most_pairs
     remaining_pairs = []
     for pair in survivors(search, sorted(pairs, key=store.criterion)):

@@ -26,7 +26,7 @@ from pkmodes.loop.diagnosis.verdict.joint_alone import joint_alone
 from pkmodes.loop.diagnosis.verdict.joints import JointAlone
 from pkmodes.loop.diagnosis.verdict.naming import number_in_words
 from pkmodes.loop.diagnosis.verdict.stability import Trial, trials
-from pkmodes.loop.diagnosis.verdict.values import shows_once
+from pkmodes.loop.diagnosis.verdict.values import shows_in_one_row_only
 from pkmodes.loop.diagnosis.verdict.verdicts import Verdict
 from pkmodes.loop.measured.amplitude import AmplitudeDependence
 
@@ -141,8 +141,8 @@ class Evidence:
         classes = self.claim.own_classes
         if len(self.final.causes) != 1 or not classes:
             return []
-        first = name_of_last_cause(self.final)
-        return [first, *(name for fit in classes[0] if (name := name_of_last_cause(fit)) != first)]
+        own_name = name_of_last_cause(self.final)
+        return [own_name, *(name for fit in classes[0] if (name := name_of_last_cause(fit)) != own_name)]
 
     @cached_property
     def trials(self) -> list[Trial]:
@@ -212,7 +212,7 @@ class Evidence:
         error_fits = [
             fit
             for fit in self.search.additions.with_errors_only(max_criterion)
-            if store.p_value(fit) > c.gate.surely and not self._cause_shows_in_these_rows(fit.hypothesis)
+            if store.p_value(fit) > c.gate.surely and not self._causes_show_only_in_these_rows(fit.hypothesis)
         ]
         best = min(error_fits, key=store.criterion, default=None)
         if best is not None and store.criterion(best) <= max_criterion:
@@ -236,11 +236,11 @@ class Evidence:
             return ""
         return f"errors {reasons.ratio_in_words(ratio**0.5)} the stated ones"
 
-    def _cause_shows_in_these_rows(self, errors: Hypothesis) -> bool:
-        """Return whether the rows set aside are those in which alone a cause by nature shows."""
+    def _causes_show_only_in_these_rows(self, errors: Hypothesis) -> bool:
+        """Return whether each row set aside is the only one in which a cause shows (`shows_in_one_row_only`)."""
         rows = errors.excluded - self.final.hypothesis.excluded
         return bool(rows) and all(
-            any(shows_once(self.search, self.final, cause, row) for cause in self.final.causes)
+            any(shows_in_one_row_only(self.search, self.final, cause, row) for cause in self.final.causes)
             for row in rows
         )
 

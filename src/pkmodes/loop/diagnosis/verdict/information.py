@@ -6,7 +6,7 @@ such a mixture has no closed form.  It is at least
 .. math:: -\sum_i p_i \ln \sum_j p_j e^{-B_{ij}}
 
 with the Bhattacharyya distances B (Kolchinsky and Tracey, Estimating Mixture Entropy with Pairwise Distances, Entropy
-19, 2017, 361), with equality if the distributions are equal or far apart: nothing, or all that is unknown.
+19, 2017, 361), with equality if the distributions are equal (no information) or far apart (all that is unknown).
 """
 
 from __future__ import annotations

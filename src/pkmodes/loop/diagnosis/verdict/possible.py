@@ -1,7 +1,7 @@
 """Which members a class keeps, and whether the value of each is one that such a part can have.
 
-A value is *impossible* if it lies beyond the plausible range in which limits are sought, which three standard
-deviations of a candidate's prior end too (`search.ranges`): such a member leaves the class.  It is *implausible* if
+A value is *impossible* if it lies beyond the plausible range in which limits are sought, which also ends at three
+standard deviations of a candidate's prior (`search.ranges`): such a member leaves the class.  It is *implausible* if
 it is outside the usual range of such a part (`Parameter.usual`): such a member stays, and is marked.
 """
 
@@ -31,9 +31,8 @@ def describe_member(
     - single_joint: the single joint in which it explains the data as well
     """
     cause = fit.causes[-1]
-    violated_range = violated_plausible_range(fitter, fit, max_deviations) or violated_usual_range(
-        fitter, fit
-    )
+    violated_range = violated_plausible_range(fitter, fit, max_deviations)
+    violated_range = violated_range or violated_usual_range(fitter, fit)
     assumed = " and ".join(assumption.words for assumption in cause.assumes)
     default_in_words = f"{assumed}, not declared" if assumed else ""
     if single_joint is not None:

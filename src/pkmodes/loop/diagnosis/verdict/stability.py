@@ -66,7 +66,7 @@ def trials(
     else:
         refitted = [final, *contenders]
     members = [{fit.causes[-1].name for fit in fits} for fits in classes]
-    return [_trial(search, final, refitted, members, change) for change in CHANGES]
+    return [_run_trial(search, final, refitted, members, change) for change in CHANGES]
 
 
 def unchanged_entries(verdict: Verdict) -> tuple[Stability, ...]:
@@ -74,7 +74,7 @@ def unchanged_entries(verdict: Verdict) -> tuple[Stability, ...]:
     return tuple(Stability(change, verdict.word, ()) for change in CHANGES)
 
 
-def _trial(
+def _run_trial(
     search: Search, final: Fit, contenders: list[Fit], members: Sequence[set[str]], change: str
 ) -> Trial:
     error_factor, prior_factor = CHANGES[change]

@@ -38,7 +38,7 @@ def unevaluated(store: FitStore, reported: Fit) -> Iterator[str]:
 
 
 def _fits_to_examine(store: FitStore, reported: Fit) -> Iterator[Fit]:
-    """Yield the reported fit and those of single causes; a cause without a fit is fitted from the plain fit."""
+    """Yield the reported fit and those of single causes; a cause without a fit is fitted from that without causes."""
     fitter = store.fitter
     yield reported
     for candidate in fitter.structure.candidates:
@@ -46,8 +46,8 @@ def _fits_to_examine(store: FitStore, reported: Fit) -> Iterator[Fit]:
         if not store.known(hypothesis) or hypothesis == reported.hypothesis:
             continue
         fit = store.fit(hypothesis)
-        if fit is None and (plain := store.fit(Hypothesis())) is not None:
-            fit = fitter.rough_fit(hypothesis, fitter.roughly([(hypothesis, plain.values)])[0])
+        if fit is None and (base := store.fit(Hypothesis())) is not None:
+            fit = fitter.rough_fit(hypothesis, fitter.roughly([(hypothesis, base.values)])[0])
         if fit is not None:
             yield fit
 

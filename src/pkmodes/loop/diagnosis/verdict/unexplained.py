@@ -218,10 +218,8 @@ def _best_explanation(e: Evidence) -> tuple[str, list[Candidate]] | None:
         f"{cause.sentence} ({cause.name})" if cause.sentence else cause.name for cause in best.causes
     )
     conjunction = "that " if best.causes[0].sentence else ""
-    return f"the best explanation, {conjunction}{sentences}, is not claimed: {refusal}", [
-        *best.causes,
-        *indicated_candidates,
-    ]
+    clause = f"the best explanation, {conjunction}{sentences}, is not claimed: {refusal}"
+    return clause, [*best.causes, *indicated_candidates]
 
 
 def reason_of_refusal(e: Evidence, fit: Fit) -> tuple[str, list[Candidate]]:
