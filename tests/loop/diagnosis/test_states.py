@@ -348,7 +348,7 @@ def test_the_rows_of_a_later_state_have_these_errors_too() -> None:
     fitter, without = shared_of(data, later)
     own = declared(None).subset([3, 4, 5])
     fitted = FittedValues(("m", "k"), np.diag([0.2, 4e3]) ** 2)
-    shared = shared_errors(fitter, fitter.declared, own, data.at(later), fitted=fitted)
+    shared = shared_errors(fitter, fitter.declared, own, data.at(later), fitted_values=fitted)
     mode, setup = np.array(data.at(later).mode, dtype=int) - 1, data.at(later).pose
     more, _ = fitted.variances(own, mode, setup)
     assert (more > 1e-6).all()

@@ -128,7 +128,7 @@ def _linear_explanations(
     - max_deviations: largest plausible deviations of parameters of candidates
     - prior: logarithm of the prior of each
     """
-    fitted = {_names(fit) for fit in search.store.tried()}
+    fitted_names = {_names(fit) for fit in search.store.tried()}
     scores = search.scores(base.fit)
     directions = zip(
         (candidate_score for candidate_score in scores.by_candidate if candidate_score.visible),
@@ -138,7 +138,7 @@ def _linear_explanations(
     untried = [
         (candidate_score, axes)
         for candidate_score, (axes, _) in directions
-        if _names(base.fit, candidate_score.candidate.name) not in fitted
+        if _names(base.fit, candidate_score.candidate.name) not in fitted_names
     ]
     if not untried:
         return []

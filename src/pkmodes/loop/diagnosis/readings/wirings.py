@@ -83,8 +83,8 @@ def _single_mistakes(as_filed: Wiring, sensors: Sequence[Sensor]) -> Iterator[Wi
 
 def simplicity(wiring: Wiring, columns: Sequence[str]) -> tuple[int, int]:
     """Return the numbers of columns that measure another channel, and that are reversed: fewest for the simplest."""
-    moved = sum(channel != name for channel, name in zip(wiring.channels, columns, strict=True))
-    return moved, sum(sign < 0 for sign in wiring.signs)
+    moved_count = sum(channel != name for channel, name in zip(wiring.channels, columns, strict=True))
+    return moved_count, sum(sign < 0 for sign in wiring.signs)
 
 
 # Words ---------------------------------------------------------------------------------------------------------

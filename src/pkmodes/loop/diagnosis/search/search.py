@@ -167,8 +167,8 @@ class Search:
                 without_outliers = additions.without_distant_rows(fit)
                 if without_outliers:
                     return min(without_outliers, key=criterion)
-        elif (again := self._fit_again(fit, options)) is not None:
-            return again  # no addition is needed
+        elif (refit := self._fit_again(fit, options)) is not None:
+            return refit  # no addition is needed
         elif len(fit.causes) < self.criteria.search.most_causes and not fit.causes[0].remote:
             best_few = self.single_remote_causes()[: self.criteria.search.best_few]
             preferred = next((remote_fit for remote_fit in best_few if self.gate(remote_fit).passed), None)
@@ -198,8 +198,8 @@ class Search:
         ]
         fits = [store.again(h, values) for values in starts]
         best = min((f for f in fits if f is not None), key=lambda f: f.deviance, default=fit)
-        better = best.deviance < fit.deviance - c.search.worth and store.p_value(best) > c.gate.surely
-        return best if better else None
+        is_better = best.deviance < fit.deviance - c.search.worth and store.p_value(best) > c.gate.surely
+        return best if is_better else None
 
     def _may_need_second_cause(self, fit: Fit) -> bool:
         """Return whether a second cause may suffice: the first explains much, or little is left."""

@@ -36,9 +36,9 @@ def count_modes(fitter: Fitter, fit: Fit) -> ModeCounts:
         # A test may have stopped after the highest mode, whatever its band: modes above it carry no information.
         low = observations.log_frequencies[rows].min() + margin
         high = observations.log_frequencies[rows].max() - margin
-        between = np.flatnonzero((logs[setup] > low) & (logs[setup] < high) & visible[setup])
-        between = between[between >= fit.prediction.rigid]
-        unpaired = between[~np.isin(between, fit.pairing.partner[rows])]
+        modes_between = np.flatnonzero((logs[setup] > low) & (logs[setup] < high) & visible[setup])
+        modes_between = modes_between[modes_between >= fit.prediction.rigid]
+        unpaired = modes_between[~np.isin(modes_between, fit.pairing.partner[rows])]
         # An excluded row may have measured one of them.
         unmeasured += max(len(unpaired) - int((~used[rows]).sum()), 0)
     return ModeCounts(paired + unmeasured, unmeasured)
@@ -61,13 +61,13 @@ def p_unmeasured(fitter: Fitter, declared: Fit, fit: Fit) -> float:
     It is 1 if at least half of the added modes were measured.  If no sensor is known, modes may be missed because
     they move no sensor, and their absence counts half as much.
     """
-    before, after = count_modes(fitter, declared), count_modes(fitter, fit)
-    missed = max(after.unmeasured - before.unmeasured, 0)
-    measured = max(after.modes - after.unmeasured - before.modes + before.unmeasured, 0)
+    declared_counts, counts = count_modes(fitter, declared), count_modes(fitter, fit)
+    missed = max(counts.unmeasured - declared_counts.unmeasured, 0)
+    measured = max(counts.modes - counts.unmeasured - declared_counts.modes + declared_counts.unmeasured, 0)
     if missed <= measured:
         return 1.0
-    total = after.modes + 1  # with one more that might exist
-    p = float(stats.hypergeom.sf(missed - 1, total, after.unmeasured, min(missed + measured, total)))
+    total = counts.modes + 1  # with one more that might exist
+    p = float(stats.hypergeom.sf(missed - 1, total, counts.unmeasured, min(missed + measured, total)))
     return p if len(fitter.observations.pairer.columns) else float(np.sqrt(p))
 
 

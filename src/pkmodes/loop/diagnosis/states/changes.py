@@ -112,8 +112,8 @@ class TrustedState:
         self._check(name, data)
         nuisances = tuple(self.fitter.nuisances)
         names = tuple(self.fitter.parameters[i].name for i in nuisances)
-        fitted = FittedValues(names, self.fit.covariance_of(nuisances))
-        shared = shared_errors(self.fitter, self.fit.values, structure, data, self.shape_error, fitted)
+        fitted_values = FittedValues(names, self.fit.covariance_of(nuisances))
+        shared = shared_errors(self.fitter, self.fit.values, structure, data, self.shape_error, fitted_values)
         if not shared.measured_before.any():
             problem = f"no mode of {shown(name)} was measured in {shown(self.name)}"
             remedy = "measure modes at poses that both states have"
@@ -154,8 +154,10 @@ class TrustedState:
             )
             raise PkmodesError(problem, data.source, "give the measurement of the other state")
         if not {*data.drives} & {*trusted.drives}:
-            before, after = trusted.drives[0], data.drives[0]
-            problem = f"the motors were {before} in {shown(self.name)}, and {after} in {shown(name)}"
+            trusted_drives, later_drives = trusted.drives[0], data.drives[0]
+            problem = (
+                f"the motors were {trusted_drives} in {shown(self.name)}, and {later_drives} in {shown(name)}"
+            )
             raise PkmodesError(problem, data.source, "compare measurements with the motors in the same state")
 
     def _notes(self, name: str, data: Measurements, shared: SharedErrors) -> list[str]:

@@ -95,7 +95,7 @@ def shared_errors(
     structure: Structure,
     later: Measurements,
     shape_error: float = 0.0,
-    fitted: FittedValues | None = None,
+    fitted_values: FittedValues | None = None,
 ) -> SharedErrors:
     """Return the errors that the rows of a later state share with the trusted one.
 
@@ -103,44 +103,44 @@ def shared_errors(
     - values: of its parameters, fitted to it
     - structure: at the setups of the later state, with these values as declared
     - shape_error: standard deviation of the components of shapes by which the model differs from the trusted state
-    - fitted: the uncertainty of these values
+    - fitted_values: the uncertainty of these values
     """
     pairing, residual, sigma, _ = trusted.unfitted(values, trusted.observations.all_rows)
-    before, data = trusted.structure.predict(values, ()), trusted.data
-    after = structure.predict(np.array([p.value for p in structure.parameters]), ())
+    trusted_prediction, data = trusted.structure.predict(values, ()), trusted.data
+    later_prediction = structure.predict(np.array([p.value for p in structure.parameters]), ())
     same_setups_of_states = SameSetups(
-        same_setups(data, before, data, before),
-        same_setups(data, before, later, after),
-        same_setups(later, after, later, after),
+        same_setups(data, trusted_prediction, data, trusted_prediction),
+        same_setups(data, trusted_prediction, later, later_prediction),
+        same_setups(later, later_prediction, later, later_prediction),
     )
     rows = TrustedRows(residual, sigma, pairing.partner, data.pose)
-    mode_errors = predict_mode_errors(rows, same_setups_of_states, after.eigenvalues.shape[1])
+    mode_errors = predict_mode_errors(rows, same_setups_of_states, later_prediction.eigenvalues.shape[1])
     columns = [structure.channels.index(name) for name in later.channels]
-    motion = channel_motion(before.shapes).max(axis=0) if structure.channels else np.zeros(0)
+    motion = channel_motion(trusted_prediction.shapes).max(axis=0) if structure.channels else np.zeros(0)
     weights = motion_weights(motion)[columns]
     partner, counterpart = np.full((2, len(later.frequency)), -1, dtype=np.intp)
     for setup, trusted_setup in enumerate(_nearest_setups(data, later, same_setups_of_states.across)):
         expected = expected_modes(
-            (after.log_frequencies + mode_errors.mean)[setup, after.rigid :],
+            (later_prediction.log_frequencies + mode_errors.mean)[setup, later_prediction.rigid :],
             mode_errors.scatter,
-            after.shapes[setup, after.rigid :][:, columns],
+            later_prediction.shapes[setup, later_prediction.rigid :][:, columns],
             data,
             later.channels,
-            np.where(rows.paired, pairing.partner - after.rigid, -1),
+            np.where(rows.paired, pairing.partner - later_prediction.rigid, -1),
             int(trusted_setup),
         )
         in_setup = np.flatnonzero(later.pose == setup)
         for row, position in pair_with_expected(expected, later, in_setup, weights, trusted.criteria.pairing):
             if expected.model_mode[position] >= 0:
-                partner[row] = expected.model_mode[position] + after.rigid
+                partner[row] = expected.model_mode[position] + later_prediction.rigid
             counterpart[row] = expected.trusted_row[position]
     offset, variance = mode_errors.of_rows(partner, later.pose)
-    model_shapes = after.shapes[later.pose, np.maximum(partner, 0)][:, columns]
+    model_shapes = later_prediction.shapes[later.pose, np.maximum(partner, 0)][:, columns]
     paired_shapes = np.where((partner >= 0)[:, None], model_shapes, np.nan)
     value_spread = np.zeros(len(partner))
     paired = np.flatnonzero(partner >= 0)
-    if fitted is not None and fitted.names and len(paired):
-        of_logs, of_shapes = fitted.variances(structure, partner[paired], later.pose[paired])
+    if fitted_values is not None and fitted_values.names and len(paired):
+        of_logs, of_shapes = fitted_values.variances(structure, partner[paired], later.pose[paired])
         variance[paired] += of_logs
         value_spread[paired] = _relative_spread(
             weights * np.sqrt(of_shapes[:, columns]), weights * model_shapes[paired]
@@ -155,7 +155,7 @@ def shared_errors(
         variance,
         np.isin(partner, np.unique(pairing.partner[rows.paired])),
         counterpart,
-        mode_errors.mean[:, after.rigid :],
+        mode_errors.mean[:, later_prediction.rigid :],
         shapes,
         shape_sigma,
     )

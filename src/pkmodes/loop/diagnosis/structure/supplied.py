@@ -240,10 +240,10 @@ class SuppliedMatrices:
         return _StepSearch(rates, finite, step)
 
     def _difference(self, ahead: Array, behind: Array, setup: str) -> MatrixPair | None:
-        after, before = self.evaluate(ahead, setup), self.evaluate(behind, setup)
-        if after is None or before is None:
+        pair_ahead, pair_behind = self.evaluate(ahead, setup), self.evaluate(behind, setup)
+        if pair_ahead is None or pair_behind is None:
             return None
-        return MatrixPair(after.M - before.M, after.K - before.K)
+        return MatrixPair(pair_ahead.M - pair_behind.M, pair_ahead.K - pair_behind.K)
 
     def _values_by_name(self, values: Array) -> dict[str, float]:
         return {p.name: float(value) for p, value in zip(self.parameters, values, strict=True)}

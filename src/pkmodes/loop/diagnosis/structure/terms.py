@@ -60,8 +60,8 @@ def coordinate_terms(
         if {term, parameter.name} & all_names:
             continue
         all_names |= {term, parameter.name}
-        between = " and ".join(names) if len(names) > 1 else f"{names[0]} and the ground"
-        sentence = f"a mass at {names[0]}" if form == MASS else f"a spring between {between}"
+        ends = " and ".join(names) if len(names) > 1 else f"{names[0]} and the ground"
+        sentence = f"a mass at {names[0]}" if form == MASS else f"a spring between {ends}"
         yield CoordinateTerm(
             Candidate(term, (parameter.name,), sentence, remote=True, form=form), parameter, indices
         )

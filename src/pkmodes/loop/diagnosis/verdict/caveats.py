@@ -42,12 +42,11 @@ class Caveats:
 
 def refitted_in_words(values: Sequence[Corrected]) -> str:
     """Return which uncertain values a fit moved most, and by how much; empty where there are none."""
-    moved = sorted((v for v in values if v.prior_sigma), key=lambda v: -abs(_sigmas_from_declared(v)))
-    reported = [v for v in moved if abs(_sigmas_from_declared(v)) >= 1.0][:MAX_VALUES] or moved[:1]
-    reported += [v for v in moved if v not in reported and _may_be_due_to_unseen(v)]
+    ranked = sorted((v for v in values if v.prior_sigma), key=lambda v: -abs(_deviation(v)))
+    reported = [v for v in ranked if abs(_deviation(v)) >= 1.0][:MAX_VALUES] or ranked[:1]
+    reported += [v for v in ranked if v not in reported and _may_be_due_to_unseen(v)]
     return ", ".join(
-        f"{_name(v)} {_change_in_words(v)} ({_sigmas_from_declared(v):+.1f} sigma){_unseen_clause(v)}"
-        for v in reported
+        f"{_name(v)} {_change_in_words(v)} ({_deviation(v):+.1f} sigma){_unseen_clause(v)}" for v in reported
     )
 
 
@@ -57,10 +56,10 @@ def conspicuous_in_words(values: Sequence[Corrected], *, refit_was_needed: bool)
     - refit_was_needed: whether the refit alone made the residual noise: then also values that an unseen candidate
       could have moved
     """
-    far = [v for v in values if v.prior_sigma and abs(_sigmas_from_declared(v)) > MIN_CONSPICUOUS_SIGMAS]
-    parts = [f"{_name(v)} is {abs(_sigmas_from_declared(v)):.1f} sigma from its declared value" for v in far]
+    far_values = [v for v in values if v.prior_sigma and abs(_deviation(v)) > MIN_CONSPICUOUS_SIGMAS]
+    parts = [f"{_name(v)} is {abs(_deviation(v)):.1f} sigma from its declared value" for v in far_values]
     if refit_was_needed:
-        due_to_unseen = (v for v in values if v not in far and _may_be_due_to_unseen(v))
+        due_to_unseen = (v for v in values if v not in far_values and _may_be_due_to_unseen(v))
         parts += [f"{_name(v)} was refitted {_change_in_words(v)}{_unseen_clause(v)}" for v in due_to_unseen]
     return ", ".join(parts[:MAX_VALUES])
 
@@ -79,11 +78,11 @@ def undetectable_in_words(undetectable: Sequence[str], others_are_limited: bool)
 
 def _may_be_due_to_unseen(value: Corrected) -> bool:
     """Return whether a fit clearly moved a value, and an unseen candidate could have caused all of that."""
-    moved = abs(value.value - value.declared)
+    change = abs(value.value - value.declared)
     return (
         value.prior_sigma is not None
         and value.unseen is not None
-        and MIN_CONSPICUOUS_SIGMAS * value.sigma < moved <= ONE_SIDED * value.unseen.sigma
+        and MIN_CONSPICUOUS_SIGMAS * value.sigma < change <= ONE_SIDED * value.unseen.sigma
     )
 
 
@@ -93,7 +92,8 @@ def _unseen_clause(value: Corrected) -> str:
     return f", which {value.unseen.done} could have done"
 
 
-def _sigmas_from_declared(value: Corrected) -> float:
+def _deviation(value: Corrected) -> float:
+    """Return the deviation from the declared value, in standard deviations of its prior; 0 without a prior."""
     return (value.value - value.declared) / value.prior_sigma if value.prior_sigma else 0.0
 
 

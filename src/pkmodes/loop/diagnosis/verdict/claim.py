@@ -221,12 +221,12 @@ def _prefer_best_survivor(search: Search, final: Fit) -> tuple[Fit, list[list[Fi
         rivals = [search.rivals(final, place) for place in range(len(final.causes))]
         survivors_by_cause = [survivors(search, fits) for fits in rivals]
         causes_and_survivors = zip(final.causes, survivors_by_cause, strict=True)
-        better = next(
+        better_fit = next(
             (fits[0] for cause, fits in causes_and_survivors if fits and fits[0].causes[-1] != cause), None
         )
-        if better is None:
+        if better_fit is None:
             return final, survivors_by_cause
-        final = better
+        final = better_fit
     return final, [[] for _ in final.causes]  # the preferences do not converge: nothing is claimed
 
 

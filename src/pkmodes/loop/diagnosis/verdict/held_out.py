@@ -206,12 +206,12 @@ def _best_rival(search: Search, full_fit: Fit, rivals: Sequence[Fit]) -> Fit | N
         if rival.causes != full_fit.causes
     ]
     limit = store.criterion(full_fit) - c.search.survives
-    fitted = sorted((fit for fit in fits if fit is not None), key=store.criterion)
+    fitted_rivals = sorted((fit for fit in fits if fit is not None), key=store.criterion)
     difference = store.fitter.difference
     return next(
         (
             fit
-            for fit in fitted
+            for fit in fitted_rivals
             if store.criterion(fit) < limit
             and store.p_value(fit) > c.gate.surely
             and difference(full_fit, fit) >= c.claim.told_apart

@@ -213,9 +213,11 @@ class Diagnosis:
             lines.append(f"beyond the catalogue: {self.beyond.status}: {self.beyond.reason}")
         for stage, (_, error) in self.errors.items():
             rms = "" if error.rms_relative is None else f"rms {100 * error.rms_relative:.3f} %, "
-            held = error.held_out_rms_relative
-            apart = "" if held is None else f"held out {100 * held:.3f} %, "
-            lines.append(f"{stage:6} {rms}{apart}chi2 per degree of freedom {plain(error.chi2_per_dof, 3)}")
+            held_out_error = error.held_out_rms_relative
+            held_out_text = "" if held_out_error is None else f"held out {100 * held_out_error:.3f} %, "
+            lines.append(
+                f"{stage:6} {rms}{held_out_text}chi2 per degree of freedom {plain(error.chi2_per_dof, 3)}"
+            )
         lines += [f"note: {text}" for text in self.notes]
         if self.damping.measured:
             lines.append(f"damping: {self.damping.verdict}: {self.damping.reason}")

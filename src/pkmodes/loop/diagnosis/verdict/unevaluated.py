@@ -98,17 +98,17 @@ def _blocked_in_words(fitter: Fitter, fit: Fit) -> str:
     )
     if resumed_fit is None or _linear_step(fitter, resumed_fit)[1] <= fitter.criteria.search.survives:
         return ""
-    before, after = values_at(passing_part), values_at(failing_part)
+    passing_values, failing_values = values_at(passing_part), values_at(failing_part)
+    indices = np.arange(len(fit.values))
     decisive = [
-        i for i in fit.free if not _evaluable(fitter, np.where(np.arange(len(after)) == i, after, before))
+        i for i in fit.free if not _evaluable(fitter, np.where(indices == i, failing_values, passing_values))
     ]
     changes = []
     for i in decisive or fit.free:
         p = fitter.parameters[i]
         unit = "" if p.unit == "1" else f" {p.unit}"
-        changes.append(
-            (p.name, f"{'below' if after[i] < before[i] else 'above'} {plain(before[i], 3)}{unit}")
-        )
+        side = "below" if failing_values[i] < passing_values[i] else "above"
+        changes.append((p.name, f"{side} {plain(passing_values[i], 3)}{unit}"))
     subject = " + ".join(cause.name for cause in fit.causes) or "the fit"
     if [name for name, _ in changes] == [subject]:
         direction = changes[0][1]

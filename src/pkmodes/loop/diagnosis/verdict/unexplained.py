@@ -18,8 +18,8 @@ from pkmodes.loop.diagnosis.verdict.verdicts import UNEXPLAINED
 
 def added_modes(e: Evidence) -> str:
     """The best causes leave noise, but add modes between the measured ones that were not measured."""
-    last = e.outcome.last_gate
-    if not last.p_unmeasured <= last.level < min(last.p_value, last.p_candidates):
+    gate = e.outcome.last_gate
+    if not gate.p_unmeasured <= gate.level < min(gate.p_value, gate.p_candidates):
         return ""
     causes = e.final.causes
     verb = "add" if len(causes) > 1 else "adds"
@@ -95,21 +95,21 @@ def beyond_prior(e: Evidence) -> Answer | None:
 def nearly_all(e: Evidence) -> Answer | None:
     """One cause, or two if the data clearly ask for a second, would explain nearly all of the residual."""
     store, (max_part, max_ratio) = e.store, e.criteria.reasons.nearly_all
-    before = _larger_ratio(store, e.outcome.nuisance_fit)
+    ratio_before = _larger_ratio(store, e.outcome.nuisance_fit)
     explanations = []
     for fit in _fits_without_errors(store):
         if fit.at_bound:
             continue
-        after = _larger_ratio(store, fit)
-        if after > min(max_part * before, max_ratio):
+        ratio_after = _larger_ratio(store, fit)
+        if ratio_after > min(max_part * ratio_before, max_ratio):
             continue
         gate = e.search.gate(fit)
         if not gate.passed and gate.p_unmeasured > e.criteria.gate.surely:
-            explanations.append((fit, after))
+            explanations.append((fit, ratio_after))
     if not explanations:
         return None
     order = _priced_criterion(e)
-    best, after = min(explanations, key=lambda entry: order(entry[0]))
+    best, ratio_after = min(explanations, key=lambda entry: order(entry[0]))
     # Two causes are found in both orders, which fit alike up to rounding: name them in the order of the candidates.
     order_of_candidates = {candidate.name: k for k, candidate in enumerate(e.search.candidates)}
     causes = sorted(
@@ -120,12 +120,12 @@ def nearly_all(e: Evidence) -> Answer | None:
     objection = f"this explanation is not claimed: {refusal}"
     if gate.p_value <= gate.level:
         objection = (
-            f"the rest exceeds the stated errors ({p_in_words(gate.p_value)}): it is {ratio_in_words(after**0.5)} "
-            "these, or something else is missing as well"
+            f"the rest exceeds the stated errors ({p_in_words(gate.p_value)}): it is "
+            f"{ratio_in_words(ratio_after**0.5)} these, or something else is missing as well"
         )
     text = (
-        f"{names(causes)} {verb} nearly all of the residual (chi2 per degree of freedom from {plain(before, 3)} to "
-        f"{plain(after, 3)}), but {objection}"
+        f"{names(causes)} {verb} nearly all of the residual (chi2 per degree of freedom from "
+        f"{plain(ratio_before, 3)} to {plain(ratio_after, 3)}), but {objection}"
     )
     return Answer.naming(text, [*causes, *indicated_candidates])
 
@@ -133,11 +133,11 @@ def nearly_all(e: Evidence) -> Answer | None:
 def no_direction(e: Evidence) -> Answer | None:
     """The residual, scaled to the size of noise, points to no candidate: perhaps the stated errors are too small."""
     frequencies, _ = _misfits(e.store, e.outcome.nuisance_fit)
-    scale, (least, largest), c = frequencies.ratio, e.criteria.reasons.dispersed, e.criteria
+    scale, (min_scale, max_scale), c = frequencies.ratio, e.criteria.reasons.dispersed, e.criteria
     gains = (
         s.gain / scale / max(len(s.candidate.parameters), 1) for s in e.outcome.first_gate.scores.by_candidate
     )
-    if not (least < scale < largest and max(gains, default=0.0) < c.reasons.no_direction):
+    if not (min_scale < scale < max_scale and max(gains, default=0.0) < c.reasons.no_direction):
         return None
     best = _best_explanation(e)
     alternative = "perhaps the stated sigma is too small"

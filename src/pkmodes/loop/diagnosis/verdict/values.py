@@ -64,10 +64,14 @@ def deciding_row(search: Search, final: Fit) -> str:
         for row in rows:
             if shows_in_one_row_only(search, final, cause, row):
                 continue
-            with_cause = replace(h, excluded=h.excluded | {row})
-            without = replace(with_cause, causes=tuple(other for other in h.causes if other != cause))
-            fit_with_cause = store.fit(with_cause, final.values)
-            fit_without_cause = store.fit(without, store.undone(final, without))
+            hypothesis = replace(h, excluded=h.excluded | {row})
+            hypothesis_without_cause = replace(
+                hypothesis, causes=tuple(other for other in h.causes if other != cause)
+            )
+            fit_with_cause = store.fit(hypothesis, final.values)
+            fit_without_cause = store.fit(
+                hypothesis_without_cause, store.undone(final, hypothesis_without_cause)
+            )
             if fit_with_cause is None or fit_without_cause is None:
                 continue
             gain = max(fit_without_cause.deviance - fit_with_cause.deviance, 0.0)
