@@ -200,7 +200,7 @@ def test_derivatives_are_evaluated_once_too() -> None:
 
 
 def test_the_least_recently_used_value_is_dropped() -> None:
-    kept = ResultCache[str](memory=10)
+    kept = ResultCache[str](max_memory=10)
     for key in "abc":
         assert kept.keep(key, key.upper(), 4) == key.upper()
         assert kept["a" if key < "c" else "c"]

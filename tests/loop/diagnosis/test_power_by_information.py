@@ -94,7 +94,7 @@ def test_directions_that_vanish_in_the_noise_do_not_count() -> None:
     v = size**2 / 2.0 * np.array([1.0 + np.cos(angle), 1.0 - np.cos(angle)])
     plausible = PlausibleChanges.of(both, size)
     np.testing.assert_allclose(plausible.weights, v / (1.0 + v), rtol=1e-12)
-    assert plausible.resolved == pytest.approx((v / (1.0 + v)).sum(), rel=1e-12)
+    assert plausible.resolved_count == pytest.approx((v / (1.0 + v)).sum(), rel=1e-12)
     drawn = plausible.draws(200_000, np.random.default_rng(1))
     np.testing.assert_allclose(drawn.var(axis=1), plausible.weights, rtol=0.02)
     # Along the mean direction the weight is that of the sum, across it that of the difference.

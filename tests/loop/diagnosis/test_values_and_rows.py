@@ -63,7 +63,7 @@ def test_a_corrected_value_is_at_a_bound_only_where_it_was_not_declared_there(
     nuisance = parameter.sigma is not None
     fit = setups.fitter.fit(Hypothesis(() if nuisance else model.candidates))
     assert fit is not None
-    (corrected,) = DiagnosisBuilder(setups).corrected(
+    (corrected,) = DiagnosisBuilder(setups).corrected_values(
         replace(fit, values=np.array([value])),
         limits.unknown_limits(FitStore(setups.fitter), model.candidates),
     )

@@ -7,7 +7,7 @@ larger size: the same test of :math:`|\theta|`.  At a physical bound, such as no
 of Cowan, Cranmer, Gross and Vitells (Asymptotic formulae for likelihood-based tests of new physics, European Physical
 Journal C 71, 2011, 1554, equation 16): the limit covers too often rather than too seldom.
 
-The prior of a candidate takes no part in its limit, which says what these data exclude.
+The prior of a candidate takes no part in its limit, which is what these data exclude.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ class Bound:
     - index: the parameter
     - size: largest deviation from the declared value at 95 %; None if the data do not bound it within its plausible
       range
-    - plausible: largest plausible deviation; infinite if unknown
+    - max_deviation: largest plausible deviation; infinite if unknown
     - frequency_change: relative change of some frequency at the limit, in the linear model; 0 without a limit
     - value_shifts: how far all fitted values move when the candidate has this size, (P,); for values with a prior,
       which limits them, also when it has the largest plausible size
@@ -61,7 +61,7 @@ class Bound:
     candidate: Candidate
     index: int
     size: float | None
-    plausible: float
+    max_deviation: float
     frequency_change: float
     value_shifts: Array
     unbounded_shifts: Array
@@ -87,7 +87,7 @@ class _AddedCandidate:
     step: Array
 
     @property
-    def linear(self) -> ProfilePoint:
+    def linear_minimum(self) -> ProfilePoint:
         """The minimum of the linear model."""
         white = self.start.white + self.start.jacobian @ self.step[list(self.free)]
         return ProfilePoint(self.start.values + self.step, white, self.start.jacobian)
@@ -107,28 +107,30 @@ def bounds(
     profiles = Profiles(fitter, fit)
     added = _added_candidates(fitter, fit, candidates)
     minima = (
-        [(addition.linear, 0.0) for addition in added] if linear else _minima(store, profiles, added, fit)
+        [(addition.linear_minimum, 0.0) for addition in added]
+        if linear
+        else _minima(store, profiles, added, fit)
     )
     sides, owners = [], []
     for addition, (point, gain) in zip(added, minima, strict=True):
-        scale_of_errors = 1.0
+        variance_ratio = 1.0
         if not noise:  # chi2 per degree of freedom that the candidate leaves
             free = sum(fitter.priors.of(i) is None for i in addition.free if i not in fit.free)
-            scale_of_errors = max(1.0, point.squares / max(store.degrees(fit) - free, 1))
+            variance_ratio = max(1.0, point.squares / max(store.degrees(fit) - free, 1))
         for i in fitter.indices(addition.candidate):
             for sign in (1, -1):
-                side = _side(fitter, addition, point, i, sign, scale_of_errors * ONE_SIDED**2 - gain)
+                side = _side(fitter, addition, point, i, sign, variance_ratio * ONE_SIDED**2 - gain)
                 if side is not None:
                     sides.append(side)
                     owners.append(addition)
     side_ends = [profiles.linear(side) for side in sides]
     sides_owners_and_ends = zip(sides, owners, side_ends, strict=True)
-    refined = [
+    sides_to_refine = [
         k
-        for k, (s, addition, e) in enumerate(sides_owners_and_ends)
-        if not linear and not _linear_model_suffices(fitter, s, addition, e)
+        for k, (side, addition, end) in enumerate(sides_owners_and_ends)
+        if not linear and not _linear_model_suffices(fitter, side, addition, end)
     ]
-    for k, end in zip(refined, profiles.ends([sides[k] for k in refined]), strict=True):
+    for k, end in zip(sides_to_refine, profiles.ends([sides[k] for k in sides_to_refine]), strict=True):
         side_ends[k] = end
     ends_by_parameter: dict[tuple[str, int], list[tuple[Side, End]]] = {}
     for addition, side, end in zip(owners, sides, side_ends, strict=True):
@@ -155,21 +157,14 @@ def value_shifts_by_default(store: FitStore, fit: Fit) -> dict[Assumption, Array
         declared = fitter.parameters[index].value
         default_as_candidate = Candidate(assumption.parameter, (assumption.parameter,))
         (addition,) = _added_candidates(fitter, fit, [default_as_candidate])
+        signs_and_ranges = (
+            (1, (DEFAULT_FACTOR - 1.0) * declared),
+            (-1, (1.0 - 1.0 / DEFAULT_FACTOR) * declared),
+        )
+        start, limit = addition.start, addition.start.squares + ONE_SIDED**2
         sides = [
-            Side(
-                index,
-                declared,
-                sign,
-                addition.free,
-                (),
-                largest,
-                addition.start,
-                addition.start.squares + ONE_SIDED**2,
-            )
-            for sign, largest in (
-                (1, (DEFAULT_FACTOR - 1.0) * declared),
-                (-1, (1.0 - 1.0 / DEFAULT_FACTOR) * declared),
-            )
+            Side(index, declared, sign, addition.free, (), largest, start, limit)
+            for sign, largest in signs_and_ranges
         ]
         ends = Profiles(fitter, fit).ends(sides)
         shift = np.max([np.abs(end.values - fit.values) for end in ends], axis=0)
@@ -180,16 +175,16 @@ def value_shifts_by_default(store: FitStore, fit: Fit) -> dict[Assumption, Array
 
 def _added_candidates(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> list[_AddedCandidate]:
     indices = list(dict.fromkeys(i for candidate in candidates for i in fitter.indices(candidate)))
-    _, raw = fitter.signatures(fit, indices)
+    _, signatures = fitter.signatures(fit, indices)
     prediction = fitter.structure.predict(fit.values, indices, shape_rates=fitter.observations.shape_rates)
     rates = dict(zip(indices, largest_rates(prediction).tolist(), strict=True))
     additions = []
     for candidate in candidates:
-        of_candidate = fitter.indices(candidate)
-        new_parameters = [i for i in of_candidate if i not in fit.free]
+        candidate_indices = fitter.indices(candidate)
+        new_parameters = [i for i in candidate_indices if i not in fit.free]
         free = (*fit.free, *new_parameters)
-        without_prior = of_candidate if candidate.sigma is not None else ()
-        jacobian = np.hstack([fit.jacobian, -raw[:, [indices.index(i) for i in new_parameters]]])
+        without_prior = candidate_indices if candidate.sigma is not None else ()
+        jacobian = np.hstack([fit.jacobian, -signatures[:, [indices.index(i) for i in new_parameters]]])
         white, jacobian = without_priors(fitter, fit.white, jacobian, without_prior)
         step = np.zeros_like(fit.values)
         length = np.linalg.norm(jacobian, axis=0)
@@ -197,16 +192,16 @@ def _added_candidates(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate])
         step[list(free)] = -np.linalg.lstsq(jacobian * scale, white, rcond=NOTHING)[0] * scale
         residual = white + jacobian @ step[list(free)]
         gain = float(white @ white - residual @ residual)
-        p = fitter.parameters[of_candidate[0]]
+        p = fitter.parameters[candidate_indices[0]]
         if (
-            len(of_candidate) == 1
-            and not p.lower <= fit.values[of_candidate[0]] + step[of_candidate[0]] <= p.upper
+            len(candidate_indices) == 1
+            and not p.lower <= fit.values[candidate_indices[0]] + step[candidate_indices[0]] <= p.upper
         ):
             gain, step = 0.0, np.zeros_like(step)
         start = ProfilePoint(fit.values, white, jacobian)
         additions.append(
             _AddedCandidate(
-                candidate, free, without_prior, {i: rates[i] for i in of_candidate}, start, gain, step
+                candidate, free, without_prior, {i: rates[i] for i in candidate_indices}, start, gain, step
             )
         )
     return additions
@@ -294,12 +289,12 @@ def _bound(
         unbounded_shifts[nuisances] = np.maximum(
             unbounded_shifts[nuisances], np.where(is_determined, 0.0, shift)
         )
-    plausible = max((side.largest for side, _ in ends), default=np.inf)
+    max_deviation = max((side.largest for side, _ in ends), default=np.inf)
     return Bound(
         addition.candidate,
         i,
         size,
-        plausible,
+        max_deviation,
         addition.rates[i] * (size or 0.0),
         value_shifts,
         unbounded_shifts,

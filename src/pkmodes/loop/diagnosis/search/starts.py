@@ -43,7 +43,7 @@ def starts(fitter: Fitter, additions: Sequence[tuple[Fit, Score, Hypothesis]]) -
     - additions: fit to which a cause is added, score of that cause at this fit, and hypothesis with the cause
     """
     scout, starts_of_addition = fitter.scout, [list[Array]() for _ in additions]
-    searches = {k: _search(fitter, *addition) for k, addition in enumerate(additions)}
+    searches = {k: _search_starts(fitter, *addition) for k, addition in enumerate(additions)}
     costs: dict[int, list[float] | None] = dict.fromkeys(searches)
     while searches:
         trials: dict[int, list[Array]] = {}
@@ -66,7 +66,7 @@ def starts(fitter: Fitter, additions: Sequence[tuple[Fit, Score, Hypothesis]]) -
     return starts_of_addition
 
 
-def _search(fitter: Fitter, fit: Fit, candidate_score: Score, hypothesis: Hypothesis) -> Trials:
+def _search_starts(fitter: Fitter, fit: Fit, candidate_score: Score, hypothesis: Hypothesis) -> Trials:
     """Yield trial values of one refit, and return its starts."""
     index = list(fitter.indices(candidate_score.candidate))
     # The first parameter of a cause determines its size.

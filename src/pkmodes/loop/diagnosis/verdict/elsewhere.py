@@ -84,9 +84,10 @@ def predict_elsewhere(fitter: Fitter, condition: MeasuringCondition, fit: Fit) -
     structure, sigma = condition.structure, float(np.median(fitter.observations.sigma))
     prediction = structure.predict(fit.values, fit.free)
     paired = fit.pairing.partner[fit.pairing.partner >= 0]
-    modes_above_lowest = int(paired.min()) - fit.prediction.rigid if len(paired) else 0
+    modes_below_measured = int(paired.min()) - fit.prediction.rigid if len(paired) else 0
     first_mode = max(
-        prediction.rigid + (min(modes_above_lowest, 0) if condition.has_other_drives else modes_above_lowest),
+        prediction.rigid
+        + (min(modes_below_measured, 0) if condition.has_other_drives else modes_below_measured),
         0,
     )
     lowest = slice(first_mode, first_mode + int(np.median(np.bincount(fitter.data.pose))))

@@ -104,7 +104,7 @@ def limits_beside(
     return CandidateLimits(
         {name: by_name[name] for name in ordered if name in by_name},
         unseen,
-        {bound.index: bound.plausible for bound in all_bounds},
+        {bound.index: bound.max_deviation for bound in all_bounds},
         frozenset(bound.candidate.name for bound in all_bounds),
         frozenset(bound.candidate.name for bound in all_bounds if bound.size is None),
     )
