@@ -47,7 +47,7 @@ def test_an_added_reading_decides_and_is_a_note_of_a_comparison(monkeypatch: pyt
     assert found.notes == updating.compare(robot, wrong).notes == (said,)
     assert updating.diagnose(robot, right).rule == "adequacy.adequate"
     (rule,) = [rule for rule in rules.rules_before_search() if rule.name == "before.half_waves"]
-    assert rule.about.startswith("The frequencies fit far better when doubled")
+    assert rule.applies_when.startswith("The frequencies fit far better when doubled")
 
 
 def test_every_reading_has_a_name_and_a_question() -> None:

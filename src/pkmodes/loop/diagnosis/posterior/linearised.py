@@ -67,7 +67,7 @@ class LinearisedFit:
 
     @cached_property
     def log_evidence(self) -> float:
-        """The logarithm of the evidence of the fit as it is."""
+        """The logarithm of the evidence of the fit without additions."""
         zeros = np.zeros((len(self.white), 1))
         return float(self.log_evidence_with(zeros, zeros)[0])
 

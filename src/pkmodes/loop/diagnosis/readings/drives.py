@@ -1,4 +1,4 @@
-"""Motors that were held although the measurements say free, or the reverse.
+"""Motors that were held although the file declares them free, or the reverse.
 
 Held motors change every frequency, and no cause is needed to explain that.  The mistake is reported if the declared
 model fits far better, or fits only, with the motors in the other state, and no single cause does better.

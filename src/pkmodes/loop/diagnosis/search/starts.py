@@ -112,7 +112,7 @@ def _origins(fitter: Fitter, fit: Fit, sign: int) -> list[Array]:
     if not fit.causes:  # a large missing cause drives the nuisances far from their declared values
         nuisances = list(fitter.nuisances)
         less_distorted[nuisances] = fitter.declared[nuisances]
-    elif sign:  # a cause that stands for two is too large
+    elif sign:  # a cause fitted in place of two is too large
         for cause in fit.causes:
             if one_sided(fitter, cause):
                 index = list(fitter.indices(cause))

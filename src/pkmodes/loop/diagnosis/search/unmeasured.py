@@ -1,6 +1,6 @@
 """Unmeasured modes of a model between the measured ones.
 
-Not every mode is measured at every pose, and the rate of misses is unknown, so a single missing mode says little.
+Not every mode is measured at every pose, and the rate of misses is unknown, so a single missing mode means little.
 But if a cause adds modes between measured ones and none of them was measured, their absence needs an explanation:
 given the numbers of modes and of missed modes there, the added modes should be missed no more often than by chance
 (hypergeometric distribution; Fisher's exact test).

@@ -199,7 +199,7 @@ def _stages_with_model_errors(stages: Stages, shared: SharedErrors) -> Stages:
 
 
 def _has_changed(result: Diagnosis) -> bool | None:
-    """Return whether anything changed, as far as a verdict tells."""
+    """Return whether anything changed; None if the verdict leaves this open."""
     if result.verdict == ADEQUATE.word:
         return False
     if result.beyond is not None and result.beyond.found is not None:

@@ -71,7 +71,7 @@ def as_change(sentence: str) -> str:
 
 
 def candidate_as_change(candidate: Candidate) -> Candidate:
-    """Return a candidate whose sentence says what changed."""
+    """Return a candidate whose sentence describes a change."""
     return replace(candidate, sentence=as_change(candidate.sentence))
 
 

@@ -69,7 +69,7 @@ def _remains_beside(store: FitStore, part: Fit, whole: Fit) -> bool:
 
     The whole brings modes close to each other, whose shapes follow noise: it may fit shapes better although only the
     part is true, by 12 at most on the rig.  Frequencies have no such freedom: where the part explains these better,
-    it remains whatever the shapes say.
+    it remains however it fits the shapes.
     """
     c = store.fitter.criteria
     if not _is_part_of_cause(part, whole):

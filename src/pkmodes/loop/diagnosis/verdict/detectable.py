@@ -2,8 +2,8 @@
 
 A candidate is *detectable* if one of these holds:
 
-* it is claimed, in the class of a claim, or remains as an explanation, or the reason of the verdict says that the
-  data point to it;
+* it is claimed, in the class of a claim, or remains as an explanation, or the reason of the verdict names it as one
+  to which the data point;
 * the residual of the refitted model shows it: its score is significant;
 * the data bound it: one of its parameters has a limit (`limits`), so that its absence beyond that is known.
 

@@ -79,7 +79,7 @@ def measuring_conditions(
 def predict_elsewhere(fitter: Fitter, condition: MeasuringCondition, fit: Fit) -> PredictionElsewhere:
     """Return what an explanation predicts; NaN if its cause is a wrong load, which setting it would not remove.
 
-    With motors in another state, modes that were not measured say nothing about which are measurable.
+    With motors in another state, modes that were not measured do not show which are measurable.
     """
     structure, sigma = condition.structure, float(np.median(fitter.observations.sigma))
     prediction = structure.predict(fit.values, fit.free)

@@ -11,7 +11,7 @@ value moves by D; a normal deviate that exceeds D on that side with a probabilit
 D / 1.645, which is what a joint fit of both would add to its variance (JCGM 100:2008, 5.1.2).  A candidate that the
 data do not bound within its plausible range moves to the end of that range; this counts for values held by priors.
 Other values, such as the size of a cause, could move anywhere with it: their standard deviation omits it, and a note
-says so.  Of all candidates only the one that moves the value most is counted, not their sum: like the diagnosis
+states this.  Of all candidates only the one that moves the value most is counted, not their sum: like the diagnosis
 itself, this assumes one missing cause, and many candidates move the values in the same way, which a sum would count
 several times (the envelope over alternative models; Dauncey, Kenzie, Wardle and Davies, Journal of Instrumentation
 10, 2015, P04015).

@@ -56,7 +56,7 @@ class Stages:
 
 @dataclass(frozen=True)
 class Damping:
-    """What the damping says of losses, beside the verdict on frequencies and shapes.
+    """The diagnosis of losses from damping ratios, beside the verdict on frequencies and shapes.
 
     - verdict: ``not_measured`` without damping
     - reason: one sentence
@@ -153,7 +153,7 @@ class Diagnosis:
     stages : Stages or None
         Partners, differences and MAC of all measured modes, for figures; not part of the JSON.
     damping : Damping
-        What the damping says; its ratios are among the rows.
+        The diagnosis of losses; the damping ratios are among the rows.
     headline : str
         Part of a headline about refitted values, beside the verdict; empty if there is none.
     rule : str
