@@ -105,8 +105,8 @@ def _class(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected]) 
             continue
         if saved.widened:
             remarks.append(
-                f"{_short(value)} is saved with +- {plain(saved.saved_sigma, 2)}, for what {saved.unseen.done} could "
-                "have done"
+                f"{_short(value)} is saved with +- {plain(saved.saved_sigma, 2)}, for what {saved.unseen.agent} "
+                "could have done"
             )
         if saved.unseen.unbounded:
             remarks.append(omission_in_words(saved.unseen))

@@ -68,7 +68,7 @@ def test_the_gain_is_the_drop_of_the_sum_of_squares_in_a_linear_model(
     assert one.step == pytest.approx(after.values[index], abs=1e-3 * errors.min())
     assert one.sigma == pytest.approx(errors, rel=1e-4)
     assert one.p_value == pytest.approx(stats.chi2.sf(before.chi2 - after.chi2, len(index)), rel=1e-3)
-    assert one.largest == pytest.approx(np.abs(model.G[..., index]).reshape(-1, len(index)).max(axis=0))
+    assert one.largest_rates == pytest.approx(np.abs(model.G[..., index]).reshape(-1, len(index)).max(axis=0))
 
 
 def test_the_gain_is_the_drop_with_a_shared_error_and_uncertain_positions() -> None:

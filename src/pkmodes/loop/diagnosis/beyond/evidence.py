@@ -15,7 +15,7 @@ from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.problem import Candidate
 from pkmodes.loop.diagnosis.search.ranges import plausible_sizes
-from pkmodes.loop.diagnosis.search.score import one_sided, p_of_smallest, score
+from pkmodes.loop.diagnosis.search.score import allowed_sign, p_of_smallest, score
 from pkmodes.loop.diagnosis.search.search import Outcome, Search
 from pkmodes.loop.diagnosis.verdict.claim import Claim, fitted_values
 from pkmodes.loop.diagnosis.verdict.classes import classes, survivors
@@ -203,6 +203,6 @@ def _p_value(tried: Tried, final: Fit) -> float:
         return 1.0
     fitter, gain = tried.search.store.fitter, max(tried.plain.deviance - final.deviance, 0.0)
     p = float(stats.chi2.sf(gain, sum(len(added.parameters) for added in final.causes)))
-    if len(final.causes) == 1 and one_sided(fitter, cause):
+    if len(final.causes) == 1 and allowed_sign(fitter, cause):
         p *= 0.5
     return min(p_of_smallest(tried.directions, p), 1.0)

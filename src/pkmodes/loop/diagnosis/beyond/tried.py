@@ -20,7 +20,7 @@ from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.problem import Array, Candidate, Structure
 from pkmodes.loop.diagnosis.search.additions import Progress
-from pkmodes.loop.diagnosis.search.score import MIN_REMAINDER, Directions, Score, one_sided, score
+from pkmodes.loop.diagnosis.search.score import MIN_REMAINDER, Directions, Score, allowed_sign, score
 from pkmodes.loop.diagnosis.search.search import Search
 from pkmodes.loop.diagnosis.search.starts import SIZES, starts
 from pkmodes.loop.diagnosis.verdict.all_setups import AllSetups
@@ -229,13 +229,15 @@ class _Explorer:
         best = sorted(visible, key=lambda entry: -entry.gain)[:BEST]
         # The linear estimate suffices for small changes of modes that are all paired.
         paired = bool((plain.pairing.partner[self.fitter.used(plain.hypothesis)] >= 0).all())
-        small = [entry for entry in best if paired and float(entry.largest @ np.abs(entry.step)) <= SMALL]
+        small = [
+            entry for entry in best if paired and float(entry.largest_rates @ np.abs(entry.step)) <= SMALL
+        ]
         near = {entry.candidate.name for entry in small}
         far = [entry for entry in best if entry.candidate.name not in near]
         self.progress(f"refitting with the {len(best)} most promising of {len(self.terms)} terms")
         fits = self.search.additions.refit([(plain, entry) for entry in far])
         jobs = [(plain.hypothesis.adding(entry.candidate), [self._moved(plain, entry)]) for entry in small]
-        overlooked = [entry for entry in scores if entry not in best and entry.largest[0] > 0.0]
+        overlooked = [entry for entry in scores if entry not in best and entry.largest_rates[0] > 0.0]
         begun = [*self._started(plain), *self._large(plain, overlooked)]
         started = [
             (h, [values[k] for _, k in order[:COMPARED]])
@@ -289,10 +291,13 @@ class _Explorer:
         trials = [
             _Trial(
                 plain.hypothesis.adding(entry.candidate),
-                [self._with(plain, entry.candidate, [sign * size / entry.largest[0]]) for size in SIZES],
+                [
+                    self._with(plain, entry.candidate, [sign * size / entry.largest_rates[0]])
+                    for size in SIZES
+                ],
             )
             for entry in scores
-            if (sign := one_sided(self.fitter, entry.candidate))
+            if (sign := allowed_sign(self.fitter, entry.candidate))
         ]
         return self._promising(trials)[:LARGE]
 

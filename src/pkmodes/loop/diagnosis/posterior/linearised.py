@@ -22,7 +22,7 @@ from pkmodes.loop.diagnosis.posterior.marginal import (
     prior_of_scale,
 )
 from pkmodes.loop.diagnosis.problem import Array, Candidate
-from pkmodes.loop.diagnosis.search.score import one_sided
+from pkmodes.loop.diagnosis.search.score import allowed_sign
 
 #: Prior probabilities that a row is not a mode, and that the modes of a setup share an error.
 P_WRONG_ROW, P_SHARED_ERROR = 0.01, 0.02
@@ -166,7 +166,7 @@ def _log_occam_factor_of_cause(
     signals = np.linalg.eigvalsh(information * np.outer(ratio, ratio))
     signal = float(np.sqrt(max(z @ information @ z, 0.0)))
     max_signal = max(float(np.sqrt(max(signals[-1], 1.0))), MIN_SIGNAL_RATIO * signal)
-    degrees, is_one_sided = max(int((signals > 1.0).sum()), 1), one_sided(fitter, cause) != 0
+    degrees, is_one_sided = max(int((signals > 1.0).sum()), 1), allowed_sign(fitter, cause) != 0
     return float(
         log_occam_factor(*(np.array([argument]) for argument in (signal, degrees, max_signal, is_one_sided)))[
             0

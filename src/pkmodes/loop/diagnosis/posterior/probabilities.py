@@ -31,7 +31,7 @@ from pkmodes.loop.diagnosis.posterior.linearised import (
 from pkmodes.loop.diagnosis.posterior.marginal import log_occam_factor
 from pkmodes.loop.diagnosis.posterior.outside import log_evidence_outside
 from pkmodes.loop.diagnosis.problem import Array
-from pkmodes.loop.diagnosis.search.score import Score, one_sided
+from pkmodes.loop.diagnosis.search.score import Score, allowed_sign
 from pkmodes.loop.diagnosis.search.search import Outcome, Search
 from pkmodes.loop.diagnosis.search.unmeasured import p_unmeasured
 
@@ -180,7 +180,7 @@ def _log_occam_factors(search: Search, scores: Sequence[Score], max_deviations: 
         [max(limits, default=MAX_SIGNAL) for limits in signals], MIN_SIGNAL_RATIO * signal
     )
     degrees = np.array([max(len(limits), 1) for limits in signals])
-    signs = np.array([one_sided(fitter, candidate_score.candidate) != 0 for candidate_score in scores])
+    signs = np.array([allowed_sign(fitter, candidate_score.candidate) != 0 for candidate_score in scores])
     log_factors = log_occam_factor(signal, degrees, max_signals, signs)
     width = fitter.priors.width(fitter.declared)
     for k, candidate_score in enumerate(scores):

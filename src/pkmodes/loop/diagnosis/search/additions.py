@@ -11,7 +11,7 @@ import numpy as np
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.loop.diagnosis.fit.store import FitStore, Key, key
 from pkmodes.loop.diagnosis.problem import Candidate
-from pkmodes.loop.diagnosis.search.score import Score, Scores, one_sided, score
+from pkmodes.loop.diagnosis.search.score import Score, Scores, allowed_sign, score
 from pkmodes.loop.diagnosis.search.starts import starts
 
 Progress = Callable[[str], None]
@@ -131,7 +131,7 @@ class Additions:
             (fit, candidate_score)
             for candidate_score in scores.by_candidate
             if candidate_score.visible
-            and (candidate_score.gain >= min_gain or one_sided(self.fitter, candidate_score.candidate))
+            and (candidate_score.gain >= min_gain or allowed_sign(self.fitter, candidate_score.candidate))
         ]
         return self.store.finished(
             self.refit([addition for addition in promising if self._testable(fit, addition[1].candidate)])
@@ -185,7 +185,7 @@ class Additions:
                             promising_addition,
                             key=itemgetter(0),
                         )
-                    if single is singles[0] and one_sided(self.fitter, candidate_score.candidate):
+                    if single is singles[0] and allowed_sign(self.fitter, candidate_score.candidate):
                         absent_effects[pair] = promising_addition
         count = len(by_linear_model) if self.tries_all_pairs else c.search.pairs
         best = {

@@ -44,7 +44,7 @@ class Score:
     - gain: decrease of chi2 that the linear model promises
     - step: corresponding change of the candidate's parameters, within their signs, (k,)
     - sigma: standard deviations of the parameters from these data, (k,); infinite if the data do not determine them
-    - largest: largest relative change of a measured frequency per unit of each parameter, (k,)
+    - largest_rates: largest relative change of a measured frequency per unit of each parameter, (k,)
     - visible: whether any signature remains after the projection
     """
 
@@ -53,7 +53,7 @@ class Score:
     gain: float
     step: Array
     sigma: Array
-    largest: Array
+    largest_rates: Array
     visible: bool
 
 
@@ -85,28 +85,33 @@ def score(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> Scores:
     indices = [i for candidate in candidates for i in fitter.indices(candidate)]
     if not indices:
         return Scores((), ())
-    rates, raw = fitter.signatures(fit, indices)
+    rates, signatures = fitter.signatures(fit, indices)
     basis = fit.basis
-    remainder = raw - basis @ (basis.T @ raw)
+    remainder = signatures - basis @ (basis.T @ signatures)
     rate_magnitudes = np.abs(rates)
     scores, directions, first_column = [], [], 0
     for candidate in candidates:
         columns = slice(first_column, first_column + len(candidate.parameters))
         first_column = columns.stop
         candidate_score, axes = _score_of(
-            fitter, fit, candidate, raw[:, columns], remainder[:, columns], rate_magnitudes[:, columns]
+            fitter, fit, candidate, signatures[:, columns], remainder[:, columns], rate_magnitudes[:, columns]
         )
         scores.append(candidate_score)
         if candidate_score.visible:
-            directions.append((axes, one_sided(fitter, candidate)))
+            directions.append((axes, allowed_sign(fitter, candidate)))
     return Scores(tuple(scores), tuple(directions))
 
 
 def _score_of(
-    fitter: Fitter, fit: Fit, candidate: Candidate, raw: Array, remainder: Array, rate_magnitudes: Array
+    fitter: Fitter,
+    fit: Fit,
+    candidate: Candidate,
+    signatures: Array,
+    remainder: Array,
+    rate_magnitudes: Array,
 ) -> tuple[Score, Array]:
     remainder_norms, data = np.linalg.norm(remainder, axis=0), slice(0, fitter.prior_rows.start)
-    norms = np.linalg.norm(raw[data], axis=0)
+    norms = np.linalg.norm(signatures[data], axis=0)
     visible = np.linalg.norm(remainder[data], axis=0) > MIN_REMAINDER * np.maximum(norms, 1e-300)
     largest = rate_magnitudes.max(axis=0, initial=0.0)
     step = np.zeros(remainder.shape[1])
@@ -120,7 +125,7 @@ def _score_of(
         sigma[visible] = np.linalg.norm(vt / s[:, None], axis=0) / remainder_norms[visible]
     projection = axes.T @ fit.white
     step[visible] = (vt.T @ (projection / s)) / remainder_norms[visible]
-    sign = one_sided(fitter, candidate)
+    sign = allowed_sign(fitter, candidate)
     gain = float(projection @ projection)
     if sign:
         z = float(np.sign(step[0]) * sign * np.sqrt(gain))
@@ -133,7 +138,7 @@ def _score_of(
     return Score(candidate, p_value, gain, step, sigma, largest, True), axes
 
 
-def one_sided(fitter: Fitter, candidate: Candidate) -> int:
+def allowed_sign(fitter: Fitter, candidate: Candidate) -> int:
     """Return the sign that physics allows, 0 for both: a single parameter whose declared value is its bound."""
     if len(candidate.parameters) != 1:
         return 0

@@ -14,7 +14,7 @@ import numpy as np
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.loop.diagnosis.problem import Array
-from pkmodes.loop.diagnosis.search.score import Score, one_sided
+from pkmodes.loop.diagnosis.search.score import Score, allowed_sign
 
 #: Sizes of a one-sided cause that are tried first, as the frequency change that the linear model predicts.
 SIZES = np.geomspace(0.003, 30.0, 12)
@@ -70,13 +70,13 @@ def _search_starts(fitter: Fitter, fit: Fit, candidate_score: Score, hypothesis:
     """Yield trial values of one refit, and return its starts."""
     index = list(fitter.indices(candidate_score.candidate))
     # The first parameter of a cause determines its size.
-    sign = one_sided(
+    sign = allowed_sign(
         fitter, replace(candidate_score.candidate, parameters=candidate_score.candidate.parameters[:1])
     )
     unit, sizes = np.zeros(len(index)), SIZES
-    has_size = bool(sign) and candidate_score.largest[0] > 0.0
+    has_size = bool(sign) and candidate_score.largest_rates[0] > 0.0
     if has_size:
-        unit[0] = sign / candidate_score.largest[0]
+        unit[0] = sign / candidate_score.largest_rates[0]
         values = fit.values.copy()
         values[index[0]] += float(SIZES[0] * unit[0])
         count = fitter.structure.predict(values, ()).eigenvalues.shape[1]
@@ -114,7 +114,7 @@ def _origins(fitter: Fitter, fit: Fit, sign: int) -> list[Array]:
         less_distorted[nuisances] = fitter.declared[nuisances]
     elif sign:  # a cause fitted in place of two is too large
         for cause in fit.causes:
-            if one_sided(fitter, cause):
+            if allowed_sign(fitter, cause):
                 index = list(fitter.indices(cause))
                 less_distorted[index] = fitter.declared[index] + KEPT_PART_OF_SIZE * (
                     fit.values[index] - fitter.declared[index]

@@ -89,7 +89,7 @@ def _may_be_due_to_unseen(value: Corrected) -> bool:
 def _unseen_clause(value: Corrected) -> str:
     if value.unseen is None or not _may_be_due_to_unseen(value):
         return ""
-    return f", which {value.unseen.done} could have done"
+    return f", which {value.unseen.agent} could have done"
 
 
 def _deviation(value: Corrected) -> float:

@@ -16,7 +16,7 @@ from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.search.gate import Gate
 from pkmodes.loop.diagnosis.search.ranges import plausible_sizes
-from pkmodes.loop.diagnosis.search.score import one_sided
+from pkmodes.loop.diagnosis.search.score import allowed_sign
 from pkmodes.loop.diagnosis.search.search import Outcome, Search
 from pkmodes.loop.diagnosis.verdict.classes import classes, other_pairs, survivors
 from pkmodes.loop.diagnosis.verdict.findings import Finding, Value
@@ -236,7 +236,7 @@ def _p_value(search: Search, final: Fit, position: int) -> float:
     without_cause = search.store.without(final, position)
     gain = max(without_cause.deviance - final.deviance, 0.0) if without_cause is not None else 0.0
     p = float(stats.chi2.sf(gain, len(cause.parameters)))
-    if one_sided(search.store.fitter, cause):
+    if allowed_sign(search.store.fitter, cause):
         p *= 0.5
     # The two causes of a pair were chosen together, from all pairs.
     return min(1.0, p * comb(len(search.candidates), len(final.causes)))

@@ -23,7 +23,7 @@ from scipy import stats
 
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.problem import Array
-from pkmodes.loop.diagnosis.search.score import Score, Scores, one_sided
+from pkmodes.loop.diagnosis.search.score import Score, Scores, allowed_sign
 from pkmodes.loop.diagnosis.verdict.findings import Examined, Value
 
 
@@ -89,4 +89,4 @@ def p_value_within_range(fitter: Fitter, candidate_score: Score, max_deviations:
             candidate_score.gain * part_of_step * (2.0 - part_of_step), max(int((step > 0.0).sum()), 1)
         )
     )
-    return 0.5 * p if one_sided(fitter, candidate_score.candidate) else p
+    return 0.5 * p if allowed_sign(fitter, candidate_score.candidate) else p

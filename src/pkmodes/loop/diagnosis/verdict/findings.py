@@ -57,7 +57,7 @@ class Unseen:
     default: str = ""
 
     @property
-    def done(self) -> str:
+    def agent(self) -> str:
         """What could have changed the value, for a clause ending in "could have done"."""
         if not self.default:
             return f"an unseen {self.candidate}"
@@ -171,7 +171,7 @@ def explain_saved_sigma(value: Value, corrected: Sequence[Corrected]) -> str:
     unseen, parts = saved.unseen, []
     if saved.widened:
         fit_sigma = rounded(value.value, value.sigma).columns[1]
-        parts.append(f"+- {fit_sigma} by the fit alone; the rest is what {unseen.done} could have done")
+        parts.append(f"+- {fit_sigma} by the fit alone; the rest is what {unseen.agent} could have done")
     if unseen.unbounded:
         parts.append(omission_in_words(unseen))
     return "; ".join(parts)
