@@ -80,9 +80,8 @@ def extra_modes(e: Evidence) -> str:
             lines.append(int(fitter.data.lines[row]))
     if not lines:
         return ""
-    extra = (
-        f"lines {', '.join(map(str, lines))} are modes" if len(lines) > 1 else f"line {lines[0]} is a mode"
-    )
+    several = f"lines {', '.join(map(str, lines))} are modes"
+    extra = several if len(lines) > 1 else f"line {lines[0]} is a mode"
     return (
         f"the declared model explains all other rows, but {extra} that it does not have: all its modes near there "
         "were measured as well"
@@ -271,10 +270,9 @@ def several_explanations(e: Evidence) -> Answer | None:
         for group in claim.remaining_explanations()
     ]
     listed = "; ".join(" or ".join(group) for group in remaining)
-    sentence = f"these data cannot tell {len(remaining[0])} explanations apart: {listed}"
-    return Answer(
-        sentence if len(remaining) == 1 else f"{len(remaining)} different explanations remain: {listed}"
-    )
+    if len(remaining) == 1:
+        return Answer(f"these data cannot tell {len(remaining[0])} explanations apart: {listed}")
+    return Answer(f"{len(remaining)} different explanations remain: {listed}")
 
 
 def another_with_other_errors(e: Evidence) -> Answer | None:
@@ -339,10 +337,9 @@ def rules_before_search() -> tuple[Rule[Start, Answer], ...]:
 
 def rules_after_search() -> tuple[Rule[Evidence, Answer], ...]:
     """Return the rules that are tried after a search, whatever its result."""
-    amplitude = Rule[Evidence, Answer]("after.amplitude", UNEXPLAINED, depends_on_amplitude)
     return (
         *_of_readings("after", lambda reading: reading.explained, lambda e: (e.fitter, e.final)),
-        amplitude,
+        Rule[Evidence, Answer]("after.amplitude", UNEXPLAINED, depends_on_amplitude),
     )
 
 
