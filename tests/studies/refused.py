@@ -12,9 +12,9 @@ with this class or pair and nothing else; *refused*: any other verdict or claim.
 both causes; *one of two*: a class that contains one of two causes; *wrong* otherwise, also where nothing is missing
 or the cause is outside the catalogue.
 
-The stated probability of a class or pair contains the doubt that its verdict leaves (`probabilities.ACCEPTED`,
-`REFUSED`, `NONE`), so that none of an `unexplained` case is high, whatever the data say; *as if accepted* it has the
-doubt of an accepted explanation in its place.
+The stated probability of a class or pair contains the doubt that its verdict leaves (`DOUBT_IF_ACCEPTED`,
+`DOUBT_IF_REFUSED`, `DOUBT_IF_UNEXPLAINED` of `probabilities`), so that none of an `unexplained` case is high,
+whatever the data say; *as if accepted* it has the doubt of an accepted explanation in its place.
 
 Every case that is refused by a rule which is asked where causes leave noise, however probable its best explanation,
 is diagnosed again without that rule: what is then claimed, or which other rules refuse.  A claim is also wrong if a
@@ -37,7 +37,11 @@ from unittest import mock
 import numpy as np
 
 from pkmodes.loop.diagnosis.posterior.document import Probabilities
-from pkmodes.loop.diagnosis.posterior.probabilities import ACCEPTED, NONE, REFUSED
+from pkmodes.loop.diagnosis.posterior.probabilities import (
+    DOUBT_IF_ACCEPTED,
+    DOUBT_IF_REFUSED,
+    DOUBT_IF_UNEXPLAINED,
+)
 from pkmodes.loop.diagnosis.verdict import rules
 from pkmodes.loop.diagnosis.verdict.unexplained import OPEN
 from pkmodes.loop.diagnosis.verdict.verdicts import EFFECT_FOUND, UNEXPLAINED
@@ -119,10 +123,10 @@ def as_accepted(probability: float, verdict: str, rule: str) -> float:
 
     The doubt depends on the verdict: it is undone, and that of an accepted explanation put in its place.
     """
-    doubt = ACCEPTED
+    doubt = DOUBT_IF_ACCEPTED
     if verdict == UNEXPLAINED.word:
-        doubt = NONE if rule in OPEN_RULES else REFUSED
-    return probability * (1.0 - ACCEPTED) / (1.0 - doubt)
+        doubt = DOUBT_IF_UNEXPLAINED if rule in OPEN_RULES else DOUBT_IF_REFUSED
+    return probability * (1.0 - DOUBT_IF_ACCEPTED) / (1.0 - doubt)
 
 
 def claimed(members: Members, outcome: Outcome[Any]) -> bool:
@@ -239,9 +243,9 @@ def tables(drawn: Sequence[Line], whole: Sequence[Line], seed: int) -> Tables:
         "with a class or pair": len(some),
         "cases with few rows": len(whole),
         "failed": sum(record["verdict"] == "failed" for record in every),
-        "doubt, accepted [%]": f"{100 * ACCEPTED:.0f}",
-        "doubt, refused [%]": f"{100 * REFUSED:.0f}",
-        "doubt, none left [%]": f"{100 * NONE:.0f}",
+        "doubt, accepted [%]": f"{100 * DOUBT_IF_ACCEPTED:.0f}",
+        "doubt, refused [%]": f"{100 * DOUBT_IF_REFUSED:.0f}",
+        "doubt, none left [%]": f"{100 * DOUBT_IF_UNEXPLAINED:.0f}",
     }
     return {
         "summary": Table.of(("quantity", "value"), facts.items()),

@@ -212,7 +212,7 @@ def _saved_robot_lines(file: Path, mechanism: Path | None, robot: Robot, result:
     from pkmodes.loop.updating.corrected_robot import widened
 
     sentences = [
-        f"{naming.chosen(effect)}: to save that instead, add --candidates {effect.members[1]}"
+        f"{naming.choice_in_words(effect)}: to save that instead, add --candidates {effect.members[1]}"
         for effect in result.every_cause
         if len(effect.members) > 1  # which these data cannot distinguish
     ]

@@ -19,7 +19,7 @@ from pkmodes.core.support.documents import schema_of
 from pkmodes.loop.diagnosis import MatrixStructure, Measurements, Parameter, compare, diagnose, update
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.problem import Candidate
-from pkmodes.loop.diagnosis.readings.amplitude import dependence
+from pkmodes.loop.diagnosis.readings.amplitude import level_dependence
 from pkmodes.loop.diagnosis.verdict.document import DiagnoseDocument
 from pkmodes.loop.measured.amplitude import AmplitudeDependence, amplitude_dependence, level_steps
 
@@ -122,7 +122,7 @@ def structure(data: Measurements) -> MatrixStructure:
 
 def found_in(data: Measurements) -> AmplitudeDependence:
     fitter = Fitter(structure(data), data)
-    found = dependence(fitter, fitter.declared)
+    found = level_dependence(fitter, fitter.declared)
     assert found is not None
     return found
 
@@ -261,7 +261,7 @@ def test_only_setups_that_differ_in_nothing_but_their_level_are_compared() -> No
     fitter = Fitter(structure(data), data)
     assert found_in(reachable).significant
     for other in (near, others, replace(data, level=np.full(6, np.nan))):
-        assert dependence(Fitter(fitter.structure, other), fitter.declared) is None
+        assert level_dependence(Fitter(fitter.structure, other), fitter.declared) is None
 
 
 def test_modes_that_were_missed_at_one_level_are_not_taken_for_another() -> None:
@@ -300,4 +300,4 @@ def test_levels_that_hardly_differ_are_one() -> None:
     assert level_steps(np.array([10.0, 1.0, 1.2, 1.3, 9.0])).tolist() == [2, 0, 0, 1, 2]
     data = measured(levels=(1.0, 1.2), loads=LOADS[:2])
     fitter = Fitter(structure(data), data)
-    assert dependence(fitter, fitter.declared) is None
+    assert level_dependence(fitter, fitter.declared) is None

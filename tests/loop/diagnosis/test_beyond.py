@@ -17,7 +17,7 @@ from helpers.diagnoses.resonators import Resonant, hanging
 from pkmodes.loop.diagnosis import Diagnosis, MatrixStructure, Measurements, diagnose
 from pkmodes.loop.diagnosis.beyond import tried
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
-from pkmodes.loop.diagnosis.search.score import MANY, Score, p_of_smallest
+from pkmodes.loop.diagnosis.search.score import MAX_DIRECTIONS_CORRELATED, Score, p_of_smallest
 from pkmodes.pages.report.action import action
 from pkmodes.pages.report.diagnosis import verdict_headline
 from pkmodes.pages.report.setting import ReportSetting
@@ -267,7 +267,7 @@ def test_one_row_carries_no_claim() -> None:
     assert (found.beyond.status, found.beyond.rule) == ("none", "beyond.one_row")
 
 
-@pytest.mark.parametrize("count", [5, MANY + 50])
+@pytest.mark.parametrize("count", [5, MAX_DIRECTIONS_CORRELATED + 50])
 @pytest.mark.parametrize("p", [0.01, 1e-4])
 def test_the_p_value_counts_all_that_was_tried(count: int, p: float) -> None:
     """Of n independent directions, the smallest p-value is at most p with the probability 1 - (1 - p)^n."""

@@ -13,7 +13,7 @@ from scipy import sparse
 from helpers.robots.small_structures import altered, frame, frame_matrices, frame_measured
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.loop.diagnosis import MatrixStructure, Parameter, diagnose
-from pkmodes.loop.diagnosis.structure.kept import Kept
+from pkmodes.loop.diagnosis.structure.cache import ResultCache
 
 
 def built(matrices: Any, **options: Any) -> MatrixStructure:
@@ -200,7 +200,7 @@ def test_derivatives_are_evaluated_once_too() -> None:
 
 
 def test_the_least_recently_used_value_is_dropped() -> None:
-    kept = Kept[str](memory=10)
+    kept = ResultCache[str](max_memory=10)
     for key in "abc":
         assert kept.keep(key, key.upper(), 4) == key.upper()
         assert kept["a" if key < "c" else "c"]

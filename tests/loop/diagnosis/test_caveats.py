@@ -12,7 +12,7 @@ from helpers.pages.report_examples import made_up
 from helpers.robots.small_structures import of_signatures, with_changes
 from pkmodes.loop.diagnosis import Diagnosis, diagnose
 from pkmodes.loop.diagnosis.verdict import caveats
-from pkmodes.loop.diagnosis.verdict.findings import Corrected, Unseen, believed, why_larger
+from pkmodes.loop.diagnosis.verdict.findings import Corrected, Unseen, explain_saved_sigma, with_saved_sigma
 from pkmodes.pages.report import report
 
 
@@ -25,11 +25,11 @@ def refitted(
 
 
 def test_what_was_refitted_is_said_with_its_size_in_standard_deviations_of_the_prior() -> None:
-    assert caveats.refitted([refitted(12.0)]) == "servo.stiffness from 10 to 12 N*m/rad (+2.0 sigma)"
+    assert caveats.refitted_in_words([refitted(12.0)]) == "servo.stiffness from 10 to 12 N*m/rad (+2.0 sigma)"
     small = replace(refitted(9.8), name="mass", unit="1")
-    assert caveats.refitted([small]) == "mass from 10 to 9.8 (-0.2 sigma)"
-    assert caveats.refitted([small, refitted(12.0)]) == caveats.refitted([refitted(12.0)])
-    assert caveats.refitted([refitted(12.0, prior=None)]) == ""
+    assert caveats.refitted_in_words([small]) == "mass from 10 to 9.8 (-0.2 sigma)"
+    assert caveats.refitted_in_words([small, refitted(12.0)]) == caveats.refitted_in_words([refitted(12.0)])
+    assert caveats.refitted_in_words([refitted(12.0, prior=None)]) == ""
 
 
 @pytest.mark.parametrize(
@@ -47,18 +47,23 @@ def test_what_was_refitted_is_said_with_its_size_in_standard_deviations_of_the_p
     ],
 )
 def test_a_conspicuous_refit_is_in_the_headline(value: Corrected, headline: str) -> None:
-    assert caveats.conspicuous([value], needed=True) == headline
+    assert caveats.conspicuous_in_words([value], refit_was_needed=True) == headline
     alone = headline if "sigma from" in headline else ""
-    assert caveats.conspicuous([value], needed=False) == alone
+    assert caveats.conspicuous_in_words([value], refit_was_needed=False) == alone
 
 
 def test_an_adequate_model_is_followed_by_what_it_cannot_see() -> None:
-    assert caveats.unseen(["a", "b"], limited=False) == "these data cannot show a, b"
-    assert caveats.unseen([*"abcdef"], limited=True) == (
+    assert (
+        caveats.undetectable_in_words(["a", "b"], others_are_limited=False) == "these data cannot show a, b"
+    )
+    assert caveats.undetectable_in_words([*"abcdef"], others_are_limited=True) == (
         "these data cannot show a, b, c, d and 2 more, nor other causes below their limits"
     )
-    assert caveats.unseen([], limited=True) == "these data cannot show causes below their limits"
-    assert caveats.unseen([], limited=False) == ""
+    assert (
+        caveats.undetectable_in_words([], others_are_limited=True)
+        == "these data cannot show causes below their limits"
+    )
+    assert caveats.undetectable_in_words([], others_are_limited=False) == ""
 
 
 def test_the_reason_of_a_decision_is_followed_by_its_caveats_each_once() -> None:
@@ -106,13 +111,13 @@ def test_the_sigma_that_may_be_relied_on_comes_first_and_the_reason_why_with_it(
     payload = Corrected("effects.payload.mass", 0.3, 0.01, "kg", 0.0, None, False, Unseen(0.04, "belt_mass"))
     found = replace(result, corrected=(payload,))
     (value,) = found.effects[0].parameters
-    assert believed(value, found.corrected).sigma == pytest.approx(np.hypot(0.01, 0.04))
+    assert with_saved_sigma(value, found.corrected).sigma == pytest.approx(np.hypot(0.01, 0.04))
     why = "+- 0.010 by the fit alone; the rest is what an unseen belt_mass could have done"
-    assert why_larger(value, found.corrected) == why
+    assert explain_saved_sigma(value, found.corrected) == why
     assert "payload.mass = 0.300 +- 0.041 kg" in str(found)
     summary = read(report(found, data=data)).by_id("summary").text
     assert "0.300 \u00b1 0.041" in summary
     assert why in summary
-    assert why_larger(value, result.corrected) == ""
+    assert explain_saved_sigma(value, result.corrected) == ""
     assert "0.300 +- 0.010 kg" in str(result)
     assert found.as_json()["effects"][0]["parameters"]["mass"]["sigma"] == 0.01  # type: ignore[index]

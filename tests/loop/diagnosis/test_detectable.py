@@ -20,7 +20,7 @@ from helpers.runs.shared import Shared
 from pkmodes.loop.diagnosis import Candidate, Diagnosis, Parameter
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.search.score import Score, Scores
-from pkmodes.loop.diagnosis.verdict.detectable import examined
+from pkmodes.loop.diagnosis.verdict.detectable import examine_candidates
 from pkmodes.loop.diagnosis.verdict.findings import Examined
 from pkmodes.pages.report import report
 
@@ -141,12 +141,12 @@ def one_examined(
     one = Score(candidate, p, z**2, np.array([z]), np.ones(1), np.array([1e-3]), visible=True)
     scores = Scores((one,), ())
     known = {True: {"a"}, False: set[str]()}
-    (found,) = examined(
+    (found,) = examine_candidates(
         fitter,
         scores,
         scores,
         {0: most},
-        shown=known[shown],
+        named=known[shown],
         limited=known[limited],
         unbounded=known[not limited],
     )

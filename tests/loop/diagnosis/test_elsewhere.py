@@ -11,7 +11,12 @@ from helpers.robots.small_structures import SIGMA, LogLinear, each, log_linear, 
 from pkmodes.loop.diagnosis import Parameter
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis
-from pkmodes.loop.diagnosis.verdict.elsewhere import Elsewhere, MeasuringCondition, apart, elsewhere
+from pkmodes.loop.diagnosis.verdict.elsewhere import (
+    MeasuringCondition,
+    PredictionElsewhere,
+    explanation_distances,
+    predict_elsewhere,
+)
 
 SETUPS, MODES = 6, 4
 #: Standard deviations of the components of a position.
@@ -39,7 +44,7 @@ def linear(there: LogLinear, fit: Fit) -> np.ndarray:
 
 def test_the_mean_is_of_the_fit_and_what_is_uncertain_is_known_in_part() -> None:
     fitter, fit, there = fitted()
-    found = elsewhere(fitter, MeasuringCondition(there, None, {}), fit)
+    found = predict_elsewhere(fitter, MeasuringCondition(there, None, {}), fit)
     assert found.mean * SIGMA == pytest.approx(there.base + there.G @ fit.values)
     G, C = linear(there, fit), np.linalg.inv(fit.jacobian.T @ fit.jacobian)
     rest = found.covariance() - G @ C @ G.swapaxes(1, 2)
@@ -54,32 +59,34 @@ def test_the_mean_is_of_the_fit_and_what_is_uncertain_is_known_in_part() -> None
 
 def test_uncertain_positions_and_shared_errors_add_to_it() -> None:
     fitter, fit, there = fitted(positions=True)
-    one = elsewhere(fitter, MeasuringCondition(there, None, {}), fit)
-    plain = elsewhere(
+    one = predict_elsewhere(fitter, MeasuringCondition(there, None, {}), fit)
+    plain = predict_elsewhere(
         fitter, MeasuringCondition(LogLinear(there.base, there.G, there.parameters), None, {}), fit
     )
     assert there.B is not None
     B = there.B * POSITION / SIGMA
     assert one.errors - plain.errors == pytest.approx(B @ B.swapaxes(1, 2))
-    shared = elsewhere(fitter, MeasuringCondition(there, None, {}), replace(fit, scatter=3.0 * SIGMA))
+    shared = predict_elsewhere(fitter, MeasuringCondition(there, None, {}), replace(fit, scatter=3.0 * SIGMA))
     assert shared.errors - one.errors == pytest.approx(np.full(one.errors.shape, 9.0))
 
 
 def test_a_load_that_an_explanation_is_about_leaves_it_without_a_prediction() -> None:
     fitter, fit, there = fitted()
     overridden, other = (
-        elsewhere(fitter, MeasuringCondition(there, None, {name: 0.1}), fit) for name in ("a", "load")
+        predict_elsewhere(fitter, MeasuringCondition(there, None, {name: 0.1}), fit) for name in ("a", "load")
     )
     assert np.isnan(overridden.mean).all()
     assert np.isfinite(other.mean).all()
-    distances, _, overlaps = apart([overridden, other], range(3))
+    distances, _, overlaps = explanation_distances([overridden, other], range(3))
     assert not distances.any()
     assert (overlaps == 1.0).all()
 
 
 def test_explanations_are_compared_in_the_modes_that_both_have() -> None:
     fitter, fit, there = fitted()
-    one = elsewhere(fitter, MeasuringCondition(there, None, {}), fit)
-    fewer = Elsewhere(fit, one.mean[:, :2] + 3.0, one.rates[:, :2], one.errors[:, :2, :2])
-    both = Elsewhere(fit, one.mean[:, :2], one.rates[:, :2], one.errors[:, :2, :2])
-    assert np.array_equal(apart([one, fewer], [1])[0], apart([both, fewer], [1])[0])
+    one = predict_elsewhere(fitter, MeasuringCondition(there, None, {}), fit)
+    fewer = PredictionElsewhere(fit, one.mean[:, :2] + 3.0, one.rates[:, :2], one.errors[:, :2, :2])
+    both = PredictionElsewhere(fit, one.mean[:, :2], one.rates[:, :2], one.errors[:, :2, :2])
+    assert np.array_equal(
+        explanation_distances([one, fewer], [1])[0], explanation_distances([both, fewer], [1])[0]
+    )

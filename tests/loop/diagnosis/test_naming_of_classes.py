@@ -13,7 +13,7 @@ from pkmodes.core.mechanism import registry
 from pkmodes.loop.diagnosis import Candidate, Diagnosis, Parameter, diagnose
 from pkmodes.loop.diagnosis.verdict import naming
 from pkmodes.loop.diagnosis.verdict.findings import Finding, Member
-from pkmodes.loop.diagnosis.verdict.possible import member, possible
+from pkmodes.loop.diagnosis.verdict.possible import describe_member, split_possible
 from pkmodes.loop.updating.kinds import KINDS, with_kinds
 
 SERIES = "a compliance in series with the belt"
@@ -68,9 +68,11 @@ def test_a_headline_counts_what_does_not_fit_and_names_no_member_as_the_cause() 
 
 
 def test_a_name_stands_for_a_candidate_without_a_sentence() -> None:
-    assert naming.explained([Finding("brace", ("brace",), (), {}, 0.0, "")]) == "explanation: brace"
+    assert (
+        naming.explanation_in_words([Finding("brace", ("brace",), (), {}, 0.0, "")]) == "explanation: brace"
+    )
     two = Finding("brace", ("brace", "strut"), (), {}, 0.0, "")
-    assert naming.explained([two]) == "the cause is narrowed to two: brace, or strut"
+    assert naming.explanation_in_words([two]) == "the cause is narrowed to two: brace, or strut"
 
 
 def test_every_candidate_with_a_kind_is_one_of_some_mechanism() -> None:
@@ -148,7 +150,7 @@ def fits(*values: float) -> tuple[Any, list[Any]]:
 
 def test_a_member_whose_value_is_beyond_its_range_leaves_the_class_and_is_named() -> None:
     fitter, group = fits(0.5, 3.0, -0.2)
-    kept, left = possible(fitter, group, {0: 1.0, 1: 2.0, 2: 0.2})
+    kept, left = split_possible(fitter, group, {0: 1.0, 1: 2.0, 2: 0.2})
     assert [fit.causes[-1].name for fit in kept] == ["p0", "p2"]
     assert left == [
         "p1 = 3 m would explain the measurements as well, but is left out of the class: at most 2 m from 0 m is "
@@ -158,6 +160,6 @@ def test_a_member_whose_value_is_beyond_its_range_leaves_the_class_and_is_named(
 
 def test_a_class_does_not_become_empty_and_what_stays_is_marked() -> None:
     fitter, group = fits(3.0)
-    assert possible(fitter, group, {0: 2.0}) == (group, [])
-    assert member(fitter, group[0], {0: 2.0}).implausible
-    assert not member(fitter, group[0], {0: 4.0}).implausible
+    assert split_possible(fitter, group, {0: 2.0}) == (group, [])
+    assert describe_member(fitter, group[0], {0: 2.0}).implausible
+    assert not describe_member(fitter, group[0], {0: 4.0}).implausible

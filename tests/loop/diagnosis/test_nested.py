@@ -73,10 +73,12 @@ def test_a_special_case_is_withdrawn_where_its_class_does_not_list_the_general_c
         next(fit for fit in search.store.tried() if [c.name for c in fit.causes] == [name])
         for name in ("special", "general")
     )
-    assert outcome.final.causes == special.causes
+    assert outcome.final_fit.causes == special.causes
     for members, instead in (([special, general], []), ([special], ["sigma x 0.5"])):
         withdrawn = [
-            t.entry.change for t in trials(search, outcome.final, [members]) if t.instead is not None
+            t.stability.change
+            for t in trials(search, outcome.final_fit, [members])
+            if t.better_rival is not None
         ]
         assert withdrawn == instead
 

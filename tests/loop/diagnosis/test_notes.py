@@ -27,7 +27,7 @@ from helpers.robots.small_structures import (
 from pkmodes.loop.diagnosis import Diagnosis, MatrixStructure, Measurements, Parameter, compare, diagnose
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
-from pkmodes.loop.diagnosis.search.unmeasured import p_unmeasured, seen
+from pkmodes.loop.diagnosis.search.unmeasured import count_modes, p_unmeasured
 
 FLOORS = [f"floor {i}" for i in range(1, 5)]
 LOADS = {f"{load:g} kg": load for load in (0.0, 2.0, 4.0, 6.0, 8.0)}
@@ -97,7 +97,9 @@ def test_a_wrong_unit_in_the_header_is_recognised_from_the_numbers() -> None:
         assert f"write frequency [{is_in}]" in found.reason
     assert notes(replace(data, unit="Hz")).verdict == "adequate"
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("pkmodes.loop.diagnosis.readings.units.ENOUGH", 2)  # of the setups tell the unit of all
+        patch.setattr(
+            "pkmodes.loop.diagnosis.readings.units.MAX_SETUPS", 2
+        )  # of the setups tell the unit of all
         assert "write frequency [Hz]" in notes(changed).reason
         assert notes(data).verdict == "adequate"
 
@@ -293,8 +295,8 @@ def test_added_modes_that_nobody_measured_contradict_a_cause_by_the_hypergeometr
         assert there is not None
         with_cause = replace(there, prediction=model.predict(np.array([1.0]), ()), pairing=declared.pairing)
         count = 50 - len(missed)
-        assert seen(fitter, declared) == (count + len(missed), len(missed))
-        assert seen(fitter, with_cause) == (count + len(missed) + 10, len(missed) + 10)
+        assert count_modes(fitter, declared) == (count + len(missed), len(missed))
+        assert count_modes(fitter, with_cause) == (count + len(missed) + 10, len(missed) + 10)
         total, lost = count + len(missed) + 11, len(missed) + 10
         expected = np.sqrt(stats.hypergeom.sf(9, total, lost, 10))  # no sensor is known
         assert p_unmeasured(fitter, declared, with_cause) == pytest.approx(expected)
@@ -308,7 +310,7 @@ def test_modes_above_the_highest_measured_one_are_not_counted_as_missed_whatever
         banded = Fitter(model, replace(fitter.data, band=(1.0, limit * float(np.exp(model.base[0, 4])))))
         declared = banded.fit(Hypothesis())
         assert declared is not None
-        assert seen(banded, declared) == (50, 0)
+        assert count_modes(banded, declared) == (50, 0)
 
 
 def test_log_linear_structures_with_a_stated_band_are_as_without_it() -> None:

@@ -17,7 +17,7 @@ from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.search.search import Search
-from pkmodes.loop.diagnosis.verdict.specificity import DRAWS, Plausible, p_coincidence
+from pkmodes.loop.diagnosis.verdict.specificity import DRAWS, PlausibleChanges, p_coincidence
 
 SETUPS, MODES = 10, 5
 DIRECTIONS = directions(SETUPS * MODES, 12)
@@ -92,9 +92,9 @@ def test_directions_that_vanish_in_the_noise_do_not_count() -> None:
     a, b = DIRECTIONS[:2]
     both = [(a[:, None], 0), ((np.cos(angle) * a + np.sin(angle) * b)[:, None], 0)]
     v = size**2 / 2.0 * np.array([1.0 + np.cos(angle), 1.0 - np.cos(angle)])
-    plausible = Plausible.of(both, size)
+    plausible = PlausibleChanges.of(both, size)
     np.testing.assert_allclose(plausible.weights, v / (1.0 + v), rtol=1e-12)
-    assert plausible.resolved == pytest.approx((v / (1.0 + v)).sum(), rel=1e-12)
+    assert plausible.resolved_count == pytest.approx((v / (1.0 + v)).sum(), rel=1e-12)
     drawn = plausible.draws(200_000, np.random.default_rng(1))
     np.testing.assert_allclose(drawn.var(axis=1), plausible.weights, rtol=0.02)
     # Along the mean direction the weight is that of the sum, across it that of the difference.

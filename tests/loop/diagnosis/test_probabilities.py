@@ -28,8 +28,13 @@ from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.posterior import marginal, outside
 from pkmodes.loop.diagnosis.posterior import probabilities as posterior
 from pkmodes.loop.diagnosis.posterior.document import ClassProbability, PairProbability, Probabilities
-from pkmodes.loop.diagnosis.posterior.linearised import Linearised, linearised
-from pkmodes.loop.diagnosis.posterior.probabilities import ACCEPTED, NONE, REFUSED, _beside
+from pkmodes.loop.diagnosis.posterior.linearised import LinearisedFit, linearise
+from pkmodes.loop.diagnosis.posterior.probabilities import (
+    DOUBT_IF_ACCEPTED,
+    DOUBT_IF_REFUSED,
+    DOUBT_IF_UNEXPLAINED,
+    _linear_explanations,
+)
 from pkmodes.loop.diagnosis.search.search import Search
 from pkmodes.loop.diagnosis.verdict import builder
 
@@ -41,8 +46,8 @@ DIRECTIONS = directions(ROWS, 30)
 @pytest.fixture
 def exact_errors(monkeypatch: pytest.MonkeyPatch) -> None:
     """Stated errors that are certainly right, so that a linear structure has an evidence in closed form."""
-    monkeypatch.setattr(marginal, "SCALE_SIGMA", 1e-4)
-    monkeypatch.setattr(marginal, "WIDE", 0.0)
+    monkeypatch.setattr(marginal, "NARROW_SIGMA", 1e-4)
+    monkeypatch.setattr(marginal, "WIDE_WEIGHT", 0.0)
 
 
 # The evidence against quadrature ----------------------------------------------------------------------------------
@@ -105,7 +110,7 @@ def test_a_row_set_aside_leaves_more_room_to_the_uncertain_value() -> None:
     density = stats.norm(0.0, SIGMA).logpdf(0.0)
     expected = whole(np.delete(np.arange(len(y)), row)) + density - whole(np.arange(len(y)))
     price = np.log(1.2 / (np.sqrt(2.0 * np.pi) * SIGMA)) - np.log(0.01)
-    found = linearised(fitter, fewer, {}).log_evidence - linearised(fitter, every, {}).log_evidence
+    found = linearise(fitter, fewer, {}).log_evidence - linearise(fitter, every, {}).log_evidence
     assert found == pytest.approx(expected - price, abs=0.01)
 
 
@@ -123,7 +128,7 @@ def test_a_cause_that_was_not_fitted_has_the_evidence_of_its_fit_where_the_model
     search, plausible = Search(store, model.candidates), {1: 100.0, 2: 100.0}
     plain = _left(store.fitter, (), {})
     assert not plain.set_aside
-    linear = {one.causes: one.weight for one in _beside(search, plausible, plain, 0.0)}
+    linear = {one.causes: one.weight for one in _linear_explanations(search, plausible, plain, 0.0)}
     for cause in model.candidates:
         assert linear[cause.name,] == pytest.approx(
             _left(store.fitter, (cause,), plausible).log_evidence, abs=0.05
@@ -150,11 +155,11 @@ def test_the_price_of_several_parameters_is_the_integral_over_all_directions(
 
 
 def test_misstated_errors_are_integrated_out() -> None:
-    narrow, wide = (stats.norm(0.0, s).pdf for s in (marginal.SCALE_SIGMA, marginal.SCALE_WIDE))
+    narrow, wide = (stats.norm(0.0, s).pdf for s in (marginal.NARROW_SIGMA, marginal.WIDE_SIGMA))
     for squares, degrees in ((40.0, 40.0), (160.0, 40.0), (2000.0, 40.0), (3.0, 12.0)):
 
         def density(log: float, q: float = squares, nu: float = degrees) -> float:
-            prior = (1.0 - marginal.WIDE) * narrow(log) + marginal.WIDE * wide(log)
+            prior = (1.0 - marginal.WIDE_WEIGHT) * narrow(log) + marginal.WIDE_WEIGHT * wide(log)
             return float(prior * np.exp(-nu * log - 0.5 * q * np.exp(-2.0 * log) + 0.5 * nu))
 
         low, high = marginal.LOG_SCALE[[0, -1]]
@@ -177,7 +182,7 @@ def test_changes_of_low_rank_have_the_evidence_of_their_covariance() -> None:
     g, axes = np.linalg.eigh(root.T @ root)
     c = (axes.T @ (root.T @ white)) ** 2 / g
     prior, largest = marginal.prior_of_scale(), 80.0
-    sizes = np.geomspace(outside.LEAST, largest, outside.SIZES)
+    sizes = np.geomspace(outside.MIN_SIGNAL, largest, outside.SIZES)
     weights = prior[::2] / prior[::2].sum() / outside.SIZES
     each = [
         np.log(weight)
@@ -236,10 +241,10 @@ def test_a_gross_row_counts_as_much_as_its_price_and_no_more() -> None:
     assert with_cause.log_evidence > _left(cause, (), {}).log_evidence + 50.0
 
 
-def _left(fitter: Fitter, causes: tuple[Candidate, ...], plausible: dict[int, float]) -> Linearised:
+def _left(fitter: Fitter, causes: tuple[Candidate, ...], plausible: dict[int, float]) -> LinearisedFit:
     fit = fitter.fit(Hypothesis(causes))
     assert fit is not None
-    return linearised(fitter, fit, plausible)
+    return linearise(fitter, fit, plausible)
 
 
 # What known structures must give ----------------------------------------------------------------------------------
@@ -341,14 +346,14 @@ def test_explanations_are_doubted_more_where_none_is_accepted_and_most_where_non
     )
     outcome = search.run()
     assert outcome is not None
-    for accepted, doubt in ((True, ACCEPTED), (False, REFUSED)):
+    for accepted, doubt in ((True, DOUBT_IF_ACCEPTED), (False, DOUBT_IF_REFUSED)):
         said = posterior.probabilities(search, {}, outcome, accepted=accepted)
         assert said is not None
         assert said.outside == pytest.approx(doubt, abs=0.01)
-    assert probabilities("one").outside == pytest.approx(ACCEPTED, abs=0.01)
+    assert probabilities("one").outside == pytest.approx(DOUBT_IF_ACCEPTED, abs=0.01)
     more = probabilities("more")
     assert found("more").verdict == "unexplained"
-    assert more.outside == pytest.approx(NONE, abs=0.01)
+    assert more.outside == pytest.approx(DOUBT_IF_UNEXPLAINED, abs=0.01)
     assert more.classes[0].members == ("cause 2",)
 
 
@@ -358,7 +363,7 @@ def test_something_outside_that_the_data_cannot_show_is_as_probable_as_before(
     monkeypatch: pytest.MonkeyPatch, kind: str, statement: object, missed: float
 ) -> None:
     """Beside one cause or two, and if these add modes that were not measured."""
-    monkeypatch.setattr(posterior, "ACCEPTED", 0.0)
+    monkeypatch.setattr(posterior, "DOUBT_IF_ACCEPTED", 0.0)
     monkeypatch.setattr(posterior, "log_evidence_outside", lambda _, model: model.log_evidence)
     monkeypatch.setattr(posterior, "p_unmeasured", lambda *_: missed)
     said = diagnosed(kind).probabilities

@@ -80,7 +80,7 @@ def test_a_probability_as_if_accepted_is_that_with_the_doubt_of_an_accepted_one(
     undecided: Case, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     doubted = judging.run(undecided)
-    monkeypatch.setattr(probabilities, "REFUSED", probabilities.ACCEPTED)
+    monkeypatch.setattr(probabilities, "DOUBT_IF_REFUSED", probabilities.DOUBT_IF_ACCEPTED)
     accepted = judging.run(undecided)
     assert doubted.verdict == accepted.verdict == "unexplained"
     assert doubted.probabilities is not None

@@ -22,8 +22,8 @@ ROOT = Path(__file__).parents[3]
 PAGE = ROOT / "docs/reference/verdicts.md"
 #: What the page calls the tables, in its order.
 TABLES = {
-    "Before a search": rules.before(),
-    "Whatever a search found": rules.after(),
+    "Before a search": rules.rules_before_search(),
+    "Whatever a search found": rules.rules_after_search(),
     "The declared model leaves noise": rules.ADEQUACY,
     "Causes leave noise": rules.CLAIMS,
     "Nothing leaves noise": unexplained.OPEN,
@@ -66,13 +66,16 @@ def printed() -> str:
     for title, table in TABLES.items():
         rows = [f"| {title} | when | verdict | decided | rightly |", "| --- | --- | --- | ---: | ---: |"]
         for rule in table:
-            cells = [f"`{rule.name.partition('.')[2]}`", rule.about, f"`{rule.verdict.word}`"]
+            cells = [f"`{rule.name.partition('.')[2]}`", rule.applies_when, f"`{rule.verdict.word}`"]
             shown = ("0", f"`{Path(SHOWN_BY.get(rule.name, '')).name}`")
             often = map(str, decided[rule.name]) if rule.name in decided else shown
             rows.append(f"| {' | '.join([*cells, *often])} |")
         parts.append("\n".join(rows))
     rows = ["| Measured damping | when | verdict on the damping |", "| --- | --- | --- |"]
-    rows += [f"| `{rule.name.partition('.')[2]}` | {rule.about} | `{rule.verdict.word}` |" for rule in LOSSES]
+    rows += [
+        f"| `{rule.name.partition('.')[2]}` | {rule.applies_when} | `{rule.verdict.word}` |"
+        for rule in LOSSES
+    ]
     return "\n\n".join([*parts, "\n".join(rows)])
 
 
@@ -80,7 +83,7 @@ def printed_terms() -> str:
     rows = ["| rule | when | status | shown by |", "| --- | --- | --- | --- |"]
     for rule in BEYOND:
         shown = Path(TERMS_SHOWN_BY.get(rule.name, "")).name
-        cells = [f"`{rule.name.partition('.')[2]}`", rule.about, f"`{rule.verdict.word}`"]
+        cells = [f"`{rule.name.partition('.')[2]}`", rule.applies_when, f"`{rule.verdict.word}`"]
         rows.append(f"| {' | '.join([*cells, f'`{shown}`' if shown else ''])} |")
     return "\n".join(rows)
 
@@ -126,7 +129,7 @@ def test_every_rule_says_when_it_applies() -> None:
     for table in (*TABLES.values(), LOSSES, BEYOND):
         assert len({rule.name for rule in table}) == len(table)
         assert len({rule.name.partition(".")[0] for rule in table}) == 1
-        assert all(rule.about for rule in table)
+        assert all(rule.applies_when for rule in table)
 
 
 def test_an_added_rule_decides_before_those_behind_it(

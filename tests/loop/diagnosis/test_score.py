@@ -68,7 +68,7 @@ def test_the_gain_is_the_drop_of_the_sum_of_squares_in_a_linear_model(
     assert one.step == pytest.approx(after.values[index], abs=1e-3 * errors.min())
     assert one.sigma == pytest.approx(errors, rel=1e-4)
     assert one.p_value == pytest.approx(stats.chi2.sf(before.chi2 - after.chi2, len(index)), rel=1e-3)
-    assert one.largest == pytest.approx(np.abs(model.G[..., index]).reshape(-1, len(index)).max(axis=0))
+    assert one.largest_rates == pytest.approx(np.abs(model.G[..., index]).reshape(-1, len(index)).max(axis=0))
 
 
 def test_the_gain_is_the_drop_with_a_shared_error_and_uncertain_positions() -> None:
@@ -89,7 +89,7 @@ def test_the_gain_is_the_drop_with_a_shared_error_and_uncertain_positions() -> N
     r = np.concatenate([r, [0.0, 2.0]])
     chi2 = [np.sum((r - G[:, :k] @ np.linalg.lstsq(G[:, :k], r, rcond=None)[0]) ** 2) for k in (2, 3)]
     assert one.gain == pytest.approx(chi2[0] - chi2[1], rel=1e-3)
-    assert one.largest == pytest.approx(np.abs(model.G[..., 2]).max())
+    assert one.largest_rates == pytest.approx(np.abs(model.G[..., 2]).max())
 
 
 def test_a_candidate_gets_no_credit_for_what_the_nuisances_explain() -> None:
@@ -104,7 +104,7 @@ def test_a_candidate_gets_no_credit_for_what_the_nuisances_explain() -> None:
     for one in (like, nothing):
         assert (one.visible, one.gain, one.p_value) == (False, 0.0, 1.0)
         assert one.step.tolist() == [0.0]
-    assert nothing.largest.tolist() == [0.0]
+    assert nothing.largest_rates.tolist() == [0.0]
     after = fitter.fit(Hypothesis((nearly.candidate,)))
     assert after is not None
     assert nearly.gain == pytest.approx(before.chi2 - after.chi2, rel=1e-3)

@@ -20,14 +20,14 @@ from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.states.result import Change
 from pkmodes.loop.diagnosis.states.shared_errors import (
-    ANY,
-    UNKNOWN,
+    MIN_SIGMA,
+    MODE_SIGMA,
     FittedValues,
-    between_setups,
-    less_certain,
+    scatter_between_setups,
     shared_errors,
+    with_model_uncertainty,
 )
-from pkmodes.loop.diagnosis.states.words import between
+from pkmodes.loop.diagnosis.states.words import reword
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 #: Says what is found in these states.
@@ -289,7 +289,7 @@ def test_the_prediction_of_an_error_is_that_of_a_normal_distribution(same: bool)
     fitter, shared = shared_of(kept, [kept.labels.index(other)])
     _, residual, sigma, _ = fitter.unfitted(fitter.declared, fitter.observations.all_rows)
     n = len(trusted)
-    scatter = between_setups(
+    scatter = scatter_between_setups(
         residual,
         sigma,
         np.tile(np.arange(FLOORS), n),
@@ -300,11 +300,11 @@ def test_the_prediction_of_an_error_is_that_of_a_normal_distribution(same: bool)
     assert shared.counterpart.tolist() == (list(range(FLOORS)) if same else [-1] * FLOORS)
     for mode in range(FLOORS):
         rows = np.arange(n) * FLOORS + mode
-        V = ANY**2 + np.diag(scatter**2 + sigma[rows] ** 2)
-        cross = ANY**2 + scatter**2 * np.array([float(same and k == 0) for k in range(n)])
+        V = MODE_SIGMA**2 + np.diag(scatter**2 + sigma[rows] ** 2)
+        cross = MODE_SIGMA**2 + scatter**2 * np.array([float(same and k == 0) for k in range(n)])
         gain = cross @ np.linalg.inv(V)
         assert shared.offset[mode] == pytest.approx(gain @ residual[rows], rel=1e-9)
-        assert shared.variance[mode] == pytest.approx(ANY**2 + scatter**2 - gain @ cross, rel=1e-6)
+        assert shared.variance[mode] == pytest.approx(MODE_SIGMA**2 + scatter**2 - gain @ cross, rel=1e-6)
 
 
 def test_far_above_those_of_the_measurement_errors_of_the_model_are_taken_off_as_measured() -> None:
@@ -348,7 +348,7 @@ def test_the_rows_of_a_later_state_have_these_errors_too() -> None:
     fitter, without = shared_of(data, later)
     own = declared(None).subset([3, 4, 5])
     fitted = FittedValues(("m", "k"), np.diag([0.2, 4e3]) ** 2)
-    shared = shared_errors(fitter, fitter.declared, own, data.at(later), fitted=fitted)
+    shared = shared_errors(fitter, fitter.declared, own, data.at(later), fitted_values=fitted)
     mode, setup = np.array(data.at(later).mode, dtype=int) - 1, data.at(later).pose
     more, _ = fitted.variances(own, mode, setup)
     assert (more > 1e-6).all()
@@ -369,11 +369,11 @@ def test_a_candidate_that_is_less_likely_costs_its_odds() -> None:
 
 def test_shapes_without_a_counterpart_are_as_uncertain_as_the_values_behind_their_modes() -> None:
     shapes, spread = np.array([[1.0, 0.5], [1.0, -0.5]]), np.array([0.01, 0.2])
-    same, larger = less_certain(shapes, np.full(2, 0.02), 0.03, spread)
+    same, larger = with_model_uncertainty(shapes, np.full(2, 0.02), 0.03, spread)
     np.testing.assert_array_equal(same, shapes)
     np.testing.assert_allclose(larger, [np.sqrt(0.0004 + 0.0009 + 0.0001), np.sqrt(0.0004 + 0.0009 + 0.04)])
     # Where no error is stated, all have one scatter, and what is less certain is left out.
-    fewer, unstated = less_certain(shapes, np.full(2, np.nan), 0.03, spread)
+    fewer, unstated = with_model_uncertainty(shapes, np.full(2, np.nan), 0.03, spread)
     np.testing.assert_array_equal(fewer, [[1.0, 0.5], [np.nan, np.nan]])
     assert np.isnan(unstated).all()
 
@@ -386,10 +386,12 @@ def test_the_scatter_between_setups_is_an_upper_limit() -> None:
     above = 0
     for _ in range(2000):
         residual = rng.normal(0.0, 0.1, 4)[partner] + rng.normal(0.0, np.hypot(true, SIGMA), 16)
-        above += between_setups(residual, sigma, partner, np.eye(4, dtype=bool), pose) > true
+        above += scatter_between_setups(residual, sigma, partner, np.eye(4, dtype=bool), pose) > true
     assert 0.88 < above / 2000 < 0.92
-    few = between_setups(np.zeros(2), sigma[:2], np.zeros(2, dtype=int), np.eye(2, dtype=bool), np.arange(2))
-    assert few == UNKNOWN, "two rows of one mode do not tell it"
+    few = scatter_between_setups(
+        np.zeros(2), sigma[:2], np.zeros(2, dtype=int), np.eye(2, dtype=bool), np.arange(2)
+    )
+    assert few == MIN_SIGMA, "two rows of one mode do not tell it"
 
 
 # Words -------------------------------------------------------------------------------------------------------------
@@ -398,10 +400,10 @@ def test_the_scatter_between_setups_is_an_upper_limit() -> None:
 def test_a_diagnosis_in_the_words_of_a_change() -> None:
     said = "the residual of the declared model is not noise (p < 1e-6); explanation: the declared mass is wrong (m)"
     differs = "after differs from before by more than the errors of both (p < 1e-6)"
-    assert between(said, "before", "after") == f"{differs}; explanation: the mass changed (m)"
+    assert reword(said, "before", "after") == f"{differs}; explanation: the mass changed (m)"
     day = "day.belt_stiffness from 0 to -0.012 (-0.8 sigma)"
     noise = f"the residual is noise once the uncertain values are refitted: {day}"
-    assert between(noise, "May", "June") == (
+    assert reword(noise, "May", "June") == (
         "June differs from May only by what two days may differ by: all belts are 1.2 % softer"
     )
 

@@ -63,8 +63,9 @@ def test_a_corrected_value_is_at_a_bound_only_where_it_was_not_declared_there(
     nuisance = parameter.sigma is not None
     fit = setups.fitter.fit(Hypothesis(() if nuisance else model.candidates))
     assert fit is not None
-    (corrected,) = DiagnosisBuilder(setups).corrected(
-        replace(fit, values=np.array([value])), limits.unknown(FitStore(setups.fitter), model.candidates)
+    (corrected,) = DiagnosisBuilder(setups).corrected_values(
+        replace(fit, values=np.array([value])),
+        limits.unknown_limits(FitStore(setups.fitter), model.candidates),
     )
     assert (corrected.value, corrected.declared) == (value, parameter.value)
     assert corrected.at_bound is reached

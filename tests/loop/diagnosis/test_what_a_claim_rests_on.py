@@ -304,7 +304,7 @@ def test_a_model_that_is_right_only_with_an_unstated_error_of_the_poses_is_not_a
     ],
 )
 def test_errors_are_never_called_one_times_as_large(ratio: float, words: str) -> None:
-    assert reasons.larger(ratio) == words
+    assert reasons.ratio_in_words(ratio) == words
 
 
 @pytest.mark.parametrize("sigma", [0.002, 0.01, 0.02])

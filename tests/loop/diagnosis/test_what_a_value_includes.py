@@ -16,7 +16,7 @@ from helpers.diagnoses.diagnose_command import call
 from helpers.references.bed_slinger_by_hand import ROBOT, Frame, frequencies, measured
 from pkmodes import Model, read_robot, updating
 from pkmodes.core.robot.robot import Robot
-from pkmodes.loop.diagnosis.verdict.findings import Corrected, Unseen, why_larger
+from pkmodes.loop.diagnosis.verdict.findings import Corrected, Unseen, explain_saved_sigma
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 
 POSES = [tuple(pose) for pose in np.random.default_rng(42).uniform(0.01, 0.22, (12, 2)).round(4)]
@@ -60,7 +60,7 @@ def test_a_candidate_without_a_limit_is_named_and_not_counted(robot: Path) -> No
         assert value.unseen is not None
         assert value.unseen.unbounded
         expected = f"not included is what an unseen {value.unseen.unbounded} could have done, which these data do not"
-        assert expected in why_larger(value, found.corrected)
+        assert expected in explain_saved_sigma(value, found.corrected)
     saved = robot.parent / "saved.toml"
     updating.save_robot(declared, found, saved)
     assert "sigma leaves out what an unseen" in saved.read_text(encoding="utf-8")

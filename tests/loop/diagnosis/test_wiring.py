@@ -21,7 +21,7 @@ from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.one_state import split
 from pkmodes.loop.diagnosis.readings.misfits import WiringMisfit
-from pkmodes.loop.diagnosis.readings.wiring import certain_wiring, other_wiring, rewired
+from pkmodes.loop.diagnosis.readings.wiring import certain_wiring, find_better_wirings, other_wiring
 from pkmodes.loop.diagnosis.readings.wirings import Wiring
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.updating.measured_robot import MeasuredRobot
@@ -255,7 +255,7 @@ def test_the_right_order_is_among_those_that_remain(number: int, order: str) -> 
     case = next(c for c in SUITES["units and wiring"]() if c.number == number)
     assert (case.kind, case.mistake) == (UNDECIDED, order)
     data = measurements(tried(replace(case, seed=7002)).text)
-    found = rewired(*declared_fit(data, fitted=split(data, None)[0]))
+    found = find_better_wirings(*declared_fit(data, fitted=split(data, None)[0]))
     assert found is not None
     assert len(found.wirings) > 1
     assert Wiring(*ORDERS[order]).up_to_sign in found.wirings
@@ -266,4 +266,4 @@ def test_the_misfit_does_not_depend_on_whether_errors_are_stated() -> None:
     one = WiringMisfit(np.array([30.0, 10.0, 0.0]), count, np.array([10.0, 20.0, 1e-300]), 0.1)
     assert one.deviance() == pytest.approx(10 * np.log(3.0))  # no better than the errors
     assert one.deviance(frequencies=False) == 0.0
-    assert one.shapes == pytest.approx(20.0)
+    assert one.shape_squares == pytest.approx(20.0)

@@ -18,7 +18,7 @@ from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.match.predicted import Predicted
 from pkmodes.loop.diagnosis.problem import Structure
 from pkmodes.loop.diagnosis.readings.amplitude import notes_on_amplitude
-from pkmodes.loop.diagnosis.readings.table import declared_otherwise
+from pkmodes.loop.diagnosis.readings.table import answer_for_declared_model
 from pkmodes.loop.diagnosis.verdict.rows import Level, ModeName, MotorsDid, Place, drives_of
 from pkmodes.loop.measured.measurements import Measurements
 
@@ -189,7 +189,7 @@ def compare(structure: Structure, data: Measurements) -> Comparison:
         )
         for i in range(len(paired))
     )
-    notes = (*declared_otherwise(fitter), *notes_on_amplitude(fitter, fitter.declared))
+    notes = (*answer_for_declared_model(fitter), *notes_on_amplitude(fitter, fitter.declared))
     prediction = structure.predict(fitter.declared, ())
     stage, rigid = (
         Predicted.of(fitter.observations.pairer, data, prediction, pairing, sigma),

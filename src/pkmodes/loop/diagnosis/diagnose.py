@@ -8,7 +8,7 @@ from pkmodes.loop.diagnosis.criteria import Criteria
 from pkmodes.loop.diagnosis.one_state import diagnosed
 from pkmodes.loop.diagnosis.problem import Structure
 from pkmodes.loop.diagnosis.search.additions import Progress
-from pkmodes.loop.diagnosis.states.changes import changed_between
+from pkmodes.loop.diagnosis.states.changes import diagnose_changes
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes.loop.measured.measurements import Measurements
 
@@ -58,6 +58,6 @@ def diagnose(
     """
     if states is None:
         return diagnosed(structure, data, holdout=holdout, progress=progress, criteria=criteria, terms=terms)
-    return changed_between(
+    return diagnose_changes(
         structure, data, states, holdout=holdout, progress=progress, criteria=criteria, terms=terms
     )

@@ -19,6 +19,7 @@ from pkmodes.loop.diagnosis.problem import (
     Structure,
     one_by_one,
 )
+from pkmodes.loop.diagnosis.structure.cache import ResultCache
 from pkmodes.loop.diagnosis.structure.checks import (
     check_callables,
     check_candidate,
@@ -26,17 +27,16 @@ from pkmodes.loop.diagnosis.structure.checks import (
     check_parameter,
     sensor_map,
 )
-from pkmodes.loop.diagnosis.structure.kept import Kept
 from pkmodes.loop.diagnosis.structure.modes import (
     SetupModes,
     UnstableError,
     UnusableError,
-    changes_of,
+    differentiate_shapes,
+    modal_forces,
     setup_modes,
-    shape_rates_of,
 )
-from pkmodes.loop.diagnosis.structure.supplied import Derivatives, Matrices, Pair, Supplied
-from pkmodes.loop.diagnosis.structure.terms import SuppliedWithTerms, terms_of
+from pkmodes.loop.diagnosis.structure.supplied import Derivatives, Matrices, MatrixPair, SuppliedMatrices
+from pkmodes.loop.diagnosis.structure.terms import SuppliedWithTerms, coordinate_terms
 
 #: Calls of the callable that take longer than this dominate the time of a diagnosis [s].
 SLOW = 0.02
@@ -45,7 +45,7 @@ SLOW = 0.02
 class _Solved(NamedTuple):
     """Matrices and modes of one setup."""
 
-    pair: Pair
+    pair: MatrixPair
     modes: SetupModes
 
 
@@ -147,16 +147,16 @@ class MatrixStructure:
         numbered = [f"coordinate {i}" for i in range(1, self._size + 1)]
         self.coordinates = tuple(numbered if sensors is not None else coordinates or self.channels)
         reason = f"{self._size} coordinates" if sensors is None else f"{self._size} columns of sensors"
-        supplied = Supplied(
+        supplied = SuppliedMatrices(
             self.parameters,
             matrices,
             derivatives,
             self._size,
             f"{self._size} channels" if self._map is None else reason,
         )
-        self._supplied: Supplied | SuppliedWithTerms = supplied
+        self._supplied: SuppliedMatrices | SuppliedWithTerms = supplied
         self._count = min(self._size, modes or self._size)
-        self._solutions: Kept[list[_Solved | None]] = Kept()
+        self._solutions: ResultCache[list[_Solved | None]] = ResultCache()
         self._check(UnusableError)
         for setup in self.setups[:1]:
             supplied.check_repeatable(setup)
@@ -171,9 +171,9 @@ class MatrixStructure:
         if isinstance(self._supplied, SuppliedWithTerms):
             return self
         taken = {*(p.name for p in self.parameters), *(candidate.name for candidate in self.candidates)}
-        terms = list(terms_of(self.coordinates, self.units, taken))
+        terms = list(coordinate_terms(self.coordinates, self.units, taken))
         extended = copy.copy(self)
-        extended._supplied, extended._solutions = SuppliedWithTerms(self._supplied, terms), Kept()
+        extended._supplied, extended._solutions = SuppliedWithTerms(self._supplied, terms), ResultCache()
         extended.parameters = (*self.parameters, *(term.parameter for term in terms))
         extended.candidates = (*self.candidates, *(term.candidate for term in terms))
         return extended
@@ -181,7 +181,7 @@ class MatrixStructure:
     def subset(self, setups: Sequence[int]) -> MatrixStructure:
         """Return the same structure in some of its setups."""
         part = copy.copy(self)
-        part.setups, part._solutions = tuple(self.setups[i] for i in setups), Kept()
+        part.setups, part._solutions = tuple(self.setups[i] for i in setups), ResultCache()
         return part
 
     def predict(self, values: Array, by: Sequence[int], *, shape_rates: bool = False) -> Prediction:
@@ -201,10 +201,10 @@ class MatrixStructure:
             changes = [None if by_setup is None else by_setup[at] for by_setup in by_each]
             eigenvalues[k] = solution.modes.eigenvalues[:count]
             shapes[k] = self._measured(solution.modes.shapes[:count])
-            forces, norm = changes_of(solution.modes, changes)
+            forces, norm = modal_forces(solution.modes, changes)
             rates[k] = np.einsum("tin,in->it", forces, solution.modes.shapes)[:count]
             if moved is not None:
-                along = shape_rates_of(solution.pair.K, solution.modes, forces, norm)[:, :count]
+                along = differentiate_shapes(solution.pair.K, solution.modes, forces, norm)[:, :count]
                 moved[k] = np.moveaxis(self._measured(along), 0, -1)
         return Prediction(eigenvalues, rates, shapes, self.rigid, moved)
 
@@ -239,7 +239,7 @@ class MatrixStructure:
         """Refuse matrices without modes at the declared values."""
         declared = np.array([p.value for p in self.parameters])
         for setup in self.setups:
-            pair = self._supplied.at(declared, setup, finite=True)
+            pair = self._supplied.evaluate(declared, setup, finite=True)
             try:
                 setup_modes(pair, self.rigid)
             except UnusableError as error:
@@ -259,7 +259,7 @@ class MatrixStructure:
             return self._solutions[key]
         solutions: list[_Solved | None] = []
         for setup in self.setups:
-            pair = self._supplied.at(values, setup)
+            pair = self._supplied.evaluate(values, setup)
             try:  # matrices without modes are not an error here: a fit may try any value within the bounds
                 solutions.append(None if pair is None else _Solved(pair, setup_modes(pair, self.rigid)))
             except UnusableError:

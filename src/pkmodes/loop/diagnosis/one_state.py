@@ -82,7 +82,7 @@ def _of_frequencies(
     builder, early = DiagnosisBuilder(start.setups), decide_before_search(start)
     if early is not None:
         return builder.before_search(start, early)
-    search, outcome = _searched(start.plain, structure, progress)
+    search, outcome = _searched(start.store, structure, progress)
     if outcome is None:
         problem = "the model cannot be evaluated with its declared values"
         raise PkmodesError(problem, data.source, "check the poses and the robot file")

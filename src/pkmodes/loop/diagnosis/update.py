@@ -25,7 +25,11 @@ from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.one_state import split
 from pkmodes.loop.diagnosis.problem import Candidate, Structure, reached_bounds
 from pkmodes.loop.diagnosis.readings.amplitude import notes_on_amplitude
-from pkmodes.loop.diagnosis.readings.table import declared_otherwise, explained_otherwise, reading_remarks
+from pkmodes.loop.diagnosis.readings.table import (
+    answer_for_declared_model,
+    answer_for_final_fit,
+    reading_remarks,
+)
 from pkmodes.loop.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.loop.diagnosis.verdict.notes import notes
 from pkmodes.loop.diagnosis.verdict.rows import Error, Row
@@ -141,8 +145,8 @@ def update(
     squares, degrees = store.frequency_misfit(fit)
     updated = tuple(_updated(fitter, fit, i) for i in chosen)
     messages = [
-        *declared_otherwise(fitter),
-        *explained_otherwise(fitter, fit),
+        *answer_for_declared_model(fitter),
+        *answer_for_final_fit(fitter, fit),
         *reading_remarks(setups.stage(fit.values), fitter.criteria.readings),
         *notes_on_amplitude(fitter, fit.values),
     ]

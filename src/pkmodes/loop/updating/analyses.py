@@ -14,7 +14,7 @@ from pkmodes.core.support.threads import one_blas_thread
 from pkmodes.loop import diagnosis
 from pkmodes.loop.diagnosis.compare import Comparison
 from pkmodes.loop.diagnosis.search.additions import Progress
-from pkmodes.loop.diagnosis.states.changes import setups_of
+from pkmodes.loop.diagnosis.states.changes import setups_by_state
 from pkmodes.loop.diagnosis.update import Update
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes.loop.measured.measurements import Measurements
@@ -96,7 +96,7 @@ def diagnose(
     """
     if states is not None:
         first = MeasuredRobot.of(robot, data)
-        (trusted, setups), later = setups_of(first.data, states)
+        (trusted, setups), later = setups_by_state(first.data, states)
         return changed(
             first.robot,
             data.at(setups),

@@ -16,8 +16,8 @@ from pkmodes.core.support.threads import one_blas_thread
 from pkmodes.loop.diagnosis.fit.hypothesis import parallel
 from pkmodes.loop.diagnosis.problem import Candidate, Parameter, Structure
 from pkmodes.loop.diagnosis.search.additions import Progress
-from pkmodes.loop.diagnosis.states.changes import Trusted, with_known
-from pkmodes.loop.diagnosis.states.result import Change, merged
+from pkmodes.loop.diagnosis.states.changes import TrustedState, with_known_values
+from pkmodes.loop.diagnosis.states.result import Change, merge_changes
 from pkmodes.loop.diagnosis.states.words import candidate_as_change
 from pkmodes.loop.diagnosis.verdict.verdicts import AMBIGUOUS
 from pkmodes.loop.measured.measurements import Measurements
@@ -94,7 +94,7 @@ def changed(
     names, campaigns = _named(trusted, later, name)
     first = MeasuredRobot.of(model, trusted)
     wrong = axis_deviations(first.robot)
-    common = Trusted.of(names[0], _extended(first.structure(candidates=()), wrong), trusted)
+    common = TrustedState.of(names[0], _extended(first.structure(candidates=()), wrong), trusted)
     baseline = _as_trusted(first.robot, common.values)
     changes = {}
     for name, data in zip(names[1:], campaigns, strict=True):
@@ -106,9 +106,9 @@ def changed(
         in_candidates = {p.name for p in measured_structure.parameters}
         moves = {path: resolve(baseline, path) for path in common.values if path not in in_candidates}
         parameters = [Parameter(path, move.value, move.unit) for path, move in moves.items()]
-        structure = with_known(_extended(measured_structure, (parameters, moves)), common.values)
+        structure = with_known_values(_extended(measured_structure, (parameters, moves)), common.values)
         ask = partial(
-            common.changed_to,
+            common.diagnose_change,
             name,
             data=measured.data,
             holdout=None
@@ -118,7 +118,7 @@ def changed(
             terms=terms,
         )
         changes[name] = _explained_change(ask, _with_day(structure), everything=candidates is not None)
-    return merged(names[0], changes)
+    return merge_changes(names[0], changes)
 
 
 def _explained_change(

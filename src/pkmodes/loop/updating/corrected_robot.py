@@ -44,8 +44,10 @@ def corrections(robot: Robot, diagnosis: Diagnosis) -> Mapping[str, Correction]:
             note += f", for {assumed}"
         unit = "" if value.unit == "1" else f" {value.unit}"
         if value.name in explained and value.unseen is not None:
-            done = value.unseen.done
-            note += f"; sigma includes what {done} could have done (fit alone: {plain(value.sigma, 2)}{unit})"
+            agent = value.unseen.agent
+            note += (
+                f"; sigma includes what {agent} could have done (fit alone: {plain(value.sigma, 2)}{unit})"
+            )
         if value.unseen is not None and value.unseen.unbounded:
             note += (
                 f"; sigma leaves out what an unseen {value.unseen.unbounded} could have done, which these data do "

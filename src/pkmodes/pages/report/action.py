@@ -18,7 +18,7 @@ from pkmodes.loop.diagnosis.posterior.document import NOTHING_MISSING, OUTSIDE
 from pkmodes.loop.diagnosis.problem import Array
 from pkmodes.loop.diagnosis.verdict.findings import saved_as
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
-from pkmodes.loop.diagnosis.verdict.stability_words import same, stable
+from pkmodes.loop.diagnosis.verdict.stability_words import is_stable, same_verdict
 from pkmodes.loop.diagnosis.verdict.terms import DECLARED, Beyond, TermClass
 from pkmodes.loop.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.pages.report.blocks import Cell, Facts
@@ -97,7 +97,7 @@ def _where(name: str, result: Diagnosis, setting: ReportSetting) -> str:
     """Return where to look for a cause; its sentence if no advice is listed."""
     if name in result.alone:
         joint_change, (_, colon, advice) = result.alone[name], WHERE.get(name, "").partition(": ")
-        return f"{joint_change.joint.words}, which is {joint_change.compared}{colon}{advice}"
+        return f"{joint_change.joint.words}, which is {joint_change.comparison}{colon}{advice}"
     if name in WHERE:
         return WHERE[name]
     if (term_class := _beyond(result)) and term_class.forms.get(name, DECLARED) not in ("", DECLARED):
@@ -215,8 +215,8 @@ def _sure(result: Diagnosis) -> list[Cell]:
     if saved is not None and saved.value != saved.declared:
         part = plain(100.0 * saved.saved_sigma / abs(saved.value - saved.declared), 2)
         sentences.append(f"its size is known to within {part} % (one standard deviation)")
-    if result.settled and result.stability and not stable(result):
-        changed = [entry.change for entry in result.stability if not same(result, entry)]
+    if result.settled and result.stability and not is_stable(result):
+        changed = [entry.change for entry in result.stability if not same_verdict(result, entry)]
         words = joined([CHANGES.get(change, change) for change in changed], "or")
         sentences.append(f"with {words}, the verdict changes")
     if not result.settled and not result.survivors and result.probabilities is not None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from pkmodes.core.base.numbers import rounded
 from pkmodes.loop.diagnosis.states.result import Change
-from pkmodes.loop.diagnosis.states.words import between
+from pkmodes.loop.diagnosis.states.words import reword
 from pkmodes.loop.diagnosis.verdict.findings import Corrected, Value
 from pkmodes.loop.diagnosis.verdict.rows import Row
 from pkmodes.pages.plots.evidence import PlottedEvidence
@@ -57,7 +57,7 @@ def change_headline(result: Change, setting: ReportSetting) -> str:
     if result.changed is False:
         # Such as "all belts are 1.2 % stiffer".
         day = "; ".join(
-            between(f"{parameter.name} from {parameter.before:g} to {parameter.after:g}", *result.states[:2])
+            reword(f"{parameter.name} from {parameter.before:g} to {parameter.after:g}", *result.states[:2])
             for parameter in result.refitted
             if parameter.name.startswith(DAY) and abs(parameter.after) > CLEARLY * parameter.sigma
         )
@@ -137,9 +137,7 @@ def what_to_do(result: Change, setting: ReportSetting) -> Facts:
     trusted, later = result.states
 
     def said(cell: Cell) -> Cell:
-        return replace(
-            cell, text=between(cell.text, trusted, later), plain=between(cell.plain, trusted, later)
-        )
+        return replace(cell, text=reword(cell.text, trusted, later), plain=reword(cell.plain, trusted, later))
 
     facts = action(result, setting)
     return Facts([(name, [said(cell) for cell in cells]) for name, cells in facts.entries])

@@ -5,7 +5,7 @@ from __future__ import annotations
 from statistics import median
 
 from pkmodes.core.base.numbers import plain
-from pkmodes.loop.diagnosis.verdict.result import Damping, Diagnosis, key
+from pkmodes.loop.diagnosis.verdict.result import Damping, Diagnosis, parameter_key
 from pkmodes.loop.diagnosis.verdict.rows import Row
 from pkmodes.pages.report import explanations
 from pkmodes.pages.report.blocks import Block, Cell, Column, Facts, Listing, Paragraph, Table
@@ -129,7 +129,10 @@ def _ratios(rows: list[tuple[int, Row]]) -> Table:
                 hertz(row.measured, at + pointer("frequency_hz")),
                 measured,
                 three_digits(row.sigma_damping, at + pointer("sigma_damping"), scale=100.0),
-                *(three_digits(getattr(row, key), at + pointer(key), scale=100.0) for key in RATIOS),
+                *(
+                    three_digits(getattr(row, parameter_key), at + pointer(parameter_key), scale=100.0)
+                    for parameter_key in RATIOS
+                ),
                 Cell(row.damping_remark or ""),
             ]
         )
@@ -159,7 +162,9 @@ def _candidates(damping_result: Damping) -> Table:
             ("", None),
         )
         visible = next(iter(candidate.visible_from), None)
-        of_visible = pointer(TOP, "candidates", k, "visible_from", key(visible), "value") if visible else ""
+        of_visible = (
+            pointer(TOP, "candidates", k, "visible_from", parameter_key(visible), "value") if visible else ""
+        )
         size = None if limit is None else limit.value
         of_limit = pointer(TOP, "limits", name, *(() if size is None else ("value",))) if limit else ""
         rows.append(

@@ -9,8 +9,8 @@ from pathlib import Path
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.robot.robot import Robot
 from pkmodes.loop.diagnosis.verdict import naming
-from pkmodes.loop.diagnosis.verdict.findings import Finding, believed, why_larger
-from pkmodes.loop.diagnosis.verdict.result import Diagnosis, key
+from pkmodes.loop.diagnosis.verdict.findings import Finding, explain_saved_sigma, with_saved_sigma
+from pkmodes.loop.diagnosis.verdict.result import Diagnosis, parameter_key
 from pkmodes.loop.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.loop.updating.corrected_robot import corrected_robot
 from pkmodes.pages.plots.evidence import PlottedEvidence
@@ -87,11 +87,11 @@ def diagnosis_page(result: Diagnosis, evidence: PlottedEvidence, setting: Report
 
 def _summary(result: Diagnosis, setting: ReportSetting) -> Summary:
     larger = "".join(  # why the standard deviations of the causes are larger than those of the fit
-        f" {key(value)}: {why}."
+        f" {parameter_key(value)}: {why}."
         for effect in result.effects
         if len(effect.members) == 1 and not effect.relative()
         for value in effect.parameters
-        if (why := why_larger(value, result.corrected))
+        if (why := explain_saved_sigma(value, result.corrected))
     )
     notes = [*result.notes]
     if result.damping.measured:  # which changes neither the verdict nor the headline
@@ -112,9 +112,13 @@ def _summary(result: Diagnosis, setting: ReportSetting) -> Summary:
 
 def verdict_headline(result: Diagnosis) -> str:
     """Return the verdict as a sentence, with the causes and what matters of the refitted values."""
-    if result.beyond is not None and not result.effects and (words := result.beyond.words(naming.LONGEST)):
+    if (
+        result.beyond is not None
+        and not result.effects
+        and (words := result.beyond.words(naming.MAX_CLASS_LENGTH))
+    ):
         return clean(words)
-    causes = clean(naming.found_in_words(result.effects, naming.LONGEST)) if result.effects else ""
+    causes = clean(naming.found_in_words(result.effects, naming.MAX_CLASS_LENGTH)) if result.effects else ""
     verdict = VERDICTS[result.verdict].sentence.format(
         causes=causes, s="s" if len(result.effects) > 1 else ""
     )
@@ -165,11 +169,11 @@ def _sizes(result: Diagnosis, i: int, setting: ReportSetting) -> list[tuple[str,
             )
         )
     for value in relative or effect.parameters:
-        keys = ("effects", i, "relative" if relative else "parameters", key(value))
+        keys = ("effects", i, "relative" if relative else "parameters", parameter_key(value))
         sigma = pointer(*keys, "sigma" if relative else "saved_sigma")
-        saved = believed(value, result.corrected)
+        saved = with_saved_sigma(value, result.corrected)
         cell = uncertain_cell(value.value, saved.sigma, pointer(*keys, "value"), sigma, fit=saved.fit_sigma)
-        name = clean(key(value))
+        name = clean(parameter_key(value))
         title = f"{name} relative to the mean" if relative else setting.words(value.name) or name
         facts.append((f"{title} [{unit(value.unit)}]" if unit(value.unit) else title, cell))
     return facts
@@ -182,7 +186,7 @@ def _class_sizes(effect: Finding, i: int, setting: ReportSetting) -> list[tuple[
         start = "either" if not facts else "or"
         also = ", implausible" if effect.member(name).implausible else ""
         for value in effect.alternatives[name]:
-            keys = ("effects", i, "alternatives", name, key(value))
+            keys = ("effects", i, "alternatives", name, parameter_key(value))
             cell = uncertain_cell(value.value, value.sigma, pointer(*keys, "value"), pointer(*keys, "sigma"))
             title = setting.words(value.name) or clean(effect.member(name).words)
             of = f" [{unit(value.unit)}]" if unit(value.unit) else ""
@@ -212,7 +216,7 @@ def _correction(result: Diagnosis, robot: Robot | None) -> list[Block]:
         return [Paragraph("The robot file needs no correction.")]
     losses = "the losses that the damping shows, " if result.damping.effects else ""
     several = [effect for effect in result.every_cause if len(effect.members) > 1]
-    chosen = "".join(f" {sentence(clean(naming.chosen(effect)))}" for effect in several)
+    chosen = "".join(f" {sentence(clean(naming.choice_in_words(effect)))}" for effect in several)
     return [
         Paragraph(
             "What changes in the corrected robot file, as written by --save-robot: the cause where "

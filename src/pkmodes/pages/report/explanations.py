@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 
 from pkmodes.core.support.ordering import listed
 from pkmodes.loop.diagnosis.verdict import naming
-from pkmodes.loop.diagnosis.verdict.findings import Corrected, Finding, believed
-from pkmodes.loop.diagnosis.verdict.result import Damping, Diagnosis, key
+from pkmodes.loop.diagnosis.verdict.findings import Corrected, Finding, with_saved_sigma
+from pkmodes.loop.diagnosis.verdict.result import Damping, Diagnosis, parameter_key
 from pkmodes.pages.plots import scores
 from pkmodes.pages.report.blocks import Block, Cell, Column, Facts, Listing, Paragraph, Picture, Table
 from pkmodes.pages.report.formatting import (
@@ -41,10 +41,10 @@ def causes(result: Diagnosis | Damping, setting: ReportSetting, *top: str) -> li
     blocks: list[Block] = []
     for i, effect in enumerate(result.effects):
         several = len(effect.members) > 1
-        class_name = clean(naming.of_class(effect))
+        class_name = clean(naming.class_in_words(effect))
         entries: list[tuple[str, list[Cell]]] = [
             (
-                f"One of {naming.count(len(effect.members))}" if several else "Cause",
+                f"One of {naming.number_in_words(len(effect.members))}" if several else "Cause",
                 [Cell(class_name, strong=True)],
             )
         ]
@@ -92,9 +92,12 @@ def _members(
     for member in effect.members:
         why = effect.member(member).implausible
         for value in effect.alternatives[member]:
-            at = place + pointer("alternatives", member, key(value))
-            fit, saved = at + pointer("sigma"), place + pointer("parameters", key(value), "saved_sigma")
-            shown = believed(value, corrected) if single else value
+            at = place + pointer("alternatives", member, parameter_key(value))
+            fit, saved = (
+                at + pointer("sigma"),
+                place + pointer("parameters", parameter_key(value), "saved_sigma"),
+            )
+            shown = with_saved_sigma(value, corrected) if single else value
             rows.append(
                 [
                     Cell.named(clean(sentences.get(member, "")), clean(member)),
@@ -133,7 +136,7 @@ def _relative(effect: Finding, place: str, setting: ReportSetting) -> list[Block
     """Return the values relative to their mean, where the mean is far less certain."""
     rows = []
     for value in effect.relative():
-        at = place + pointer("relative", key(value))
+        at = place + pointer("relative", parameter_key(value))
         rows.append(
             [
                 Cell.named(setting.words(value.name), clean(value.name)),
@@ -261,7 +264,7 @@ def _rows(result: Diagnosis, k: int) -> list[list[Cell]]:
         visible = sizes.get(name) if candidate.detectable else None
         limit, symbol, size = result.limits.get(name), "", Cell(NOTHING)
         if visible is not None:
-            at = pointer("candidates", k, "visible_from", key(visible), "value")
+            at = pointer("candidates", k, "visible_from", parameter_key(visible), "value")
             symbol, size = unit(visible.unit), figures(visible.value, 2, at)
         elif limit is not None and limit.value is not None:
             symbol = unit(limit.unit)
@@ -292,7 +295,7 @@ def standing(result: Diagnosis | Damping, name: str) -> str:
     for effect in result.effects:
         if name in effect.members:
             several = len(effect.members) > 1
-            return f"one of {naming.count(len(effect.members))}" if several else "found"
+            return f"one of {naming.number_in_words(len(effect.members))}" if several else "found"
     for i, group in enumerate(result.survivors, start=1):
         if any(name in explanation.split(" + ") for explanation in group):
             return f"remains ({i})"

@@ -6,7 +6,7 @@ import numpy as np
 
 from pkmodes.core.support.ordering import listed, sorted_labels
 from pkmodes.loop.diagnosis.verdict.findings import NOTICEABLE, Corrected
-from pkmodes.loop.diagnosis.verdict.result import Diagnosis, key
+from pkmodes.loop.diagnosis.verdict.result import Diagnosis, parameter_key
 from pkmodes.pages.plots import correlations as dependence
 from pkmodes.pages.plots import scores
 from pkmodes.pages.report.blocks import Cell, Column, Paragraph, Picture, Table
@@ -75,7 +75,7 @@ def fitted_value_tables(result: Diagnosis, setting: ReportSetting) -> list[Table
             )
         for i, effect in enumerate(result.effects):
             if any(parameter.name == value.name for parameter in effect.parameters):
-                role, at = "cause", ("effects", i, "parameters", key(value))
+                role, at = "cause", ("effects", i, "parameters", parameter_key(value))
                 after, sigma, saved = (pointer(*at, name) for name in ("value", "sigma", "saved_sigma"))
         rows.append(
             [

@@ -15,14 +15,14 @@ from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.problem import Candidate
 from pkmodes.loop.diagnosis.search.ranges import plausible_sizes
-from pkmodes.loop.diagnosis.search.score import one_sided, p_of_smallest, score
+from pkmodes.loop.diagnosis.search.score import allowed_sign, p_of_smallest, score
 from pkmodes.loop.diagnosis.search.search import Outcome, Search
 from pkmodes.loop.diagnosis.verdict.claim import Claim, fitted_values
 from pkmodes.loop.diagnosis.verdict.classes import classes, survivors
 from pkmodes.loop.diagnosis.verdict.evidence import Evidence
 from pkmodes.loop.diagnosis.verdict.findings import Finding
-from pkmodes.loop.diagnosis.verdict.held_out import HeldOut, predicted
-from pkmodes.loop.diagnosis.verdict.possible import member, unusual
+from pkmodes.loop.diagnosis.verdict.held_out import HeldOut, check_held_out
+from pkmodes.loop.diagnosis.verdict.possible import describe_member, violated_usual_range
 from pkmodes.loop.diagnosis.verdict.reasons import causes_in_words
 from pkmodes.loop.diagnosis.verdict.stability import Trial, trials
 
@@ -53,17 +53,20 @@ class TermEvidence(Evidence):
         causes = dict.fromkeys(cause for group in groups for fit in group for cause in fit.causes)
         plausible = plausible_sizes(store.fitter, tried.plain, list(causes))
         implausible = {
-            name_of_explanation(fit) for group in groups for fit in group if unusual(store.fitter, fit)
+            name_of_explanation(fit)
+            for group in groups
+            for fit in group
+            if violated_usual_range(store.fitter, fit)
         }
         claim = Claim(
             final,
             search.gate(final),
             (groups,),
             p_values=(p_value,),
-            plausible=plausible,
-            implausible=frozenset(implausible),
+            max_deviations=plausible,
+            implausible_names=frozenset(implausible),
         )
-        outcome = Outcome(tried.plain, search.gate(tried.plain), final, claim.last)
+        outcome = Outcome(tried.plain, search.gate(tried.plain), final, claim.last_gate)
         super().__init__(tried.setups, search, outcome, claim)
 
     @property
@@ -103,7 +106,7 @@ class TermEvidence(Evidence):
             covariances=covariances,
             about={
                 name: replace(
-                    member(fitter, fit, self.claim.plausible),
+                    describe_member(fitter, fit, self.claim.max_deviations),
                     name=name,
                     sentence=" and ".join(cause.sentence or cause.name for cause in fit.causes),
                 )
@@ -132,7 +135,7 @@ class TermEvidence(Evidence):
     @cached_property
     def held_out(self) -> HeldOut:
         """The test of the final fit by the held-out setups."""
-        return predicted(self.setups, self.search, self.final, self.contenders)
+        return check_held_out(self.setups, self.search, self.final, self.contenders)
 
     @cached_property
     def p_outside(self) -> float:
@@ -182,13 +185,13 @@ def _ordered(search: Search, group: Sequence[Fit]) -> list[Fit]:
         if fit not in terms or len(store.added(fit)) == fewest or store.criterion(fit) <= best
     ]
     fitter = store.fitter
-    return sorted(best_first(store, kept), key=lambda fit: bool(unusual(fitter, fit)))
+    return sorted(best_first(store, kept), key=lambda fit: bool(violated_usual_range(fitter, fit)))
 
 
 def _named(search: Search, group: Sequence[Fit]) -> Fit:
     """Return the first member of a class whose residual is noise in all respects, a term before others."""
     level = search.criteria.gate.surely
-    noise = [fit for fit in group if search.gate(fit).above(level)]
+    noise = [fit for fit in group if search.gate(fit).passes_at(level)]
     terms = [fit for fit in noise if all(cause.form for cause in fit.causes)]
     return next(iter([*terms, *noise]), group[0])
 
@@ -200,6 +203,6 @@ def _p_value(tried: Tried, final: Fit) -> float:
         return 1.0
     fitter, gain = tried.search.store.fitter, max(tried.plain.deviance - final.deviance, 0.0)
     p = float(stats.chi2.sf(gain, sum(len(added.parameters) for added in final.causes)))
-    if len(final.causes) == 1 and one_sided(fitter, cause):
+    if len(final.causes) == 1 and allowed_sign(fitter, cause):
         p *= 0.5
     return min(p_of_smallest(tried.directions, p), 1.0)

@@ -15,7 +15,7 @@ from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.problem import Extensible
 from pkmodes.loop.diagnosis.search.additions import Progress
 from pkmodes.loop.diagnosis.verdict.builder import DiagnosisBuilder
-from pkmodes.loop.diagnosis.verdict.evidence import Decision, Evidence, Says, first
+from pkmodes.loop.diagnosis.verdict.evidence import Answer, Decision, Evidence, first_decision
 from pkmodes.loop.diagnosis.verdict.limits import NO_LIMITS
 from pkmodes.loop.diagnosis.verdict.next_measurement import next_measurement
 from pkmodes.loop.diagnosis.verdict.notes import notes
@@ -51,9 +51,11 @@ class TermSearch:
         of_terms = self.evidence(catalogue)
         return None if of_terms is None else instead(of_terms, catalogue)
 
-    def after(self, catalogue: Evidence, decision: Decision[Evidence, Says]) -> TermEvidence | None:
+    def after(self, catalogue: Evidence, decision: Decision[Evidence, Answer]) -> TermEvidence | None:
         """Return the evidence for terms; None where the catalogue's verdict leaves nothing to try."""
-        open_to_terms = decision.verdict in (AMBIGUOUS, UNEXPLAINED) and not decision.says.of_reading
+        open_to_terms = (
+            decision.verdict in (AMBIGUOUS, UNEXPLAINED) and not decision.answer.decided_by_reading
+        )
         claimed = decision.verdict is EFFECT_FOUND
         if not open_to_terms and not (claimed and in_one_joint(self.structure, catalogue)):
             return None
@@ -73,7 +75,7 @@ def with_beyond(result: Diagnosis, evidence: TermEvidence | None, catalogue: Evi
     """Return a diagnosis of the catalogue with what terms explain."""
     if evidence is None:
         return result
-    decision = first(BEYOND, evidence)
+    decision = first_decision(BEYOND, evidence)
     assert decision is not None  # the last rule always applies
     status, count = decision.verdict, len(evidence.tried.terms)
     groups = [] if status is NOTHING else evidence.groups
@@ -107,7 +109,7 @@ def _classes(evidence: TermEvidence, groups: Sequence[Sequence[Fit]]) -> tuple[T
             probability=float(weights[k] / weights.sum()),
             forms={name_of_explanation(fit): "".join(cause.form for cause in fit.causes) for fit in group},
             errors={name_of_explanation(fit): error_of(evidence, fit) for fit in group},
-            corrected=builder.corrected(group[0], NO_LIMITS),
+            corrected=builder.corrected_values(group[0], NO_LIMITS),
         )
         for k, group in enumerate(groups)
     )

@@ -16,7 +16,7 @@ from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis, parallel
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.problem import Structure
 from pkmodes.loop.diagnosis.search.score import score
-from pkmodes.loop.diagnosis.verdict.classes import nested
+from pkmodes.loop.diagnosis.verdict.classes import are_nested
 from pkmodes.loop.diagnosis.verdict.evidence import Evidence
 
 #: Terms are tried before one cause is claimed if the linear model promises one of them this part of its gain.
@@ -25,7 +25,7 @@ COMPETES = 0.5
 
 def one_of_many(catalogue: Evidence) -> bool:
     """Return whether what would be claimed is several causes, or a wrong value of one axis, or any change."""
-    local = any(fit.causes[-1].local for fits in catalogue.claim.own for fit in fits)
+    local = any(fit.causes[-1].local for fits in catalogue.claim.own_classes for fit in fits)
     return len(catalogue.final.causes) > 1 or local or catalogue.criteria.claim.any_place
 
 
@@ -35,7 +35,7 @@ def may_compete(structure: Structure, catalogue: Evidence, held: Sequence[int]) 
     - structure: with its terms, at all measured setups
     - held: held-out setups
     """
-    declared = catalogue.outcome.nuisances
+    declared = catalogue.outcome.nuisance_fit
     fitter = fitter_of(structure, catalogue, held, catalogue.fitter.shape_scatter)
     plain = FitStore(fitter).fit(Hypothesis(), fitter.padded(declared.values))
     if plain is None:
@@ -69,7 +69,7 @@ def instead(of_terms: TermEvidence, catalogue: Evidence) -> Fit | None:
         return next(iter(best_first(of_terms.store, competing)), None)
     worth = catalogue.criteria.search.worth
     simpler = [fit for fit in terms if any_place and criterion(fit) < criterion(claimed) - worth]
-    rivals = [fit for fit in terms if fit in simpler or not nested(fitter, fit, claimed)]
+    rivals = [fit for fit in terms if fit in simpler or not are_nested(fitter, fit, claimed)]
     if one_of_many(catalogue):
         competing = [fit for fit in rivals if abs(criterion(fit) - criterion(claimed)) > EQUAL]
     else:

@@ -10,10 +10,10 @@ from __future__ import annotations
 from pkmodes.core.base.numbers import p_in_words, plain
 from pkmodes.loop.diagnosis.beyond.evidence import TermEvidence
 from pkmodes.loop.diagnosis.verdict import rules
-from pkmodes.loop.diagnosis.verdict.classes import distinct_causes, measured
-from pkmodes.loop.diagnosis.verdict.evidence import Rule, Says
-from pkmodes.loop.diagnosis.verdict.naming import explained
-from pkmodes.loop.diagnosis.verdict.reasons import larger, names, noise
+from pkmodes.loop.diagnosis.verdict.classes import are_added_modes_credible, count_distinct_causes
+from pkmodes.loop.diagnosis.verdict.evidence import Answer, Rule
+from pkmodes.loop.diagnosis.verdict.naming import explanation_in_words
+from pkmodes.loop.diagnosis.verdict.reasons import errors_in_words, names, ratio_in_words
 from pkmodes.loop.diagnosis.verdict.verdicts import FOUND, NOTHING, SEVERAL
 
 
@@ -32,9 +32,9 @@ def nothing(e: TermEvidence) -> str:
     if p_value <= e.criteria.gate.surely < e.store.frequency_p_value(e.final):
         return f"{count}: the best, {e.words}, leaves frequencies as measured, but not shapes ({p_in_words(p_value)})"
     if p_value <= e.criteria.gate.surely:
-        factor = larger((squares / max(degrees, 1.0)) ** 0.5)
+        factor = ratio_in_words((squares / max(degrees, 1.0)) ** 0.5)
         return f"{count}: the best, {e.words}, leaves a residual {factor} the stated errors ({p_in_words(p_value)})"
-    if not measured(e.search, e.final):
+    if not are_added_modes_credible(e.search, e.final):
         return f"{count}: {best}, because it adds modes between the measured ones that were not measured"
     return f"{count}: {best}, because it does not help to predict setups left out of the fit"
 
@@ -51,13 +51,13 @@ def in_the_catalogue(e: TermEvidence) -> str:
 
 def leaves_more(e: TermEvidence) -> str:
     """What the best term leaves is not noise in all respects, or points to another term."""
-    gate, level = e.claim.last, e.criteria.gate.surely
+    gate, level = e.claim.last_gate, e.criteria.gate.surely
     start = f"{e.words} would explain nearly all of the residual, but"
     if gate.unpaired:
         return f"{start} leaves {gate.unpaired} measured mode{'' if gate.unpaired == 1 else 's'} unmatched"
     if gate.p_unmeasured <= level:
         return f"{start} adds modes between the measured ones that were not measured"
-    if not gate.above(level):
+    if not gate.passes_at(level):
         return f"{start} what it leaves still points to a cause of the catalogue ({p_in_words(gate.p_candidates)})"
     if e.pointed is not None:
         term, p_value = e.pointed
@@ -95,24 +95,24 @@ def implausible(e: TermEvidence) -> str:
 def several(e: TermEvidence) -> str:
     """Several classes leave noise, or one of more than five members."""
     if len(e.groups) > 1:
-        best = "; ".join(_any_of(e, k) for k in range(min(len(e.groups), rules.MENTIONED)))
-        unlisted = len(e.groups) - rules.MENTIONED
+        best = "; ".join(_any_of(e, k) for k in range(min(len(e.groups), rules.MAX_CAUSES_MENTIONED)))
+        unlisted = len(e.groups) - rules.MAX_CAUSES_MENTIONED
         rest = f"; and {unlisted} more" if unlisted > 0 else ""
         return f"{len(e.groups)} different explanations remain: {best}{rest}"
-    members = distinct_causes(e.groups[0])
+    members = count_distinct_causes(e.groups[0])
     if members <= e.criteria.claim.most_members:
         return ""
     return f"these data cannot tell {members} explanations apart: {_any_of(e, 0)}"
 
 
-def found(e: TermEvidence) -> Says:
+def found(e: TermEvidence) -> Answer:
     """One class of at most five members is left."""
-    setting_aside = noise(e.final, e.fitter.data.lines)
+    setting_aside = errors_in_words(e.final, e.fitter.data.lines)
     aside = f"; {setting_aside}" if setting_aside else ""
-    first = e.outcome.first
+    first = e.outcome.first_gate
     p = p_in_words(min(first.p_value, first.p_candidates))
-    text = explained([e.finding(0)])
-    return Says(
+    text = explanation_in_words([e.finding(0)])
+    return Answer(
         f"{text}; the residual of the declared model is not noise ({p}), and the tests leave no other of "
         f"{len(e.tried.terms)} terms, each one form at one place{aside}"
     )
@@ -122,7 +122,7 @@ def _any_of(e: TermEvidence, k: int) -> str:
     """Return the members of a class, and how many more it has."""
     group = e.groups[k]
     listed = [
-        names(fit.causes) + (" (implausible)" if fit.causes[-1].name in e.claim.implausible else "")
+        names(fit.causes) + (" (implausible)" if fit.causes[-1].name in e.claim.implausible_names else "")
         for fit in group[: e.criteria.claim.most_members]
     ]
     unlisted = len(group) - len(listed)
@@ -130,13 +130,13 @@ def _any_of(e: TermEvidence, k: int) -> str:
 
 
 #: Rules for what was tried beyond the catalogue.
-BEYOND: tuple[Rule[TermEvidence, Says], ...] = (
+BEYOND: tuple[Rule[TermEvidence, Answer], ...] = (
     Rule("beyond.nothing", NOTHING, nothing),
     Rule("beyond.in_the_catalogue", NOTHING, in_the_catalogue),
     Rule("beyond.leaves_more", NOTHING, leaves_more),
     Rule("beyond.shapes", NOTHING, rules.modes_of_other_shapes),
     Rule("beyond.better_shapes", NOTHING, rules.better_shapes),
-    Rule("beyond.one_row", NOTHING, rules.one_row),
+    Rule("beyond.one_row", NOTHING, rules.depends_on_one_row),
     Rule("beyond.errors", NOTHING, rules.measurement_errors),
     Rule("beyond.not_significant", NOTHING, rules.not_significant),
     Rule("beyond.no_value", NOTHING, rules.value_without_support),

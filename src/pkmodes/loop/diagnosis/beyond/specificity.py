@@ -26,7 +26,7 @@ from pkmodes.loop.diagnosis.search.score import Directions
 from pkmodes.loop.diagnosis.verdict.specificity import (
     DRAWS,
     SEED,
-    Plausible,
+    PlausibleChanges,
     arbitrary_draws,
     coincidence,
     modal_changes,
@@ -63,11 +63,11 @@ def p_outside(tried: Tried, final: Fit) -> float:
     for subspace, few in ((directions, many), (varying, many), (_unit(plain, common.T), 1)):
         if len(subspace) < few:
             continue
-        plausible = Plausible.of(subspace, float(np.sqrt(gain)))
-        if plausible.different >= min(few, len(plausible.axes)):
+        plausible = PlausibleChanges.of(subspace, float(np.sqrt(gain)))
+        if plausible.direction_count >= min(few, len(plausible.axes)):
             along = [(plausible.axes.T @ axes, sign) for axes, sign in directions]
             combined, squares = plausible.draws(DRAWS, rng), plausible.squares(final.white)
-            kinds.append(coincidence(search, final, gain, combined, along, plausible.resolved, squares))
+            kinds.append(coincidence(search, final, gain, combined, along, plausible.resolved_count, squares))
     return max(kinds)
 
 

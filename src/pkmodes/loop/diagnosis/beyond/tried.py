@@ -20,7 +20,7 @@ from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.problem import Array, Candidate, Structure
 from pkmodes.loop.diagnosis.search.additions import Progress
-from pkmodes.loop.diagnosis.search.score import LEFT, Directions, Score, one_sided, score
+from pkmodes.loop.diagnosis.search.score import MIN_REMAINDER, Directions, Score, allowed_sign, score
 from pkmodes.loop.diagnosis.search.search import Search
 from pkmodes.loop.diagnosis.search.starts import SIZES, starts
 from pkmodes.loop.diagnosis.verdict.all_setups import AllSetups
@@ -90,7 +90,7 @@ def _directions_of_starts(
         raw = np.nan_to_num(fitter.signatures(replace(plain, values=values), by)[1])
         remainder = raw - plain.basis @ (plain.basis.T @ raw)
         size = np.linalg.norm(remainder, axis=0)
-        for k in np.flatnonzero(size > LEFT * np.linalg.norm(raw, axis=0)):
+        for k in np.flatnonzero(size > MIN_REMAINDER * np.linalg.norm(raw, axis=0)):
             yield remainder[:, [k]] / size[k], 1
 
 
@@ -176,7 +176,7 @@ class _Explorer:
         """Try all terms; None if the structure cannot be evaluated."""
         self.progress(f"scoring {len(self.terms)} terms, each one form at one place")
         errors, attempted = Hypothesis(), list[Hypothesis]()
-        plain = self.store.fit(errors, self.fitter.padded(self.catalogue.outcome.nuisances.values))
+        plain = self.store.fit(errors, self.fitter.padded(self.catalogue.outcome.nuisance_fit.values))
         if plain is None:
             return None
         fits = first = self._refitted(plain)
@@ -185,7 +185,7 @@ class _Explorer:
                 break
             attempted.append(errors)
             # The measurement errors beside which the best terms explain most.
-            options = [option for fit in fits[:BESIDE] for option in self.search.additions.noise(fit)]
+            options = [option for fit in fits[:BESIDE] for option in self.search.additions.with_errors(fit)]
             best = min(options, key=self.store.criterion, default=None)
             extended, again = errors, None
             if best is not None and self.store.criterion(best) < self.store.criterion(fits[0]):
@@ -229,13 +229,15 @@ class _Explorer:
         best = sorted(visible, key=lambda entry: -entry.gain)[:BEST]
         # The linear estimate suffices for small changes of modes that are all paired.
         paired = bool((plain.pairing.partner[self.fitter.used(plain.hypothesis)] >= 0).all())
-        small = [entry for entry in best if paired and float(entry.largest @ np.abs(entry.step)) <= SMALL]
+        small = [
+            entry for entry in best if paired and float(entry.largest_rates @ np.abs(entry.step)) <= SMALL
+        ]
         near = {entry.candidate.name for entry in small}
         far = [entry for entry in best if entry.candidate.name not in near]
         self.progress(f"refitting with the {len(best)} most promising of {len(self.terms)} terms")
-        fits = self.search.additions.refitted([(plain, entry) for entry in far])
+        fits = self.search.additions.refit([(plain, entry) for entry in far])
         jobs = [(plain.hypothesis.adding(entry.candidate), [self._moved(plain, entry)]) for entry in small]
-        overlooked = [entry for entry in scores if entry not in best and entry.largest[0] > 0.0]
+        overlooked = [entry for entry in scores if entry not in best and entry.largest_rates[0] > 0.0]
         begun = [*self._started(plain), *self._large(plain, overlooked)]
         started = [
             (h, [values[k] for _, k in order[:COMPARED]])
@@ -289,10 +291,13 @@ class _Explorer:
         trials = [
             _Trial(
                 plain.hypothesis.adding(entry.candidate),
-                [self._with(plain, entry.candidate, [sign * size / entry.largest[0]]) for size in SIZES],
+                [
+                    self._with(plain, entry.candidate, [sign * size / entry.largest_rates[0]])
+                    for size in SIZES
+                ],
             )
             for entry in scores
-            if (sign := one_sided(self.fitter, entry.candidate))
+            if (sign := allowed_sign(self.fitter, entry.candidate))
         ]
         return self._promising(trials)[:LARGE]
 
@@ -319,4 +324,4 @@ class _Explorer:
     def _explains(self, fit: Fit) -> bool:
         """Return whether a fit leaves noise."""
         level = self.criteria.gate.surely
-        return not fit.at_bound and self.store.p_value(fit) > level and self.search.gate(fit).above(level)
+        return not fit.at_bound and self.store.p_value(fit) > level and self.search.gate(fit).passes_at(level)

@@ -16,12 +16,12 @@ from pkmodes.loop.diagnosis.damping.explanation import LossExplanation, explanat
 from pkmodes.loop.diagnosis.damping.fit import LossFit, LossFitter
 from pkmodes.loop.diagnosis.damping.observations import DampingObservations
 from pkmodes.loop.diagnosis.problem import Array
-from pkmodes.loop.diagnosis.verdict.evidence import Rule, Says, first
+from pkmodes.loop.diagnosis.verdict.evidence import Answer, Rule, first_decision
 from pkmodes.loop.diagnosis.verdict.verdicts import Verdict
 
 
 @dataclass(frozen=True)
-class LossSays(Says):
+class LossSays(Answer):
     """The answer of a rule that applies.
 
     - scatter: how far the ratios scatter about the model beyond their stated errors, where the verdict allows for
@@ -72,7 +72,7 @@ class LossEvidence:
         self.fitter, self.criteria = fitter, fitter.criteria
         self.trials, self.held, self._doubts = trials or {}, held, doubts
 
-    def says(self, text: str) -> LossSays:
+    def answer_with(self, text: str) -> LossSays:
         """Return a reason as an answer."""
         return LossSays(text)
 
@@ -100,7 +100,7 @@ class LossEvidence:
     @cached_property
     def claim(self) -> LossExplanation | None:
         """The explanation, where no rule speaks against it."""
-        return None if first(self._doubts, self) else self.explanation
+        return None if first_decision(self._doubts, self) else self.explanation
 
     @cached_property
     def p_trend(self) -> float:

@@ -25,7 +25,7 @@ from pkmodes.loop.diagnosis.damping.evidence import (
 )
 from pkmodes.loop.diagnosis.damping.explanation import SAME, LossExplanation, loss_names, nearest_loss
 from pkmodes.loop.diagnosis.damping.fit import LossFit
-from pkmodes.loop.diagnosis.verdict.evidence import Rule, first
+from pkmodes.loop.diagnosis.verdict.evidence import Rule, first_decision
 from pkmodes.loop.diagnosis.verdict.verdicts import (
     ADEQUATE,
     AMBIGUOUS,
@@ -37,7 +37,7 @@ from pkmodes.loop.diagnosis.verdict.verdicts import (
 
 def judge(evidence: LossEvidence, rules: LossRules) -> DampingJudgement:
     """Return the verdict of the first rule that applies."""
-    decision = first(rules, evidence)
+    decision = first_decision(rules, evidence)
     assert decision is not None  # the last rule always applies
     explanation = evidence.explanation if decision.verdict in (EFFECT_FOUND, AMBIGUOUS) else None
     return DampingJudgement(
@@ -47,7 +47,7 @@ def judge(evidence: LossEvidence, rules: LossRules) -> DampingJudgement:
         final=explanation.best if explanation else evidence.base,
         places=explanation.places if explanation else (),
         p_values=explanation.p_values if explanation else (),
-        says=decision.says,
+        says=decision.answer,
     )
 
 

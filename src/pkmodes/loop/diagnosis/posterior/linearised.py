@@ -22,27 +22,27 @@ from pkmodes.loop.diagnosis.posterior.marginal import (
     prior_of_scale,
 )
 from pkmodes.loop.diagnosis.problem import Array, Candidate
-from pkmodes.loop.diagnosis.search.score import one_sided
+from pkmodes.loop.diagnosis.search.score import allowed_sign
 
 #: Prior probabilities that a row is not a mode, and that the modes of a setup share an error.
-WRONG_ROW, SHARED = 0.01, 0.02
+P_WRONG_ROW, P_SHARED_ERROR = 0.01, 0.02
 #: Cap on the largest plausible signal of a cause, used where nothing bounds its size.
-SIGNAL = 1e3
+MAX_SIGNAL = 1e3
 #: Factor by which a size must exceed its plausible range to be beyond it: fits end at bounds up to rounding.
-BEYOND = 1.001
+RANGE_TOLERANCE = 1.001
 #: The largest plausible signal is at least this many times that of the fit.
-BEYOND_SIGNAL = 1.1
+MIN_SIGNAL_RATIO = 1.1
 #: Cap on the square of a datum in `capped_deviance`: about the price of a row.
-CAP = 20.0
+MAX_SQUARE = 20.0
 
 
 @dataclass(frozen=True)
-class Linearised:
+class LinearisedFit:
     """The linear model at a fit, without the rows that are set aside.
 
     The D data are those of the fit.
 
-    - log_factor: logarithm of all factors of the evidence beside the likelihood: the priors of rows set aside and of
+    - log_factor: logarithm of all factors of the evidence except the likelihood: the priors of rows set aside and of
       a shared error, and the Occam factors of uncertain values and of sizes of causes; minus infinity if a size is
       not plausible
     - parts: frequencies, each other quantity, and priors among the data
@@ -62,77 +62,82 @@ class Linearised:
 
     @cached_property
     def squares(self) -> tuple[float, ...]:
-        """Sums of squares of these parts."""
+        """Sums of squares of the parts of the data."""
         return tuple(float(self.white[part] @ self.white[part]) for part in self.parts)
 
     @cached_property
     def log_evidence(self) -> float:
-        """The logarithm of the evidence of the fit as it is."""
-        nothing = np.zeros((len(self.white), 1))
-        return float(self.log_evidence_with(nothing, nothing)[0])
+        """The logarithm of the evidence of the fit without additions."""
+        zeros = np.zeros((len(self.white), 1))
+        return float(self.log_evidence_with(zeros, zeros)[0])
 
-    def log_evidence_with(self, along: Array, taken: Array) -> Array:
+    def log_evidence_with(self, removed_residuals: Array, leverages: Array) -> Array:
         """Return the logarithm of the evidence with each of n linear additions, without their Occam factors, (n,).
 
-        - along, taken: parts of the residual that they remove, and the leverages of their directions, (D, n)
+        - removed_residuals: parts of the residual that they remove, (D, n)
+        - leverages: of their directions, (D, n)
         """
-        residual = self.white[:, None] - along
+        residual = self.white[:, None] - removed_residuals
         squares = [(residual[part] ** 2).sum(axis=0) for part in self.parts]
         total, prior = self.log_factor - 0.5 * squares[-1], prior_of_scale()
         for sums, part, degrees in zip(squares, self.parts, self.degrees, strict=False):
-            total += marginal_log_likelihood(sums, np.maximum(degrees - taken[part].sum(axis=0), 0.0), prior)
+            total += marginal_log_likelihood(
+                sums, np.maximum(degrees - leverages[part].sum(axis=0), 0.0), prior
+            )
         return np.asarray(total)
 
 
-def linearised(fitter: Fitter, fit: Fit, plausible: Mapping[int, float]) -> Linearised:
-    """Return the linear model at a fit, without rows that are no modes.
+def linearise(fitter: Fitter, fit: Fit, max_deviations: Mapping[int, float]) -> LinearisedFit:
+    """Return the linear model at a fit, without rows that are not modes.
 
-    - plausible: largest plausible deviations of parameters of causes from their declared values
+    - max_deviations: largest plausible deviations of parameters of causes from their declared values
     """
-    white, basis, aside = fit.white, fit.basis, set(fit.hypothesis.excluded)
+    white, basis, rows_set_aside = fit.white, fit.basis, set(fit.hypothesis.excluded)
     observations = fitter.observations
     frequencies, other_quantities = observations.frequency_rows, observations.other_quantities
-    while len(aside) < max(1, len(observations.log_frequencies) // fitter.criteria.search.rows_per_outlier):
+    while len(rows_set_aside) < max(
+        1, len(observations.log_frequencies) // fitter.criteria.search.rows_per_outlier
+    ):
         row = int(np.argmax(np.abs(white[frequencies])))
         indices = observations.data_indices(np.array([row]))
-        if white[indices] @ deleted(basis[indices], white[indices]) <= 2.0 * _price(fitter, row):
+        if white[indices] @ deleted(basis[indices], white[indices]) <= 2.0 * _price_of_row(fitter, row):
             break
-        aside.add(row)
+        rows_set_aside.add(row)
         white, basis = np.array(white), np.array(basis)
         white[indices] = basis[indices] = 0.0
         basis = orthonormal(basis)
         white -= basis @ (basis.T @ white)
-    kept = fitter.used(fit.hypothesis)
-    kept[list(aside)] = False
+    used = fitter.used(fit.hypothesis)
+    used[list(rows_set_aside)] = False
     leverage = (basis**2).sum(axis=1)
     counts = [observations.frequencies.count, *(quantity.count for quantity in other_quantities.values())]
     parts = [frequencies, *map(observations.data_slice, other_quantities)]
     degrees = tuple(
-        max(float(count[kept].sum() - leverage[part].sum()), 0.0)
+        max(float(count[used].sum() - leverage[part].sum()), 0.0)
         for count, part in zip(counts, parts, strict=True)
     )
-    log_factor = -sum(_price(fitter, row) for row in aside) - 0.5 * fit.log_determinant
+    log_factor = -sum(_price_of_row(fitter, row) for row in rows_set_aside) - 0.5 * fit.log_determinant
     if fit.hypothesis.scatter:
-        log_factor += float(np.log(SHARED) - 0.5 * np.log(len(kept)))
+        log_factor += float(np.log(P_SHARED_ERROR) - 0.5 * np.log(len(used)))
     log_factor += _log_occam_factor_of_values(fitter, fit) + sum(
-        _log_occam_factor_of_cause(fitter, fit, cause, plausible) for cause in fit.causes
+        _log_occam_factor_of_cause(fitter, fit, cause, max_deviations) for cause in fit.causes
     )
     all_parts = (*parts, fitter.prior_rows)
-    return Linearised(fit, log_factor, all_parts, degrees, basis, white, frozenset(aside))
+    return LinearisedFit(fit, log_factor, all_parts, degrees, basis, white, frozenset(rows_set_aside))
 
 
 def capped_deviance(fitter: Fitter, fit: Fit) -> float:
-    """Return twice the negative log likelihood of a fit, with the square of each datum capped at `CAP`."""
+    """Return twice the negative log likelihood of a fit, with the square of each datum capped at `MAX_SQUARE`."""
     squares = fit.white**2
     data = squares[: fitter.prior_rows.start]
-    data[:] = np.minimum(data, CAP)
+    data[:] = np.minimum(data, MAX_SQUARE)
     return float(squares.sum()) + fit.log_determinant
 
 
-def _price(fitter: Fitter, row: int) -> float:
+def _price_of_row(fitter: Fitter, row: int) -> float:
     """Return the negative logarithm of the density of a row that is not a mode, relative to one that is right."""
     width, shapes = 2.0 * fitter.criteria.pairing.reach, fitter.observations.shapes
-    frequency = np.log(width / (np.sqrt(2.0 * np.pi) * fitter.observations.sigma[row])) - np.log(WRONG_ROW)
+    frequency = np.log(width / (np.sqrt(2.0 * np.pi) * fitter.observations.sigma[row])) - np.log(P_WRONG_ROW)
     shape = -np.log(np.sqrt(2.0 * np.pi) * shapes.sigma[row]) if shapes.known[row] else np.zeros(1)
     return float(max(frequency, 0.0) + np.maximum(shape, 0.0).mean() * shapes.count[row])
 
@@ -145,23 +150,25 @@ def _log_occam_factor_of_values(fitter: Fitter, fit: Fit) -> float:
 
 
 def _log_occam_factor_of_cause(
-    fitter: Fitter, fit: Fit, cause: Candidate, plausible: Mapping[int, float]
+    fitter: Fitter, fit: Fit, cause: Candidate, max_deviations: Mapping[int, float]
 ) -> float:
     """Return the logarithm of the Occam factor of a cause beside the others; minus infinity if implausible."""
     index = list(fitter.indices(cause))
-    away, covariance = fit.values[index] - fitter.declared[index], fit.covariance_of(index)
+    deviations, covariance = fit.values[index] - fitter.declared[index], fit.covariance_of(index)
     if cause.sigma is not None:
         width = fitter.priors.width(fit.values)[fitter.priors.rows(index)]
         return 0.5 * float(np.linalg.slogdet(covariance / np.outer(width, width))[1])
-    limits, sigma = np.array([plausible.get(i, np.inf) for i in index]), np.sqrt(np.diagonal(covariance))
-    if (np.abs(away) > BEYOND * limits).any():
+    limits, sigma = np.array([max_deviations.get(i, np.inf) for i in index]), np.sqrt(np.diagonal(covariance))
+    if (np.abs(deviations) > RANGE_TOLERANCE * limits).any():
         return -np.inf
     information = np.linalg.pinv(covariance / np.outer(sigma, sigma), hermitian=True)
-    ratio, z = np.minimum(limits / sigma, SIGNAL), away / sigma
+    ratio, z = np.minimum(limits / sigma, MAX_SIGNAL), deviations / sigma
     signals = np.linalg.eigvalsh(information * np.outer(ratio, ratio))
     signal = float(np.sqrt(max(z @ information @ z, 0.0)))
-    largest = max(float(np.sqrt(max(signals[-1], 1.0))), BEYOND_SIGNAL * signal)
-    determined, sided = max(int((signals > 1.0).sum()), 1), one_sided(fitter, cause) != 0
+    max_signal = max(float(np.sqrt(max(signals[-1], 1.0))), MIN_SIGNAL_RATIO * signal)
+    degrees, is_one_sided = max(int((signals > 1.0).sum()), 1), allowed_sign(fitter, cause) != 0
     return float(
-        log_occam_factor(*(np.array([argument]) for argument in (signal, determined, largest, sided)))[0]
+        log_occam_factor(*(np.array([argument]) for argument in (signal, degrees, max_signal, is_one_sided)))[
+            0
+        ]
     )

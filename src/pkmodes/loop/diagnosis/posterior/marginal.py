@@ -23,20 +23,20 @@ from pkmodes.loop.diagnosis.problem import Array
 #: Logarithms of the factor on the stated errors, and its inverse square.  Its prior is a mixture of two normal
 #: distributions of the logarithm: their standard deviations, and the weight of the wide one.
 LOG_SCALE = np.linspace(-1.2, 3.0, 85)
-SHRUNK = np.exp(-2.0 * LOG_SCALE)
-SCALE_SIGMA, SCALE_WIDE, WIDE = 0.1, 0.5, 0.1
+INVERSE_SQUARES = np.exp(-2.0 * LOG_SCALE)
+NARROW_SIGMA, WIDE_SIGMA, WIDE_WEIGHT = 0.1, 0.5, 0.1
 #: Half width of the range of the quadrature over the signal, number of points, and weights of the trapezoidal rule.
-REACH, POINTS = 6.0, 49
+HALF_WIDTH, POINTS = 6.0, 49
 TRAPEZOID = np.concatenate([[0.5], np.ones(POINTS - 2), [0.5]])
 
 
 def prior_of_scale() -> Array:
     """Return the prior probabilities of the factors `LOG_SCALE` on stated errors, (85,)."""
-    parts = [
-        (1.0 - WIDE, np.exp(-0.5 * (LOG_SCALE / SCALE_SIGMA) ** 2)),
-        (WIDE, np.exp(-0.5 * (LOG_SCALE / SCALE_WIDE) ** 2)),
+    components = [
+        (1.0 - WIDE_WEIGHT, np.exp(-0.5 * (LOG_SCALE / NARROW_SIGMA) ** 2)),
+        (WIDE_WEIGHT, np.exp(-0.5 * (LOG_SCALE / WIDE_SIGMA) ** 2)),
     ]
-    return np.asarray(sum(weight * density / density.sum() for weight, density in parts))
+    return np.asarray(sum(weight * density / density.sum() for weight, density in components))
 
 
 def marginal_log_likelihood(squares: Array, degrees: Array, prior: Array) -> Array:
@@ -46,7 +46,7 @@ def marginal_log_likelihood(squares: Array, degrees: Array, prior: Array) -> Arr
     - prior: probabilities p of the factors `LOG_SCALE`, (85,)
     """
     q, nu = np.asarray(squares)[..., None], np.asarray(degrees)[..., None]
-    return np.asarray(special.logsumexp(-nu * LOG_SCALE - 0.5 * q * SHRUNK, axis=-1, b=prior))
+    return np.asarray(special.logsumexp(-nu * LOG_SCALE - 0.5 * q * INVERSE_SQUARES, axis=-1, b=prior))
 
 
 def log_occam_factor(signal: Array, degrees: Array, largest: Array, one_sided: Array) -> Array:
@@ -59,16 +59,18 @@ def log_occam_factor(signal: Array, degrees: Array, largest: Array, one_sided: A
     - one_sided: whether a single parameter can have one sign only, (n,)
     """
     signal, largest = signal[:, None], np.maximum(largest, 2.0)[:, None]
-    low = np.clip(signal - REACH, 1.0, largest)
-    high = np.clip(signal + REACH, 1.0, largest)
+    low = np.clip(signal - HALF_WIDTH, 1.0, largest)
+    high = np.clip(signal + HALF_WIDTH, 1.0, largest)
     r = low + (high - low) * np.linspace(0.0, 1.0, POINTS)
     # The mean of exp(r signal (cos - 1)) over both signs, or over the directions of a sphere: the normalisation of
     # the von Mises-Fisher distribution (Mardia and Jupp, Directional Statistics, 2000, section 9.3).
     x, order = np.maximum(r * signal, 1e-6), 0.5 * np.maximum(degrees, 2)[:, None] - 1.0
-    both = np.log(0.5 * (1.0 + np.exp(-2.0 * x)))
-    sphere = np.log(special.ive(order, x)) + special.gammaln(order + 1.0) + order * np.log(2.0 / x)
-    several = np.where((degrees > 1)[:, None], sphere, both)
-    direction = np.where(one_sided[:, None], 0.0, several)
+    log_mean_of_signs = np.log(0.5 * (1.0 + np.exp(-2.0 * x)))
+    log_mean_of_sphere = (
+        np.log(special.ive(order, x)) + special.gammaln(order + 1.0) + order * np.log(2.0 / x)
+    )
+    direction_of_many = np.where((degrees > 1)[:, None], log_mean_of_sphere, log_mean_of_signs)
+    direction = np.where(one_sided[:, None], 0.0, direction_of_many)
     exponent = direction - 0.5 * (r - signal) ** 2 - np.log(r * np.log(largest))
     with np.errstate(divide="ignore"):
         width = np.log((high - low)[:, 0] / (POINTS - 1))

@@ -10,19 +10,19 @@ from pkmodes.core.base.numbers import p_in_words, plain, signed, times
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.match.stage import MatchStage
 from pkmodes.loop.diagnosis.problem import Array
-from pkmodes.loop.diagnosis.readings.copies import NEAR
+from pkmodes.loop.diagnosis.readings.copies import POSITION_TOLERANCE
 from pkmodes.loop.measured.amplitude import UNKNOWN, AmplitudeDependence, amplitude_dependence
 from pkmodes.loop.measured.measurements import Measurements
 
 #: How the frequencies change and what may cause it, by the sign of the change.
-WORDS = {
+TREND_WORDS = {
     -1: ("they fall with the level", "as when friction slips or a contact opens"),
     0: ("some fall and others rise with the level", "as when contacts open and close"),
     1: ("they rise with the level", "as when a gap closes or a spring hardens"),
 }
 
 
-def dependence(fitter: Fitter, values: Array) -> AmplitudeDependence | None:
+def level_dependence(fitter: Fitter, values: Array) -> AmplitudeDependence | None:
     """Return how the measured frequencies depend on the level; None if no setups differ in their level alone.
 
     - values: of all parameters: the model determines which rows are the same mode, and how uncertain positions move
@@ -33,22 +33,24 @@ def dependence(fitter: Fitter, values: Array) -> AmplitudeDependence | None:
         return None
     stage = MatchStage(fitter.structure, data, fitter.observations.pairer, values)
     partner, motion = stage.pairing.partner, None
-    moved = fitter.structure.position_rates(values) if data.point_sigma.any() else None
-    if moved is not None:
-        motion = np.where((partner >= 0)[:, None], moved.log_rates[data.pose, np.maximum(partner, 0)], 0.0)
+    position_rates = fitter.structure.position_rates(values) if data.point_sigma.any() else None
+    if position_rates is not None:
+        motion = np.where(
+            (partner >= 0)[:, None], position_rates.log_rates[data.pose, np.maximum(partner, 0)], 0.0
+        )
         # How the position moves a mode that the model lacks is unknown: it is matched with no other.
         partner = np.where(partner >= 0, partner, -1 - np.arange(len(partner)))
-    return amplitude_dependence(data, list(_same_setups(stage)), partner, motion)
+    return amplitude_dependence(data, list(_setups_that_differ_in_level(stage)), partner, motion)
 
 
-def dependence_in_words(trend: AmplitudeDependence, data: Measurements) -> str:
+def format_level_dependence(trend: AmplitudeDependence, data: Measurements) -> str:
     """Return how frequencies depend on the level."""
     unit, row = f" {data.level_unit}" if data.level_unit else "", trend.clearest.row
-    least, greatest = (signed(100.0 * change) for change in trend.range)
-    change = least if least == greatest else f"{least} to {greatest}"
+    smallest, largest = (signed(100.0 * change) for change in trend.range)
+    change = smallest if smallest == largest else f"{smallest} to {largest}"
     mode = f"mode {data.mode[row]}" if data.mode[row] else f"{plain(data.frequency[row], 4)} Hz"
     clearest = f", clearest in line {data.lines[row]} ({data.labels[data.pose[row]]}, {mode})"
-    does, like = WORDS[trend.direction]
+    change_words, likely_cause = TREND_WORDS[trend.direction]
     basis = "with the scatter of setups at one level"
     if not trend.repeated:
         basis = (
@@ -57,37 +59,37 @@ def dependence_in_words(trend: AmplitudeDependence, data: Measurements) -> str:
         )
     return (
         f"from a level of {plain(trend.low, 3)} to {plain(trend.high, 3)}{unit} frequencies at the same position "
-        f"change by {change} %{clearest if len(trend.changes) > 1 else ''}: {does}, {like} "
+        f"change by {change} %{clearest if len(trend.changes) > 1 else ''}: {change_words}, {likely_cause} "
         f"({p_in_words(trend.p_value)} {basis})"
     )
 
 
 def notes_on_amplitude(fitter: Fitter, values: Array) -> tuple[str, ...]:
     """Return a note if frequencies depend on the level."""
-    trend = dependence(fitter, values)
-    return () if trend is None or not trend.significant else (note(trend, fitter.data),)
+    trend = level_dependence(fitter, values)
+    return () if trend is None or not trend.significant else (format_amplitude_note(trend, fitter.data),)
 
 
-def note(trend: AmplitudeDependence, data: Measurements) -> str:
+def format_amplitude_note(trend: AmplitudeDependence, data: Measurements) -> str:
     """Return a note on frequencies that depend on the level."""
-    return f"the frequencies depend on amplitude: {dependence_in_words(trend, data)}"
+    return f"the frequencies depend on amplitude: {format_level_dependence(trend, data)}"
 
 
-def _same_setups(stage: MatchStage) -> Iterator[list[int]]:
+def _setups_that_differ_in_level(stage: MatchStage) -> Iterator[list[int]]:
     """Yield groups of setups that differ only in their level: their positions agree within the stated errors.
 
     Setups without positions are the same if the model has the same modes there.
     """
     data, logs = stage.data, stage.prediction.log_frequencies
-    conditions, placed = data.conditions, bool(data.points.any())
+    conditions, has_positions = data.conditions, bool(data.points.any())
     remaining = [int(i) for i in np.flatnonzero(np.isfinite(data.level))]
     while remaining:
-        first = remaining[0]
-        if placed:
-            reach = NEAR + np.hypot(data.point_sigma, data.point_sigma[first])
-            near = (np.abs(data.points - data.points[first]) <= reach).all(axis=1)
+        setup = remaining[0]
+        if has_positions:
+            tolerance = POSITION_TOLERANCE + np.hypot(data.point_sigma, data.point_sigma[setup])
+            at_same_position = (np.abs(data.points - data.points[setup]) <= tolerance).all(axis=1)
         else:
-            near = np.isclose(logs, logs[first], rtol=0.0, atol=1e-9, equal_nan=True).all(axis=1)
-        same = [i for i in remaining if near[i] and conditions[i] == conditions[first]]
-        remaining = [i for i in remaining if i not in same]
-        yield same
+            at_same_position = np.isclose(logs, logs[setup], rtol=0.0, atol=1e-9, equal_nan=True).all(axis=1)
+        group = [i for i in remaining if at_same_position[i] and conditions[i] == conditions[setup]]
+        remaining = [i for i in remaining if i not in group]
+        yield group

@@ -13,18 +13,18 @@ from pkmodes.loop.diagnosis.problem import Array, Prediction
 from pkmodes.loop.measured.measurements import Measurements
 
 
-class Apart(NamedTuple):
+class ModelDistances(NamedTuple):
     """Distances of the data from a model, as in the file and with another reading."""
 
-    here: float
-    there: float
+    as_filed: float
+    other_reading: float
 
     def far_better(self, gain: float, limit: float = np.inf) -> bool:
         """Return whether the other reading is nearer by a factor, and near enough."""
-        return self.there <= limit and self.there * gain <= self.here
+        return self.other_reading <= limit and self.other_reading * gain <= self.as_filed
 
 
-def differences(
+def frequency_differences(
     fitter: Fitter, prediction: Prediction, data: Measurements
 ) -> tuple[Array, NDArray[np.bool_]]:
     """Return the differences of the logarithms of the frequencies, nothing fitted, and which rows have a partner.

@@ -14,13 +14,13 @@ from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.match.stage import MatchStage
-from pkmodes.loop.diagnosis.readings.copies import copied_shapes, same_place
-from pkmodes.loop.diagnosis.readings.drives import nearer_drives, other_drives
+from pkmodes.loop.diagnosis.readings.copies import copied_shapes, poses_at_one_position
+from pkmodes.loop.diagnosis.readings.drives import other_drives_as_declared, other_drives_refitted
 from pkmodes.loop.diagnosis.readings.units import other_unit
 from pkmodes.loop.diagnosis.readings.wiring import certain_wiring, dead_channels, other_wiring
 
 #: Largest number of remarks of each kind.
-MOST = 4
+MAX_REMARKS = 4
 
 
 @dataclass(frozen=True)
@@ -43,21 +43,21 @@ class Reading:
 
 READINGS = (
     Reading("unit", declared=other_unit),
-    Reading("drives", declared=nearer_drives, refitted=other_drives),
+    Reading("drives", declared=other_drives_as_declared, refitted=other_drives_refitted),
     Reading("dead_channel", explained=dead_channels),
     Reading("wiring", refitted=certain_wiring, explained=other_wiring),
-    Reading("pose", remarks=same_place),
+    Reading("pose", remarks=poses_at_one_position),
     Reading("copies", remarks=copied_shapes),
 )
 
 
-def declared_otherwise(fitter: Fitter) -> tuple[str, ...]:
+def answer_for_declared_model(fitter: Fitter) -> tuple[str, ...]:
     """Return the answer of the first reading with which the declared model fits far better, if there is one."""
     answers = (reading.declared(fitter) for reading in READINGS if reading.declared)
     return tuple(itertools.islice(filter(None, answers), 1))
 
 
-def explained_otherwise(fitter: Fitter, fit: Fit) -> tuple[str, ...]:
+def answer_for_final_fit(fitter: Fitter, fit: Fit) -> tuple[str, ...]:
     """Return the answer of the first reading that the final fit shows, if there is one."""
     answers = (reading.explained(fitter, fit) for reading in READINGS if reading.explained)
     return tuple(itertools.islice(filter(None, answers), 1))
@@ -69,4 +69,4 @@ def reading_remarks(stage: MatchStage, criteria: ReadingCriteria) -> tuple[str, 
     - stage: its values determine which rows are the same mode
     """
     answers = (reading.remarks(stage, criteria) for reading in READINGS if reading.remarks)
-    return tuple(text for texts in answers for text in itertools.islice(texts, MOST))
+    return tuple(text for texts in answers for text in itertools.islice(texts, MAX_REMARKS))

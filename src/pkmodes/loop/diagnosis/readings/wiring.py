@@ -1,8 +1,8 @@
 """Sensors wired or mounted differently from the file, or not connected.
 
 If the shapes disagree with the model, every wiring that a single mistake gives is tried, each with the modes paired
-anew (`misfits`).  A mistake is reported if some wiring fits far better than the file's; it is named if no other
-wiring fits nearly as well.
+anew (`misfits_by_wiring`).  A mistake is reported if some wiring fits far better than the file's; it is named if no
+other wiring fits nearly as well.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.loop.diagnosis.fit.observations import SHAPE
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.problem import Instrumented
-from pkmodes.loop.diagnosis.readings.comparison import Apart
-from pkmodes.loop.diagnosis.readings.misfits import WiringMisfit, misfits, promising
+from pkmodes.loop.diagnosis.readings.comparison import ModelDistances
+from pkmodes.loop.diagnosis.readings.misfits import WiringMisfit, is_rewiring_promising, misfits_by_wiring
 from pkmodes.loop.diagnosis.readings.wirings import (
     Wiring,
     as_in_file,
@@ -32,13 +32,13 @@ from pkmodes.loop.diagnosis.readings.wirings import (
 )
 
 #: Largest number of wirings named in a sentence.
-MOST = 4
+MAX_WIRINGS_NAMED = 4
 
 
-class Rewired(NamedTuple):
+class BetterWirings(NamedTuple):
     """Wirings that fit far better than that of the file, up to the sign of all columns, the best one first.
 
-    It is certain if that one brings the shapes near to the errors of the measurement.
+    - certain: whether the best one brings the shapes near to the errors of the measurement
     """
 
     wirings: list[Wiring]
@@ -46,16 +46,16 @@ class Rewired(NamedTuple):
     sentence: str
 
 
-def certain_wiring(plain: FitStore) -> str:
+def certain_wiring(store: FitStore) -> str:
     """Another wiring of the sensors brings the shapes near to their errors."""
-    fitter, fit = plain.fitter, plain.fit(Hypothesis())
-    rewiring = None if fit is None or dead_channels(fitter, fit) else rewired(fitter, fit)
+    fitter, fit = store.fitter, store.fit(Hypothesis())
+    rewiring = None if fit is None or dead_channels(fitter, fit) else find_better_wirings(fitter, fit)
     return rewiring.sentence if rewiring is not None and rewiring.certain else ""
 
 
 def other_wiring(fitter: Fitter, fit: Fit) -> str:
     """The shapes fit far better with another wiring of the sensors."""
-    rewiring = rewired(fitter, fit)
+    rewiring = find_better_wirings(fitter, fit)
     return "" if rewiring is None else rewiring.sentence
 
 
@@ -64,90 +64,99 @@ def dead_channels(fitter: Fitter, fit: Fit) -> str:
     if not fitter.observations.shapes.known.any():
         return ""
     data, pairing = fitter.data, fit.pairing
-    shaped = (pairing.partner >= 0) & np.nan_to_num(data.shapes).any(axis=1)
-    measured = np.isfinite(data.shapes) & shaped[:, None]
+    rows_with_shape = (pairing.partner >= 0) & np.nan_to_num(data.shapes).any(axis=1)
+    measured = np.isfinite(data.shapes) & rows_with_shape[:, None]
     columns = fitter.observations.pairer.columns
     model = np.abs(fit.prediction.shapes[data.pose, np.maximum(pairing.partner, 0)][:, columns])
     units = np.array([fitter.structure.channel_units[i] for i in columns])
-    moved, share = fitter.criteria.readings.dead
-    dead = []
+    min_motion, min_share = fitter.criteria.readings.dead
+    dead_names = []
     for k, name in enumerate(data.channels):
         rows = measured[:, k]
         if not rows.any() or np.nan_to_num(data.shapes[:, k]).any():
             continue
-        alike = np.where(measured & (units == units[k]), model, 0.0).max(axis=1)
-        if (model[rows, k] > moved * alike[rows]).mean() >= share and alike[rows].any():
-            dead.append(name)
-    if len(dead) == 1:
-        return f"channel {dead[0]} is 0 in every row: is the sensor connected? If not, leave the column out"
-    are = "are 0 in every row: are the sensors connected? If not, leave the columns out"
-    return f"channels {', '.join(dead)} {are}" if dead else ""
+        largest = np.where(measured & (units == units[k]), model, 0.0).max(axis=1)
+        if (model[rows, k] > min_motion * largest[rows]).mean() >= min_share and largest[rows].any():
+            dead_names.append(name)
+    if len(dead_names) == 1:
+        return f"channel {dead_names[0]} is 0 in every row: is the sensor connected? If not, leave the column out"
+    predicate = "are 0 in every row: are the sensors connected? If not, leave the columns out"
+    return f"channels {', '.join(dead_names)} {predicate}" if dead_names else ""
 
 
-def rewired(fitter: Fitter, fit: Fit) -> Rewired | None:
+def find_better_wirings(fitter: Fitter, fit: Fit) -> BetterWirings | None:
     """Return the wirings that fit far better than that of the file; None if there is none.
 
-    - fit: of the file as it is
+    - fit: with the wiring of the file
     """
     c, columns = fitter.criteria.readings, fitter.data.channels
     sensors = tuple(fitter.structure.sensors) if isinstance(fitter.structure, Instrumented) else ()
-    tried = wirings(columns, sensors) if _doubtful(fitter, fit) else {}
-    if not tried or not promising(fitter, fit, tuple(tried)):
+    mistakes_by_wiring = wirings(columns, sensors) if _shapes_disagree(fitter, fit) else {}
+    if not mistakes_by_wiring or not is_rewiring_promising(fitter, fit, tuple(mistakes_by_wiring)):
         return None
-    by_wiring = misfits(fitter, fit, tuple(tried))
-    here = by_wiring.pop(as_in_file(columns))
-    complete = min(misfit.per_value[0] for misfit in (here, *by_wiring.values())) < c.rewired_noise
-    deviance = {wiring: misfit.deviance(complete) for wiring, misfit in by_wiring.items()}
-    order = sorted(deviance, key=deviance.__getitem__)
-    least, best = deviance[order[0]], by_wiring[order[0]]
-    better = Apart(here.shapes, best.shapes).far_better(c.rewired)
-    if not better or here.deviance(complete) - least < c.rewired_certain:
+    by_wiring = misfits_by_wiring(fitter, fit, tuple(mistakes_by_wiring))
+    as_filed = by_wiring.pop(as_in_file(columns))
+    model_is_complete = (
+        min(misfit.squares_per_value[0] for misfit in (as_filed, *by_wiring.values())) < c.rewired_noise
+    )
+    deviance = {wiring: misfit.deviance(model_is_complete) for wiring, misfit in by_wiring.items()}
+    ranked = sorted(deviance, key=deviance.__getitem__)
+    lowest, best = deviance[ranked[0]], by_wiring[ranked[0]]
+    is_far_better = ModelDistances(as_filed.shape_squares, best.shape_squares).far_better(c.rewired)
+    if not is_far_better or as_filed.deviance(model_is_complete) - lowest < c.rewired_certain:
         return None
-    remaining = [w for w in order if deviance[w] - least < c.rewired_told_apart]
+    remaining = [w for w in ranked if deviance[w] - lowest < c.rewired_told_apart]
     certain = (
-        best.per_value[1] < c.rewired_noise and best.difference < fitter.criteria.shapes.most_scatter / 2.0
+        best.squares_per_value[1] < c.rewired_noise
+        and best.difference < fitter.criteria.shapes.most_scatter / 2.0
     )
     mistakes = []
     for wiring in remaining:
         # The simplest of several mistakes that shapes cannot tell apart, and turned sensors.
-        same = sorted(tried[wiring], key=lambda mistake: simplicity(mistake, columns))
-        first, *alternatives = (wiring_in_words(mistake, columns, sensors) for mistake in same)
+        equivalent_mistakes = sorted(
+            mistakes_by_wiring[wiring], key=lambda mistake: simplicity(mistake, columns)
+        )
+        first, *alternatives = (wiring_in_words(mistake, columns, sensors) for mistake in equivalent_mistakes)
         mistakes.append([first, *(text for text in alternatives if " is turned by " in text)])
-    simplest = min(tried[order[0]], key=lambda wiring: simplicity(wiring, columns))
+    simplest = min(mistakes_by_wiring[ranked[0]], key=lambda wiring: simplicity(wiring, columns))
     change = remedy(simplest, columns) + hint(simplest, columns, sensors)
-    if not (certain and best.per_value[0] < c.rewired_noise):
+    if not (certain and best.squares_per_value[0] < c.rewired_noise):
         change += "; something else is wrong too: correct this, and diagnose again"
-    return Rewired(remaining, certain, _sentence(mistakes, here, best, certain, change))
+    return BetterWirings(remaining, certain, _sentence(mistakes, as_filed, best, certain, change))
 
 
-def _doubtful(fitter: Fitter, fit: Fit) -> bool:
+def _shapes_disagree(fitter: Fitter, fit: Fit) -> bool:
     """Return whether the shapes differ from the model by more than their stated errors, or scatter visibly."""
     c = fitter.criteria.readings
-    visible = (c.rewired_scatter / fitter.shape_scatter) ** 2
+    max_visible_misfit = (c.rewired_scatter / fitter.shape_scatter) ** 2
     parts = (
-        (fitter.misfit(fit, SHAPE, stated=s), limit)
-        for s, limit in ((True, c.rewired_misfit), (False, visible))
+        (fitter.misfit(fit, SHAPE, stated=stated), limit)
+        for stated, limit in ((True, c.rewired_misfit), (False, max_visible_misfit))
     )
     return any(degrees >= 1.0 and squares / degrees > limit for (squares, degrees), limit in parts)
 
 
 def _sentence(
-    mistakes: Sequence[Sequence[str]], here: WiringMisfit, best: WiringMisfit, certain: bool, change: str
+    mistakes: Sequence[Sequence[str]],
+    as_filed: WiringMisfit,
+    best: WiringMisfit,
+    certain: bool,
+    instruction: str,
 ) -> str:
     """Return what is wrong, how the misfit changes, and what to do."""
-    size = (
-        f"the shapes differ from the model by {plain(100 * here.difference, 2)} % of their largest component as in "
-        f"the file, by {plain(100 * best.difference, 2)} % with this corrected"
+    sizes = (
+        f"the shapes differ from the model by {plain(100 * as_filed.difference, 2)} % of their largest component as "
+        f"in the file, by {plain(100 * best.difference, 2)} % with this corrected"
     )
-    named = [joined(equivalent, "or") for equivalent in mistakes[:MOST]]
+    descriptions = [joined(equivalent, "or") for equivalent in mistakes[:MAX_WIRINGS_NAMED]]
     if len(mistakes) == 1:
-        seems = "" if certain else "it seems that "
-        same = " (for shapes, which have any sign, the same)" if len(mistakes[0]) > 1 else ""
-        return f"{seems}{named[0]}{same}: {size}; {change}"
-    if len(mistakes) > MOST:
-        named.append(f"{len(mistakes) - MOST} others")
+        prefix = "" if certain else "it seems that "
+        remark = " (for shapes, which have any sign, the same)" if len(mistakes[0]) > 1 else ""
+        return f"{prefix}{descriptions[0]}{remark}: {sizes}; {instruction}"
+    if len(mistakes) > MAX_WIRINGS_NAMED:
+        descriptions.append(f"{len(mistakes) - MAX_WIRINGS_NAMED} others")
     return (
         "sensors are exchanged, reversed or turned, and these data do not tell which: "
-        f"{'; '.join(named[:-1])}; or {named[-1]} ({size}); "
+        f"{'; '.join(descriptions[:-1])}; or {descriptions[-1]} ({sizes}); "
         "check cables and mountings, then correct the columns of the shapes"
     )

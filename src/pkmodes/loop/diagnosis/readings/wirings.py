@@ -33,7 +33,7 @@ class Wiring:
     channels: tuple[str, ...]
     signs: tuple[int, ...]
 
-    def of(self, data: Measurements) -> Measurements:
+    def applied_to(self, data: Measurements) -> Measurements:
         """Return the measurements with columns named and signed by what they measure."""
         return replace(data, channels=self.channels, shapes=data.shapes * self.signs)
 
@@ -53,38 +53,38 @@ def wirings(columns: Sequence[str], sensors: Sequence[Sensor]) -> dict[Wiring, l
 
     They are unique up to the sign of all columns, each with the mistakes that lead to it.
     """
-    right = as_in_file(columns)
+    as_filed = as_in_file(columns)
     by_wiring: dict[Wiring, list[Wiring]] = {}
-    for wiring in _mistakes(right, sensors):
-        same = by_wiring.setdefault(wiring.up_to_sign, [])
-        if wiring not in same:
-            same.append(wiring)
-    by_wiring.pop(right.up_to_sign, None)
+    for wiring in _single_mistakes(as_filed, sensors):
+        mistakes = by_wiring.setdefault(wiring.up_to_sign, [])
+        if wiring not in mistakes:
+            mistakes.append(wiring)
+    by_wiring.pop(as_filed.up_to_sign, None)
     return by_wiring
 
 
-def _mistakes(right: Wiring, sensors: Sequence[Sensor]) -> Iterator[Wiring]:
+def _single_mistakes(as_filed: Wiring, sensors: Sequence[Sensor]) -> Iterator[Wiring]:
     """Yield wirings with one column reversed, with two exchanged, and with a sensor of any signed order."""
-    names, places = right.channels, range(len(right.channels))
-    for i in places:
-        yield Wiring(names, tuple(-1 if k == i else 1 for k in places))
-    for i, k in itertools.combinations(places, 2):
+    names, indices = as_filed.channels, range(len(as_filed.channels))
+    for i in indices:
+        yield Wiring(names, tuple(-1 if k == i else 1 for k in indices))
+    for i, k in itertools.combinations(indices, 2):
         exchanged = {i: names[k], k: names[i]}
-        yield Wiring(tuple(exchanged.get(j, names[j]) for j in places), right.signs)
+        yield Wiring(tuple(exchanged.get(j, names[j]) for j in indices), as_filed.signs)
     for sensor in sensors:
-        columns = [i for i in places if names[i] in sensor.channels]
+        columns = [i for i in indices if names[i] in sensor.channels]
         orders = itertools.permutations(sensor.channels, len(columns))
         for order, signs in itertools.product(orders, itertools.product((1, -1), repeat=len(columns))):
-            channels, directions = list(names), list(right.signs)
+            channels, new_signs = list(names), list(as_filed.signs)
             for i, name, sign in zip(columns, order, signs, strict=True):
-                channels[i], directions[i] = name, sign
-            yield Wiring(tuple(channels), tuple(directions))
+                channels[i], new_signs[i] = name, sign
+            yield Wiring(tuple(channels), tuple(new_signs))
 
 
 def simplicity(wiring: Wiring, columns: Sequence[str]) -> tuple[int, int]:
     """Return the numbers of columns that measure another channel, and that are reversed: fewest for the simplest."""
-    moved = sum(channel != name for channel, name in zip(wiring.channels, columns, strict=True))
-    return moved, sum(sign < 0 for sign in wiring.signs)
+    moved_count = sum(channel != name for channel, name in zip(wiring.channels, columns, strict=True))
+    return moved_count, sum(sign < 0 for sign in wiring.signs)
 
 
 # Words ---------------------------------------------------------------------------------------------------------
@@ -92,41 +92,46 @@ def simplicity(wiring: Wiring, columns: Sequence[str]) -> tuple[int, int]:
 
 def wiring_in_words(wiring: Wiring, columns: Sequence[str], sensors: Sequence[Sensor]) -> str:
     """Return what is wrong, for a sentence: "p_y is reversed"."""
-    wrong = [k for k, name in enumerate(columns) if (wiring.channels[k], wiring.signs[k]) != (name, 1)]
-    reverse = [columns[k] for k in wrong if wiring.signs[k] < 0]
-    moved = [columns[k] for k in wrong if wiring.channels[k] != columns[k]]
-    if not moved and len(reverse) == 1:
-        return f"{reverse[0]} is reversed"
-    measures = ", ".join(
-        f"{columns[k]} measures {'-' if wiring.signs[k] < 0 else ''}{wiring.channels[k]}" for k in wrong
+    wrong_columns = [
+        k for k, name in enumerate(columns) if (wiring.channels[k], wiring.signs[k]) != (name, 1)
+    ]
+    reversed_columns = [columns[k] for k in wrong_columns if wiring.signs[k] < 0]
+    moved_columns = [columns[k] for k in wrong_columns if wiring.channels[k] != columns[k]]
+    if not moved_columns and len(reversed_columns) == 1:
+        return f"{reversed_columns[0]} is reversed"
+    description = ", ".join(
+        f"{columns[k]} measures {'-' if wiring.signs[k] < 0 else ''}{wiring.channels[k]}"
+        for k in wrong_columns
     )
-    if {wiring.channels[columns.index(name)] for name in moved} != set(moved):
-        return measures  # one of them measures an axis that is not in the file
-    if len(moved) == 2 and not reverse:
-        return f"{joined(moved)} are exchanged"
-    if len(moved) > 2 and not reverse:
-        return f"{joined(moved)} are exchanged cyclically ({measures})"
-    sensor = next((s for s in sensors if all(columns[k] in s.channels for k in wrong)), None)
-    W = None if sensor is None else _axes(wiring, columns, sensor)
+    if {wiring.channels[columns.index(name)] for name in moved_columns} != set(moved_columns):
+        return description  # one of them measures an axis that is not in the file
+    if len(moved_columns) == 2 and not reversed_columns:
+        return f"{joined(moved_columns)} are exchanged"
+    if len(moved_columns) > 2 and not reversed_columns:
+        return f"{joined(moved_columns)} are exchanged cyclically ({description})"
+    sensor = next((s for s in sensors if all(columns[k] in s.channels for k in wrong_columns)), None)
+    W = None if sensor is None else _axis_matrix(wiring, columns, sensor)
     if sensor is not None and W is not None and round(float(np.linalg.det(W))) == 1:
-        which = f"at the {sensor.place}" if sensor.place else f"of {joined(sensor.channels)}"
-        return f"the sensor {which} is turned{_turn(W, sensor)} ({measures})"
-    if not moved:
-        return f"{joined(reverse)} are {'both' if len(reverse) == 2 else 'all'} reversed"
-    return f"{joined(moved)} are exchanged and {joined(reverse)} reversed ({measures})"
+        location = f"at the {sensor.place}" if sensor.place else f"of {joined(sensor.channels)}"
+        return f"the sensor {location} is turned{_turn_in_words(W, sensor)} ({description})"
+    if not moved_columns:
+        return f"{joined(reversed_columns)} are {'both' if len(reversed_columns) == 2 else 'all'} reversed"
+    return f"{joined(moved_columns)} are exchanged and {joined(reversed_columns)} reversed ({description})"
 
 
 def remedy(wiring: Wiring, columns: Sequence[str]) -> str:
     """Return what to change in the file."""
-    changes, reverse = [], []
+    changes, reversed_columns = [], []
     for column, name, sign in zip(columns, wiring.channels, wiring.signs, strict=True):
         if name != column:
-            also = " and change the sign of its values" if sign < 0 else ""
-            changes.append(f"rename the column shape:{column} to shape:{name}{also}")
+            sign_change = " and change the sign of its values" if sign < 0 else ""
+            changes.append(f"rename the column shape:{column} to shape:{name}{sign_change}")
         elif sign < 0:
-            reverse.append(f"shape:{column}")
-    if reverse:
-        changes.append(f"change the sign of the column{'s' * (len(reverse) > 1)} {joined(reverse)}")
+            reversed_columns.append(f"shape:{column}")
+    if reversed_columns:
+        changes.append(
+            f"change the sign of the column{'s' * (len(reversed_columns) > 1)} {joined(reversed_columns)}"
+        )
     return ", ".join(changes)
 
 
@@ -142,21 +147,21 @@ def hint(wiring: Wiring, columns: Sequence[str], sensors: Sequence[Sensor]) -> s
     return ", or check the sensor's direction"
 
 
-def _turn(W: Array, sensor: Sensor) -> str:
+def _turn_in_words(W: Array, sensor: Sensor) -> str:
     """Return the angle and axis of a turn about one of the sensor's axes or the normal of its plane; else empty."""
     from scipy.spatial.transform import Rotation
 
     turn = Rotation.from_matrix(W.T).as_rotvec(degrees=True).round().astype(int)
-    about = np.flatnonzero(turn)
-    if len(about) > 1:
+    axis_indices = np.flatnonzero(turn)
+    if len(axis_indices) > 1:
         return ""
-    rest = {"x", "y", "z"} - set(sensor.axes)
-    axes = [*sensor.axes, rest.pop() if len(rest) == 1 else "the normal of its plane"]
-    angle = int(turn[about[0]])
-    return f" by {180 if angle == -180 else angle} degrees about {axes[about[0]]}"
+    missing_axes = {"x", "y", "z"} - set(sensor.axes)
+    axes = [*sensor.axes, missing_axes.pop() if len(missing_axes) == 1 else "the normal of its plane"]
+    angle = int(turn[axis_indices[0]])
+    return f" by {180 if angle == -180 else angle} degrees about {axes[axis_indices[0]]}"
 
 
-def _axes(wiring: Wiring, columns: Sequence[str], sensor: Sensor) -> Array | None:
+def _axis_matrix(wiring: Wiring, columns: Sequence[str], sensor: Sensor) -> Array | None:
     """Return the sensor's axes as rows, (3, 3): of a right-handed sensor if one is not measured; None if unknown."""
     W: Array = np.zeros((3, 3))
     measured = [k for k, name in enumerate(columns) if name in sensor.channels]

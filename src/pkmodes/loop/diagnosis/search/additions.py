@@ -11,12 +11,12 @@ import numpy as np
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.loop.diagnosis.fit.store import FitStore, Key, key
 from pkmodes.loop.diagnosis.problem import Candidate
-from pkmodes.loop.diagnosis.search.score import Score, Scores, one_sided, score
+from pkmodes.loop.diagnosis.search.score import Score, Scores, allowed_sign, score
 from pkmodes.loop.diagnosis.search.starts import starts
 
 Progress = Callable[[str], None]
 #: Largest number of pairs that are all refitted; more would take minutes.
-FEW_PAIRS = 120
+MAX_PAIRS_TRIED = 120
 
 
 class Additions:
@@ -32,38 +32,38 @@ class Additions:
         self._rows, self._setups = len(self.fitter.observations.log_frequencies), len(self.fitter.data.labels)
         self._most_outliers = max(1, self._rows // self.criteria.search.rows_per_outlier)
 
-    def room(self, fit: Fit) -> bool:
+    def allows_another_kind(self, fit: Fit) -> bool:
         """Return whether another kind of addition is allowed."""
         kinds = len(fit.causes) + bool(fit.hypothesis.excluded) + fit.hypothesis.scatter
         return kinds < self.criteria.search.most_additions
 
-    def noise(self, fit: Fit, *, rival: bool = False) -> list[Fit]:
+    def with_errors(self, fit: Fit, *, as_rivals: bool = False) -> list[Fit]:
         """Return fits with a shared error in each setup, and with one of the worst rows excluded.
 
-        - rival: whether they only compete with a claim: then a row may be excluded even if there are too few rows to
-          show that it is wrong
+        - as_rivals: whether they only compete with a claim: then a row may be excluded even if there are too few rows
+          to show that it is wrong
         """
-        h, c, fits = fit.hypothesis, self.criteria, []
-        enough = self._rows >= c.search.rows_to_set_aside
-        if enough and self._hopeless(fit):
+        h, c, options = fit.hypothesis, self.criteria, []
+        has_enough_rows = self._rows >= c.search.rows_to_set_aside
+        if has_enough_rows and self._is_hopeless(fit):
             return []
-        room = self.room(fit) and not h.remote
-        if room and not h.scatter and self._setups >= 4 and self._rows >= 2 * self._setups:
-            fits.append(self.store.fit(replace(h, scatter=True), fit.values))
-        allowed = self._most_outliers if enough or rival else 0
-        if (room or h.excluded) and len(h.excluded) < allowed:
+        has_room = self.allows_another_kind(fit) and not h.remote
+        if has_room and not h.scatter and self._setups >= 4 and self._rows >= 2 * self._setups:
+            options.append(self.store.fit(replace(h, scatter=True), fit.values))
+        max_excluded = self._most_outliers if has_enough_rows or as_rivals else 0
+        if (has_room or h.excluded) and len(h.excluded) < max_excluded:
             worst, sigmas = self.fitter.worst_rows(fit)
             for row in worst[:3]:
                 # A row that the others do not predict is not set aside: nothing shows that it is wrong.
-                if sigmas[row] > 3.0 and (rival or fit.leverage[row] < c.search.redundant):
-                    fits.append(self.store.fit(replace(h, excluded=h.excluded | {int(row)}), fit.values))
-        return [option for option in fits if option is not None]
+                if sigmas[row] > 3.0 and (as_rivals or fit.leverage[row] < c.search.redundant):
+                    options.append(self.store.fit(replace(h, excluded=h.excluded | {int(row)}), fit.values))
+        return [option for option in options if option is not None]
 
     def without_distant_rows(self, fit: Fit) -> list[Fit]:
         """Return fits with a cause, without the rows farthest from any mode, that leave only noise.
 
         A row that is not a mode, such as a tone or a peak of noise, may be as far from the model as a large cause,
-        and distort all fits: no cause helps until it is removed.  None is needed where a cause helps by itself.
+        and distort all fits: no cause helps until it is removed.  Where a cause helps by itself, no row is removed.
         """
         c, fits = self.criteria, list[Fit]()
         if self._rows < c.search.rows_to_set_aside or fit.causes or fit.hypothesis.excluded:
@@ -73,81 +73,87 @@ class Additions:
             if sigmas[worst[0]] < c.search.strange:
                 break
             h = fit.hypothesis
-            less = self.store.fit(replace(h, excluded=h.excluded | {int(worst[0])}), fit.values)
-            if less is None:
+            reduced_fit = self.store.fit(replace(h, excluded=h.excluded | {int(worst[0])}), fit.values)
+            if reduced_fit is None:
                 break
-            fit = less
-            fits += self.causes(fit, score(self.fitter, fit, self.candidates))
+            fit = reduced_fit
+            fits += self.with_another_cause(fit, score(self.fitter, fit, self.candidates))
         return [option for option in fits if self.store.p_value(option) > c.gate.surely]
 
-    def _hopeless(self, fit: Fit) -> bool:
-        """Return whether far too much is left even with a shared error in each setup and without the worst rows.
+    def _is_hopeless(self, fit: Fit) -> bool:
+        """Return whether the residual is far from noise even with shared errors and without the worst rows.
 
         A gross outlier may distort the fit, so many rows look wrong: the fit is repeated without the worst rows.
         """
-        if not self._far(fit):
+        if not self._is_far_from_noise(fit):
             return False
         h = fit.hypothesis
         worst = self.fitter.worst_rows(fit)[0][: self._most_outliers]
-        without = self.store.fit(replace(h, excluded=h.excluded | set(worst.tolist())), fit.values)
-        return without is None or self._far(without)
+        reduced_fit = self.store.fit(replace(h, excluded=h.excluded | set(worst.tolist())), fit.values)
+        return reduced_fit is None or self._is_far_from_noise(reduced_fit)
 
-    def _far(self, fit: Fit) -> bool:
+    def _is_far_from_noise(self, fit: Fit) -> bool:
         residual = np.array(fit.residual[self.fitter.observations.frequency_rows])
         for rows in self.fitter.observations.noise.rows:
             residual[rows] -= np.median(residual[rows])  # robust against one outlier
         residual /= self.fitter.observations.sigma
-        kept = np.sort(residual**2)[: max(self._rows - self._most_outliers, 0)]
+        smallest_squares = np.sort(residual**2)[: max(self._rows - self._most_outliers, 0)]
         degrees = max(self._rows - self._most_outliers - self._setups, 1)
-        return bool(kept.sum() > self.criteria.search.hopeless * degrees)
+        return bool(smallest_squares.sum() > self.criteria.search.hopeless * degrees)
 
-    def errors(self, enough: float) -> list[Fit]:
+    def with_errors_only(self, max_criterion: float) -> list[Fit]:
         """Return fits with measurement errors and no cause, added one by one while they help.
 
-        - enough: largest criterion of interest; the additions stop if it cannot be reached
+        - max_criterion: largest criterion of interest; the additions stop if it cannot be reached
         """
-        errors: list[Fit] = []
+        error_fits: list[Fit] = []
         fit = self.store.fit(Hypothesis())
         while fit is not None:
-            options = self.noise(fit, rival=True)
-            errors += options
+            options = self.with_errors(fit, as_rivals=True)
+            error_fits += options
             best = min(options, key=self.store.criterion, default=fit)
             gain = self.store.criterion(fit) - self.store.criterion(best)
             # Rows are set aside one by one, the worst first: later ones gain less.
             remaining = self._most_outliers - len(best.hypothesis.excluded) + (not best.hypothesis.scatter)
-            within = self.store.criterion(best) - gain * remaining <= enough
-            fit = best if gain > 0.0 and within else None
-        return errors
+            is_reachable = self.store.criterion(best) - gain * remaining <= max_criterion
+            fit = best if gain > 0.0 and is_reachable else None
+        return error_fits
 
-    def causes(self, fit: Fit, scores: Scores) -> list[Fit]:
+    def with_another_cause(self, fit: Fit, scores: Scores) -> list[Fit]:
         """Return fits with one more cause, best first: those that the linear model favours, and absent effects."""
         gains = sorted((s.gain for s in scores.by_candidate), reverse=True)
         if not gains:
             return []
         c = self.criteria
-        enough = min(c.search.promising * gains[0], gains[min(c.search.at_least, len(gains)) - 1])
+        min_gain = min(c.search.promising * gains[0], gains[min(c.search.at_least, len(gains)) - 1])
         # The score is inaccurate for large changes: an absent effect, which may be large, is always tried.
         promising = [
-            (fit, entry)
-            for entry in scores.by_candidate
-            if entry.visible and (entry.gain >= enough or one_sided(self.fitter, entry.candidate))
+            (fit, candidate_score)
+            for candidate_score in scores.by_candidate
+            if candidate_score.visible
+            and (candidate_score.gain >= min_gain or allowed_sign(self.fitter, candidate_score.candidate))
         ]
         return self.store.finished(
-            self.refitted([x for x in promising if self._testable(fit, x[1].candidate)])
+            self.refit([addition for addition in promising if self._testable(fit, addition[1].candidate)])
         )
 
-    def singles(self) -> list[Fit]:
+    def single_causes(self) -> list[Fit]:
         """Return fits with one cause and nothing else."""
-        plain = self.store.fit(Hypothesis())
-        return [] if plain is None else self.causes(plain, score(self.fitter, plain, self.candidates))
-
-    def would_do(self) -> list[Fit]:
-        """Return single causes that would remove a contradiction, even with very few data; best first."""
-        plain = self.store.fit(Hypothesis())
-        if plain is None:
+        declared_fit = self.store.fit(Hypothesis())
+        if declared_fit is None:
             return []
-        refitted = self.refitted(
-            [(plain, entry) for entry in score(self.fitter, plain, self.candidates).by_candidate]
+        return self.with_another_cause(declared_fit, score(self.fitter, declared_fit, self.candidates))
+
+    def sufficient_causes(self) -> list[Fit]:
+        """Return single causes that would remove a contradiction, even with very few data; best first."""
+        declared_fit = self.store.fit(Hypothesis())
+        if declared_fit is None:
+            return []
+        refitted = self.refit(
+            [
+                (declared_fit, candidate_score)
+                for candidate_score in score(self.fitter, declared_fit, self.candidates).by_candidate
+            ]
         )
         fits = [fit for fit in refitted if self.store.p_value(fit) > self.criteria.gate.level]
         return sorted(fits, key=self.store.criterion)
@@ -155,51 +161,69 @@ class Additions:
     def pairs(self) -> list[Fit]:
         """Return fits with two causes: all pairs if both pairs and data are few, else the most promising.
 
-        These are the pairs for which the linear model at the fit of one of them promises most, and the best cause
-        with every absent effect, for which the linear model is inaccurate.
+        The most promising pairs are those for which the linear model at the fit of one of the two causes promises
+        most, and the best cause with every absent effect, for which the linear model is inaccurate.
         """
         store, c = self.store, self.criteria
-        promised: dict[Key, tuple[float, Fit, Score]] = {}
-        absent: dict[Key, tuple[float, Fit, Score]] = {}
-        singles = sorted(self.singles(), key=store.criterion)
+        by_linear_model: dict[Key, tuple[float, Fit, Score]] = {}
+        absent_effects: dict[Key, tuple[float, Fit, Score]] = {}
+        singles = sorted(self.single_causes(), key=store.criterion)
         for single in singles:
-            further = [candidate for candidate in self.candidates if candidate not in single.causes]
-            for entry in score(self.fitter, single, further).by_candidate:
-                if entry.visible and self._testable(single, entry.candidate):
-                    expected = store.criterion(single) - entry.gain + store.price(entry.candidate)
-                    pair, promise = key(single.hypothesis.adding(entry.candidate)), (expected, single, entry)
-                    if entry.gain > 0.0 or self.few:
-                        promised[pair] = min(promised.get(pair, promise), promise, key=itemgetter(0))
-                    if single is singles[0] and one_sided(self.fitter, entry.candidate):
-                        absent[pair] = promise
-        count = len(promised) if self.few else c.search.pairs
-        best = {pair: promised[pair] for pair in sorted(promised, key=lambda pair: promised[pair][0])[:count]}
-        return store.finished(self.refitted([(fit, entry) for _, fit, entry in {**absent, **best}.values()]))
+            other_candidates = [candidate for candidate in self.candidates if candidate not in single.causes]
+            for candidate_score in score(self.fitter, single, other_candidates).by_candidate:
+                if candidate_score.visible and self._testable(single, candidate_score.candidate):
+                    expected_criterion = (
+                        store.criterion(single)
+                        - candidate_score.gain
+                        + store.price(candidate_score.candidate)
+                    )
+                    pair = key(single.hypothesis.adding(candidate_score.candidate))
+                    promising_addition = expected_criterion, single, candidate_score
+                    if candidate_score.gain > 0.0 or self.tries_all_pairs:
+                        by_linear_model[pair] = min(
+                            by_linear_model.get(pair, promising_addition),
+                            promising_addition,
+                            key=itemgetter(0),
+                        )
+                    if single is singles[0] and allowed_sign(self.fitter, candidate_score.candidate):
+                        absent_effects[pair] = promising_addition
+        count = len(by_linear_model) if self.tries_all_pairs else c.search.pairs
+        best = {
+            pair: by_linear_model[pair]
+            for pair in sorted(by_linear_model, key=lambda pair: by_linear_model[pair][0])[:count]
+        }
+        return store.finished(
+            self.refit(
+                [(fit, candidate_score) for _, fit, candidate_score in {**absent_effects, **best}.values()]
+            )
+        )
 
     @property
-    def few(self) -> bool:
+    def tries_all_pairs(self) -> bool:
         """Whether data and candidates are few enough to try all pairs."""
         count = len(self.candidates)
-        return self._rows <= self.criteria.search.few_rows and count * (count - 1) // 2 <= FEW_PAIRS
+        return self._rows <= self.criteria.search.few_rows and count * (count - 1) // 2 <= MAX_PAIRS_TRIED
 
     def _testable(self, fit: Fit, candidate: Candidate) -> bool:
-        """Return whether a cause may be added, and data are left to test it: otherwise it would fit anything."""
-        free = sum(self.fitter.priors.of(i) is None for i in self.fitter.indices(candidate))
-        return fit.hypothesis.allows(candidate) and self.store.degrees(fit) > free
+        """Return whether a cause may be added, with enough data left to test it: otherwise it would fit anything."""
+        free_parameters = sum(self.fitter.priors.of(i) is None for i in self.fitter.indices(candidate))
+        return fit.hypothesis.allows(candidate) and self.store.degrees(fit) > free_parameters
 
-    def refitted(self, additions: Sequence[tuple[Fit, Score]]) -> list[Fit]:
+    def refit(self, additions: Sequence[tuple[Fit, Score]]) -> list[Fit]:
         """Return fits with one more cause; new ones are rough, each from the best of several starts."""
-        store, fitted, seeded, new = self.store, [], [], []
-        for fit, entry in additions:
-            hypothesis = fit.hypothesis.adding(entry.candidate)
+        store, known_fits, with_seed, without_seed = self.store, [], [], []
+        for fit, candidate_score in additions:
+            hypothesis = fit.hypothesis.adding(candidate_score.candidate)
             seed = store.seed(hypothesis)
             if store.known(hypothesis):
-                fitted.append(store.fit(hypothesis))
+                known_fits.append(store.fit(hypothesis))
                 continue
             self._progress(f"refitting with {' and '.join(c.name for c in hypothesis.causes)}")
             if seed is None:
-                new.append((fit, entry, hypothesis))
+                without_seed.append((fit, candidate_score, hypothesis))
             else:
-                seeded.append((hypothesis, [seed]))
-        begun = zip((hypothesis for _, _, hypothesis in new), starts(self.fitter, new), strict=True)
-        return [fit for fit in fitted if fit is not None] + store.roughly([*seeded, *begun])
+                with_seed.append((hypothesis, [seed]))
+        with_starts = zip(
+            (hypothesis for _, _, hypothesis in without_seed), starts(self.fitter, without_seed), strict=True
+        )
+        return [fit for fit in known_fits if fit is not None] + store.roughly([*with_seed, *with_starts])

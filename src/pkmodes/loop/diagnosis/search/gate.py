@@ -32,9 +32,9 @@ class Gate:
     @property
     def passed(self) -> bool:
         """Whether the residual is noise."""
-        return self.above(self.level)
+        return self.passes_at(self.level)
 
-    def above(self, level: float) -> bool:
+    def passes_at(self, level: float) -> bool:
         """Return whether all tests pass at a level."""
         return self.unpaired == 0 and min(self.p_value, self.p_candidates, self.p_unmeasured) > level
 
@@ -48,8 +48,8 @@ def gate(store: FitStore, fit: Fit, scores: Scores) -> Gate:
     unpaired = int((fit.pairing.partner[fitter.used(fit.hypothesis)] < 0).sum())
     one_cause = len(fit.causes) == 1 and not fit.hypothesis.remote
     level = criteria.gate.surely if one_cause else criteria.gate.level
-    unmeasured = p_unmeasured(fitter, store.fit(Hypothesis()) or fit, fit)
+    p_unmeasured_modes = p_unmeasured(fitter, store.fit(Hypothesis()) or fit, fit)
     p_value = store.p_value(fit)
     # If the residual is already too large for noise, the bound suffices and no draws are needed.
-    candidate = scores.p_value if p_value > criteria.gate.surely else scores.bound
-    return Gate(p_value, candidate, unpaired, unmeasured, scores, level)
+    p_candidates = scores.p_value if p_value > criteria.gate.surely else scores.bound
+    return Gate(p_value, p_candidates, unpaired, p_unmeasured_modes, scores, level)

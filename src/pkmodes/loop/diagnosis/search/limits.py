@@ -7,7 +7,7 @@ larger size: the same test of :math:`|\theta|`.  At a physical bound, such as no
 of Cowan, Cranmer, Gross and Vitells (Asymptotic formulae for likelihood-based tests of new physics, European Physical
 Journal C 71, 2011, 1554, equation 16): the limit covers too often rather than too seldom.
 
-The prior of a candidate takes no part in its limit, which says what these data exclude.
+The prior of a candidate takes no part in its limit, which is what these data exclude.
 """
 
 from __future__ import annotations
@@ -38,10 +38,10 @@ ONE_SIDED = float(stats.norm.ppf(0.95))
 #: Factor by which a value that nobody declared may be wrong, such as the mass of the frame of a small printer.
 DEFAULT_FACTOR = 10.0
 #: If the linear model promises less than this sum of squares, the fit without the candidate is as good as with it.
-SMALL = 0.5
+MIN_GAIN = 0.5
 #: The linear model suffices if its second order, the square of the largest relative change of a frequency, is below
 #: this part of the smallest standard deviation.
-SECOND_ORDER = 0.1
+MAX_SECOND_ORDER = 0.1
 
 
 @dataclass(frozen=True)
@@ -51,29 +51,29 @@ class Bound:
     - index: the parameter
     - size: largest deviation from the declared value at 95 %; None if the data do not bound it within its plausible
       range
-    - plausible: largest plausible deviation; infinite if unknown
-    - change: relative change of some frequency at the limit, in the linear model; 0 without a limit
-    - moved: how far all fitted values move when the candidate has this size, (P,); values with a prior also if it has
-      the largest plausible size, because their priors hold them
-    - farther: how far, at least, values without a prior move if the data do not bound the candidate, (P,)
+    - max_deviation: largest plausible deviation; infinite if unknown
+    - frequency_change: relative change of some frequency at the limit, in the linear model; 0 without a limit
+    - value_shifts: how far all fitted values move when the candidate has this size, (P,); for values with a prior,
+      which limits them, also when it has the largest plausible size
+    - unbounded_shifts: how far, at least, values without a prior move if the data do not bound the candidate, (P,)
     """
 
     candidate: Candidate
     index: int
     size: float | None
-    plausible: float
-    change: float
-    moved: Array
-    farther: Array
+    max_deviation: float
+    frequency_change: float
+    value_shifts: Array
+    unbounded_shifts: Array
 
 
 @dataclass(frozen=True)
-class _Beside:
+class _AddedCandidate:
     """A candidate beside a fit.
 
     - free, without_prior, rates: free parameters, those to be taken without their priors, and the largest derivatives
       of ln f by parameter
-    - at: the model at that fit
+    - start: the model at that fit
     - gain: decrease of the sum of squares that the linear model promises
     - step: the corresponding change of all values, (P,)
     """
@@ -82,15 +82,15 @@ class _Beside:
     free: tuple[int, ...]
     without_prior: tuple[int, ...]
     rates: dict[int, float]
-    at: ProfilePoint
+    start: ProfilePoint
     gain: float
     step: Array
 
     @property
-    def linear(self) -> ProfilePoint:
+    def linear_minimum(self) -> ProfilePoint:
         """The minimum of the linear model."""
-        white = self.at.white + self.at.jacobian @ self.step[list(self.free)]
-        return ProfilePoint(self.at.values + self.step, white, self.at.jacobian)
+        white = self.start.white + self.start.jacobian @ self.step[list(self.free)]
+        return ProfilePoint(self.start.values + self.step, white, self.start.jacobian)
 
 
 def bounds(
@@ -105,77 +105,86 @@ def bounds(
     if not candidates:
         return []
     profiles = Profiles(fitter, fit)
-    beside = _beside(fitter, fit, candidates)
-    least = [(entry.linear, 0.0) for entry in beside] if linear else _least(store, profiles, beside, fit)
+    added = _added_candidates(fitter, fit, candidates)
+    minima = (
+        [(addition.linear_minimum, 0.0) for addition in added]
+        if linear
+        else _minima(store, profiles, added, fit)
+    )
     sides, owners = [], []
-    for entry, (point, gain) in zip(beside, least, strict=True):
-        ratio = 1.0
+    for addition, (point, gain) in zip(added, minima, strict=True):
+        variance_ratio = 1.0
         if not noise:  # chi2 per degree of freedom that the candidate leaves
-            free = sum(fitter.priors.of(i) is None for i in entry.free if i not in fit.free)
-            ratio = max(1.0, point.squares / max(store.degrees(fit) - free, 1))
-        for i in fitter.indices(entry.candidate):
+            free = sum(fitter.priors.of(i) is None for i in addition.free if i not in fit.free)
+            variance_ratio = max(1.0, point.squares / max(store.degrees(fit) - free, 1))
+        for i in fitter.indices(addition.candidate):
             for sign in (1, -1):
-                side = _side(fitter, entry, point, i, sign, ratio * ONE_SIDED**2 - gain)
+                side = _side(fitter, addition, point, i, sign, variance_ratio * ONE_SIDED**2 - gain)
                 if side is not None:
                     sides.append(side)
-                    owners.append(entry)
-    located = [profiles.linear(side) for side in sides]
-    triples = zip(sides, owners, located, strict=True)
-    refined = [
-        k for k, (s, entry, e) in enumerate(triples) if not linear and not _suffices(fitter, s, entry, e)
+                    owners.append(addition)
+    side_ends = [profiles.linear(side) for side in sides]
+    sides_owners_and_ends = zip(sides, owners, side_ends, strict=True)
+    sides_to_refine = [
+        k
+        for k, (side, addition, end) in enumerate(sides_owners_and_ends)
+        if not linear and not _linear_model_suffices(fitter, side, addition, end)
     ]
-    for k, end in zip(refined, profiles.ends([sides[k] for k in refined]), strict=True):
-        located[k] = end
-    ends: dict[tuple[str, int], list[tuple[Side, End]]] = {}
-    for entry, side, end in zip(owners, sides, located, strict=True):
-        ends.setdefault((entry.candidate.name, side.index), []).append((side, end))
+    for k, end in zip(sides_to_refine, profiles.ends([sides[k] for k in sides_to_refine]), strict=True):
+        side_ends[k] = end
+    ends_by_parameter: dict[tuple[str, int], list[tuple[Side, End]]] = {}
+    for addition, side, end in zip(owners, sides, side_ends, strict=True):
+        ends_by_parameter.setdefault((addition.candidate.name, side.index), []).append((side, end))
     return [
-        _bound(fitter, fit, entry, i, ends.get((entry.candidate.name, i), []))
-        for entry in beside
-        for i in fitter.indices(entry.candidate)
+        _bound(fitter, fit, addition, i, ends_by_parameter.get((addition.candidate.name, i), []))
+        for addition in added
+        for i in fitter.indices(addition.candidate)
     ]
 
 
-def moved_by_defaults(store: FitStore, fit: Fit) -> dict[Assumption, Array]:
+def value_shifts_by_default(store: FitStore, fit: Fit) -> dict[Assumption, Array]:
     """Return how far the values of a fit move when a default that its causes assume is wrong, (P,) for each.
 
     The default moves to its own limit at 95 %, but at most by a factor of `DEFAULT_FACTOR`, in both directions.
     """
     fitter = store.fitter
     indices = {p.name: i for i, p in enumerate(fitter.parameters)}
-    moved = {}
+    shifts = {}
     for assumption in dict.fromkeys(default for cause in fit.causes for default in cause.assumes):
         index = indices.get(assumption.parameter)
         if index is None or index in fit.free:
             continue
         declared = fitter.parameters[index].value
-        constant = Candidate(assumption.parameter, (assumption.parameter,))
-        (beside,) = _beside(fitter, fit, [constant])
+        default_as_candidate = Candidate(assumption.parameter, (assumption.parameter,))
+        (addition,) = _added_candidates(fitter, fit, [default_as_candidate])
+        signs_and_ranges = (
+            (1, (DEFAULT_FACTOR - 1.0) * declared),
+            (-1, (1.0 - 1.0 / DEFAULT_FACTOR) * declared),
+        )
+        start, limit = addition.start, addition.start.squares + ONE_SIDED**2
         sides = [
-            Side(index, declared, sign, beside.free, (), largest, beside.at, beside.at.squares + ONE_SIDED**2)
-            for sign, largest in (
-                (1, (DEFAULT_FACTOR - 1.0) * declared),
-                (-1, (1.0 - 1.0 / DEFAULT_FACTOR) * declared),
-            )
+            Side(index, declared, sign, addition.free, (), largest, start, limit)
+            for sign, largest in signs_and_ranges
         ]
         ends = Profiles(fitter, fit).ends(sides)
-        away = np.max([np.abs(end.values - fit.values) for end in ends], axis=0)
-        away[index] = 0.0
-        moved[assumption] = away
-    return moved
+        shift = np.max([np.abs(end.values - fit.values) for end in ends], axis=0)
+        shift[index] = 0.0
+        shifts[assumption] = shift
+    return shifts
 
 
-def _beside(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> list[_Beside]:
-    by = list(dict.fromkeys(i for candidate in candidates for i in fitter.indices(candidate)))
-    _, raw = fitter.signatures(fit, by)
-    prediction = fitter.structure.predict(fit.values, by, shape_rates=fitter.observations.shape_rates)
-    rates = dict(zip(by, largest_rates(prediction).tolist(), strict=True))
-    entries = []
+def _added_candidates(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> list[_AddedCandidate]:
+    indices = list(dict.fromkeys(i for candidate in candidates for i in fitter.indices(candidate)))
+    _, signatures = fitter.signatures(fit, indices)
+    prediction = fitter.structure.predict(fit.values, indices, shape_rates=fitter.observations.shape_rates)
+    rates = dict(zip(indices, largest_rates(prediction).tolist(), strict=True))
+    additions = []
     for candidate in candidates:
-        index = fitter.indices(candidate)
-        new = [i for i in index if i not in fit.free]
-        free, without_prior = (*fit.free, *new), index if candidate.sigma is not None else ()
-        jacobian = np.hstack([fit.jacobian, -raw[:, [by.index(i) for i in new]]])
+        candidate_indices = fitter.indices(candidate)
+        new_parameters = [i for i in candidate_indices if i not in fit.free]
+        free = (*fit.free, *new_parameters)
+        without_prior = candidate_indices if candidate.sigma is not None else ()
+        jacobian = np.hstack([fit.jacobian, -signatures[:, [indices.index(i) for i in new_parameters]]])
         white, jacobian = without_priors(fitter, fit.white, jacobian, without_prior)
         step = np.zeros_like(fit.values)
         length = np.linalg.norm(jacobian, axis=0)
@@ -183,83 +192,110 @@ def _beside(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> list[_
         step[list(free)] = -np.linalg.lstsq(jacobian * scale, white, rcond=NOTHING)[0] * scale
         residual = white + jacobian @ step[list(free)]
         gain = float(white @ white - residual @ residual)
-        p = fitter.parameters[index[0]]
-        if len(index) == 1 and not p.lower <= fit.values[index[0]] + step[index[0]] <= p.upper:
+        p = fitter.parameters[candidate_indices[0]]
+        if (
+            len(candidate_indices) == 1
+            and not p.lower <= fit.values[candidate_indices[0]] + step[candidate_indices[0]] <= p.upper
+        ):
             gain, step = 0.0, np.zeros_like(step)
-        at = ProfilePoint(fit.values, white, jacobian)
-        entries.append(_Beside(candidate, free, without_prior, {i: rates[i] for i in index}, at, gain, step))
-    return entries
+        start = ProfilePoint(fit.values, white, jacobian)
+        additions.append(
+            _AddedCandidate(
+                candidate, free, without_prior, {i: rates[i] for i in candidate_indices}, start, gain, step
+            )
+        )
+    return additions
 
 
-def _least(
-    store: FitStore, profiles: Profiles, beside: Sequence[_Beside], fit: Fit
+def _minima(
+    store: FitStore, profiles: Profiles, added: Sequence[_AddedCandidate], fit: Fit
 ) -> list[tuple[ProfilePoint, float]]:
     """Return the point where each candidate leaves the smallest sum of squares, and the decrease still possible.
 
     It is the fit itself if a candidate promises little.
     """
     fitter = store.fitter
-    least = [(entry.at, entry.gain if entry.gain <= SMALL else 0.0) for entry in beside]
+    minima = [(addition.start, addition.gain if addition.gain <= MIN_GAIN else 0.0) for addition in added]
     worthwhile = [
-        k for k, entry in enumerate(beside) if entry.gain > SMALL and set(entry.free) != set(fit.free)
+        k
+        for k, addition in enumerate(added)
+        if addition.gain > MIN_GAIN and set(addition.free) != set(fit.free)
     ]
     values: dict[int, Array] = {}
     starts = []
     for k in worthwhile:
-        hypothesis = fit.hypothesis.adding(beside[k].candidate)
+        hypothesis = fit.hypothesis.adding(added[k].candidate)
         previous = store.fit(hypothesis) if store.known(hypothesis) else None
         if previous is not None:
             values[k] = previous.values
         else:
-            start = np.clip(fit.values + beside[k].step, fitter.lower, fitter.upper)
+            start = np.clip(fit.values + added[k].step, fitter.lower, fitter.upper)
             starts.append((k, hypothesis, start))
     descents = fitter.roughly([(hypothesis, start) for _, hypothesis, start in starts])
     values |= {k: descent.values for (k, _, _), descent in zip(starts, descents, strict=True)}
     points = profiles.points(
-        [ModelRequest(values[k], beside[k].free, beside[k].without_prior) for k in worthwhile]
+        [ModelRequest(values[k], added[k].free, added[k].without_prior) for k in worthwhile]
     )
     for k, point in zip(worthwhile, points, strict=True):
-        if point is not None and point.squares < least[k][0].squares:
-            least[k] = point, 0.0
-    return least
+        if point is not None and point.squares < minima[k][0].squares:
+            minima[k] = point, 0.0
+    return minima
 
 
 def _side(
-    fitter: Fitter, beside: _Beside, least: ProfilePoint, i: int, sign: int, rise: float
+    fitter: Fitter, addition: _AddedCandidate, minimum: ProfilePoint, i: int, sign: int, rise: float
 ) -> Side | None:
     """Return one side of a parameter; None if there is nothing on that side."""
-    p, largest = fitter.parameters[i], plausible_size(fitter, beside.candidate, i, sign, beside.rates[i])
+    p, largest = fitter.parameters[i], plausible_size(fitter, addition.candidate, i, sign, addition.rates[i])
     if not 0.0 < largest < np.inf:
         return None
-    return Side(i, p.value, sign, beside.free, beside.without_prior, largest, least, least.squares + rise)
+    return Side(
+        i, p.value, sign, addition.free, addition.without_prior, largest, minimum, minimum.squares + rise
+    )
 
 
-def _suffices(fitter: Fitter, side: Side, beside: _Beside, end: End) -> bool:
+def _linear_model_suffices(fitter: Fitter, side: Side, addition: _AddedCandidate, end: End) -> bool:
     """Return whether the end of the linear model is accurate: a small change of a declared value, or no change."""
     column = side.least.jacobian[:, side.free.index(side.index)]
     if not column[: fitter.prior_rows.start].any():
         return True
     p = fitter.parameters[side.index]
-    absent = p.value <= p.lower or p.value >= p.upper
-    change = end.size * beside.rates[side.index]
-    return not absent and end.bounded and change**2 < SECOND_ORDER * float(fitter.observations.sigma.min())
+    starts_at_bound = p.value <= p.lower or p.value >= p.upper
+    change = end.size * addition.rates[side.index]
+    return (
+        not starts_at_bound
+        and end.bounded
+        and change**2 < MAX_SECOND_ORDER * float(fitter.observations.sigma.min())
+    )
 
 
-def _bound(fitter: Fitter, fit: Fit, beside: _Beside, i: int, ends: Sequence[tuple[Side, End]]) -> Bound:
+def _bound(
+    fitter: Fitter, fit: Fit, addition: _AddedCandidate, i: int, ends: Sequence[tuple[Side, End]]
+) -> Bound:
     bounded = bool(ends) and all(end.bounded for _, end in ends)
     size = max(end.size for _, end in ends) if bounded else None
-    moved, farther = np.zeros((2, len(fit.values)))
+    value_shifts, unbounded_shifts = np.zeros((2, len(fit.values)))
     nuisances = [k for k in fit.free if k != i]
-    held = np.array([fitter.priors.of(k) is not None for k in nuisances], dtype=bool)
+    has_prior = np.array([fitter.priors.of(k) is not None for k in nuisances], dtype=bool)
     for _, end in ends:
-        part = 1.0
-        if beside.without_prior:  # the prior of the candidate limits its effect
+        factor = 1.0
+        if addition.without_prior:  # the prior of the candidate limits its effect
             row = fitter.priors.of(i)
             width = np.inf if row is None else ONE_SIDED * fitter.priors.width(fit.values)[row]
-            part = float(1.0 / np.hypot(1.0, end.size / width))
-        by = part * np.abs(end.values - fit.values)[nuisances]
-        at_end = held | (end.bounded and end.reached)
-        moved[nuisances] = np.maximum(moved[nuisances], np.where(at_end, by, 0.0))
-        farther[nuisances] = np.maximum(farther[nuisances], np.where(at_end, 0.0, by))
-    plausible = max((side.largest for side, _ in ends), default=np.inf)
-    return Bound(beside.candidate, i, size, plausible, beside.rates[i] * (size or 0.0), moved, farther)
+            factor = float(1.0 / np.hypot(1.0, end.size / width))
+        shift = factor * np.abs(end.values - fit.values)[nuisances]
+        is_determined = has_prior | (end.bounded and end.reached)
+        value_shifts[nuisances] = np.maximum(value_shifts[nuisances], np.where(is_determined, shift, 0.0))
+        unbounded_shifts[nuisances] = np.maximum(
+            unbounded_shifts[nuisances], np.where(is_determined, 0.0, shift)
+        )
+    max_deviation = max((side.largest for side, _ in ends), default=np.inf)
+    return Bound(
+        addition.candidate,
+        i,
+        size,
+        max_deviation,
+        addition.rates[i] * (size or 0.0),
+        value_shifts,
+        unbounded_shifts,
+    )

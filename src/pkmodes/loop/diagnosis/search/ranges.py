@@ -35,24 +35,24 @@ def plausible_size(fitter: Fitter, candidate: Candidate, i: int, sign: int, rate
     - rate: its `largest_rates`
     """
     p = fitter.parameters[i]
-    room = p.upper - p.value if sign > 0 else p.value - p.lower
+    distance_to_bound = p.upper - p.value if sign > 0 else p.value - p.lower
     if candidate.sigma is not None:
         sigma = candidate.sigma[candidate.parameters.index(p.name)]
-        plausible = fitter.criteria.reasons.far * sigma * (abs(p.value) if p.log else 1.0)
+        largest = fitter.criteria.reasons.far * sigma * (abs(p.value) if p.log else 1.0)
     elif np.isfinite(p.lower) and np.isfinite(p.upper):
-        plausible = np.inf  # the bounds are the plausible range
+        largest = np.inf  # the bounds are the plausible range
     else:
-        plausible = SIZES[-1] / rate if rate > 0.0 else np.inf
-    return float(min(room, plausible))
+        largest = SIZES[-1] / rate if rate > 0.0 else np.inf
+    return float(min(distance_to_bound, largest))
 
 
 def plausible_sizes(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> dict[int, float]:
     """Return the largest plausible deviation of each parameter of some candidates, on either side."""
-    by = list(dict.fromkeys(i for candidate in candidates for i in fitter.indices(candidate)))
-    if not by:
+    indices = list(dict.fromkeys(i for candidate in candidates for i in fitter.indices(candidate)))
+    if not indices:
         return {}
-    prediction = fitter.structure.predict(fit.values, by, shape_rates=False)
-    rates = dict(zip(by, largest_rates(prediction).tolist(), strict=True))
+    prediction = fitter.structure.predict(fit.values, indices, shape_rates=False)
+    rates = dict(zip(indices, largest_rates(prediction).tolist(), strict=True))
     return {
         i: max(plausible_size(fitter, candidate, i, sign, rates[i]) for sign in (1, -1))
         for candidate in candidates

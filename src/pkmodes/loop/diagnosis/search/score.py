@@ -31,9 +31,9 @@ Directions = Sequence[tuple[Array, int]]
 DRAWS = 20_000
 SEED = 20_221_107
 #: Largest number of directions drawn by their correlations; for more, the eigenvectors would take longer.
-MANY = 200
+MAX_DIRECTIONS_CORRELATED = 200
 #: Smallest fraction of a signature that must remain after the projection for it to have a direction.
-LEFT = 1e-4
+MIN_REMAINDER = 1e-4
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,7 @@ class Score:
     - gain: decrease of chi2 that the linear model promises
     - step: corresponding change of the candidate's parameters, within their signs, (k,)
     - sigma: standard deviations of the parameters from these data, (k,); infinite if the data do not determine them
-    - largest: largest relative change of a measured frequency per unit of each parameter, (k,)
+    - largest_rates: largest relative change of a measured frequency per unit of each parameter, (k,)
     - visible: whether any signature remains after the projection
     """
 
@@ -53,7 +53,7 @@ class Score:
     gain: float
     step: Array
     sigma: Array
-    largest: Array
+    largest_rates: Array
     visible: bool
 
 
@@ -82,45 +82,50 @@ class Scores:
 
 def score(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> Scores:
     """Test candidates that the hypothesis does not have yet."""
-    by = [i for candidate in candidates for i in fitter.indices(candidate)]
-    if not by:
+    indices = [i for candidate in candidates for i in fitter.indices(candidate)]
+    if not indices:
         return Scores((), ())
-    rates, raw = fitter.signatures(fit, by)
+    rates, signatures = fitter.signatures(fit, indices)
     basis = fit.basis
-    remainder = raw - basis @ (basis.T @ raw)
-    unit = np.abs(rates)
-    scores, directions, start = [], [], 0
+    remainder = signatures - basis @ (basis.T @ signatures)
+    rate_magnitudes = np.abs(rates)
+    scores, directions, first_column = [], [], 0
     for candidate in candidates:
-        columns = slice(start, start + len(candidate.parameters))
-        start = columns.stop
-        result, axes = _score_of(
-            fitter, fit, candidate, raw[:, columns], remainder[:, columns], unit[:, columns]
+        columns = slice(first_column, first_column + len(candidate.parameters))
+        first_column = columns.stop
+        candidate_score, axes = _score_of(
+            fitter, fit, candidate, signatures[:, columns], remainder[:, columns], rate_magnitudes[:, columns]
         )
-        scores.append(result)
-        if result.visible:
-            directions.append((axes, one_sided(fitter, candidate)))
+        scores.append(candidate_score)
+        if candidate_score.visible:
+            directions.append((axes, allowed_sign(fitter, candidate)))
     return Scores(tuple(scores), tuple(directions))
 
 
 def _score_of(
-    fitter: Fitter, fit: Fit, candidate: Candidate, raw: Array, remainder: Array, unit: Array
+    fitter: Fitter,
+    fit: Fit,
+    candidate: Candidate,
+    signatures: Array,
+    remainder: Array,
+    rate_magnitudes: Array,
 ) -> tuple[Score, Array]:
-    size, data = np.linalg.norm(remainder, axis=0), slice(0, fitter.prior_rows.start)
-    whole = np.linalg.norm(raw[data], axis=0)
-    visible = np.linalg.norm(remainder[data], axis=0) > LEFT * np.maximum(whole, 1e-300)
-    largest = unit.max(axis=0, initial=0.0)
+    remainder_norms, data = np.linalg.norm(remainder, axis=0), slice(0, fitter.prior_rows.start)
+    norms = np.linalg.norm(signatures[data], axis=0)
+    visible = np.linalg.norm(remainder[data], axis=0) > MIN_REMAINDER * np.maximum(norms, 1e-300)
+    largest = rate_magnitudes.max(axis=0, initial=0.0)
     step = np.zeros(remainder.shape[1])
     if not visible.any():
         return Score(candidate, 1.0, 0.0, step, np.full(len(step), np.inf), largest, False), remainder
     # Parameters may have the same effect, or none: the degrees of freedom are the directions that they span.
-    u, s, vt = thin_svd(remainder[:, visible] / size[visible])
-    axes, s, vt = u[:, s > LEFT], s[s > LEFT], vt[s > LEFT]
+    u, s, vt = thin_svd(remainder[:, visible] / remainder_norms[visible])
+    axes, s, vt = u[:, s > MIN_REMAINDER], s[s > MIN_REMAINDER], vt[s > MIN_REMAINDER]
     sigma = np.full(len(step), np.inf)
     if len(s) == visible.sum():
-        sigma[visible] = np.linalg.norm(vt / s[:, None], axis=0) / size[visible]
+        sigma[visible] = np.linalg.norm(vt / s[:, None], axis=0) / remainder_norms[visible]
     projection = axes.T @ fit.white
-    step[visible] = (vt.T @ (projection / s)) / size[visible]
-    sign = one_sided(fitter, candidate)
+    step[visible] = (vt.T @ (projection / s)) / remainder_norms[visible]
+    sign = allowed_sign(fitter, candidate)
     gain = float(projection @ projection)
     if sign:
         z = float(np.sign(step[0]) * sign * np.sqrt(gain))
@@ -133,7 +138,7 @@ def _score_of(
     return Score(candidate, p_value, gain, step, sigma, largest, True), axes
 
 
-def one_sided(fitter: Fitter, candidate: Candidate) -> int:
+def allowed_sign(fitter: Fitter, candidate: Candidate) -> int:
     """Return the sign that physics allows, 0 for both: a single parameter whose declared value is its bound."""
     if len(candidate.parameters) != 1:
         return 0
@@ -152,17 +157,17 @@ def p_of_smallest(directions: Sequence[tuple[Array, int]], observed: float) -> f
     if observed * count < 1.0 / DRAWS:  # beyond the resolution of the draws; the bound is tight there
         return observed * count
     stacked, rng = np.hstack([axes for axes, _ in directions]), np.random.default_rng(SEED)
-    if stacked.shape[1] > MANY:  # fewer data than directions: draw noise in all data
-        normal = rng.standard_normal((DRAWS, len(stacked))) @ stacked
+    if stacked.shape[1] > MAX_DIRECTIONS_CORRELATED:  # fewer data than directions: draw noise in all data
+        draws = rng.standard_normal((DRAWS, len(stacked))) @ stacked
     else:
         values, vectors = np.linalg.eigh(stacked.T @ stacked)
-        normal = rng.standard_normal((DRAWS, len(values))) * np.sqrt(np.maximum(values, 0.0)) @ vectors.T
-    reached, start = np.zeros(DRAWS, dtype=bool), 0
+        draws = rng.standard_normal((DRAWS, len(values))) * np.sqrt(np.maximum(values, 0.0)) @ vectors.T
+    is_reached, first_column = np.zeros(DRAWS, dtype=bool), 0
     for axes, sign in directions:  # compare statistics, which is equivalent to comparing p-values
-        part = normal[:, start : start + axes.shape[1]]
-        start += axes.shape[1]
+        coordinates = draws[:, first_column : first_column + axes.shape[1]]
+        first_column += axes.shape[1]
         if sign:
-            reached |= part[:, 0] >= stats.norm.isf(observed)
+            is_reached |= coordinates[:, 0] >= stats.norm.isf(observed)
         else:
-            reached |= (part**2).sum(axis=1) >= stats.chi2.isf(observed, axes.shape[1])
-    return float(np.clip(reached.mean(), 1.0 / DRAWS, 1.0))
+            is_reached |= (coordinates**2).sum(axis=1) >= stats.chi2.isf(observed, axes.shape[1])
+    return float(np.clip(is_reached.mean(), 1.0 / DRAWS, 1.0))

@@ -26,15 +26,15 @@ from pkmodes.loop.diagnosis.search.score import Scores, score
 class Outcome:
     """The result of a search.
 
-    - nuisances: the declared model with its nuisances refitted
-    - first: gate at that fit
-    - last: gate at the final fit
+    - nuisance_fit: the declared model with its nuisances refitted
+    - first_gate: gate at that fit
+    - last_gate: gate at the final fit
     """
 
-    nuisances: Fit
-    first: Gate
-    final: Fit
-    last: Gate
+    nuisance_fit: Fit
+    first_gate: Gate
+    final_fit: Fit
+    last_gate: Gate
 
 
 class Search:
@@ -48,8 +48,8 @@ class Search:
     ) -> None:
         self.store, self.criteria = store, store.fitter.criteria
         self.candidates = tuple(candidate for candidate in candidates if candidate.claimable)
-        self.general = tuple(candidate for candidate in candidates if candidate.general_of)
-        self.remote = tuple(
+        self.general_candidates = tuple(candidate for candidate in candidates if candidate.general_of)
+        self.remote_candidates = tuple(
             candidate for candidate in candidates if candidate.remote and not candidate.general_of
         )
         self._progress = progress or (lambda _: None)
@@ -59,114 +59,126 @@ class Search:
     def run(self) -> Outcome | None:
         """Search; return None if the declared model cannot be evaluated."""
         self._progress("refitting the uncertain values")
-        first = self.store.fit(Hypothesis())
-        if first is None:
+        nuisance_fit = self.store.fit(Hypothesis())
+        if nuisance_fit is None:
             return None
-        before = self.gate(first)
-        final, last = first, before
-        while not last.passed:
-            addition = self._addition(final, last)
+        first_gate = self.gate(nuisance_fit)
+        final_fit, last_gate = nuisance_fit, first_gate
+        while not last_gate.passed:
+            addition = self._best_addition(final_fit, last_gate)
             if addition is None:
                 break
-            final = self._settled(addition) if addition.causes != final.causes else addition
-            last = self.gate(final)
-        if last.passed:
-            final = self._needed(final)
-            last = self.gate(final)
-        return Outcome(first, before, final, last)
+            final_fit = self._exchange_causes(addition) if addition.causes != final_fit.causes else addition
+            last_gate = self.gate(final_fit)
+        if last_gate.passed:
+            final_fit = self._remove_unneeded(final_fit)
+            last_gate = self.gate(final_fit)
+        return Outcome(nuisance_fit, first_gate, final_fit, last_gate)
 
     def gate(self, fit: Fit) -> Gate:
         """Test the residual of a fit."""
-        tested = self._tested(fit)
-        if tested is None:
-            tested = gate(self.store, fit, self.scores(fit))
-            self._gates[id(fit.values)] = fit, tested
-        return tested
+        result = self._known_gate(fit)
+        if result is None:
+            result = gate(self.store, fit, self.scores(fit))
+            self._gates[id(fit.values)] = fit, result
+        return result
 
     def scores(self, fit: Fit) -> Scores:
         """Return the scores at a fit of all candidates that it does not have, from its gate if it was tested."""
-        tested = self._tested(fit)
-        if tested is not None:
-            return tested.scores
+        gate_of_fit = self._known_gate(fit)
+        if gate_of_fit is not None:
+            return gate_of_fit.scores
         return score(
             self.store.fitter,
             fit,
             [candidate for candidate in self.candidates if candidate not in fit.causes],
         )
 
-    def _tested(self, fit: Fit) -> Gate | None:
+    def _known_gate(self, fit: Fit) -> Gate | None:
         """Return the gate of a fit with these values; None if it was not tested."""
-        tested = self._gates.get(id(fit.values))
-        return tested[1] if tested is not None and tested[0].values is fit.values else None
+        known_gate = self._gates.get(id(fit.values))
+        return known_gate[1] if known_gate is not None and known_gate[0].values is fit.values else None
 
-    def alone(self) -> list[Fit]:
+    def single_remote_causes(self) -> list[Fit]:
         """Return fits with one remote cause and nothing else, best first."""
-        plain = self.store.fit(Hypothesis())
-        if plain is None or not self.remote:
+        declared_fit = self.store.fit(Hypothesis())
+        if declared_fit is None or not self.remote_candidates:
             return []
-        return self.additions.causes(plain, score(self.store.fitter, plain, self.remote))
+        return self.additions.with_another_cause(
+            declared_fit, score(self.store.fitter, declared_fit, self.remote_candidates)
+        )
 
-    def better_alone(self, fit: Fit) -> list[Fit]:
+    def better_remote_causes(self, fit: Fit) -> list[Fit]:
         """Return fits with one remote cause that explain significantly more than a fit, down to noise; best first."""
         limit = self.store.criterion(fit) - self.criteria.search.survives
         return [
             option
-            for option in self.alone()
+            for option in self.single_remote_causes()
             if self.store.criterion(option) < limit and self.gate(option).passed
         ]
 
-    def in_one_joint(self, beside: Fit) -> list[Fit]:
+    def single_joint_causes(self, claimed_fit: Fit) -> list[Fit]:
         """Return fits with the cause of a fit in one of its joints alone, best first."""
-        name = beside.causes[0].name
-        joints = {p for general in self.general if general.general_of == name for p in general.parameters}
-        remote = [candidate for candidate in self.remote if joints.issuperset(candidate.parameters)]
-        plain = self.store.fit(replace(beside.hypothesis, causes=()))
-        if plain is None or not remote:
+        name = claimed_fit.causes[0].name
+        joints = {
+            p for general in self.general_candidates if general.general_of == name for p in general.parameters
+        }
+        remote = [
+            candidate for candidate in self.remote_candidates if joints.issuperset(candidate.parameters)
+        ]
+        base = self.store.fit(replace(claimed_fit.hypothesis, causes=()))
+        if base is None or not remote:
             return []
-        return self.additions.causes(plain, score(self.store.fitter, plain, remote))
+        return self.additions.with_another_cause(base, score(self.store.fitter, base, remote))
 
-    def rivals(self, fit: Fit, place: int) -> tuple[Fit, ...]:
+    def rivals(self, fit: Fit, position: int) -> tuple[Fit, ...]:
         """Return fits with other causes in one place, best first; that cause is the last one in all of them."""
         causes, store = fit.causes, self.store
-        hypothesis = fit.hypothesis.without(place)
+        hypothesis = fit.hypothesis.without(position)
         base = store.fit(hypothesis, store.undone(fit, hypothesis))
-        rivals = {causes[place].name: replace(fit, hypothesis=hypothesis.adding(causes[place]))}
+        rivals = {causes[position].name: replace(fit, hypothesis=hypothesis.adding(causes[position]))}
         if base is not None:
             candidates = [*self.candidates]
             if len(causes) == 1:
-                candidates += [cause for cause in self.remote if cause.nameable or causes[0].remote]
+                candidates += [
+                    cause for cause in self.remote_candidates if cause.nameable or causes[0].remote
+                ]
             alternatives = [candidate for candidate in candidates if candidate not in hypothesis.causes]
-            for option in self.additions.causes(base, score(store.fitter, base, alternatives)):
+            for option in self.additions.with_another_cause(base, score(store.fitter, base, alternatives)):
                 rivals.setdefault(option.causes[-1].name, option)
         return tuple(sorted(rivals.values(), key=store.criterion))
 
     # Steps -------------------------------------------------------------------------------------------------
 
-    def _addition(self, fit: Fit, at: Gate) -> Fit | None:
+    def _best_addition(self, fit: Fit, last_gate: Gate) -> Fit | None:
         """Return the fit with the best addition; None if nothing helps."""
         additions, criterion = self.additions, self.store.criterion
-        options = additions.noise(fit)
+        options = additions.with_errors(fit)
         if not fit.causes:
             # Outliers and a shared error use up the allowed additions: a cause is tried in their place.
-            options += additions.causes(fit, at.scores) if additions.room(fit) else additions.singles()
+            options += (
+                additions.with_another_cause(fit, last_gate.scores)
+                if additions.allows_another_kind(fit)
+                else additions.single_causes()
+            )
             improves = any(criterion(option) < criterion(fit) for option in options)
-            options += [] if improves else self.alone()
+            options += [] if improves else self.single_remote_causes()
             if all(self.store.p_value(option) <= self.criteria.gate.surely for option in options):
-                without = additions.without_distant_rows(fit)
-                if without:
-                    return min(without, key=criterion)
-        elif (again := self._again(fit, options)) is not None:
-            return again  # no addition is needed
+                without_outliers = additions.without_distant_rows(fit)
+                if without_outliers:
+                    return min(without_outliers, key=criterion)
+        elif (refit := self._fit_again(fit, options)) is not None:
+            return refit  # no addition is needed
         elif len(fit.causes) < self.criteria.search.most_causes and not fit.causes[0].remote:
-            best_few = self.alone()[: self.criteria.search.best_few]
-            remote = next((single for single in best_few if self.gate(single).passed), None)
-            if remote is not None:
-                return remote  # one cause, although it will not be claimed, is preferred to two
-            options += additions.pairs() if self._hopeful(fit) else []
+            best_few = self.single_remote_causes()[: self.criteria.search.best_few]
+            preferred = next((remote_fit for remote_fit in best_few if self.gate(remote_fit).passed), None)
+            if preferred is not None:
+                return preferred  # one cause, although it will not be claimed, is preferred to two
+            options += additions.pairs() if self._may_need_second_cause(fit) else []
         best = min(options, key=criterion, default=fit)
         return best if criterion(best) < criterion(fit) else None
 
-    def _again(self, fit: Fit, options: Sequence[Fit]) -> Fit | None:
+    def _fit_again(self, fit: Fit, options: Sequence[Fit]) -> Fit | None:
         """Refit the same hypothesis from fits with measurement errors; None if it is not better and down to noise.
 
         A cause that adds modes may be in a local minimum, with some modes paired wrongly.  These look like outliers
@@ -177,46 +189,51 @@ class Search:
         # Also from fits without the worst rows, for several numbers of rows.
         rows, h = store.fitter.worst_rows(fit)[0].tolist(), fit.hypothesis
         counts = [count for count in (1, 2, 4, 8) if count <= int(c.search.misled * len(rows))]
-        fewer = [replace(h, excluded=h.excluded | set(rows[:count])) for count in counts]
-        starts += [rough.values for rough in store.fitter.roughly([(less, fit.values) for less in fewer])]
+        reduced_hypotheses = [replace(h, excluded=h.excluded | set(rows[:count])) for count in counts]
+        starts += [
+            rough_fit.values
+            for rough_fit in store.fitter.roughly(
+                [(hypothesis, fit.values) for hypothesis in reduced_hypotheses]
+            )
+        ]
         fits = [store.again(h, values) for values in starts]
         best = min((f for f in fits if f is not None), key=lambda f: f.deviance, default=fit)
-        better = best.deviance < fit.deviance - c.search.worth and store.p_value(best) > c.gate.surely
-        return best if better else None
+        is_better = best.deviance < fit.deviance - c.search.worth and store.p_value(best) > c.gate.surely
+        return best if is_better else None
 
-    def _hopeful(self, fit: Fit) -> bool:
+    def _may_need_second_cause(self, fit: Fit) -> bool:
         """Return whether a second cause may suffice: the first explains much, or little is left."""
-        base, c = self.store.without(fit, 0), self.criteria
+        without_cause, c = self.store.without(fit, 0), self.criteria
         return (
-            base is None
-            or fit.chi2 < c.search.much * base.chi2
+            without_cause is None
+            or fit.chi2 < c.search.much * without_cause.chi2
             or fit.chi2 < c.search.little * self.store.degrees(fit)
         )
 
-    def _settled(self, fit: Fit) -> Fit:
+    def _exchange_causes(self, fit: Fit) -> Fit:
         """Exchange one of several causes for another while that lowers the criterion."""
-        near = fit.chi2 < self.criteria.search.little * self.store.degrees(fit)
-        for _ in range(self.criteria.search.most_causes if len(fit.causes) > 1 and near else 0):
+        is_near_noise = fit.chi2 < self.criteria.search.little * self.store.degrees(fit)
+        for _ in range(self.criteria.search.most_causes if len(fit.causes) > 1 and is_near_noise else 0):
             best = fit
-            for place in range(len(fit.causes)):
-                best = min([best, *self.rivals(fit, place)], key=self.store.criterion)
+            for position in range(len(fit.causes)):
+                best = min([best, *self.rivals(fit, position)], key=self.store.criterion)
             if best is fit:
                 break
             fit = best
         return fit
 
-    def _needed(self, fit: Fit) -> Fit:
+    def _remove_unneeded(self, fit: Fit) -> Fit:
         """Remove additions that are not needed to pass the gate."""
         h, store = fit.hypothesis, self.store
-        smaller = [replace(h, excluded=h.excluded - {row}) for row in sorted(h.excluded)]
-        smaller += [replace(h, scatter=False)] if h.scatter else []
-        smaller += [h.without(place) for place in range(len(h.causes))]
-        for hypothesis in smaller:
-            less = store.fit(hypothesis, store.undone(fit, hypothesis))
+        reduced_hypotheses = [replace(h, excluded=h.excluded - {row}) for row in sorted(h.excluded)]
+        reduced_hypotheses += [replace(h, scatter=False)] if h.scatter else []
+        reduced_hypotheses += [h.without(position) for position in range(len(h.causes))]
+        for hypothesis in reduced_hypotheses:
+            reduced_fit = store.fit(hypothesis, store.undone(fit, hypothesis))
             if (
-                less is not None
-                and store.criterion(less) < store.criterion(fit) + self.criteria.search.worth
-                and self.gate(less).passed
+                reduced_fit is not None
+                and store.criterion(reduced_fit) < store.criterion(fit) + self.criteria.search.worth
+                and self.gate(reduced_fit).passed
             ):
-                return self._needed(less)
+                return self._remove_unneeded(reduced_fit)
         return fit

@@ -14,21 +14,21 @@ import numpy as np
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.loop.diagnosis.problem import Array
-from pkmodes.loop.diagnosis.search.score import Score, one_sided
+from pkmodes.loop.diagnosis.search.score import Score, allowed_sign
 
 #: Sizes of a one-sided cause that are tried first, as the frequency change that the linear model predicts.
 SIZES = np.geomspace(0.003, 30.0, 12)
 #: The same for a cause that adds modes: these change a frequency only when they come near it.  Neighbouring sizes
 #: differ by a quarter, and the frequencies of the added modes by an eighth.
 CLOSE_SIZES = np.geomspace(5e-5, 0.5, 42)
-#: The grid is refined by HALVINGS bisections around the best VALLEYS sizes with sums of squares up to SLOPE times the
-#: least: such a mode fits in a narrow valley, and a grid hits only its slopes.
-VALLEYS, SLOPE = 6, 4.0
+#: The grid is refined by HALVINGS bisections around the best MAX_VALLEYS sizes with sums of squares up to
+#: MAX_COST_RATIO times the least: such a mode fits in a narrow valley, and a grid hits only its slopes.
+MAX_VALLEYS, MAX_COST_RATIO = 6, 4.0
 HALVINGS = 3
 #: Part of the size of a one-sided cause that is kept when another cause is tried beside it.
-SHARE = 0.4
+KEPT_PART_OF_SIZE = 0.4
 #: Number of starts from which a cause that adds modes is refitted.
-FITTED = 3
+MAX_STARTS = 3
 
 
 #: Values to compare, their sums of squares, and the resulting starts.
@@ -42,8 +42,8 @@ def starts(fitter: Fitter, additions: Sequence[tuple[Fit, Score, Hypothesis]]) -
 
     - additions: fit to which a cause is added, score of that cause at this fit, and hypothesis with the cause
     """
-    scout, best = fitter.scout, [list[Array]() for _ in additions]
-    searches = {k: _search(fitter, *addition) for k, addition in enumerate(additions)}
+    scout, starts_of_addition = fitter.scout, [list[Array]() for _ in additions]
+    searches = {k: _search_starts(fitter, *addition) for k, addition in enumerate(additions)}
     costs: dict[int, list[float] | None] = dict.fromkeys(searches)
     while searches:
         trials: dict[int, list[Array]] = {}
@@ -51,28 +51,32 @@ def starts(fitter: Fitter, additions: Sequence[tuple[Fit, Score, Hypothesis]]) -
             try:
                 sums = costs[k]
                 trials[k] = next(searches[k]) if sums is None else searches[k].send(sums)
-            except StopIteration as end:
-                best[k] = end.value
+            except StopIteration as search_end:
+                starts_of_addition[k] = search_end.value
                 del searches[k]
         # Excluded rows are dropped for fewer setups, where rows are numbered differently.
-        bare = {k: h if scout is fitter else Hypothesis(h.causes) for k, (_, _, h) in enumerate(additions)}
+        hypotheses = {
+            k: h if scout is fitter else Hypothesis(h.causes) for k, (_, _, h) in enumerate(additions)
+        }
         evaluated = scout.chi2_of_many(
-            [(bare[k], values) for k, points in trials.items() for values in points]
+            [(hypotheses[k], values) for k, points in trials.items() for values in points]
         )
         results = iter(evaluated)
         costs = {k: [next(results) for _ in points] for k, points in trials.items()}
-    return best
+    return starts_of_addition
 
 
-def _search(fitter: Fitter, fit: Fit, entry: Score, hypothesis: Hypothesis) -> Trials:
+def _search_starts(fitter: Fitter, fit: Fit, candidate_score: Score, hypothesis: Hypothesis) -> Trials:
     """Yield trial values of one refit, and return its starts."""
-    index = list(fitter.indices(entry.candidate))
+    index = list(fitter.indices(candidate_score.candidate))
     # The first parameter of a cause determines its size.
-    sign = one_sided(fitter, replace(entry.candidate, parameters=entry.candidate.parameters[:1]))
+    sign = allowed_sign(
+        fitter, replace(candidate_score.candidate, parameters=candidate_score.candidate.parameters[:1])
+    )
     unit, sizes = np.zeros(len(index)), SIZES
-    sized = bool(sign) and entry.largest[0] > 0.0
-    if sized:
-        unit[0] = sign / entry.largest[0]
+    has_size = bool(sign) and candidate_score.largest_rates[0] > 0.0
+    if has_size:
+        unit[0] = sign / candidate_score.largest_rates[0]
         values = fit.values.copy()
         values[index[0]] += float(SIZES[0] * unit[0])
         count = fitter.structure.predict(values, ()).eigenvalues.shape[1]
@@ -81,60 +85,65 @@ def _search(fitter: Fitter, fit: Fit, entry: Score, hypothesis: Hypothesis) -> T
     ranked: list[tuple[float, Array]] = []
     for origin in _origins(fitter, fit, sign):
 
-        def at(step: Array, origin: Array = origin) -> Array:
-            full = origin.copy()
-            full[index] = np.clip(fit.values[index] + step, fitter.lower[index], fitter.upper[index])
-            return full
+        def values_at(step: Array, origin: Array = origin) -> Array:
+            all_values = origin.copy()
+            all_values[index] = np.clip(fit.values[index] + step, fitter.lower[index], fitter.upper[index])
+            return all_values
 
-        steps = [entry.step, 0.5 * entry.step]
-        if sized and sizes is CLOSE_SIZES and not fit.causes:
-            best = yield from _least(CLOSE_SIZES, unit, at)
+        steps = [candidate_score.step, 0.5 * candidate_score.step]
+        if has_size and sizes is CLOSE_SIZES and not fit.causes:
+            best = yield from _best_sizes(CLOSE_SIZES, unit, values_at)
             steps += [size * unit for size in best]
-        elif sized:  # there are many pairs, and only those that the linear model favours are tried
-            costs = yield [at(size * unit) for size in SIZES]
+        elif has_size:  # there are many pairs, and only those that the linear model favours are tried
+            costs = yield [values_at(size * unit) for size in SIZES]
             steps.append(SIZES[int(np.argmin(costs))] * unit)
-        trials = [at(step) for step in steps]
+        trials = [values_at(step) for step in steps]
         sums = yield trials
-        here = sorted(zip(sums, trials, strict=True), key=lambda pair: pair[0])
+        ranked_trials = sorted(zip(sums, trials, strict=True), key=lambda pair: pair[0])
         # Near the distorted values of the fit, a large cause ends where it began: one best start for each origin.
-        ranked += here if sizes is CLOSE_SIZES and not fit.causes else here[:1]
+        ranked += ranked_trials if sizes is CLOSE_SIZES and not fit.causes else ranked_trials[:1]
     ranked.sort(key=lambda pair: pair[0])
-    return [values for _, values in ranked[:FITTED]]
+    return [values for _, values in ranked[:MAX_STARTS]]
 
 
 def _origins(fitter: Fitter, fit: Fit, sign: int) -> list[Array]:
     """Return values of the other parameters for trying a cause: those of the fit, and less distorted ones."""
-    undistorted = fit.values.copy()
+    less_distorted = fit.values.copy()
     if not fit.causes:  # a large missing cause drives the nuisances far from their declared values
         nuisances = list(fitter.nuisances)
-        undistorted[nuisances] = fitter.declared[nuisances]
-    elif sign:  # a cause that stands for two is too large
+        less_distorted[nuisances] = fitter.declared[nuisances]
+    elif sign:  # a cause fitted in place of two is too large
         for cause in fit.causes:
-            if one_sided(fitter, cause):
+            if allowed_sign(fitter, cause):
                 index = list(fitter.indices(cause))
-                undistorted[index] = fitter.declared[index] + SHARE * (
+                less_distorted[index] = fitter.declared[index] + KEPT_PART_OF_SIZE * (
                     fit.values[index] - fitter.declared[index]
                 )
-    return [fit.values] if np.array_equal(undistorted, fit.values) else [fit.values, undistorted]
+    return [fit.values] if np.array_equal(less_distorted, fit.values) else [fit.values, less_distorted]
 
 
-def _least(
-    sizes: Array, unit: Array, at: Callable[[Array], Array]
+def _best_sizes(
+    sizes: Array, unit: Array, values_at: Callable[[Array], Array]
 ) -> Generator[list[Array], list[float], list[float]]:
     """Return the sizes of the best local minima on a grid, refined around them."""
-    sums = dict(zip(sizes.tolist(), (yield [at(size * unit) for size in sizes]), strict=True))
-    centres = [size for size in _minima(sums)[:VALLEYS] if sums[size] <= SLOPE * min(sums.values())]
+    sums = dict(zip(sizes.tolist(), (yield [values_at(size * unit) for size in sizes]), strict=True))
+    centres = [
+        size for size in _minima(sums)[:MAX_VALLEYS] if sums[size] <= MAX_COST_RATIO * min(sums.values())
+    ]
     for _ in range(HALVINGS):
         ordered = sorted(sums)
-        places = [ordered.index(centre) for centre in centres]
-        beside = [
-            ordered[k : k + 2] for place in places for k in (place - 1, place) if 0 <= k < len(ordered) - 1
+        positions = [ordered.index(centre) for centre in centres]
+        brackets = [
+            ordered[k : k + 2]
+            for position in positions
+            for k in (position - 1, position)
+            if 0 <= k < len(ordered) - 1
         ]
-        middles = sorted({float(np.sqrt(low * high)) for low, high in beside})
-        sums |= dict(zip(middles, (yield [at(size * unit) for size in middles]), strict=True))
+        midpoints = sorted({float(np.sqrt(low * high)) for low, high in brackets})
+        sums |= dict(zip(midpoints, (yield [values_at(size * unit) for size in midpoints]), strict=True))
         ordered = sorted(sums)
-        around = [ordered[max(ordered.index(centre) - 1, 0) :][:3] for centre in centres]
-        centres = [min(neighbours, key=lambda size: sums[size]) for neighbours in around]
+        windows = [ordered[max(ordered.index(centre) - 1, 0) :][:3] for centre in centres]
+        centres = [min(neighbours, key=lambda size: sums[size]) for neighbours in windows]
     return centres
 
 

@@ -1,6 +1,6 @@
 """Unmeasured modes of a model between the measured ones.
 
-Not every mode is measured at every pose, and the rate of misses is unknown, so a single missing mode says little.
+Not every mode is measured at every pose, and the rate of misses is unknown, so a single missing mode means little.
 But if a cause adds modes between measured ones and none of them was measured, their absence needs an explanation:
 given the numbers of modes and of missed modes there, the added modes should be missed no more often than by chance
 (hypergeometric distribution; Fisher's exact test).
@@ -18,14 +18,14 @@ from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 
 
-class Seen(NamedTuple):
+class ModeCounts(NamedTuple):
     """Number of modes of a model between the measured ones, and of unmeasured ones among them."""
 
     modes: int
     unmeasured: int
 
 
-def seen(fitter: Fitter, fit: Fit) -> Seen:
+def count_modes(fitter: Fitter, fit: Fit) -> ModeCounts:
     """Count the modes of a fit between the lowest and highest measured ones of each setup."""
     margin, logs = fitter.criteria.gate.margin, fit.prediction.log_frequencies
     used, visible = fitter.used(fit.hypothesis), _visible(fitter, fit)
@@ -34,16 +34,14 @@ def seen(fitter: Fitter, fit: Fit) -> Seen:
         if not len(rows):
             continue
         # A test may have stopped after the highest mode, whatever its band: modes above it carry no information.
-        low, high = (
-            observations.log_frequencies[rows].min() + margin,
-            observations.log_frequencies[rows].max() - margin,
-        )
-        between = np.flatnonzero((logs[setup] > low) & (logs[setup] < high) & visible[setup])
-        between = between[between >= fit.prediction.rigid]
-        free = between[~np.isin(between, fit.pairing.partner[rows])]
-        # An excluded row may be one of them.
-        unmeasured += max(len(free) - int((~used[rows]).sum()), 0)
-    return Seen(paired + unmeasured, unmeasured)
+        low = observations.log_frequencies[rows].min() + margin
+        high = observations.log_frequencies[rows].max() - margin
+        modes_between = np.flatnonzero((logs[setup] > low) & (logs[setup] < high) & visible[setup])
+        modes_between = modes_between[modes_between >= fit.prediction.rigid]
+        unpaired = modes_between[~np.isin(modes_between, fit.pairing.partner[rows])]
+        # An excluded row may have measured one of them.
+        unmeasured += max(len(unpaired) - int((~used[rows]).sum()), 0)
+    return ModeCounts(paired + unmeasured, unmeasured)
 
 
 def _visible(fitter: Fitter, fit: Fit) -> NDArray[np.bool_]:
@@ -53,23 +51,23 @@ def _visible(fitter: Fitter, fit: Fit) -> NDArray[np.bool_]:
     if not shapes.shape[-1]:
         return np.ones(shapes.shape[:2], dtype=bool)
     peaks = np.sqrt(np.mean((shapes / np.where(moves > 0.0, moves, np.inf)[:, None]) ** 2, axis=-1))
-    usual = np.median(peaks[:, fit.prediction.rigid :], axis=1)
-    return np.asarray(peaks >= fitter.criteria.gate.visible * usual[:, None])
+    median_peaks = np.median(peaks[:, fit.prediction.rigid :], axis=1)
+    return np.asarray(peaks >= fitter.criteria.gate.visible * median_peaks[:, None])
 
 
 def p_unmeasured(fitter: Fitter, declared: Fit, fit: Fit) -> float:
     """Return the p-value of the number of missed modes among those that a fit adds to the declared model.
 
     It is 1 if at least half of the added modes were measured.  If no sensor is known, modes may be missed because
-    they move none, and their absence counts half as much.
+    they move no sensor, and their absence counts half as much.
     """
-    before, after = seen(fitter, declared), seen(fitter, fit)
-    missed = max(after.unmeasured - before.unmeasured, 0)
-    measured = max(after.modes - after.unmeasured - before.modes + before.unmeasured, 0)
+    declared_counts, counts = count_modes(fitter, declared), count_modes(fitter, fit)
+    missed = max(counts.unmeasured - declared_counts.unmeasured, 0)
+    measured = max(counts.modes - counts.unmeasured - declared_counts.modes + declared_counts.unmeasured, 0)
     if missed <= measured:
         return 1.0
-    total = after.modes + 1  # and one that might exist
-    p = float(stats.hypergeom.sf(missed - 1, total, after.unmeasured, min(missed + measured, total)))
+    total = counts.modes + 1  # with one more that might exist
+    p = float(stats.hypergeom.sf(missed - 1, total, counts.unmeasured, min(missed + measured, total)))
     return p if len(fitter.observations.pairer.columns) else float(np.sqrt(p))
 
 
@@ -88,7 +86,7 @@ def never_measured(fitter: Fitter, fit: Fit) -> list[NeverMeasured]:
     Modes with free motors differ from those with held motors, even if they have the same number.
     """
     margin, logs = fitter.criteria.gate.margin, fit.prediction.log_frequencies
-    visible, ranges = _visible(fitter, fit), []
+    visible, missing_modes = _visible(fitter, fit), []
     measured = np.zeros(logs.shape, dtype=bool)
     paired = fit.pairing.partner >= 0
     measured[fitter.data.pose[paired], fit.pairing.partner[paired]] = True
@@ -98,15 +96,15 @@ def never_measured(fitter: Fitter, fit: Fit) -> list[NeverMeasured]:
         np.maximum.at(high, fitter.data.pose, fitter.observations.log_frequencies)
     else:
         low[:], high[:] = np.log(fitter.data.band)
-    inside = (logs > low[:, None] + margin) & (logs < high[:, None] - margin) & visible
+    is_inside = (logs > low[:, None] + margin) & (logs < high[:, None] - margin) & visible
     for drives in dict.fromkeys(fitter.data.drives):
-        alike = np.array(fitter.data.drives) == drives
+        same_drives = np.array(fitter.data.drives) == drives
         for k in range(fit.prediction.rigid, logs.shape[1]):
-            there = inside[:, k] & alike
-            count = int(there.sum())
-            if count >= max(2, alike.sum() / 2) and not measured[alike, k].any():
-                frequencies = np.exp(logs[there, k])
-                ranges.append(
+            is_expected = is_inside[:, k] & same_drives
+            count = int(is_expected.sum())
+            if count >= max(2, same_drives.sum() / 2) and not measured[same_drives, k].any():
+                frequencies = np.exp(logs[is_expected, k])
+                missing_modes.append(
                     NeverMeasured(float(frequencies.min()), float(frequencies.max()), count, drives)
                 )
-    return ranges
+    return missing_modes

@@ -1,7 +1,7 @@
-"""Changes between states of one machine: differences compared with differences.
+"""Changes between states of one machine, diagnosed from the differences of their measurements.
 
 The first state is trusted.  Uncertain values are fitted to it, and the residual is the error of the model, which the
-other states share (`shared_errors`).  Without that error a later state is diagnosed like a machine by itself: its
+other states share (`shared_errors`).  With that error removed, a later state is diagnosed as any machine is: its
 candidates are what may have changed.  Poses of a later state are held out, never a state as a whole.
 """
 
@@ -26,7 +26,7 @@ from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.one_state import diagnosed
 from pkmodes.loop.diagnosis.problem import Array, Structure
 from pkmodes.loop.diagnosis.search.additions import Progress
-from pkmodes.loop.diagnosis.states.result import Change, Counterpart, merged, of_difference
+from pkmodes.loop.diagnosis.states.result import Change, Counterpart, change_from_difference, merge_changes
 from pkmodes.loop.diagnosis.states.shared_errors import (
     FittedValues,
     SharedErrors,
@@ -39,7 +39,7 @@ S = TypeVar("S", bound=Structure)
 
 
 @dataclass(frozen=True, eq=False)
-class Trusted:
+class TrustedState:
     """The trusted state, with the model fitted to it.
 
     - fitter: of its measurements
@@ -53,7 +53,7 @@ class Trusted:
     @classmethod
     def of(
         cls, name: str, structure: Structure, data: Measurements, criteria: Criteria | None = None
-    ) -> Trusted:
+    ) -> TrustedState:
         """Fit the uncertain values of a structure to the trusted state.
 
         Raises PkmodesError if the structure cannot be evaluated.
@@ -86,11 +86,11 @@ class Trusted:
         return _rms(residual[pairing.partner >= 0])
 
     @property
-    def left(self) -> float:
+    def remaining_error(self) -> float:
         """Root mean square of the relative error of the model with its values fitted."""
         return _rms(self.fit.residual[self.fitter.observations.frequency_rows][self.fit.pairing.partner >= 0])
 
-    def changed_to(
+    def diagnose_change(
         self,
         name: str,
         structure: Structure,
@@ -112,8 +112,8 @@ class Trusted:
         self._check(name, data)
         nuisances = tuple(self.fitter.nuisances)
         names = tuple(self.fitter.parameters[i].name for i in nuisances)
-        fitted = FittedValues(names, self.fit.covariance_of(nuisances))
-        shared = shared_errors(self.fitter, self.fit.values, structure, data, self.shape_error, fitted)
+        fitted_values = FittedValues(names, self.fit.covariance_of(nuisances))
+        shared = shared_errors(self.fitter, self.fit.values, structure, data, self.shape_error, fitted_values)
         if not shared.measured_before.any():
             problem = f"no mode of {shown(name)} was measured in {shown(self.name)}"
             remedy = "measure modes at poses that both states have"
@@ -127,14 +127,20 @@ class Trusted:
             criteria=of_changes(criteria or Criteria()),
             terms=terms,
         )
-        before = self.fitter.data
+        trusted_data = self.fitter.data
         counterparts = tuple(
-            Counterpart(int(before.lines[row]), float(before.frequency[row]), float(before.sigma[row]))
+            Counterpart(
+                int(trusted_data.lines[row]),
+                float(trusted_data.frequency[row]),
+                float(trusted_data.sigma[row]),
+            )
             if row >= 0
             else None
             for row in shared.counterpart.tolist()
         )
-        change = of_difference(result, (self.name, name), data, shared, counterparts, self.model_error)
+        change = change_from_difference(
+            result, (self.name, name), data, shared, counterparts, self.model_error
+        )
         return replace(change, notes=(*change.notes, *self._notes(name, data, shared)))
 
     def _check(self, name: str, data: Measurements) -> None:
@@ -148,16 +154,20 @@ class Trusted:
             )
             raise PkmodesError(problem, data.source, "give the measurement of the other state")
         if not {*data.drives} & {*trusted.drives}:
-            before, after = trusted.drives[0], data.drives[0]
-            problem = f"the motors were {before} in {shown(self.name)}, and {after} in {shown(name)}"
+            trusted_drives, later_drives = trusted.drives[0], data.drives[0]
+            problem = (
+                f"the motors were {trusted_drives} in {shown(self.name)}, and {later_drives} in {shown(name)}"
+            )
             raise PkmodesError(problem, data.source, "compare measurements with the motors in the same state")
 
     def _notes(self, name: str, data: Measurements, shared: SharedErrors) -> list[str]:
         """Return how the states were compared."""
         rows, compared = len(shared.offset), int(shared.compared.sum())
-        differs, remaining = (f"{plain(100 * error, 2)} %" for error in (self.model_error, self.left))
+        declared_error, remaining = (
+            f"{plain(100 * error, 2)} %" for error in (self.model_error, self.remaining_error)
+        )
         notes = [
-            f"the declared model differs from {self.name} by {differs} (rms); its values are "
+            f"the declared model differs from {self.name} by {declared_error} (rms); its values are "
             f"fitted to {self.name}, and the remaining {remaining} is subtracted from {name} too: "
             "standard deviations are those of the difference"
         ]
@@ -175,7 +185,7 @@ def _rms(values: Array) -> float:
     return float(np.sqrt(np.mean(values**2))) if len(values) else float("nan")
 
 
-def changed_between(
+def diagnose_changes(
     structure: Structure,
     data: Measurements,
     states: Mapping[str, str],
@@ -187,48 +197,50 @@ def changed_between(
 ) -> Change:
     """Return what changed between states of any structure, as `pkmodes.diagnosis.diagnose` does.
 
-    Raises PkmodesError also if a setup has no state, or there is one state only.
+    Raises PkmodesError also if a setup has no state, or there is only one state.
     """
     structure = checked(structure, data)
-    trusted, later = setups_of(data, states)
+    trusted, setups_of_later_states = setups_by_state(data, states)
     name, setups = trusted
-    common = Trusted.of(name, structure.subset(setups), data.at(setups), criteria)
+    trusted_state = TrustedState.of(name, structure.subset(setups), data.at(setups), criteria)
     changes = {}
-    for state, places in later.items():
-        fitted_structure = with_known(structure.subset(places), common.values)
-        held = None if holdout is None else [label for label in holdout if states.get(label) == state]
-        changes[state] = common.changed_to(
+    for state, later_setups in setups_of_later_states.items():
+        fitted_structure = with_known_values(structure.subset(later_setups), trusted_state.values)
+        held_out_labels = (
+            None if holdout is None else [label for label in holdout if states.get(label) == state]
+        )
+        changes[state] = trusted_state.diagnose_change(
             state,
             fitted_structure,
-            data.at(places),
-            holdout=held,
+            data.at(later_setups),
+            holdout=held_out_labels,
             progress=progress,
             criteria=criteria,
             terms=terms,
         )
-    return merged(name, changes)
+    return merge_changes(name, changes)
 
 
-def with_known(structure: S, values: Mapping[str, float]) -> S:
+def with_known_values(structure: S, values: Mapping[str, float]) -> S:
     """Return a structure in which some uncertain values are known."""
-    fixed = copy.copy(structure)
-    fixed.parameters = tuple(  # type: ignore[misc]
+    copied = copy.copy(structure)
+    copied.parameters = tuple(  # type: ignore[misc]
         replace(p, value=values[p.name], sigma=None, correlated=()) if p.name in values else p
         for p in structure.parameters
     )
-    return fixed
+    return copied
 
 
-def setups_of(
+def setups_by_state(
     data: Measurements, states: Mapping[str, str]
 ) -> tuple[tuple[str, list[int]], dict[str, list[int]]]:
     """Return the trusted state and the others, each with its setups.
 
-    Raises PkmodesError if it is not a mapping, a measured setup is missing in it, or it has one state only.
+    Raises PkmodesError if the states are not a mapping, lack a measured setup, or are only one.
     """
     example = '{"P1": "before", "P1 again": "after"}'
     if not isinstance(states, Mapping) or not all(
-        isinstance(text, str) and text for pair in states.items() for text in pair
+        isinstance(entry, str) and entry for pair in states.items() for entry in pair
     ):
         problem = f"expected a mapping of setups to states, found {shown(states)}"
         raise PkmodesError(problem, "states", f"write for example {example}")
@@ -243,10 +255,10 @@ def setups_of(
     if missing:
         problem = f"the setup {shown(missing[0])} has no state"
         raise PkmodesError(problem, "states", "give the state of every measured setup")
-    places: dict[str, list[int]] = {state: [] for state in states.values()}
+    setups_of: dict[str, list[int]] = {state: [] for state in states.values()}
     for i, label in enumerate(data.labels):
-        places[states[label]].append(i)
-    (name, setups), *later = places.items()
+        setups_of[states[label]].append(i)
+    (name, setups), *later = setups_of.items()
     if not later:
         problem = f"expected two states or more, found {shown(name)} only"
         raise PkmodesError(problem, "states", "leave states out, or give the setups of the other state")

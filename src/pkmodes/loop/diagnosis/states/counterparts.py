@@ -23,22 +23,22 @@ from pkmodes.loop.measured.quantities import FREQUENCY
 Index = NDArray[np.intp]
 #: Largest difference of the logarithms of the frequencies of one mode in two states, and the difference that counts
 #: as much as shapes that have nothing in common.
-FARTHEST, ALIKE = 0.3, 0.1
+MAX_LOG_DIFFERENCE, UNIT_LOG_DIFFERENCE = 0.3, 0.1
 
 
-class Expected(NamedTuple):
+class ExpectedModes(NamedTuple):
     """The modes of one setup as they were before, of the model or measured.
 
-    - log, sigma: logarithms of the frequencies, and their standard deviations, (m,)
+    - log_frequencies, sigma: logarithms of the frequencies, and their standard deviations, (m,)
     - shapes: at the channels of the later state, (m, C), NaN where not known
-    - mode, row: mode of the model, and row of the trusted state, (m,); -1 where there is none
+    - model_mode, trusted_row: mode of the model, and row of the trusted state, (m,); -1 where there is none
     """
 
-    log: Array
+    log_frequencies: Array
     sigma: Array
     shapes: Array
-    mode: Index
-    row: Index
+    model_mode: Index
+    trusted_row: Index
 
 
 def expected_modes(
@@ -49,7 +49,7 @@ def expected_modes(
     channels: tuple[str, ...],
     partner: Index,
     setup: int,
-) -> Expected:
+) -> ExpectedModes:
     """Return the modes of a setup: as measured in the trusted state, those of the model where they were not.
 
     - log, shapes: logarithms of the frequencies of the modes of the model, with its error, (m,) and (m, C); shapes at
@@ -64,37 +64,40 @@ def expected_modes(
     unpaired = rows[partner[rows] < 0]
     logs = np.concatenate([log, FREQUENCY.transformed(trusted)[unpaired]])
     sigmas, row = np.full(len(logs), sigma), np.concatenate([np.full(count, -1), unpaired]).astype(np.intp)
-    forms = np.vstack([shapes, np.full((len(unpaired), len(channels)), np.nan)])
+    all_shapes = np.vstack([shapes, np.full((len(unpaired), len(channels)), np.nan)])
     mode = np.concatenate([np.arange(count), np.full(len(unpaired), -1)]).astype(np.intp)
-    for source in rows:
-        paired = partner[source] >= 0
-        place = int(partner[source]) if paired else count + int(np.flatnonzero(unpaired == source)[0])
-        logs[place], row[place] = FREQUENCY.transformed(trusted)[source], source
-        sigmas[place] = FREQUENCY.transformed_sigma(trusted)[source]
-        measured = dict(zip(trusted.channels, trusted.shapes[source], strict=True))
-        form = np.array([measured.get(name, np.nan) for name in channels])
-        if np.isfinite(form).sum() >= 2 or not paired:
-            forms[place] = form
-    return Expected(logs, sigmas, forms, mode, row)
+    for trusted_row in rows:
+        paired = partner[trusted_row] >= 0
+        index = int(partner[trusted_row])
+        if not paired:
+            index = count + int(np.flatnonzero(unpaired == trusted_row)[0])
+        logs[index], row[index] = FREQUENCY.transformed(trusted)[trusted_row], trusted_row
+        sigmas[index] = FREQUENCY.transformed_sigma(trusted)[trusted_row]
+        measured = dict(zip(trusted.channels, trusted.shapes[trusted_row], strict=True))
+        measured_shape = np.array([measured.get(name, np.nan) for name in channels])
+        if np.isfinite(measured_shape).sum() >= 2 or not paired:
+            all_shapes[index] = measured_shape
+    return ExpectedModes(logs, sigmas, all_shapes, mode, row)
 
 
-def paired_with(
-    expected: Expected, later: Measurements, rows: Index, weights: Array, criteria: PairingCriteria
+def pair_with_expected(
+    expected: ExpectedModes, later: Measurements, rows: Index, weights: Array, criteria: PairingCriteria
 ) -> list[tuple[int, int]]:
     """Return rows of one setup of a later state, each with its place among the modes that are expected there.
 
     - weights: factors by which the channels are comparable, (C,)
     """
-    apart = np.abs(FREQUENCY.transformed(later)[rows][None, :] - expected.log[:, None])
-    unlike = 1.0 - _alike(expected.shapes * weights, later.shapes[rows] * weights)
-    groups = close_groups(expected.log, expected.sigma, criteria)
+    log_difference = np.abs(FREQUENCY.transformed(later)[rows][None, :] - expected.log_frequencies[:, None])
+    shape_difference = 1.0 - _mac_of_each(expected.shapes * weights, later.shapes[rows] * weights)
+    groups = close_groups(expected.log_frequencies, expected.sigma, criteria)
     for group in np.unique(groups):
-        members = groups == group
-        least = np.where(np.isnan(unlike[members]), np.inf, unlike[members]).min(axis=0)
-        unlike[members] = np.where(np.isfinite(least), least, np.nan)
-    cost = (apart / ALIKE) ** 2 + np.nan_to_num(unlike)
-    pairs = zip(*linear_sum_assignment(np.where(apart > FARTHEST, 1e6, cost)), strict=True)
-    return [(int(rows[k]), int(i)) for i, k in pairs if apart[i, k] <= FARTHEST]
+        in_group = groups == group
+        of_group = shape_difference[in_group]
+        smallest = np.where(np.isnan(of_group), np.inf, of_group).min(axis=0)
+        shape_difference[in_group] = np.where(np.isfinite(smallest), smallest, np.nan)
+    cost = (log_difference / UNIT_LOG_DIFFERENCE) ** 2 + np.nan_to_num(shape_difference)
+    pairs = zip(*linear_sum_assignment(np.where(log_difference > MAX_LOG_DIFFERENCE, 1e6, cost)), strict=True)
+    return [(int(rows[k]), int(i)) for i, k in pairs if log_difference[i, k] <= MAX_LOG_DIFFERENCE]
 
 
 def close_groups(log: Array, sigma: Array, criteria: PairingCriteria) -> Index:
@@ -103,10 +106,12 @@ def close_groups(log: Array, sigma: Array, criteria: PairingCriteria) -> Index:
     - log, sigma: logarithms of the frequencies, and their standard deviations, (m,)
     """
     order = np.argsort(log)
-    gap, both = np.diff(log[order]), np.hypot(sigma[order][1:], sigma[order][:-1])
-    near = (gap < criteria.close) | (gap < np.minimum(criteria.mixed_sigmas * both, criteria.most_mixed))
+    gap, sigma_of_gap = np.diff(log[order]), np.hypot(sigma[order][1:], sigma[order][:-1])
+    is_near = (gap < criteria.close) | (
+        gap < np.minimum(criteria.mixed_sigmas * sigma_of_gap, criteria.most_mixed)
+    )
     groups = np.empty(len(log), dtype=np.intp)
-    groups[order] = np.concatenate([[0], np.cumsum(~near)])
+    groups[order] = np.concatenate([[0], np.cumsum(~is_near)])
     return groups
 
 
@@ -116,11 +121,11 @@ def common_channels(trusted: Measurements, later: Measurements) -> tuple[list[in
     return [trusted.channels.index(name) for name in names], [later.channels.index(name) for name in names]
 
 
-def _alike(first: Array, second: Array) -> Array:
+def _mac_of_each(first: Array, second: Array) -> Array:
     """Return the MAC of each shape (m, C) with each of others (r, C); NaN with fewer than two common components."""
     macs = np.full((len(first), len(second)), np.nan)
     for k, shape in enumerate(second):
-        finite = np.isfinite(first) & np.isfinite(shape)
-        compared = normalised(np.where(finite, first, np.nan))
-        macs[:, k] = mac(compared, normalised(shape)[None, :], finite)[:, 0]
+        is_common = np.isfinite(first) & np.isfinite(shape)
+        compared_shapes = normalised(np.where(is_common, first, np.nan))
+        macs[:, k] = mac(compared_shapes, normalised(shape)[None, :], is_common)[:, 0]
     return macs

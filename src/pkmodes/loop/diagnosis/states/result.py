@@ -12,7 +12,7 @@ from msgspec import structs
 from pkmodes.loop.diagnosis.match.predicted import Predicted
 from pkmodes.loop.diagnosis.problem import Array
 from pkmodes.loop.diagnosis.states.shared_errors import SharedErrors
-from pkmodes.loop.diagnosis.states.words import of_change
+from pkmodes.loop.diagnosis.states.words import reword_result
 from pkmodes.loop.diagnosis.verdict.naming import found_in_words
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis, Stages
 from pkmodes.loop.diagnosis.verdict.rows import Error, Row
@@ -26,7 +26,7 @@ from pkmodes.loop.diagnosis.verdict.verdicts import (
 from pkmodes.loop.measured.measurements import Measurements
 
 #: Rules whose verdicts leave open whether anything changed: the residual may be due to errors of the measurement.
-NOT_TOLD = (
+INCONCLUSIVE_RULES = (
     "before.",
     "after.",
     "adequacy.",
@@ -37,7 +37,7 @@ NOT_TOLD = (
     "open.no_direction",
 )
 #: Precedence of verdicts: that of several states together is the first of these that any of them has.
-ORDER = (UNEXPLAINED, AMBIGUOUS, INSUFFICIENT_DATA, EFFECT_FOUND, ADEQUATE)
+VERDICT_PRECEDENCE = (UNEXPLAINED, AMBIGUOUS, INSUFFICIENT_DATA, EFFECT_FOUND, ADEQUATE)
 
 
 @dataclass(frozen=True)
@@ -113,8 +113,8 @@ class Change(Diagnosis):
 
         Returns what ``pkmodes changed --json`` writes.
         """
-        of_states = {name: result._of_one_state() for name, result in self.by_state.items()}
-        return {**self._of_one_state(), "by_state": of_states}
+        by_state = {name: result._of_one_state() for name, result in self.by_state.items()}
+        return {**self._of_one_state(), "by_state": by_state}
 
     def _of_one_state(self) -> dict[str, object]:
         content: dict[str, Any] = super().as_json()
@@ -131,7 +131,7 @@ class Change(Diagnosis):
         return {**first, **state_keys, **content}
 
 
-def of_difference(
+def change_from_difference(
     result: Diagnosis,
     states: tuple[str, str],
     data: Measurements,
@@ -150,22 +150,22 @@ def of_difference(
     content = {attribute.name: getattr(result, attribute.name) for attribute in fields(Diagnosis)}
     content |= {
         "rows": tuple(
-            map(_with_errors, result.rows, data.frequency.tolist(), np.exp(shared.offset).tolist())
+            map(_with_model_errors, result.rows, data.frequency.tolist(), np.exp(shared.offset).tolist())
         ),
         "effects": tuple(replace(effect, state=later) for effect in result.effects),
-        "stages": None if result.stages is None else _stages(result.stages, shared),
+        "stages": None if result.stages is None else _stages_with_model_errors(result.stages, shared),
     }
     change = Change(
         **content,
         states=states,
-        changed=_changed(result),
+        changed=_has_changed(result),
         counterparts=counterparts,
         model_error=model_error,
     )
-    return of_change(change, trusted, later)
+    return reword_result(change, trusted, later)
 
 
-def _with_errors(row: Row, measured: float, factor: float) -> Row:
+def _with_model_errors(row: Row, measured: float, factor: float) -> Row:
     """Return a row with the error that the model has in the trusted state, and the measurement as in its file."""
     scaled = {
         name: None if (value := getattr(row, name)) is None else value * factor
@@ -174,13 +174,13 @@ def _with_errors(row: Row, measured: float, factor: float) -> Row:
     return structs.replace(row, measured=measured, **scaled)
 
 
-def _stages(stages: Stages, shared: SharedErrors) -> Stages:
+def _stages_with_model_errors(stages: Stages, shared: SharedErrors) -> Stages:
     """Return the stages of a model with the errors that it has in the trusted state."""
 
     def spectrum(frequencies: Array) -> Array:
         errors = np.zeros_like(frequencies)
-        count = min(errors.shape[1], shared.of_modes.shape[1])
-        errors[:, :count] = shared.of_modes[:, :count]
+        count = min(errors.shape[1], shared.mode_offsets.shape[1])
+        errors[:, :count] = shared.mode_offsets[:, :count]
         return np.asarray(frequencies * np.exp(errors))
 
     def stage(predicted: Predicted | None) -> Predicted | None:
@@ -198,27 +198,29 @@ def _stages(stages: Stages, shared: SharedErrors) -> Stages:
     return Stages(before, stage(stages.refit), stage(stages.after), without)
 
 
-def _changed(result: Diagnosis) -> bool | None:
-    """Return whether anything changed, as far as a verdict tells."""
+def _has_changed(result: Diagnosis) -> bool | None:
+    """Return whether anything changed; None if the verdict leaves this open."""
     if result.verdict == ADEQUATE.word:
         return False
     if result.beyond is not None and result.beyond.found is not None:
         return True
-    return None if result.rule.startswith(NOT_TOLD) else True
+    return None if result.rule.startswith(INCONCLUSIVE_RULES) else True
 
 
-def merged(trusted: str, changes: Mapping[str, Change]) -> Change:
+def merge_changes(trusted: str, changes: Mapping[str, Change]) -> Change:
     """Return what changed in several later states, each compared with the trusted one."""
     if len(changes) == 1:
         return next(iter(changes.values()))
     results = list(changes.values())
     verdict = next(
-        option.word for option in ORDER if any(result.verdict == option.word for result in results)
+        option.word
+        for option in VERDICT_PRECEDENCE
+        if any(result.verdict == option.word for result in results)
     )
     answers = {result.changed for result in results}
-    told = next((word for word in (True, None, False) if word in answers), None)
-    first = results[0]
-    content = {attribute.name: getattr(first, attribute.name) for attribute in fields(Diagnosis)}
+    changed = next((word for word in (True, None, False) if word in answers), None)
+    first_result = results[0]
+    content = {attribute.name: getattr(first_result, attribute.name) for attribute in fields(Diagnosis)}
     content |= {
         "verdict": verdict,
         "reason": "; ".join(f"{name}: {change.what}" for name, change in changes.items()),
@@ -226,14 +228,16 @@ def merged(trusted: str, changes: Mapping[str, Change]) -> Change:
         "survivors": tuple(group for result in results for group in result.survivors),
         "rows": tuple(row for result in results for row in result.rows),
         "notes": tuple(f"{name}: {note}" for name, change in changes.items() for note in change.notes),
-        "before": _error([result.before for result in results], results),
-        "refit": _error([result.refit for result in results], results),
-        "after": _error([result.after or result.refit for result in results], results)
+        "before": _pooled_error([result.before for result in results], results),
+        "refit": _pooled_error([result.refit for result in results], results),
+        "after": _pooled_error([result.after or result.refit for result in results], results)
         if any(result.after for result in results)
         else None,
         "held_out_poses": tuple(dict.fromkeys(pose for result in results for pose in result.held_out_poses)),
         "undetectable": tuple(
-            name for name in first.undetectable if all(name in result.undetectable for result in results)
+            name
+            for name in first_result.undetectable
+            if all(name in result.undetectable for result in results)
         ),
         "limits": {},
         "next_measurement": None,
@@ -248,32 +252,32 @@ def merged(trusted: str, changes: Mapping[str, Change]) -> Change:
     return Change(
         **content,
         states=(trusted, *list(changes)),
-        changed=told,
+        changed=changed,
         counterparts=tuple(counterpart for result in results for counterpart in result.counterparts),
-        model_error=first.model_error,
+        model_error=first_result.model_error,
         by_state=dict(changes),
     )
 
 
-def _error(errors: Sequence[Error | None], results: Sequence[Change]) -> Error | None:
+def _pooled_error(errors: Sequence[Error | None], results: Sequence[Change]) -> Error | None:
     """Return the errors of a stage over the rows of all states."""
-    counted = [
+    errors_and_counts = [
         (error, len(result.rows)) for error, result in zip(errors, results, strict=True) if error is not None
     ]
-    if not counted:
+    if not errors_and_counts:
         return None
-    counts = np.array([count for _, count in counted], dtype=float)
+    counts = np.array([count for _, count in errors_and_counts], dtype=float)
 
     def mean(values: Sequence[float | None]) -> float | None:
-        there = np.array([value is not None for value in values])
-        if not there.any():
+        is_known = np.array([value is not None for value in values])
+        if not is_known.any():
             return None
         squares = np.array([0.0 if value is None else value**2 for value in values])
-        return float(np.sqrt((counts[there] * squares[there]).sum() / counts[there].sum()))
+        return float(np.sqrt((counts[is_known] * squares[is_known]).sum() / counts[is_known].sum()))
 
-    chi2 = float(counts @ np.array([error.chi2_per_dof for error, _ in counted]) / counts.sum())
+    chi2 = float(counts @ np.array([error.chi2_per_dof for error, _ in errors_and_counts]) / counts.sum())
     return Error(
-        mean([error.rms_relative for error, _ in counted]),
-        mean([error.held_out_rms_relative for error, _ in counted]),
+        mean([error.rms_relative for error, _ in errors_and_counts]),
+        mean([error.held_out_rms_relative for error, _ in errors_and_counts]),
         chi2,
     )

@@ -58,49 +58,49 @@ ANOTHER_DAY = re.compile(
     r"(?:,? which an unseen [\w.:]+ could have done,?)?"
 )
 #: Sentences of candidates that are declared values.
-WRONG = re.compile(r"the declared ([^;,()]+?) is wrong")
-DIFFERS = re.compile(r"the value of (\S+) differs from that of the other axes")
-ANOTHER = re.compile(r"another value of ([\w.]*\w)")
+WRONG_VALUE = re.compile(r"the declared ([^;,()]+?) is wrong")
+DIFFERING_VALUE = re.compile(r"the value of (\S+) differs from that of the other axes")
+OTHER_VALUE = re.compile(r"another value of ([\w.]*\w)")
 
 
 def as_change(sentence: str) -> str:
     """Return the sentence of a cause as one of a change."""
-    sentence = WRONG.sub(r"the \1 changed", sentence)
-    sentence = DIFFERS.sub(r"the value of \1 changed", sentence)
-    return ANOTHER.sub(r"the value of \1 changed", sentence)
+    sentence = WRONG_VALUE.sub(r"the \1 changed", sentence)
+    sentence = DIFFERING_VALUE.sub(r"the value of \1 changed", sentence)
+    return OTHER_VALUE.sub(r"the value of \1 changed", sentence)
 
 
 def candidate_as_change(candidate: Candidate) -> Candidate:
-    """Return a candidate whose sentence says what changed."""
+    """Return a candidate whose sentence describes a change."""
     return replace(candidate, sentence=as_change(candidate.sentence))
 
 
-def between(text: str, trusted: str, later: str) -> str:
+def reword(text: str, trusted: str, later: str) -> str:
     """Return a text about a declared model and its residual, reworded for a trusted state and a later one."""
-    for phrase, instead in PHRASES:
-        text = text.replace(phrase, instead.format(trusted=trusted, later=later))
-    return as_change(ANOTHER_DAY.sub(_another_day, text))
+    for phrase, replacement in PHRASES:
+        text = text.replace(phrase, replacement.format(trusted=trusted, later=later))
+    return as_change(ANOTHER_DAY.sub(_another_day_in_words, text))
 
 
-def _another_day(match: re.Match[str]) -> str:
+def _another_day_in_words(match: re.Match[str]) -> str:
     """Return by how much all equal parts are stiffer or softer, as after a change of temperature."""
-    part, size = match[1].replace("_", " "), 100.0 * float(match[2])
-    return f"all {part}s are {plain(abs(size), 2)} % {'stiffer' if size > 0.0 else 'softer'}"
+    part_name, percent = match[1].replace("_", " "), 100.0 * float(match[2])
+    return f"all {part_name}s are {plain(abs(percent), 2)} % {'stiffer' if percent > 0.0 else 'softer'}"
 
 
 Result = TypeVar("Result", bound=Diagnosis)
 
 
-def of_change(result: Result, trusted: str, later: str) -> Result:
+def reword_result(result: Result, trusted: str, later: str) -> Result:
     """Return a result in the words of a change."""
 
     def reworded(text: str) -> str:
-        return between(text, trusted, later)
+        return reword(text, trusted, later)
 
     beyond = result.beyond
     if beyond is not None:
         classes = tuple(
-            replace(term_class, finding=_finding(term_class.finding)) for term_class in beyond.classes
+            replace(term_class, finding=_reword_finding(term_class.finding)) for term_class in beyond.classes
         )
         beyond = replace(beyond, reason=reworded(beyond.reason), classes=classes)
     reason = result.reason
@@ -112,7 +112,7 @@ def of_change(result: Result, trusted: str, later: str) -> Result:
         headline=reworded(result.headline),
         notes=tuple(map(reworded, result.notes)),
         not_separated=reworded(result.not_separated),
-        effects=tuple(map(_finding, result.effects)),
+        effects=tuple(map(_reword_finding, result.effects)),
         candidates=tuple(
             replace(candidate, sentence=as_change(candidate.sentence)) for candidate in result.candidates
         ),
@@ -120,8 +120,8 @@ def of_change(result: Result, trusted: str, later: str) -> Result:
     )
 
 
-def _finding(effect: Finding) -> Finding:
-    about = {
+def _reword_finding(effect: Finding) -> Finding:
+    members = {
         name: replace(member, sentence=as_change(member.sentence)) for name, member in effect.about.items()
     }
-    return replace(effect, sentence=as_change(effect.sentence), about=about)
+    return replace(effect, sentence=as_change(effect.sentence), about=members)

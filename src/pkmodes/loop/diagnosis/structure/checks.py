@@ -33,38 +33,38 @@ def check_callables(matrices: object, derivatives: object) -> None:
 
 def check_parameter(p: Parameter) -> None:
     """Refuse a parameter with an invalid name, value, bound or standard deviation."""
-    where = f"parameter {shown(p.name)}"
+    location = f"parameter {shown(p.name)}"
     if not isinstance(p.name, str):
         raise PkmodesError(f"expected a name, found {shown(p.name)}", "parameters", "give text")
     for number in (p.lower, p.value, p.upper, *([] if p.sigma is None else [p.sigma])):
-        whole = isinstance(number, np.integer) or (type(number) is int and number.bit_length() < 1000)
-        if not (whole or isinstance(number, float | np.floating)):
-            raise PkmodesError(f"expected a number, found {shown(number)}", where, "give a number")
+        is_integer = isinstance(number, np.integer) or (type(number) is int and number.bit_length() < 1000)
+        if not (is_integer or isinstance(number, float | np.floating)):
+            raise PkmodesError(f"expected a number, found {shown(number)}", location, "give a number")
     if not p.lower < p.upper or not p.lower <= p.value <= p.upper or not np.isfinite(p.value):
         problem = f"expected lower <= value <= upper, found {p.lower:g}, {p.value:g}, {p.upper:g}"
-        raise PkmodesError(problem, where, "widen the bounds or correct the value")
+        raise PkmodesError(problem, location, "widen the bounds or correct the value")
     if p.sigma is not None and not 0.0 <= p.sigma < np.inf:
         problem = f"expected a standard deviation of at least 0, found {p.sigma:g}"
-        raise PkmodesError(problem, where, "leave it out if unknown")
+        raise PkmodesError(problem, location, "leave it out if unknown")
 
 
 def check_candidate(candidate: Candidate, parameters: Mapping[str, Parameter]) -> None:
     """Refuse a candidate whose parameters are missing, repeated, or have a sigma."""
-    where = f"candidate {shown(candidate.name)}"
+    location = f"candidate {shown(candidate.name)}"
     if not isinstance(candidate.name, str):
         raise PkmodesError(f"expected a name, found {shown(candidate.name)}", "candidates", "give text")
-    names = listed(candidate.parameters, "names of parameters", where, '"k"', str)
+    names = listed(candidate.parameters, "names of parameters", location, '"k"', str)
     if not names or len(set(names)) < len(names):
-        raise PkmodesError(f"expected different parameters, found {list(names)}", where, "name each once")
+        raise PkmodesError(f"expected different parameters, found {list(names)}", location, "name each once")
     for name in names:
         if name not in parameters:
             problem = f"its parameter {shown(name)} does not exist"
-            raise PkmodesError(problem, where, f"parameters are: {', '.join(parameters)}")
+            raise PkmodesError(problem, location, f"parameters are: {', '.join(parameters)}")
         sigma = parameters[name].sigma
         if sigma is not None:
             state = "refitted under every hypothesis" if sigma else "known exactly"
             problem = f"its parameter {shown(name)} has a sigma: it is {state}"
-            raise PkmodesError(problem, where, "leave out the candidate, or the sigma")
+            raise PkmodesError(problem, location, "leave out the candidate, or the sigma")
 
 
 def sensor_map(channels: Sequence[str], coordinates: Sequence[str] | None, sensors: Any) -> Array | None:
@@ -86,8 +86,8 @@ def sensor_map(channels: Sequence[str], coordinates: Sequence[str] | None, senso
                 raise PkmodesError(
                     problem, "channels", f"coordinates are: {listed_names}; for other places, use sensors="
                 )
-        place = {name: i for i, name in enumerate(coordinates)}
-        columns = [place[name] for name in channels]
+        index_of = {name: i for i, name in enumerate(coordinates)}
+        columns = [index_of[name] for name in channels]
         return np.eye(len(coordinates))[columns]
     if coordinates is not None:
         problem = "expected sensors or coordinates, found both"

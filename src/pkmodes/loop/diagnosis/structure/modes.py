@@ -20,12 +20,12 @@ from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.linalg.eigen import generalised_eigh
 from pkmodes.core.support.expansion import modal_expansion
 from pkmodes.loop.diagnosis.problem import Array
-from pkmodes.loop.diagnosis.structure.supplied import Pair
+from pkmodes.loop.diagnosis.structure.supplied import MatrixPair
 
 #: Smaller pivots of a matrix scaled to a unit diagonal are zero up to rounding.
-SINGULAR = 1e-13
+PIVOT_TOLERANCE = 1e-13
 #: Eigenvalues below zero by less than this fraction of the largest are zero up to rounding.
-STABLE = 1e-9
+EIGENVALUE_TOLERANCE = 1e-9
 
 
 class UnusableError(PkmodesError):
@@ -36,7 +36,7 @@ class UnstableError(UnusableError):
     """A structure that is statically unstable."""
 
 
-class Condensed(NamedTuple):
+class CondensedMatrices(NamedTuple):
     """Coordinates x = T q with inertia, and motions N without, K-orthogonal to each other.
 
     - M, K: T^T M T, positive definite, and T^T K T, (p, p)
@@ -50,7 +50,7 @@ class Condensed(NamedTuple):
     N: Array | None
 
 
-def condense(M: Array, K: Array) -> Condensed:
+def condense(M: Array, K: Array) -> CondensedMatrices:
     """Separate the motions with inertia from those without.
 
     - M, K: symmetric, (n, n); M positive semidefinite, K positive definite for the motions without inertia
@@ -58,38 +58,40 @@ def condense(M: Array, K: Array) -> Condensed:
     Raises UnusableError if they are not.
     """
     diagonal = np.diagonal(M)
-    bare = ~M.any(axis=1)
-    if (diagonal < 0.0).any() or (bare != (diagonal == 0.0)).any():
+    is_massless = ~M.any(axis=1)
+    if (diagonal < 0.0).any() or (is_massless != (diagonal == 0.0)).any():
         raise _indefinite()
-    q, r = np.flatnonzero(~bare), np.flatnonzero(bare)
+    q, r = np.flatnonzero(~is_massless), np.flatnonzero(is_massless)
     scale = 1.0 / np.sqrt(diagonal[q])
-    inner = M if not r.size else M[np.ix_(q, q)]
-    scaled = inner * (scale[:, None] * scale)
+    inertial_block = M if not r.size else M[np.ix_(q, q)]
+    scaled = inertial_block * (scale[:, None] * scale)
     T = N = None
-    if not definite(scaled):
+    if not is_positive_definite(scaled):
         energies, directions = np.linalg.eigh(scaled)
-        still = energies < SINGULAR * max(len(q), 10)
-        if (energies < -SINGULAR * max(len(q), 10)).any():
+        has_no_energy = energies < PIVOT_TOLERANCE * max(len(q), 10)
+        if (energies < -PIVOT_TOLERANCE * max(len(q), 10)).any():
             raise _indefinite()
         directions *= scale[:, None]
-        T, N = np.zeros((len(M), (~still).sum())), np.zeros((len(M), still.sum() + r.size))
-        T[q], N[q, : still.sum()] = directions[:, ~still], directions[:, still]
-        N[r, np.arange(still.sum(), N.shape[1])] = 1.0
+        T, N = np.zeros((len(M), (~has_no_energy).sum())), np.zeros((len(M), has_no_energy.sum() + r.size))
+        T[q], N[q, : has_no_energy.sum()] = directions[:, ~has_no_energy], directions[:, has_no_energy]
+        N[r, np.arange(has_no_energy.sum(), N.shape[1])] = 1.0
     elif r.size:
         T, N = np.eye(len(M))[:, q], np.eye(len(M))[:, r]
     if T is None or N is None:
-        return Condensed(M, K, None, None)
+        return CondensedMatrices(M, K, None, None)
     if not T.shape[1]:
         raise UnusableError("expected some mass, found none", "M", "give the structure masses")
     KN = K @ N
-    held = N.T @ KN
-    size = np.diagonal(held).copy()
-    if (size <= 0.0).any() or not definite(held / np.sqrt(size[:, None] * size)):
+    massless_stiffness = N.T @ KN
+    pivots = np.diagonal(massless_stiffness).copy()
+    if (pivots <= 0.0).any() or not is_positive_definite(
+        massless_stiffness / np.sqrt(pivots[:, None] * pivots)
+    ):
         problem = "expected stiffness for every coordinate without mass, found a motion that has neither"
         raise UnusableError(problem, "K", "give it a mass or a stiffness, or remove it")
-    T = T - N @ linalg.solve(held, KN.T @ T, assume_a="pos")
+    T = T - N @ linalg.solve(massless_stiffness, KN.T @ T, assume_a="pos")
     mass, stiffness = T.T @ M @ T, T.T @ K @ T
-    return Condensed(0.5 * (mass + mass.T), 0.5 * (stiffness + stiffness.T), T, N)
+    return CondensedMatrices(0.5 * (mass + mass.T), 0.5 * (stiffness + stiffness.T), T, N)
 
 
 def _indefinite() -> UnusableError:
@@ -97,13 +99,13 @@ def _indefinite() -> UnusableError:
     return UnusableError(problem, "M", "check the signs of the masses")
 
 
-def definite(scaled: Array) -> bool:
+def is_positive_definite(scaled: Array) -> bool:
     """Return whether a matrix with a unit diagonal is positive definite by more than rounding."""
     try:
         factor = np.linalg.cholesky(scaled)
     except np.linalg.LinAlgError:
         return False
-    return bool((np.diagonal(factor) ** 2 > SINGULAR).all())
+    return bool((np.diagonal(factor) ** 2 > PIVOT_TOLERANCE).all())
 
 
 class SetupModes(NamedTuple):
@@ -124,7 +126,7 @@ class SetupModes(NamedTuple):
         return sum(a.nbytes for a in self if a is not None)
 
 
-def setup_modes(pair: Pair, rigid: int) -> SetupModes:
+def setup_modes(pair: MatrixPair, rigid: int) -> SetupModes:
     """Compute the modes.
 
     - pair: M and K of one setup
@@ -133,21 +135,23 @@ def setup_modes(pair: Pair, rigid: int) -> SetupModes:
     Raises UnusableError if M has a negative kinetic energy, or a motion has neither mass nor stiffness.
     Raises UnstableError if a mode is unstable.
     """
-    part = condense(pair.M, pair.K)
+    condensed = condense(pair.M, pair.K)
     try:
-        eigenvalues, shapes = (solution[0] for solution in generalised_eigh(part.M[None], part.K[None]))
+        eigenvalues, shapes = (
+            solution[0] for solution in generalised_eigh(condensed.M[None], condensed.K[None])
+        )
     except np.linalg.LinAlgError as error:
         raise UnusableError(f"no modes: {error}", "M", "check the masses") from error
     # A structure that buckles does not vibrate: sqrt(|lambda|) would not be a frequency.
     lowest = eigenvalues[rigid : rigid + 1].min(initial=np.inf)
-    if not np.isfinite(eigenvalues).all() or lowest < -STABLE * np.abs(eigenvalues).max():
+    if not np.isfinite(eigenvalues).all() or lowest < -EIGENVALUE_TOLERANCE * np.abs(eigenvalues).max():
         problem = f"expected a stable structure, found the eigenvalue {lowest:.6g} 1/s^2"
         remedy = "check the sign of K, and that rigid counts every free motion"
         raise UnstableError(problem, "K", remedy)
-    return SetupModes(eigenvalues, shapes if part.T is None else shapes @ part.T.T, part.N)
+    return SetupModes(eigenvalues, shapes if condensed.T is None else shapes @ condensed.T.T, condensed.N)
 
 
-def changes_of(modes: SetupModes, changes: Sequence[Pair | None]) -> tuple[Array, Array]:
+def modal_forces(modes: SetupModes, changes: Sequence[MatrixPair | None]) -> tuple[Array, Array]:
     """Return (dK - lambda dM) phi, (T, m, n), and phi^T dM phi, (T, m), of each parameter; zero where it is None."""
     forces = np.zeros((len(changes), *modes.shapes.shape))
     norm = np.zeros(forces.shape[:2])
@@ -159,11 +163,11 @@ def changes_of(modes: SetupModes, changes: Sequence[Pair | None]) -> tuple[Array
     return forces, norm
 
 
-def shape_rates_of(K: Array, modes: SetupModes, forces: Array, norm: Array) -> Array:
+def differentiate_shapes(K: Array, modes: SetupModes, forces: Array, norm: Array) -> Array:
     """Differentiate the shapes.
 
     - K: (n, n)
-    - forces, norm: from `changes_of`, (T, m, n) and (T, m)
+    - forces, norm: from `modal_forces`, (T, m, n) and (T, m)
 
     Returns (T, m, n).
     """

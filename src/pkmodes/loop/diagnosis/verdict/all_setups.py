@@ -17,13 +17,13 @@ class AllSetups:
     """A structure at all measured setups.
 
     - fitter: at the fitted setups
-    - held: held-out setups
+    - held_out: held-out setups
     """
 
-    def __init__(self, structure: Structure, data: Measurements, fitter: Fitter, held: list[int]) -> None:
+    def __init__(self, structure: Structure, data: Measurements, fitter: Fitter, held_out: list[int]) -> None:
         self.structure, self.data, self.fitter = structure, data, fitter
-        self.held_out_poses = tuple(data.labels[i] for i in held)
-        self.is_held = np.isin(data.pose, held)
+        self.held_out_poses = tuple(data.labels[i] for i in held_out)
+        self.is_held_out = np.isin(data.pose, held_out)
         self.pairer = Pairer(
             data, structure.channels, structure.predict(fitter.declared, ()), fitter.criteria
         )
@@ -46,7 +46,9 @@ class AllSetups:
         def rms(rows: NDArray[np.bool_]) -> float | None:
             return float(np.sqrt(np.mean(relative[rows] ** 2))) if rows.any() else None
 
-        return Error(rms(counted & ~self.is_held), rms(counted & self.is_held), chi2 / max(degrees, 1.0))
+        return Error(
+            rms(counted & ~self.is_held_out), rms(counted & self.is_held_out), chi2 / max(degrees, 1.0)
+        )
 
     def rows(
         self,
@@ -56,7 +58,7 @@ class AllSetups:
         outlying: NDArray[np.bool_],
     ) -> tuple[Row, ...]:
         """Return every measured mode with its predictions."""
-        last, drives = after or refit or declared, drives_of(self.structure, self.data)
+        last_stage, drives = after or refit or declared, drives_of(self.structure, self.data)
 
         def value(stage: MatchStage | None, i: int) -> float | None:
             return None if stage is None or np.isnan(stage.frequencies[i]) else float(stage.frequencies[i])
@@ -72,8 +74,8 @@ class AllSetups:
                 before=value(declared, i),
                 refit=value(refit, i),
                 after=value(after, i),
-                mac=None if np.isnan(last.pairing.mac[i]) else float(last.pairing.mac[i]),
-                held_out=bool(self.is_held[i]),
+                mac=None if np.isnan(last_stage.pairing.mac[i]) else float(last_stage.pairing.mac[i]),
+                held_out=bool(self.is_held_out[i]),
                 outlier=bool(outlying[i]),
                 load=self.data.load(int(self.data.pose[i])),
                 level=self.data.level_at(int(self.data.pose[i])),

@@ -4,31 +4,31 @@ from __future__ import annotations
 
 import math
 
-from pkmodes.loop.diagnosis.readings.amplitude import dependence_in_words
+from pkmodes.loop.diagnosis.readings.amplitude import format_level_dependence
 from pkmodes.loop.diagnosis.verdict import misfit
-from pkmodes.loop.diagnosis.verdict.evidence import Evidence, Says
+from pkmodes.loop.diagnosis.verdict.evidence import Answer, Evidence
 
 #: A dependence decides if its chi2 is at least this part of what causes explain, and the best explanation leaves.
-DECIDES = 0.1
+MIN_PART_OF_CHI2 = 0.1
 
 
-def depends_on_amplitude(e: Evidence) -> Says | None:
+def depends_on_amplitude(e: Evidence) -> Answer | None:
     """Frequencies depend on the level, by a tenth of the chi2 that causes explain, and of that which they leave."""
     trend = e.amplitude
-    if trend is None or not trend.significant or trend.squares < DECIDES * _beside(e):
+    if trend is None or not trend.significant or trend.squares < MIN_PART_OF_CHI2 * _chi2_to_compare(e):
         return None
-    how = dependence_in_words(trend, e.fitter.data)
-    return Says(
-        f"the residual depends on amplitude, and no candidate of a linear model does: {how}; no cause is claimed "
-        "from levels that contradict each other: diagnose those of the lowest level by themselves",
-        of_reading=True,
+    description = format_level_dependence(trend, e.fitter.data)
+    return Answer(
+        f"the residual depends on amplitude, and no candidate of a linear model does: {description}; no cause is "
+        "claimed from levels that contradict each other: diagnose those of the lowest level by themselves",
+        decided_by_reading=True,
     )
 
 
-def _beside(e: Evidence) -> float:
+def _chi2_to_compare(e: Evidence) -> float:
     """Return the chi2 with which a dependence is compared; infinite if the data show nothing else."""
-    final, declared = e.final, e.outcome.nuisances
-    if not e.outcome.last.passed:
+    final, declared = e.final, e.outcome.nuisance_fit
+    if not e.outcome.last_gate.passed:
         # The best explanation without errors of the measurement and without remote causes.
         fits = [
             fit for fit in e.store.tried() if not ((h := fit.hypothesis).remote or h.excluded or h.scatter)

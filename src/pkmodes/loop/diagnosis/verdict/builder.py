@@ -15,14 +15,18 @@ from pkmodes.loop.diagnosis.match.predicted import spectrum_of
 from pkmodes.loop.diagnosis.match.stage import MatchStage
 from pkmodes.loop.diagnosis.posterior.probabilities import probabilities
 from pkmodes.loop.diagnosis.problem import Array, reached_bounds
-from pkmodes.loop.diagnosis.readings.amplitude import dependence_in_words, note, notes_on_amplitude
-from pkmodes.loop.diagnosis.readings.table import declared_otherwise, reading_remarks
+from pkmodes.loop.diagnosis.readings.amplitude import (
+    format_amplitude_note,
+    format_level_dependence,
+    notes_on_amplitude,
+)
+from pkmodes.loop.diagnosis.readings.table import answer_for_declared_model, reading_remarks
 from pkmodes.loop.diagnosis.search.ranges import plausible_sizes
 from pkmodes.loop.diagnosis.verdict import caveats, held_out, limits
 from pkmodes.loop.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.loop.diagnosis.verdict.claim import fitted_values, name_of_last_cause
-from pkmodes.loop.diagnosis.verdict.detectable import examined
-from pkmodes.loop.diagnosis.verdict.evidence import Decision, Evidence, Says, Start
+from pkmodes.loop.diagnosis.verdict.detectable import examine_candidates
+from pkmodes.loop.diagnosis.verdict.evidence import Answer, Decision, Evidence, Start
 from pkmodes.loop.diagnosis.verdict.explanations import NamedFits
 from pkmodes.loop.diagnosis.verdict.findings import Corrected, Examined, Finding, Refitted
 from pkmodes.loop.diagnosis.verdict.limits import CandidateLimits
@@ -31,26 +35,26 @@ from pkmodes.loop.diagnosis.verdict.notes import low_modes, notes
 from pkmodes.loop.diagnosis.verdict.possible import usual_size
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis, Stages
 from pkmodes.loop.diagnosis.verdict.rows import Error
-from pkmodes.loop.diagnosis.verdict.stability import unchanged
+from pkmodes.loop.diagnosis.verdict.stability import unchanged_entries
 from pkmodes.loop.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, UNEXPLAINED
 
 #: Stage and error of a model that a result does not have.
-NONE: tuple[None, None] = (None, None)
+NO_STAGE: tuple[None, None] = (None, None)
 
 
 @dataclass(frozen=True)
 class _Models:
     """The models of a result beside all rows, with their errors: as declared, refitted, and with the causes.
 
-    - last: of the last model; None if there are too few data to fit any
+    - last_fit: of the last model; None if there are too few data to fit any
     - outlying: rows that it sets aside, (R,)
     - corrected: values of the last model
     - notes: on its fit
-    - without: its spectrum without its causes, (S, m)
+    - spectrum_without_causes: its spectrum without its causes, (S, m)
     - limits: of the candidates that are not claimed
     """
 
-    last: Fit | None
+    last_fit: Fit | None
     outlying: NDArray[np.bool_]
     limits: CandidateLimits
     declared: tuple[MatchStage, Error]
@@ -59,7 +63,7 @@ class _Models:
     corrected: tuple[Corrected, ...]
     shape_scatter: float | None
     notes: tuple[str, ...]
-    without: Array | None
+    spectrum_without_causes: Array | None
 
 
 class DiagnosisBuilder:
@@ -68,75 +72,91 @@ class DiagnosisBuilder:
     def __init__(self, setups: AllSetups) -> None:
         self.setups, self.fitter = setups, setups.fitter
 
-    def before_search(self, start: Start, decision: Decision[Start, Says]) -> Diagnosis:
+    def before_search(self, start: Start, decision: Decision[Start, Answer]) -> Diagnosis:
         """Return the result where data are too few, or obviously mistaken: nothing is searched for."""
-        verdict, store = decision.verdict, start.plain
-        unseen = tuple(candidate.name for candidate in start.suspected)
-        bounded, fit = limits.unknown(store, start.suspected), None
-        remarks: tuple[str, ...] = (decision.says.text,)
-        if not decision.says.of_reading:
-            fit, remarks = start.first, declared_otherwise(self.fitter)
+        verdict, store = decision.verdict, start.store
+        undetectable = tuple(candidate.name for candidate in start.claimable)
+        candidate_limits, fit = limits.unknown_limits(store, start.claimable), None
+        remarks: tuple[str, ...] = (decision.answer.text,)
+        if not decision.answer.decided_by_reading:
+            fit, remarks = start.declared_fit, answer_for_declared_model(self.fitter)
             if fit is not None:
-                remarks = (*remarks, *self._remarked(fit), *notes_on_amplitude(self.fitter, fit.values))
-                bounded = limits.beside(store, [fit], start.suspected, noise=not start.contradicted)
-            unseen = tuple(name for name in unseen if name not in {*bounded.limited, *start.hints})
-        models = self._models(store, fit, None, bounded, verdict.settled)
+                remarks = (
+                    *remarks,
+                    *self._reading_remarks(fit),
+                    *notes_on_amplitude(self.fitter, fit.values),
+                )
+                candidate_limits = limits.limits_beside(
+                    store, [fit], start.claimable, residual_is_noise=not start.is_contradicted
+                )
+            undetectable = tuple(
+                name for name in undetectable if name not in {*candidate_limits.limited, *start.hints}
+            )
+        models = self._models(store, fit, None, candidate_limits, verdict.settled)
         return replace(
             self._result(decision, models),
-            undetectable=unseen,
+            undetectable=undetectable,
             notes=(*remarks, *models.notes),
-            stability=unchanged(verdict),
+            stability=unchanged_entries(verdict),
         )
 
-    def after_search(self, evidence: Evidence, decision: Decision[Evidence, Says]) -> Diagnosis:
+    def after_search(self, evidence: Evidence, decision: Decision[Evidence, Answer]) -> Diagnosis:
         """Return the result of a search and its verdict."""
         search, outcome, claim = evidence.search, evidence.outcome, evidence.claim
         verdict, final = decision.verdict, claim.final
         findings = claim.findings(self.fitter, evidence.single_joints) if verdict is EFFECT_FOUND else ()
-        remaining = claim.remains(decision.says.instead) if verdict is AMBIGUOUS else []
-        bounded, plausible, tested = self._candidates(evidence, decision, findings, remaining)
-        unseen = tuple(test.name for test in tested if not test.detectable)
-        refit = final if verdict is ADEQUATE else outcome.nuisances
+        remaining = (
+            claim.remaining_explanations(decision.answer.better_explanation) if verdict is AMBIGUOUS else []
+        )
+        candidate_limits, max_deviations, examined_candidates = self._candidates(
+            evidence, decision, findings, remaining
+        )
+        undetectable = tuple(test.name for test in examined_candidates if not test.detectable)
+        refit = final if verdict is ADEQUATE else outcome.nuisance_fit
         causes = final if verdict is EFFECT_FOUND else None
-        models = self._models(search.store, refit, causes, bounded, verdict.settled)
+        models = self._models(search.store, refit, causes, candidate_limits, verdict.settled)
         # Another reading of the data contradicts all explanations of it as it stands.
-        probable, accepted = None, verdict is not UNEXPLAINED
-        if not decision.says.of_reading:
-            probable = probabilities(search, plausible, outcome, accepted=accepted)
+        explanation_probabilities, accepted = None, verdict is not UNEXPLAINED
+        if not decision.answer.decided_by_reading:
+            explanation_probabilities = probabilities(search, max_deviations, outcome, accepted=accepted)
         undecided = remaining
         if verdict is EFFECT_FOUND:
             # The class of the first cause that the data cannot tell from others.
-            claimed_class = next((fits for fits in claim.own if len(fits) > 1), claim.own[0])
+            claimed_class = next((fits for fits in claim.own_classes if len(fits) > 1), claim.own_classes[0])
             undecided = [[(name_of_last_cause(fit), fit) for fit in claimed_class]]
-        proposed, not_separated = next_measurement(search.store, probable, undecided)
+        proposal, not_separated = next_measurement(search.store, explanation_probabilities, undecided)
         if verdict.settled:
-            needed = verdict is ADEQUATE and evidence.refit_needed
+            refit_was_needed = verdict is ADEQUATE and evidence.refit_needed
             decision = replace(
                 decision,
                 caveats=caveats.Caveats(
-                    refitted=caveats.refitted(models.corrected) if needed else "",
-                    conspicuous=caveats.conspicuous(models.corrected, needed=needed),
-                    unseen=caveats.unseen(unseen, bool(bounded.limited)) if verdict is ADEQUATE else "",
+                    refitted=caveats.refitted_in_words(models.corrected) if refit_was_needed else "",
+                    conspicuous=caveats.conspicuous_in_words(
+                        models.corrected, refit_was_needed=refit_was_needed
+                    ),
+                    unseen=caveats.undetectable_in_words(undetectable, bool(candidate_limits.limited))
+                    if verdict is ADEQUATE
+                    else "",
                 ),
             )
         return replace(
             self._result(decision, models),
             effects=findings,
             survivors=tuple(tuple(name for name, _ in named) for named in remaining),
-            undetectable=unseen,
-            next_measurement=proposed,
+            undetectable=undetectable,
+            next_measurement=proposal,
             not_separated=not_separated,
-            candidates=tested,
+            candidates=examined_candidates,
             alone=evidence.single_joints if findings or remaining else {},
             notes=tuple(self._notes(evidence, decision, models)),
-            stability=tuple(trial.entry for trial in evidence.trials),
-            probabilities=probable,
+            stability=tuple(trial.stability for trial in evidence.trials),
+            probabilities=explanation_probabilities,
         )
 
     def _candidates(
         self,
         evidence: Evidence,
-        decision: Decision[Evidence, Says],
+        decision: Decision[Evidence, Answer],
         findings: Sequence[Finding],
         remaining: Sequence[NamedFits],
     ) -> tuple[CandidateLimits, dict[int, float], tuple[Examined, ...]]:
@@ -149,41 +169,57 @@ class DiagnosisBuilder:
         claimed = {name for finding in findings for name in finding.members}
         unclaimed = [candidate for candidate in search.candidates if candidate.name not in claimed]
         if decision.verdict.settled:
-            bounded = limits.beside(search.store, [claim.final], unclaimed, noise=True)
-            last = claim.last.scores
+            candidate_limits = limits.limits_beside(
+                search.store, [claim.final], unclaimed, residual_is_noise=True
+            )
+            last_scores = claim.last_gate.scores
         else:
-            open_fits = [fit for named in remaining for _, fit in named] or [outcome.nuisances]
-            bounded = limits.beside(search.store, open_fits, unclaimed, noise=False)
-            last = outcome.first.scores
-        shown = claimed | {cause.name for named in remaining for _, fit in named for cause in fit.causes}
-        shown |= {*decision.says.named, *(name for trial in evidence.trials for name in trial.entry.effects)}
-        apart = [candidate for candidate in search.candidates if candidate.name not in bounded.candidates]
-        plausible = {**plausible_sizes(self.fitter, outcome.nuisances, apart), **bounded.plausible}
-        tested = examined(
+            open_fits = [fit for named in remaining for _, fit in named] or [outcome.nuisance_fit]
+            candidate_limits = limits.limits_beside(
+                search.store, open_fits, unclaimed, residual_is_noise=False
+            )
+            last_scores = outcome.first_gate.scores
+        named_candidates = claimed | {
+            cause.name for named in remaining for _, fit in named for cause in fit.causes
+        }
+        named_candidates |= {
+            *decision.answer.named,
+            *(name for trial in evidence.trials for name in trial.stability.effects),
+        }
+        without_limits = [
+            candidate for candidate in search.candidates if candidate.name not in candidate_limits.candidates
+        ]
+        max_deviations = {
+            **plausible_sizes(self.fitter, outcome.nuisance_fit, without_limits),
+            **candidate_limits.max_deviations,
+        }
+        examined_candidates = examine_candidates(
             self.fitter,
-            outcome.first.scores,
-            last,
-            plausible,
-            shown=shown,
-            limited=bounded.limited,
-            unbounded=bounded.unbounded - shown,
+            outcome.first_gate.scores,
+            last_scores,
+            max_deviations,
+            named=named_candidates,
+            limited=candidate_limits.limited,
+            unbounded=candidate_limits.unbounded - named_candidates,
         )
-        return bounded, plausible, tested
+        return candidate_limits, max_deviations, examined_candidates
 
     def _notes(
-        self, evidence: Evidence, decision: Decision[Evidence, Says], models: _Models
+        self, evidence: Evidence, decision: Decision[Evidence, Answer], models: _Models
     ) -> Iterator[str]:
         """Yield the notes on the result of a search: on the data, on the fit, and on what the result leaves out."""
-        verdict, of_reading, reason = decision.verdict, decision.says.of_reading, decision.says.text
-        if of_reading:
+        verdict = decision.verdict
+        decided_by_reading = decision.answer.decided_by_reading
+        reason = decision.answer.text
+        if decided_by_reading:
             yield reason
         trend, data = evidence.amplitude, self.fitter.data
-        if trend is not None and trend.significant and dependence_in_words(trend, data) not in reason:
-            yield note(trend, data)
-        yield from self._remarked(evidence.final)
+        if trend is not None and trend.significant and format_level_dependence(trend, data) not in reason:
+            yield format_amplitude_note(trend, data)
+        yield from self._reading_remarks(evidence.final)
         if verdict.settled:
             yield from evidence.held_out.notes
-        if verdict is UNEXPLAINED and not of_reading:
+        if verdict is UNEXPLAINED and not decided_by_reading:
             yield from low_modes(models.declared[0])
         yield from models.notes
         yield from evidence.claim.left_out
@@ -191,64 +227,69 @@ class DiagnosisBuilder:
         stage, _ = models.after or models.refit
         yield from held_out.held_out_remarks(
             self.setups.data,
-            self.setups.is_held,
+            self.setups.is_held_out,
             stage.predicted.frequency,
             models.refit[1],
             None if models.after is None else models.after[1],
         )
 
-    def _remarked(self, fit: Fit) -> tuple[str, ...]:
+    def _reading_remarks(self, fit: Fit) -> tuple[str, ...]:
         return reading_remarks(self.setups.stage(fit.values), self.fitter.criteria.readings)
 
     def _models(
-        self, store: FitStore, refit: Fit | None, causes: Fit | None, bounded: CandidateLimits, settled: bool
+        self,
+        store: FitStore,
+        refit: Fit | None,
+        causes: Fit | None,
+        candidate_limits: CandidateLimits,
+        is_settled: bool,
     ) -> _Models:
         """Return the models of a result.
 
         - refit: of the nuisances
         - causes: with the claimed causes
-        - bounded: of the candidates that are not claimed
-        - settled: whether the last one leaves only noise
+        - candidate_limits: of the candidates that are not claimed
+        - is_settled: whether the last one leaves only noise
         """
-        setups, last = self.setups, causes or refit
-        excluded = [] if last is None else sorted(last.hypothesis.excluded)
+        setups, last_fit = self.setups, causes or refit
+        excluded = [] if last_fit is None else sorted(last_fit.hypothesis.excluded)
         outlying = np.isin(setups.data.lines, self.fitter.data.lines[excluded])
 
-        def beside(fit: Fit | None) -> tuple[MatchStage, Error] | None:
+        def stage_and_error(fit: Fit | None) -> tuple[MatchStage, Error] | None:
             if fit is None:
                 return None
             stage = setups.stage(fit.values)
             return stage, setups.error(stage, *store.frequency_misfit(fit), outlying)
 
-        declared, without = setups.stage(self.fitter.declared), None
+        declared, spectrum_without_causes = setups.stage(self.fitter.declared), None
         if causes is not None:
             index = [i for cause in causes.causes for i in self.fitter.indices(cause)]
             values = causes.values.copy()
             values[index] = self.fitter.declared[index]
-            without = spectrum_of(setups.stage(values).prediction, setups.data)
+            spectrum_without_causes = spectrum_of(setups.stage(values).prediction, setups.data)
         return _Models(
-            last=last,
+            last_fit=last_fit,
             outlying=outlying,
-            limits=bounded,
+            limits=candidate_limits,
             declared=(declared, setups.declared_error(declared, outlying)),
-            refit=beside(refit),
-            after=beside(causes),
-            corrected=() if last is None else self.corrected(last, bounded),
-            shape_scatter=None if last is None else store.shape_scatter(last),
-            notes=() if last is None else tuple(notes(store, last, settled)),
-            without=without,
+            refit=stage_and_error(refit),
+            after=stage_and_error(causes),
+            corrected=() if last_fit is None else self.corrected_values(last_fit, candidate_limits),
+            shape_scatter=None if last_fit is None else store.shape_scatter(last_fit),
+            notes=() if last_fit is None else tuple(notes(store, last_fit, is_settled)),
+            spectrum_without_causes=spectrum_without_causes,
         )
 
-    def _result(self, decision: Decision[Any, Says], models: _Models) -> Diagnosis:
+    def _result(self, decision: Decision[Any, Answer], models: _Models) -> Diagnosis:
         """Return what every result has: the decision with its reason, the errors, and the values of the models."""
-        last, (declared, before) = models.last, models.declared
-        (refit, refit_error), (after, after_error) = models.refit or NONE, models.after or NONE
+        last_fit, (declared, before) = models.last_fit, models.declared
+        (refit, refit_error), (after, after_error) = models.refit or NO_STAGE, models.after or NO_STAGE
         nuisances = {self.fitter.parameters[i].name for i in self.fitter.nuisances}
         stages = Stages(
             declared.predicted,
             None if refit is None else refit.predicted,
             None if after is None else after.predicted,
-            models.without,
+            models.spectrum_without_causes,
         )
         return Diagnosis(
             verdict=decision.verdict.word,
@@ -266,18 +307,18 @@ class DiagnosisBuilder:
             next_measurement=None,
             candidates=(),
             rows=self.setups.rows(declared, refit, after, models.outlying),
-            scatter=0.0 if last is None else last.scatter,
+            scatter=0.0 if last_fit is None else last_fit.scatter,
             corrected=models.corrected,
-            correlation=() if last is None else tuple(map(tuple, last.correlation.tolist())),
+            correlation=() if last_fit is None else tuple(map(tuple, last_fit.correlation.tolist())),
             shape_scatter=models.shape_scatter,
-            limits=models.limits.of,
+            limits=models.limits.by_parameter,
             stages=stages,
         )
 
-    def corrected(self, fit: Fit, bounded: CandidateLimits) -> tuple[Corrected, ...]:
+    def corrected_values(self, fit: Fit, candidate_limits: CandidateLimits) -> tuple[Corrected, ...]:
         """Return all fitted parameters with their declared values, priors, and unseen influences."""
-        width, corrected = self.fitter.priors.width(fit.values), []
-        plausible = plausible_sizes(self.fitter, fit, fit.causes)
+        prior_widths, corrected = self.fitter.priors.width(fit.values), []
+        max_deviations = plausible_sizes(self.fitter, fit, fit.causes)
         for i, v in zip(fit.free, fitted_values(self.fitter, fit, fit.free), strict=True):
             p, row = self.fitter.parameters[i], self.fitter.priors.of(i)
             corrected.append(
@@ -287,10 +328,10 @@ class DiagnosisBuilder:
                     sigma=v.sigma,
                     unit=v.unit,
                     declared=p.value,
-                    prior_sigma=None if row is None else float(width[row]),
+                    prior_sigma=None if row is None else float(prior_widths[row]),
                     at_bound=any(bound != p.value for bound in reached_bounds(p, v.value, p.sigma or 0.0)),
-                    unseen=bounded.unseen.get(i),
-                    plausible=min(plausible.get(i, np.inf), usual_size(p)),
+                    unseen=candidate_limits.unseen.get(i),
+                    plausible=min(max_deviations.get(i, np.inf), usual_size(p)),
                 )
             )
         return tuple(corrected)

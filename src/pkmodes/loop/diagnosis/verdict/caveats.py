@@ -12,9 +12,9 @@ from pkmodes.loop.diagnosis.search.limits import ONE_SIDED
 from pkmodes.loop.diagnosis.verdict.findings import Corrected
 
 #: Smallest distance of a conspicuous refitted value from its declared one, in standard deviations of prior or fit.
-FAR = Criteria.reasons.far
+MIN_CONSPICUOUS_SIGMAS = Criteria.reasons.far
 #: Largest numbers of values and of candidates named in a sentence.
-MOST_VALUES, MOST_NAMES = 3, 4
+MAX_VALUES, MAX_NAMES = 3, 4
 
 
 @dataclass(frozen=True)
@@ -40,57 +40,60 @@ class Caveats:
         return "; ".join(clause for clause in clauses if clause)
 
 
-def refitted(values: Sequence[Corrected]) -> str:
+def refitted_in_words(values: Sequence[Corrected]) -> str:
     """Return which uncertain values a fit moved most, and by how much; empty where there are none."""
-    moved = sorted((v for v in values if v.prior_sigma), key=lambda v: -abs(_away(v)))
-    reported = [v for v in moved if abs(_away(v)) >= 1.0][:MOST_VALUES] or moved[:1]
-    reported += [v for v in moved if v not in reported and _taken_up(v)]
-    return ", ".join(f"{_name(v)} {_step(v)} ({_away(v):+.1f} sigma){_instead(v)}" for v in reported)
-
-
-def conspicuous(values: Sequence[Corrected], *, needed: bool) -> str:
-    """Return which refitted values belong in the headline; empty if none does.
-
-    - needed: whether the refit alone made the residual noise: then also values that an unseen candidate could have
-      moved
-    """
-    far = [v for v in values if v.prior_sigma and abs(_away(v)) > FAR]
-    parts = [f"{_name(v)} is {abs(_away(v)):.1f} sigma from its declared value" for v in far]
-    if needed:
-        taken_up = (v for v in values if v not in far and _taken_up(v))
-        parts += [f"{_name(v)} was refitted {_step(v)}{_instead(v)}" for v in taken_up]
-    return ", ".join(parts[:MOST_VALUES])
-
-
-def unseen(undetectable: Sequence[str], limited: bool) -> str:
-    """Return what an adequate model may still lack; empty where nothing was suspected.
-
-    - undetectable: candidates that these data cannot show
-    - limited: whether other candidates have limits
-    """
-    if undetectable:
-        beside = ", nor other causes below their limits" if limited else ""
-        return f"these data cannot show {listed(undetectable, MOST_NAMES)}{beside}"
-    return "these data cannot show causes below their limits" if limited else ""
-
-
-def _taken_up(value: Corrected) -> bool:
-    """Return whether a fit clearly moved a value, and an unseen candidate could have caused all of that."""
-    moved = abs(value.value - value.declared)
-    return (
-        value.prior_sigma is not None
-        and value.unseen is not None
-        and FAR * value.sigma < moved <= ONE_SIDED * value.unseen.sigma
+    ranked = sorted((v for v in values if v.prior_sigma), key=lambda v: -abs(_deviation(v)))
+    reported = [v for v in ranked if abs(_deviation(v)) >= 1.0][:MAX_VALUES] or ranked[:1]
+    reported += [v for v in ranked if v not in reported and _may_be_due_to_unseen(v)]
+    return ", ".join(
+        f"{_name(v)} {_change_in_words(v)} ({_deviation(v):+.1f} sigma){_unseen_clause(v)}" for v in reported
     )
 
 
-def _instead(value: Corrected) -> str:
-    if value.unseen is None or not _taken_up(value):
+def conspicuous_in_words(values: Sequence[Corrected], *, refit_was_needed: bool) -> str:
+    """Return which refitted values belong in the headline; empty if none does.
+
+    - refit_was_needed: whether the refit alone made the residual noise: then also values that an unseen candidate
+      could have moved
+    """
+    far_values = [v for v in values if v.prior_sigma and abs(_deviation(v)) > MIN_CONSPICUOUS_SIGMAS]
+    parts = [f"{_name(v)} is {abs(_deviation(v)):.1f} sigma from its declared value" for v in far_values]
+    if refit_was_needed:
+        due_to_unseen = (v for v in values if v not in far_values and _may_be_due_to_unseen(v))
+        parts += [f"{_name(v)} was refitted {_change_in_words(v)}{_unseen_clause(v)}" for v in due_to_unseen]
+    return ", ".join(parts[:MAX_VALUES])
+
+
+def undetectable_in_words(undetectable: Sequence[str], others_are_limited: bool) -> str:
+    """Return what an adequate model may still lack; empty where nothing was suspected.
+
+    - undetectable: candidates that these data cannot show
+    - others_are_limited: whether other candidates have limits
+    """
+    if undetectable:
+        others = ", nor other causes below their limits" if others_are_limited else ""
+        return f"these data cannot show {listed(undetectable, MAX_NAMES)}{others}"
+    return "these data cannot show causes below their limits" if others_are_limited else ""
+
+
+def _may_be_due_to_unseen(value: Corrected) -> bool:
+    """Return whether a fit clearly moved a value, and an unseen candidate could have caused all of that."""
+    change = abs(value.value - value.declared)
+    return (
+        value.prior_sigma is not None
+        and value.unseen is not None
+        and MIN_CONSPICUOUS_SIGMAS * value.sigma < change <= ONE_SIDED * value.unseen.sigma
+    )
+
+
+def _unseen_clause(value: Corrected) -> str:
+    if value.unseen is None or not _may_be_due_to_unseen(value):
         return ""
-    return f", which {value.unseen.done} could have done"
+    return f", which {value.unseen.agent} could have done"
 
 
-def _away(value: Corrected) -> float:
+def _deviation(value: Corrected) -> float:
+    """Return the deviation from the declared value, in standard deviations of its prior; 0 without a prior."""
     return (value.value - value.declared) / value.prior_sigma if value.prior_sigma else 0.0
 
 
@@ -98,6 +101,6 @@ def _name(value: Corrected) -> str:
     return value.name.removeprefix("effects.")
 
 
-def _step(value: Corrected) -> str:
+def _change_in_words(value: Corrected) -> str:
     unit = "" if value.unit == "1" else f" {value.unit}"
     return f"from {plain(value.declared, 4)} to {plain(value.value, 4)}{unit}"

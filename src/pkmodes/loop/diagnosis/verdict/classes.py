@@ -27,37 +27,41 @@ from pkmodes.loop.diagnosis.search.unmeasured import p_unmeasured
 #: Largest part of the signature of a special case outside the span of the general cause's signatures: difference
 #: derivatives are this accurate, and a random direction in a space with two more dimensions than the span is this
 #: close to it once in a million.
-NESTED = 1e-3
+MAX_PART_OUTSIDE_SPAN = 1e-3
 
 
 def survivors(search: Search, rivals: Sequence[Fit]) -> list[Fit]:
     """Return the rivals that these data do not exclude, best first."""
     store, c = search.store, search.criteria
-    fitting = [
+    passing_fits = [
         fit
         for fit in rivals
-        if not fit.at_bound and store.p_value(fit) > c.gate.surely and measured(search, fit)
+        if not fit.at_bound and store.p_value(fit) > c.gate.surely and are_added_modes_credible(search, fit)
     ]
-    if not fitting:
+    if not passing_fits:
         return []
-    total = np.array([store.criterion(fit) for fit in fitting])
-    order = np.argsort(total, kind="stable")
-    surviving = [
-        fitting[i]
+    criteria = np.array([store.criterion(fit) for fit in passing_fits])
+    order = np.argsort(criteria, kind="stable")
+    best_fits = [
+        passing_fits[i]
         for i in order
-        if total[i] <= total.min() + c.search.survives and store.predicts(fitting[i])
+        if criteria[i] <= criteria.min() + c.search.survives and store.predicts(passing_fits[i])
     ]
     # If predictions are equal, additional parameters are not penalised: they must not exclude a general rival.
-    alike = {
-        i: fitting[i].deviance
+    deviance_of_alike = {
+        i: passing_fits[i].deviance
         for i in order
-        if surviving and store.fitter.difference(surviving[0], fitting[i]) < c.claim.told_apart
+        if best_fits and store.fitter.difference(best_fits[0], passing_fits[i]) < c.claim.told_apart
     }
-    least = min(alike.values(), default=0.0)
-    also = [fitting[i] for i, deviance in alike.items() if deviance <= least + c.search.survives]
-    if surviving:
-        also += [fit for fit in fitting if _remains_beside(store, fit, surviving[0])]
-    return surviving + [fit for fit in also if all(fit is not survivor for survivor in surviving)]
+    lowest_deviance = min(deviance_of_alike.values(), default=0.0)
+    further_fits = [
+        passing_fits[i]
+        for i, deviance in deviance_of_alike.items()
+        if deviance <= lowest_deviance + c.search.survives
+    ]
+    if best_fits:
+        further_fits += [fit for fit in passing_fits if _remains_beside(store, fit, best_fits[0])]
+    return best_fits + [fit for fit in further_fits if all(fit is not survivor for survivor in best_fits)]
 
 
 def _remains_beside(store: FitStore, part: Fit, whole: Fit) -> bool:
@@ -65,31 +69,31 @@ def _remains_beside(store: FitStore, part: Fit, whole: Fit) -> bool:
 
     The whole brings modes close to each other, whose shapes follow noise: it may fit shapes better although only the
     part is true, by 12 at most on the rig.  Frequencies have no such freedom: where the part explains these better,
-    it remains whatever the shapes say.
+    it remains however it fits the shapes.
     """
     c = store.fitter.criteria
-    if not _of_whole(part, whole):
+    if not _is_part_of_cause(part, whole):
         return False
-    near = store.criterion(part) <= store.criterion(whole) + c.claim.told_apart
+    is_near = store.criterion(part) <= store.criterion(whole) + c.claim.told_apart
     return (
-        near
+        is_near
         or store.frequency_misfit(part).squares < store.frequency_misfit(whole).squares - c.search.survives
     )
 
 
-def _of_whole(part: Fit, whole: Fit) -> bool:
+def _is_part_of_cause(part: Fit, whole: Fit) -> bool:
     """Return whether the last cause of a fit is a part of that of another, such as one direction of a frame."""
     return bool(part.causes and whole.causes) and part.causes[-1].part_of == whole.causes[-1].name
 
 
-def measured(search: Search, fit: Fit) -> bool:
+def are_added_modes_credible(search: Search, fit: Fit) -> bool:
     """Return whether unmeasured modes that the causes of a fit add may have been missed by chance."""
     store = search.store
     declared = store.fit(Hypothesis()) or fit
     return p_unmeasured(store.fitter, declared, fit) > search.criteria.gate.surely
 
 
-def other_pairs(search: Search, final: Fit, grouped: Sequence[Sequence[Sequence[Fit]]]) -> list[Fit]:
+def other_pairs(search: Search, final: Fit, classes_by_cause: Sequence[Sequence[Sequence[Fit]]]) -> list[Fit]:
     """Return the survivors beside a pair of causes: pairs outside its classes, and single remote causes.
 
     Both causes may differ at once, as between a structure and its mirror image.  If there are many pairs within its
@@ -104,21 +108,26 @@ def other_pairs(search: Search, final: Fit, grouped: Sequence[Sequence[Sequence[
         if len(fit.causes) == len(final.causes) == c.search.most_causes
         and (fit.hypothesis.excluded, fit.hypothesis.scatter) == (h.excluded, h.scatter)
     ]
-    members = [{fit.causes[-1].name for fit in groups[0]} for groups in grouped if groups]
-    many = int(np.prod([len(names) for names in members])) > c.claim.most_pairs
-    beside = []
+    names_by_cause = [{fit.causes[-1].name for fit in groups[0]} for groups in classes_by_cause if groups]
+    are_many = int(np.prod([len(names) for names in names_by_cause])) > c.claim.most_pairs
+    remaining_pairs = []
     for pair in survivors(search, sorted(pairs, key=store.criterion)):
         a, b = (cause.name for cause in pair.causes)
-        within = len(members) == 2 and (
-            (a in members[0] and b in members[1]) or (b in members[0] and a in members[1])
+        is_within_classes = len(names_by_cause) == 2 and (
+            (a in names_by_cause[0] and b in names_by_cause[1])
+            or (b in names_by_cause[0] and a in names_by_cause[1])
         )
         # A pair of other causes is another explanation, even if its predictions are the same.
-        if {a, b} != {cause.name for cause in final.causes} and (many or not within):
-            beside.append(pair)
+        if {a, b} != {cause.name for cause in final.causes} and (are_many or not is_within_classes):
+            remaining_pairs.append(pair)
     remote = [
-        fit for fit in search.alone() if store.criterion(fit) <= store.criterion(final) + c.search.survives
+        fit
+        for fit in search.single_remote_causes()
+        if store.criterion(fit) <= store.criterion(final) + c.search.survives
     ]
-    return beside + [fit for fit in remote if store.p_value(fit) > c.gate.surely and not fit.at_bound]
+    return remaining_pairs + [
+        fit for fit in remote if store.p_value(fit) > c.gate.surely and not fit.at_bound
+    ]
 
 
 def classes(store: FitStore, fits: Sequence[Fit]) -> list[list[Fit]]:
@@ -126,24 +135,24 @@ def classes(store: FitStore, fits: Sequence[Fit]) -> list[list[Fit]]:
 
     A whole and a part of it that fit nearly as well are not told apart by differences in the shapes of close modes.
     """
-    near = store.fitter.criteria.claim.told_apart
+    max_difference = store.fitter.criteria.claim.told_apart
 
-    def alike(member: Fit, fit: Fit) -> bool:
-        whole = _of_whole(fit, member) or _of_whole(member, fit)
-        apart = abs(store.criterion(fit) - store.criterion(member)) if whole else math.inf
-        return min(apart, store.fitter.difference(fit, member)) < near
+    def are_alike(member: Fit, fit: Fit) -> bool:
+        is_whole_and_part = _is_part_of_cause(fit, member) or _is_part_of_cause(member, fit)
+        difference = abs(store.criterion(fit) - store.criterion(member)) if is_whole_and_part else math.inf
+        return min(difference, store.fitter.difference(fit, member)) < max_difference
 
-    return grouped(fits, alike)
+    return grouped(fits, are_alike)
 
 
-def distinct_causes(members: Sequence[Fit]) -> int:
+def count_distinct_causes(members: Sequence[Fit]) -> int:
     """Return the number of causes in a class, a whole and its parts counted once."""
     causes = [fit.causes[-1] for fit in members]
     names = {cause.name for cause in causes}
     return sum(cause.part_of not in names for cause in causes)
 
 
-def parts_alone(members: Sequence[Fit]) -> bool:
+def lacks_whole(members: Sequence[Fit]) -> bool:
     """Return whether a class has several parts of a whole that is not in it, such as two directions of a frame.
 
     Data that do not show along which direction a frame yields do not show either that it yields along one of them
@@ -151,11 +160,11 @@ def parts_alone(members: Sequence[Fit]) -> bool:
     """
     causes = [fit.causes[-1] for fit in members]
     names = {cause.name for cause in causes}
-    wholes = [cause.part_of for cause in causes if cause.part_of and cause.part_of not in names]
-    return len(set(wholes)) < len(wholes)
+    names_of_wholes = [cause.part_of for cause in causes if cause.part_of and cause.part_of not in names]
+    return len(set(names_of_wholes)) < len(names_of_wholes)
 
 
-def nested(fitter: Fitter, a: Fit, b: Fit) -> bool:
+def are_nested(fitter: Fitter, a: Fit, b: Fit) -> bool:
     """Return whether two fits differ in one cause, and one of these is a special case of the other at both fits."""
     of_a = [cause for cause in a.causes if cause not in b.causes]
     of_b = [cause for cause in b.causes if cause not in a.causes]
@@ -167,14 +176,14 @@ def nested(fitter: Fitter, a: Fit, b: Fit) -> bool:
     )
 
 
-def more_general(search: Search, final: Fit) -> tuple[Candidate, Candidate] | None:
+def find_more_general(search: Search, final: Fit) -> tuple[Candidate, Candidate] | None:
     """Return a cause of a fit and the more general one to which the residual points significantly, or None.
 
     A score test: its degrees of freedom are the additional parameters of the general cause.  The general cause is not
     fitted, because close modes could then be paired differently, a gain that the null distribution does not include.
     """
     for cause in final.causes:
-        for general in search.general:
+        for general in search.general_candidates:
             if general.general_of != cause.name:
                 continue
             scores = score(search.store.fitter, final, [general])
@@ -185,15 +194,15 @@ def more_general(search: Search, final: Fit) -> tuple[Candidate, Candidate] | No
 
 def _is_special(fitter: Fitter, fit: Fit, special: Candidate, general: Candidate) -> bool:
     """Return whether the signature of one cause lies in the span of another's, and the data can resolve this."""
-    used = fitter.used(fit.hypothesis)
+    used_rows = fitter.used(fit.hypothesis)
     if (
-        fitter.observations.degrees_of_freedom(used)
+        fitter.observations.degrees_of_freedom(used_rows)
         < len(general.parameters) + fitter.criteria.claim.redundancy
     ):
         return False
     rates, basis = _rates(fitter, fit, special), orthonormal(_rates(fitter, fit, general))
     residual = np.linalg.norm(rates - basis @ (basis.T @ rates), axis=0)
-    return bool((residual <= NESTED * np.linalg.norm(rates, axis=0)).all())
+    return bool((residual <= MAX_PART_OUTSIDE_SPAN * np.linalg.norm(rates, axis=0)).all())
 
 
 def _rates(fitter: Fitter, fit: Fit, cause: Candidate) -> Array:

@@ -32,20 +32,20 @@ class Dispersion(NamedTuple):
     rises: bool
 
 
-def stiffness_of_frequency(e: Evidence) -> str:
+def frequency_dependent_stiffness(e: Evidence) -> str:
     """A declared stiffness that changes with the frequency explains the data better, or as well as two causes.
 
     It has one parameter: as good as a pair of causes, it is the better explanation.  A single cause must be clearly
     worse to be refused: heavier motors of a rotary delta and reducers that soften with the frequency look the same.
     """
-    law, pair = dispersion(e.store, e.final), len(e.final.causes) > 1
-    worse = 0.0 if pair else e.criteria.search.survives
-    if law is None or law.criterion > e.store.criterion(e.final) - worse:
+    law, is_pair = dispersion(e.store, e.final), len(e.final.causes) > 1
+    max_advantage = 0.0 if is_pair else e.criteria.search.survives
+    if law is None or law.criterion > e.store.criterion(e.final) - max_advantage:
         return ""
     return (
         f"{e.explains} the residual, but a {law.name} that {'rises' if law.rises else 'falls'} with the "
-        f"frequency, which is not a candidate, would do so {'with one value' if pair else 'significantly better'}: "
-        "look there"
+        f"frequency, which is not a candidate, would do so "
+        f"{'with one value' if is_pair else 'significantly better'}: look there"
     )
 
 
@@ -55,24 +55,26 @@ def dispersion(store: FitStore, final: Fit) -> Dispersion | None:
     - final: with causes, in the place of which it is tried
     """
     fitter, hypothesis = store.fitter, replace(final.hypothesis, causes=())
-    plain = store.fit(hypothesis, store.undone(final, hypothesis))
+    fit_without_causes = store.fit(hypothesis, store.undone(final, hypothesis))
     declared = [
         (i, p.name) for i, p in enumerate(fitter.parameters) if p.unit in STIFFNESSES and p.value > 0.0
     ]
-    if plain is None or not declared:
+    if fit_without_causes is None or not declared:
         return None
-    rows, log = fitter.observations.frequency_rows, fitter.observations.log_frequencies
-    laws = (log - log.mean(), np.exp(2.0 * (log - log.max())))
-    _, signatures = fitter.signatures(plain, [i for i, _ in declared])
+    rows, log_frequencies = fitter.observations.frequency_rows, fitter.observations.log_frequencies
+    laws = (log_frequencies - log_frequencies.mean(), np.exp(2.0 * (log_frequencies - log_frequencies.max())))
+    _, signatures = fitter.signatures(fit_without_causes, [i for i, _ in declared])
     trials = []
     for column, (_, name) in zip(signatures.T, declared, strict=True):
         for law in laws:
             signature = np.zeros(len(column))
             signature[rows] = column[rows] * law
-            remainder = signature - plain.basis @ (plain.basis.T @ signature)
-            size = float(np.linalg.norm(remainder))
-            score = float(remainder @ plain.white) / max(size, 1e-300)
+            remainder = signature - fit_without_causes.basis @ (fit_without_causes.basis.T @ signature)
+            norm = float(np.linalg.norm(remainder))
+            score = float(remainder @ fit_without_causes.white) / max(norm, 1e-300)
             trials.append(
-                Dispersion(name, store.criterion(plain) - score**2 + store.parameter_price, score > 0.0)
+                Dispersion(
+                    name, store.criterion(fit_without_causes) - score**2 + store.parameter_price, score > 0.0
+                )
             )
     return min(trials, key=lambda trial: trial.criterion)

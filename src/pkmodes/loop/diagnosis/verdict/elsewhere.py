@@ -22,21 +22,21 @@ from pkmodes.loop.diagnosis.verdict.information import separations
 class MeasuringCondition(NamedTuple):
     """A way to measure: the structure at the poses to choose from, the state of its motors, and the values set there.
 
-    - unlike: whether its motors are in another state than in most of the measurements
+    - has_other_drives: whether its motors are in another state than in most of the measurements
     """
 
     structure: Structure
     drives: Drives | None
     load: Mapping[str, float]
-    unlike: bool = False
+    has_other_drives: bool = False
 
     @property
     def effort(self) -> int:
         """Additional work compared with measuring another pose."""
-        return 2 if self.load else int(self.unlike)
+        return 2 if self.load else int(self.has_other_drives)
 
 
-class Elsewhere(NamedTuple):
+class PredictionElsewhere(NamedTuple):
     """What an explanation predicts at S poses, in standard deviations of a measured frequency.
 
     - mean, errors: logarithms of the lowest frequencies, and the covariance of the errors of their measurement,
@@ -58,44 +58,52 @@ class Elsewhere(NamedTuple):
         return np.asarray(self.errors + self.rates @ C @ self.rates.swapaxes(1, 2))
 
 
-def ways(structure: Structure, points: Array, *, held: bool = True) -> Iterator[MeasuringCondition]:
+def measuring_conditions(
+    structure: Structure, points: Array, *, may_hold_motors: bool = True
+) -> Iterator[MeasuringCondition]:
     """Yield the ways to measure at these poses, the simplest first.
 
-    - held: whether motors that are free may be held
+    - may_hold_motors: whether motors that are free may be held
     """
     drives = cast("Drives", structure.drives) if isinstance(structure, Driven) else None
     yield MeasuringCondition(structure, drives, {})
-    if isinstance(structure, Driven) and (held or drives == HELD):
+    if isinstance(structure, Driven) and (may_hold_motors or drives == HELD):
         switched = structure.with_other_drives(range(len(points)))
-        yield MeasuringCondition(switched, cast("Drives", other_drives(structure.drives)), {}, unlike=True)
+        yield MeasuringCondition(
+            switched, cast("Drives", other_drives(structure.drives)), {}, has_other_drives=True
+        )
     for load, loaded in structure.loaded() if isinstance(structure, Loadable) else ():
         yield MeasuringCondition(loaded, drives, load)
 
 
-def elsewhere(fitter: Fitter, way: MeasuringCondition, fit: Fit) -> Elsewhere:
+def predict_elsewhere(fitter: Fitter, condition: MeasuringCondition, fit: Fit) -> PredictionElsewhere:
     """Return what an explanation predicts; NaN if its cause is a wrong load, which setting it would not remove.
 
-    With motors in another state, modes that were not measured say nothing about which are measurable.
+    With motors in another state, modes that were not measured do not show which are measurable.
     """
-    structure, sigma = way.structure, float(np.median(fitter.observations.sigma))
+    structure, sigma = condition.structure, float(np.median(fitter.observations.sigma))
     prediction = structure.predict(fit.values, fit.free)
     paired = fit.pairing.partner[fit.pairing.partner >= 0]
-    above = int(paired.min()) - fit.prediction.rigid if len(paired) else 0
-    first = max(prediction.rigid + (min(above, 0) if way.unlike else above), 0)
-    lowest = slice(first, first + int(np.median(np.bincount(fitter.data.pose))))
+    modes_below_measured = int(paired.min()) - fit.prediction.rigid if len(paired) else 0
+    first_mode = max(
+        prediction.rigid
+        + (min(modes_below_measured, 0) if condition.has_other_drives else modes_below_measured),
+        0,
+    )
+    lowest = slice(first_mode, first_mode + int(np.median(np.bincount(fitter.data.pose))))
     mean = prediction.log_frequencies[:, lowest] / sigma
-    if way.load.keys() & {name for cause in fit.causes for name in cause.parameters}:
+    if condition.load.keys() & {name for cause in fit.causes for name in cause.parameters}:
         mean = np.full_like(mean, np.nan)
-    errors = _misstated(fitter, fit) * np.eye(mean.shape[1]) + (fit.scatter / sigma) ** 2
-    moved = structure.position_rates(fit.values) if fitter.observations.noise.uncertain else None
-    if moved is not None:
-        motion = moved.log_rates[:, lowest] / sigma * np.median(fitter.data.point_sigma, axis=0)
+    errors = _mean_square_error_factor(fitter, fit) * np.eye(mean.shape[1]) + (fit.scatter / sigma) ** 2
+    position_rates = structure.position_rates(fit.values) if fitter.observations.noise.uncertain else None
+    if position_rates is not None:
+        motion = position_rates.log_rates[:, lowest] / sigma * np.median(fitter.data.point_sigma, axis=0)
         errors = errors + motion @ motion.swapaxes(1, 2)
     errors = np.broadcast_to(errors, (*mean.shape, mean.shape[1]))
-    return Elsewhere(fit, mean, prediction.log_rates[:, lowest] / sigma, errors)
+    return PredictionElsewhere(fit, mean, prediction.log_rates[:, lowest] / sigma, errors)
 
 
-def _misstated(fitter: Fitter, fit: Fit) -> float:
+def _mean_square_error_factor(fitter: Fitter, fit: Fit) -> float:
     """Return the mean of the square of the factor by which the stated errors of frequencies may be wrong."""
     rows = fitter.observations.frequency_rows
     squares = np.array((fit.white[rows] ** 2).sum())
@@ -104,12 +112,14 @@ def _misstated(fitter: Fitter, fit: Fit) -> float:
     return float(np.exp(logs[0] - logs[1]))
 
 
-def apart(
-    predicted: Sequence[Elsewhere], poses: Sequence[int], exact: int | None = None
+def explanation_distances(
+    predicted: Sequence[PredictionElsewhere], poses: Sequence[int], exact: int | None = None
 ) -> tuple[Array, Array, Array]:
     """Return how far explanations are apart at some poses (`separations`), with one value exact if given."""
-    m, places = min(prediction.mean.shape[1] for prediction in predicted), list(poses)
+    mode_count, pose_indices = min(prediction.mean.shape[1] for prediction in predicted), list(poses)
     return separations(
-        np.array([prediction.mean[places, :m] for prediction in predicted]),
-        np.array([prediction.covariance(exact)[places, :m, :m] for prediction in predicted]),
+        np.array([prediction.mean[pose_indices, :mode_count] for prediction in predicted]),
+        np.array(
+            [prediction.covariance(exact)[pose_indices, :mode_count, :mode_count] for prediction in predicted]
+        ),
     )

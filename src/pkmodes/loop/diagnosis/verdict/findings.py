@@ -57,7 +57,7 @@ class Unseen:
     default: str = ""
 
     @property
-    def done(self) -> str:
+    def agent(self) -> str:
         """What could have changed the value, for a clause ending in "could have done"."""
         if not self.default:
             return f"an unseen {self.candidate}"
@@ -157,27 +157,27 @@ def saved_as(value: Value, corrected: Sequence[Corrected]) -> Corrected | None:
     )
 
 
-def believed(value: Value, corrected: Sequence[Corrected]) -> Value:
+def with_saved_sigma(value: Value, corrected: Sequence[Corrected]) -> Value:
     """Return a value with the standard deviation that may be relied on: the saved one, where there is one."""
     saved = saved_as(value, corrected)
     return value if saved is None else replace(value, sigma=saved.saved_sigma, fit_sigma=saved.sigma)
 
 
-def why_larger(value: Value, corrected: Sequence[Corrected]) -> str:
+def explain_saved_sigma(value: Value, corrected: Sequence[Corrected]) -> str:
     """Return what the standard deviation of a value includes beyond that of the fit, and what it omits."""
     saved = saved_as(value, corrected)
     if saved is None or saved.unseen is None:
         return ""
     unseen, parts = saved.unseen, []
     if saved.widened:
-        fit = rounded(value.value, value.sigma).columns[1]
-        parts.append(f"+- {fit} by the fit alone; the rest is what {unseen.done} could have done")
+        fit_sigma = rounded(value.value, value.sigma).columns[1]
+        parts.append(f"+- {fit_sigma} by the fit alone; the rest is what {unseen.agent} could have done")
     if unseen.unbounded:
-        parts.append(left_out(unseen))
+        parts.append(omission_in_words(unseen))
     return "; ".join(parts)
 
 
-def left_out(unseen: Unseen) -> str:
+def omission_in_words(unseen: Unseen) -> str:
     """Return what a standard deviation omits: the effect of a candidate without a limit."""
     return f"not included is what an unseen {unseen.unbounded} could have done, which these data do not bound"
 
@@ -255,12 +255,12 @@ class Finding:
         values = self.alternatives.get(name, ())
         if len({value.unit for value in values}) != 1:
             return ()
-        centred = relative_to_mean([value.value for value in values], self.covariances.get(name, ()))
-        if centred is None:
+        relative_values = relative_to_mean([value.value for value in values], self.covariances.get(name, ()))
+        if relative_values is None:
             return ()
         return tuple(
             replace(value, value=float(d), sigma=float(sigma))
-            for value, d, sigma in zip(values, *centred, strict=True)
+            for value, d, sigma in zip(values, *relative_values, strict=True)
         )
 
 

@@ -30,7 +30,7 @@ from pkmodes.loop.diagnosis.verdict.rows import Error
 from pkmodes.loop.measured.measurements import Measurements
 
 #: A held-out error that a claim increases by this factor is reported.
-WORSE = 2.0
+MIN_INCREASE = 2.0
 
 
 @dataclass(frozen=True)
@@ -45,46 +45,54 @@ class HeldOut:
     notes: tuple[str, ...] = ()
 
 
-def predicted(setups: AllSetups, search: Search, final: Fit, rivals: Sequence[Fit] | None = None) -> HeldOut:
+def check_held_out(
+    setups: AllSetups, search: Search, final: Fit, rivals: Sequence[Fit] | None = None
+) -> HeldOut:
     """Test whether a result predicts the held-out setups.
 
     - search: of the fitted setups
     - final: its result, with or without causes
     - rivals: other explanations of the fitted setups; by default remote causes are tried
     """
-    if not setups.is_held.any():
+    if not setups.is_held_out.any():
         return HeldOut()
-    c, fitted = search.criteria, f"{explains(final.causes)} the fitted poses"
-    full_search, again = _fitted_to_all(setups, search, final)
-    if again is None:
-        return HeldOut(f"{fitted}, but with these values the held-out ones cannot be evaluated")
-    p_value = p_held_out(setups, full_search.store.fitter, again.hypothesis, final)
+    c, clause = search.criteria, f"{explains(final.causes)} the fitted poses"
+    full_search, full_fit = _fit_all_setups(setups, search, final)
+    if full_fit is None:
+        return HeldOut(f"{clause}, but with these values the held-out ones cannot be evaluated")
+    p_value = p_held_out(setups, full_search.store.fitter, full_fit.hypothesis, final)
     if p_value <= c.gate.surely:
-        again, p_value = _without_one_row(setups, full_search.store, again, final, p_value)
-    better = _better(full_search, again) if rivals is None else _best_of(full_search, again, rivals)
+        full_fit, p_value = _without_one_row(setups, full_search.store, full_fit, final, p_value)
+    better_fit = (
+        _better_remote_cause(full_search, full_fit)
+        if rivals is None
+        else _best_rival(full_search, full_fit, rivals)
+    )
     if p_value > c.gate.surely:
-        if better is not None:
+        if better_fit is not None:
             return HeldOut(
-                f"{names(final.causes)} would explain all poses, but {names(better.causes)} explains them better: "
-                "look there"
+                f"{names(final.causes)} would explain all poses, but {names(better_fit.causes)} explains them "
+                "better: look there"
             )
-        aside = (row for row in sorted(again.hypothesis.excluded) if setups.is_held[row])
-        doubtful = "does not agree with the other held-out rows: check it"
-        return HeldOut(notes=tuple(f"{_row(setups.data, row)} {doubtful}" for row in aside))
-    instead = better
-    if instead is None and rivals is None:
+        excluded_rows = (row for row in sorted(full_fit.hypothesis.excluded) if setups.is_held_out[row])
+        remark = "does not agree with the other held-out rows: check it"
+        return HeldOut(notes=tuple(f"{_row_in_words(setups.data, row)} {remark}" for row in excluded_rows))
+    other_cause = better_fit
+    if other_cause is None and rivals is None:
         # The best single cause, remote ones included, that explains all setups.
-        single = [*full_search.additions.singles(), *full_search.alone()]
-        instead = next(
+        single_causes = [*full_search.additions.single_causes(), *full_search.single_remote_causes()]
+        other_cause = next(
             (
                 fit
-                for fit in sorted(single, key=full_search.store.criterion)
-                if fit.causes != again.causes and full_search.gate(fit).passed
+                for fit in sorted(single_causes, key=full_search.store.criterion)
+                if fit.causes != full_fit.causes and full_search.gate(fit).passed
             ),
             None,
         )
-    hint = f"; {names(instead.causes)} would explain all poses: look there" if instead else ""
-    return HeldOut(f"{fitted}, but not the held-out ones ({p_in_words(p_value)}){hint}")
+    other_cause_clause = (
+        f"; {names(other_cause.causes)} would explain all poses: look there" if other_cause else ""
+    )
+    return HeldOut(f"{clause}, but not the held-out ones ({p_in_words(p_value)}){other_cause_clause}")
 
 
 def p_of_held_out(setups: AllSetups, search: Search, final: Fit) -> float:
@@ -93,14 +101,14 @@ def p_of_held_out(setups: AllSetups, search: Search, final: Fit) -> float:
     - search: of the fitted setups
     - final: to these
     """
-    if not setups.is_held.any():
+    if not setups.is_held_out.any():
         return 1.0
-    full_search, again = _fitted_to_all(setups, search, final)
-    if again is None:
+    full_search, full_fit = _fit_all_setups(setups, search, final)
+    if full_fit is None:
         return 0.0
-    p_value = p_held_out(setups, full_search.store.fitter, again.hypothesis, final)
+    p_value = p_held_out(setups, full_search.store.fitter, full_fit.hypothesis, final)
     if p_value <= search.criteria.gate.surely:
-        _, p_value = _without_one_row(setups, full_search.store, again, final, p_value)
+        _, p_value = _without_one_row(setups, full_search.store, full_fit, final, p_value)
     return p_value
 
 
@@ -111,20 +119,20 @@ def p_held_out(setups: AllSetups, fitter: Fitter, hypothesis: Hypothesis, final:
     - hypothesis: about all setups; the causes are those of the fit
     - final: to the setups that are not held out
     """
-    held = setups.is_held & fitter.used(hypothesis)
-    rows, count = fitter.observations.mask_of_stated(held)
-    there = fitter.evaluated(hypothesis, final.values, final.scatter)
-    if there is None:
+    is_tested = setups.is_held_out & fitter.used(hypothesis)
+    rows, count = fitter.observations.mask_of_stated(is_tested)
+    predictions = fitter.evaluated(hypothesis, final.values, final.scatter)
+    if predictions is None:
         return 0.0
-    data = slice(0, len(rows))
-    white, rates = there.white[data][rows], there.jacobian[data][rows]
+    data_part = slice(0, len(rows))
+    white, rates = predictions.white[data_part][rows], predictions.jacobian[data_part][rows]
     # (1 + J C J^T)^-1 = 1 - J (C^-1 + J^T J)^-1 J^T
-    inside = np.linalg.pinv(final.covariance, hermitian=True) + rates.T @ rates
-    squares = float(white @ white - (rates.T @ white) @ np.linalg.lstsq(inside, rates.T @ white)[0])
+    inner_matrix = np.linalg.pinv(final.covariance, hermitian=True) + rates.T @ rates
+    squares = float(white @ white - (rates.T @ white) @ np.linalg.lstsq(inner_matrix, rates.T @ white)[0])
     return float(stats.chi2.sf(max(squares, 0.0), max(count, 1)))
 
 
-def _fitted_to_all(setups: AllSetups, search: Search, final: Fit) -> tuple[Search, Fit | None]:
+def _fit_all_setups(setups: AllSetups, search: Search, final: Fit) -> tuple[Search, Fit | None]:
     """Return a search with the same candidates at all setups, and the same hypothesis fitted to them.
 
     The scatter of shapes without stated errors may be larger at the held-out setups.
@@ -135,67 +143,78 @@ def _fitted_to_all(setups: AllSetups, search: Search, final: Fit) -> tuple[Searc
     excluded = frozenset(np.flatnonzero(np.isin(setups.data.lines, lines)).tolist())
     hypothesis = replace(final.hypothesis, excluded=excluded)
 
-    def fitted(scatter: float) -> tuple[FitStore, Fit | None]:
+    def fit_with_scatter(scatter: float) -> tuple[FitStore, Fit | None]:
         store = FitStore(Fitter(setups.structure, setups.data, fitter.criteria, scatter))
         return store, store.fit(hypothesis, final.values)
 
-    store, again = fitted(fitter.shape_scatter)
-    scatter = None if again is None else store.shape_scatter(again)
+    store, full_fit = fit_with_scatter(fitter.shape_scatter)
+    scatter = None if full_fit is None else store.shape_scatter(full_fit)
     if scatter is not None and scatter > fitter.shape_scatter:
-        store, again = fitted(scatter)
-    return Search(store, setups.structure.candidates), again
+        store, full_fit = fit_with_scatter(scatter)
+    return Search(store, setups.structure.candidates), full_fit
 
 
 def _without_one_row(
-    setups: AllSetups, store: FitStore, again: Fit, final: Fit, p_value: float
+    setups: AllSetups, store: FitStore, full_fit: Fit, final: Fit, p_value: float
 ) -> tuple[Fit, float]:
     """Return the fit and the p-value without the worst held-out row, if that row alone contradicts the fit.
 
     A gross error in a held-out row is set aside under the same conditions as in a fitted one: there are enough rows,
     and the others predict it.
     """
-    fitter, c, h = store.fitter, store.fitter.criteria, again.hypothesis
-    worst, sigmas = fitter.worst_rows(again)
-    row = next(int(r) for r in worst if setups.is_held[r])
-    enough = len(fitter.observations.log_frequencies) >= c.search.rows_to_set_aside
-    if not enough or sigmas[row] <= c.reasons.far or again.leverage[row] >= c.search.redundant:
-        return again, p_value
-    without = store.fit(replace(h, excluded=h.excluded | {row}), again.values)
-    p_without = 0.0 if without is None else p_held_out(setups, fitter, without.hypothesis, final)
-    return (without, p_without) if without is not None and p_without > c.gate.surely else (again, p_value)
+    fitter, c, h = store.fitter, store.fitter.criteria, full_fit.hypothesis
+    worst, sigmas = fitter.worst_rows(full_fit)
+    row = next(int(r) for r in worst if setups.is_held_out[r])
+    has_enough_rows = len(fitter.observations.log_frequencies) >= c.search.rows_to_set_aside
+    if not has_enough_rows or sigmas[row] <= c.reasons.far or full_fit.leverage[row] >= c.search.redundant:
+        return full_fit, p_value
+    fit_without_row = store.fit(replace(h, excluded=h.excluded | {row}), full_fit.values)
+    p_without_row = (
+        0.0 if fit_without_row is None else p_held_out(setups, fitter, fit_without_row.hypothesis, final)
+    )
+    return (
+        (fit_without_row, p_without_row)
+        if fit_without_row is not None and p_without_row > c.gate.surely
+        else (full_fit, p_value)
+    )
 
 
-def _better(search: Search, again: Fit) -> Fit | None:
+def _better_remote_cause(search: Search, full_fit: Fit) -> Fit | None:
     """Return the remote cause that explains all setups better than the claimed causes do; None if none does."""
     c = search.criteria
-    plain = len(again.causes) == 1 and not again.hypothesis.excluded
-    if not again.causes or (plain and search.gate(again).above(c.gate.plainly)):
+    has_single_cause = len(full_fit.causes) == 1 and not full_fit.hypothesis.excluded
+    if not full_fit.causes or (has_single_cause and search.gate(full_fit).passes_at(c.gate.plainly)):
         return None
     # A remote cause with the same predictions is listed in the class of the cause.
     difference = search.store.fitter.difference
     return next(
-        (fit for fit in search.better_alone(again) if difference(again, fit) >= c.claim.told_apart), None
+        (
+            fit
+            for fit in search.better_remote_causes(full_fit)
+            if difference(full_fit, fit) >= c.claim.told_apart
+        ),
+        None,
     )
 
 
-def _best_of(search: Search, again: Fit, rivals: Sequence[Fit]) -> Fit | None:
+def _best_rival(search: Search, full_fit: Fit, rivals: Sequence[Fit]) -> Fit | None:
     """Return the rival that explains all setups significantly better than the claimed causes; None if none does."""
-    store, c, hypothesis = search.store, search.criteria, again.hypothesis
+    store, c, hypothesis = search.store, search.criteria, full_fit.hypothesis
     fits = [
         store.fit(replace(hypothesis, causes=rival.causes), rival.values)
         for rival in rivals
-        if rival.causes != again.causes
+        if rival.causes != full_fit.causes
     ]
-    limit = store.criterion(again) - c.search.survives
-    fitted = sorted((fit for fit in fits if fit is not None), key=store.criterion)
+    limit = store.criterion(full_fit) - c.search.survives
+    fitted_rivals = sorted((fit for fit in fits if fit is not None), key=store.criterion)
     difference = store.fitter.difference
     return next(
         (
             fit
-            for fit in fitted
+            for fit in fitted_rivals
             if store.criterion(fit) < limit
             and store.p_value(fit) > c.gate.surely
-            and difference(again, fit) >= c.claim.told_apart
+            and difference(full_fit, fit) >= c.claim.told_apart
         ),
         None,
     )
@@ -203,29 +222,31 @@ def _best_of(search: Search, again: Fit, rivals: Sequence[Fit]) -> Fit | None:
 
 def held_out_remarks(
     data: Measurements,
-    held: NDArray[np.bool_],
-    predicted: Array,
+    is_held_out: NDArray[np.bool_],
+    predicted_frequencies: Array,
     before: Error,
     after: Error | None,
 ) -> Iterator[str]:
     """Yield sentences about the held-out rows of a result that they do not contradict.
 
-    - held: rows of held-out poses, (R,)
-    - predicted: frequencies of the last stage, (R,) [Hz], NaN where the model has no mode
+    - is_held_out: rows of held-out poses, (R,)
+    - predicted_frequencies: frequencies of the last stage, (R,) [Hz], NaN where the model has no mode
     - before, after: errors after refitting the nuisance parameters, and with the claimed causes
     """
-    for i in np.flatnonzero(held & np.isnan(predicted)):
-        yield f"{_row(data, int(i))} is unmatched: the held-out error does not include it"
+    for i in np.flatnonzero(is_held_out & np.isnan(predicted_frequencies)):
+        yield f"{_row_in_words(data, int(i))} is unmatched: the held-out error does not include it"
     if after is None or before.held_out_rms_relative is None or after.held_out_rms_relative is None:
         return
-    if after.held_out_rms_relative > WORSE * before.held_out_rms_relative:
-        apart = np.where(held, np.nan_to_num(np.abs(np.log(predicted / data.frequency))), 0.0)
+    if after.held_out_rms_relative > MIN_INCREASE * before.held_out_rms_relative:
+        log_errors = np.where(
+            is_held_out, np.nan_to_num(np.abs(np.log(predicted_frequencies / data.frequency))), 0.0
+        )
         yield (
             "the error of the held-out poses grows from "
             f"{plain(100 * before.held_out_rms_relative, 2)} to {plain(100 * after.held_out_rms_relative, 2)} %; "
-            f"the worst is {_row(data, int(apart.argmax()))}"
+            f"the worst is {_row_in_words(data, int(log_errors.argmax()))}"
         )
 
 
-def _row(data: Measurements, i: int) -> str:
+def _row_in_words(data: Measurements, i: int) -> str:
     return f"line {data.lines[i]} (held-out {data.labels[data.pose[i]]}, {data.frequency[i]:g} Hz)"

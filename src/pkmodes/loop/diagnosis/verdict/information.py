@@ -6,7 +6,7 @@ such a mixture has no closed form.  It is at least
 .. math:: -\sum_i p_i \ln \sum_j p_j e^{-B_{ij}}
 
 with the Bhattacharyya distances B (Kolchinsky and Tracey, Estimating Mixture Entropy with Pairwise Distances, Entropy
-19, 2017, 361), with equality if the distributions are equal or far apart: nothing, or all that is unknown.
+19, 2017, 361), with equality if the distributions are equal (no information) or far apart (all that is unknown).
 """
 
 from __future__ import annotations
@@ -34,13 +34,20 @@ def separations(means: Array, covariances: Array) -> tuple[Array, Array, Array]:
     m = np.where(finite[..., None], means, 0.0)
     V = np.where(finite[..., None, None], covariances, np.eye(means.shape[-1]))
     i, j = np.array(pairs(len(m))).T
-    both, apart = 0.5 * (V[i] + V[j]), m[i] - m[j]
-    squares = (apart * np.linalg.solve(both, apart[..., None])[..., 0]).sum(axis=-1)
-    size = np.linalg.slogdet(V)[1]
-    overlaps = np.exp(-squares / 8.0 - 0.5 * (np.linalg.slogdet(both)[1] - 0.5 * (size[i] + size[j])))
-    compared = finite[i] & finite[j]
-    certain = np.sqrt(np.where(compared, squares, 0.0))
-    return np.linalg.norm(apart, axis=-1) * compared, certain, np.where(compared, overlaps, 1.0)
+    mean_covariances, differences = 0.5 * (V[i] + V[j]), m[i] - m[j]
+    squares = (differences * np.linalg.solve(mean_covariances, differences[..., None])[..., 0]).sum(axis=-1)
+    log_determinants = np.linalg.slogdet(V)[1]
+    overlaps = np.exp(
+        -squares / 8.0
+        - 0.5 * (np.linalg.slogdet(mean_covariances)[1] - 0.5 * (log_determinants[i] + log_determinants[j]))
+    )
+    is_compared = finite[i] & finite[j]
+    sigma_distances = np.sqrt(np.where(is_compared, squares, 0.0))
+    return (
+        np.linalg.norm(differences, axis=-1) * is_compared,
+        sigma_distances,
+        np.where(is_compared, overlaps, 1.0),
+    )
 
 
 def information(probabilities: Array, overlaps: Array) -> Array:
@@ -50,6 +57,6 @@ def information(probabilities: Array, overlaps: Array) -> Array:
     - overlaps: of their predictions, see `separations`, (P, S)
     """
     count = len(probabilities)
-    like, (i, j) = np.ones((count, count, overlaps.shape[1])), np.array(pairs(count)).T
-    like[i, j] = like[j, i] = overlaps
-    return np.asarray(-probabilities @ np.log(np.einsum("j,ijs->is", probabilities, like)))
+    similarities, (i, j) = np.ones((count, count, overlaps.shape[1])), np.array(pairs(count)).T
+    similarities[i, j] = similarities[j, i] = overlaps
+    return np.asarray(-probabilities @ np.log(np.einsum("j,ijs->is", probabilities, similarities)))

@@ -28,32 +28,34 @@ def joint_alone(setups: AllSetups, search: Search, fit: Fit) -> JointAlone | Non
     cause, c, fitter = fit.causes[-1], search.criteria, search.store.fitter
     if not cause.joints:
         return None
-    apart = Search(FitStore(fitter), search.candidates)
+    separate_search = Search(FitStore(fitter), search.candidates)
     hypothesis = replace(fit.hypothesis, causes=fit.causes[:-1])
-    base = apart.store.fit(hypothesis, search.store.undone(fit, hypothesis))
+    base = separate_search.store.fit(hypothesis, search.store.undone(fit, hypothesis))
     if base is None:
         return None
-    sigmas = dict(zip(cause.parameters, cause.sigma or (), strict=False))
-    singles = {
+    sigma_of = dict(zip(cause.parameters, cause.sigma or (), strict=False))
+    joint_candidates = {
         joint.parameter: Candidate(
             f"{cause.name} of {joint.words} alone",
             (joint.parameter,),
-            sigma=(sigmas[joint.parameter],) if joint.parameter in sigmas else None,
+            sigma=(sigma_of[joint.parameter],) if joint.parameter in sigma_of else None,
         )
         for joint in cause.joints
     }
-    criterion = apart.store.criterion
+    criterion = separate_search.store.criterion
     fits = [
         option
-        for option in apart.additions.causes(base, score(fitter, base, [*singles.values()]))
+        for option in separate_search.additions.with_another_cause(
+            base, score(fitter, base, [*joint_candidates.values()])
+        )
         if not option.at_bound
     ]
-    best, rest = next(iter(fits), None), fits[1:]
+    best, rivals = next(iter(fits), None), fits[1:]
     if best is None or criterion(best) > criterion(fit):
         return None
-    if any(criterion(rival) <= criterion(best) + c.search.survives for rival in rest):
+    if any(criterion(rival) <= criterion(best) + c.search.survives for rival in rivals):
         return None
-    if not apart.gate(best).passed or p_of_held_out(setups, apart, best) <= c.gate.surely:
+    if not separate_search.gate(best).passed or p_of_held_out(setups, separate_search, best) <= c.gate.surely:
         return None
     (name,) = best.causes[-1].parameters
     (i,) = fitter.indices(best.causes[-1])

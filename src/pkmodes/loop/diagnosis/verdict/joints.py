@@ -25,15 +25,15 @@ class JointAlone:
     number_of_others: int
 
     @property
-    def compared(self) -> str:
+    def comparison(self) -> str:
         """How it differs from the others: "25 % softer than the others"."""
-        percent, increased = plain(100.0 * abs(self.change), 2), self.change > 0.0
-        rest, quantity = "the others" if self.number_of_others > 1 else "the other", self.joint.quantity
+        percent, is_larger = plain(100.0 * abs(self.change), 2), self.change > 0.0
+        others, quantity = "the others" if self.number_of_others > 1 else "the other", self.joint.quantity
         if quantity in COMPARED:
-            return f"{percent} % {COMPARED[quantity][increased]} than {rest}"
-        return f"{percent} % {'above' if increased else 'below'} {rest} in {quantity}"
+            return f"{percent} % {COMPARED[quantity][is_larger]} than {others}"
+        return f"{percent} % {'above' if is_larger else 'below'} {others} in {quantity}"
 
     @property
     def sentence(self) -> str:
         """What it means: "leg 3 is 25 % softer than the others"."""
-        return f"{self.joint.words} is {self.compared}"
+        return f"{self.joint.words} is {self.comparison}"

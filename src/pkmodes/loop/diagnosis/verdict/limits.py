@@ -11,7 +11,7 @@ value moves by D; a normal deviate that exceeds D on that side with a probabilit
 D / 1.645, which is what a joint fit of both would add to its variance (JCGM 100:2008, 5.1.2).  A candidate that the
 data do not bound within its plausible range moves to the end of that range; this counts for values held by priors.
 Other values, such as the size of a cause, could move anywhere with it: their standard deviation omits it, and a note
-says so.  Of all candidates only the one that moves the value most is counted, not their sum: like the diagnosis
+states this.  Of all candidates only the one that moves the value most is counted, not their sum: like the diagnosis
 itself, this assumes one missing cause, and many candidates move the values in the same way, which a sum would count
 several times (the envelope over alternative models; Dauncey, Kenzie, Wardle and Davies, Journal of Instrumentation
 10, 2015, P04015).
@@ -30,40 +30,40 @@ from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.matrices import slowness
 from pkmodes.loop.diagnosis.problem import Array, Assumption, Candidate, Parameter
-from pkmodes.loop.diagnosis.search.limits import ONE_SIDED, Bound, bounds, moved_by_defaults
+from pkmodes.loop.diagnosis.search.limits import ONE_SIDED, Bound, bounds, value_shifts_by_default
 from pkmodes.loop.diagnosis.verdict.findings import NOTICEABLE, Limit, Unseen
 
 #: Largest number of remaining explanations beside which limits are determined.
-MOST = 4
+MAX_EXPLANATIONS = 4
 
 
 @dataclass(frozen=True)
 class CandidateLimits:
     """The limits of all candidates that are not claimed.
 
-    - of: by the names of their parameters
+    - by_parameter: by the names of their parameters
     - unseen: their possible effects on the fitted values, by parameter
-    - plausible: largest plausible deviations, by parameter
+    - max_deviations: largest plausible deviations, by parameter
     - candidates, unbounded: names of the candidates, and of those with a parameter that the data do not bound
     """
 
-    of: Mapping[str, Limit]
+    by_parameter: Mapping[str, Limit]
     unseen: Mapping[int, Unseen]
-    plausible: Mapping[int, float]
+    max_deviations: Mapping[int, float]
     candidates: frozenset[str]
     unbounded: frozenset[str]
 
     @property
     def limited(self) -> frozenset[str]:
         """Names of the candidates of which some parameter has a limit."""
-        return frozenset(limit.candidate for limit in self.of.values() if limit.value is not None)
+        return frozenset(limit.candidate for limit in self.by_parameter.values() if limit.value is not None)
 
 
 #: Limits where no candidate was bounded.
 NO_LIMITS = CandidateLimits({}, {}, {}, frozenset(), frozenset())
 
 
-def unknown(store: FitStore, candidates: Iterable[Candidate]) -> CandidateLimits:
+def unknown_limits(store: FitStore, candidates: Iterable[Candidate]) -> CandidateLimits:
     """Return the limits where the data are uninformative because of an obvious mistake."""
     fitter = store.fitter
     index = [(candidate, i) for candidate in candidates for i in fitter.indices(candidate)]
@@ -72,41 +72,41 @@ def unknown(store: FitStore, candidates: Iterable[Candidate]) -> CandidateLimits
     return CandidateLimits(limits, {}, {}, names, names)
 
 
-def beside(
-    store: FitStore, fits: Sequence[Fit], candidates: Iterable[Candidate], *, noise: bool
+def limits_beside(
+    store: FitStore, fits: Sequence[Fit], candidates: Iterable[Candidate], *, residual_is_noise: bool
 ) -> CandidateLimits:
     """Return the limits of candidates beside fits that explain the measurements: the largest over all of them.
 
     - candidates: a candidate that is a cause of some of the fits is bounded in those alone
-    - noise: whether the residuals of the fits are noise
+    - residual_is_noise: whether the residuals of the fits are noise
     """
     fitter = store.fitter
-    linear = bool(slowness(fitter.structure))
-    bounded: list[Bound] = []
-    all_candidates, fits = list(candidates), fits[:MOST]
+    use_linear_model = bool(slowness(fitter.structure))
+    all_bounds: list[Bound] = []
+    all_candidates, fits = list(candidates), fits[:MAX_EXPLANATIONS]
     causes = {cause for fit in fits for cause in fit.causes}
     for fit in fits:
-        suspects = [c for c in all_candidates if c not in causes or c in fit.causes]
-        bounded += bounds(store, fit, suspects, noise=noise, linear=linear)
+        bounded_candidates = [c for c in all_candidates if c not in causes or c in fit.causes]
+        all_bounds += bounds(store, fit, bounded_candidates, noise=residual_is_noise, linear=use_linear_model)
     by_name: dict[str, Limit] = {}
-    for bound in bounded:
+    for bound in all_bounds:
         p = fitter.parameters[bound.index]
-        name, limit = limit_key(p), Limit(bound.candidate.name, bound.size, p.unit, bound.change)
+        name, limit = limit_key(p), Limit(bound.candidate.name, bound.size, p.unit, bound.frequency_change)
         by_name[name] = max(
             by_name.get(name, limit),
             limit,
             key=lambda limit: math.inf if limit.value is None else limit.value,
         )
     unseen = {}
-    if noise and len(fits) == 1:
-        unseen = _unseen(fits[0], bounded, moved_by_defaults(store, fits[0]))
+    if residual_is_noise and len(fits) == 1:
+        unseen = _unseen_effects(fits[0], all_bounds, value_shifts_by_default(store, fits[0]))
     ordered = (limit_key(fitter.parameters[i]) for c in all_candidates for i in fitter.indices(c))
     return CandidateLimits(
         {name: by_name[name] for name in ordered if name in by_name},
         unseen,
-        {bound.index: bound.plausible for bound in bounded},
-        frozenset(bound.candidate.name for bound in bounded),
-        frozenset(bound.candidate.name for bound in bounded if bound.size is None),
+        {bound.index: bound.max_deviation for bound in all_bounds},
+        frozenset(bound.candidate.name for bound in all_bounds),
+        frozenset(bound.candidate.name for bound in all_bounds if bound.size is None),
     )
 
 
@@ -115,20 +115,25 @@ def limit_key(p: Parameter) -> str:
     return p.name.removeprefix("effects.")
 
 
-def _unseen(
-    fit: Fit, bounded: Collection[Bound], by_defaults: Mapping[Assumption, Array]
+def _unseen_effects(
+    fit: Fit, all_bounds: Collection[Bound], shifts_by_default: Mapping[Assumption, Array]
 ) -> dict[int, Unseen]:
     """Return the largest movement of each fitted value as a standard deviation, and its origin."""
-    unseen = {}
-    for i in fit.free if bounded else ():
-        worst = max(bounded, key=lambda bound: bound.moved[i])
-        open_end = max(bounded, key=lambda bound: bound.farther[i])
-        sigma, farther_sigma = float(worst.moved[i]) / ONE_SIDED, float(open_end.farther[i]) / ONE_SIDED
-        counted = math.hypot(fit.sigma_of(i), sigma)
-        farther = farther_sigma > sigma and math.hypot(fit.sigma_of(i), farther_sigma) > NOTICEABLE * counted
-        unseen[i] = Unseen(sigma, worst.candidate.name, open_end.candidate.name if farther else "")
-        for default, moved in by_defaults.items():
-            if moved[i] / ONE_SIDED > unseen[i].sigma:
-                sigma = float(moved[i]) / ONE_SIDED
-                unseen[i] = replace(unseen[i], sigma=sigma, candidate="", default=default.words)
-    return unseen
+    effects = {}
+    for i in fit.free if all_bounds else ():
+        largest_shift = max(all_bounds, key=lambda bound: bound.value_shifts[i])
+        largest_unbounded = max(all_bounds, key=lambda bound: bound.unbounded_shifts[i])
+        sigma = float(largest_shift.value_shifts[i]) / ONE_SIDED
+        farther_sigma = float(largest_unbounded.unbounded_shifts[i]) / ONE_SIDED
+        total_sigma = math.hypot(fit.sigma_of(i), sigma)
+        is_farther = (
+            farther_sigma > sigma and math.hypot(fit.sigma_of(i), farther_sigma) > NOTICEABLE * total_sigma
+        )
+        effects[i] = Unseen(
+            sigma, largest_shift.candidate.name, largest_unbounded.candidate.name if is_farther else ""
+        )
+        for default, shifts in shifts_by_default.items():
+            if shifts[i] / ONE_SIDED > effects[i].sigma:
+                sigma = float(shifts[i]) / ONE_SIDED
+                effects[i] = replace(effects[i], sigma=sigma, candidate="", default=default.words)
+    return effects

@@ -30,13 +30,13 @@ def p_declared(store: FitStore, fit: Fit) -> float:
     return float(stats.chi2.sf(chi2, max(int(used.sum()), 1)))
 
 
-def far_away(store: FitStore, fit: Fit, among: Sequence[int]) -> tuple[str, float]:
+def farthest_value(store: FitStore, fit: Fit, indices: Sequence[int]) -> tuple[str, float]:
     """Return which of the given parameters is farthest from its declared value, and how far in sigma of its prior."""
     fitter = store.fitter
-    away = np.abs(fitter.priors.away(fit.values))
+    sigmas = np.abs(fitter.priors.away(fit.values))
     distances = [
-        (fitter.parameters[i].name, float(away[row]))
-        for i in among
+        (fitter.parameters[i].name, float(sigmas[row]))
+        for i in indices
         if (row := fitter.priors.of(i)) is not None
     ]
     return max(distances, key=lambda distance: distance[1], default=("", 0.0))

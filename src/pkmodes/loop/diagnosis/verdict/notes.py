@@ -15,18 +15,18 @@ from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.match.stage import MatchStage
 from pkmodes.loop.diagnosis.problem import reached_bounds
-from pkmodes.loop.diagnosis.readings.copies import all_alike
+from pkmodes.loop.diagnosis.readings.copies import setups_with_equal_shapes
 from pkmodes.loop.diagnosis.search.unmeasured import never_measured
-from pkmodes.loop.diagnosis.verdict.naming import count
+from pkmodes.loop.diagnosis.verdict.naming import number_in_words
 from pkmodes.loop.diagnosis.verdict.shapes import strange_shapes
 from pkmodes.loop.diagnosis.verdict.unevaluated import unevaluated
 
 #: Measured modes below this part of the lowest frequency of the declared model are not modes of it; smallest number
 #: of setups with such modes that is reported.
-CLEARLY_BELOW, FEWEST_SETUPS = 0.7, 2
+MAX_FREQUENCY_RATIO, MIN_SETUPS = 0.7, 2
 #: Stated errors that are wrong by more than this factor are reported; as too large only if the probability of such a
 #: small residual is below the second number.
-MISSTATED, SO_SMALL = 3.0, 1e-4
+MAX_ERROR_FACTOR, MAX_P_OF_SMALL_RESIDUAL = 3.0, 1e-4
 
 
 def notes(store: FitStore, fit: Fit, adequate: bool) -> list[str]:
@@ -48,10 +48,10 @@ def notes(store: FitStore, fit: Fit, adequate: bool) -> list[str]:
 
 def _shapes(store: FitStore, fit: Fit) -> Iterator[str]:
     data, c = store.fitter.data, store.fitter.criteria
-    alike = all_alike(data, c.readings.same_shape)
-    if alike:
-        listed = ", ".join(alike[:5]) + (", ..." if len(alike) > 5 else "")
-        poses = f"pose{'' if len(alike) == 1 else 's'} {listed}"
+    labels_of_equal_shapes = setups_with_equal_shapes(data, c.readings.same_shape)
+    if labels_of_equal_shapes:
+        listed = ", ".join(labels_of_equal_shapes[:5]) + (", ..." if len(labels_of_equal_shapes) > 5 else "")
+        poses = f"pose{'' if len(labels_of_equal_shapes) == 1 else 's'} {listed}"
         yield f"all shapes of {poses} are the same: shapes of different modes must differ"
     scatter = store.shape_scatter(fit)
     if scatter is not None and scatter > c.shapes.most_scatter:
@@ -59,18 +59,20 @@ def _shapes(store: FitStore, fit: Fit) -> Iterator[str]:
             f"no explanation fits the shapes: they scatter by {100 * scatter:.0f} % of their largest component "
             "(sensors exchanged or miswired, or shapes of other modes)"
         )
-    strange = strange_shapes(store, fit)
-    if len(strange) == 1:
-        row = strange[0]
+    strange_rows = strange_shapes(store, fit)
+    if len(strange_rows) == 1:
+        row = strange_rows[0]
         yield (
             f"the shape in line {data.lines[row]} is not that of the mode at its frequency "
             f"(MAC {plain(fit.pairing.mac[row], 2)})"
         )
-    elif len(strange):
-        lines = ", ".join(str(data.lines[i]) for i in strange[:8]) + (", ..." if len(strange) > 8 else "")
+    elif len(strange_rows):
+        lines = ", ".join(str(data.lines[i]) for i in strange_rows[:8]) + (
+            ", ..." if len(strange_rows) > 8 else ""
+        )
         yield (
             f"the shapes in lines {lines} are not those of the modes at their frequencies "
-            f"(MAC {plain(fit.pairing.mac[strange].min(), 2)} or more)"
+            f"(MAC {plain(fit.pairing.mac[strange_rows].min(), 2)} or more)"
         )
 
 
@@ -79,23 +81,24 @@ def _stated_errors(store: FitStore, fit: Fit, adequate: bool) -> Iterator[str]:
     if degrees < 1.0:
         return
     ratio = (squares / degrees) ** 0.5
-    if ratio < 1.0 / MISSTATED and stats.chi2.cdf(squares, degrees) < SO_SMALL:
+    if ratio < 1.0 / MAX_ERROR_FACTOR and stats.chi2.cdf(squares, degrees) < MAX_P_OF_SMALL_RESIDUAL:
         factor = times(1.0 / ratio) if ratio > 1e-6 else "far"
         yield f"the stated errors of the frequencies are {factor} too large: the residual scatters much less"
-    elif adequate and ratio > MISSTATED:
+    elif adequate and ratio > MAX_ERROR_FACTOR:
         yield f"the stated errors of the frequencies are {times(ratio)} too small"
 
 
 def _nuisances(fitter: Fitter, fit: Fit) -> Iterator[str]:
-    away = fitter.priors.away(fit.values)
-    for i, far in zip(fitter.priors.index, away, strict=True):
+    deviations = fitter.priors.away(fit.values)
+    for i, deviation in zip(fitter.priors.index, deviations, strict=True):
         p = fitter.parameters[i]
-        free = i in fit.free
+        is_free = i in fit.free
         unit = "" if p.unit == "1" else f" {p.unit}"
-        if free and abs(far) > fitter.criteria.reasons.far:
+        if is_free and abs(deviation) > fitter.criteria.reasons.far:
             yield (
-                f"{p.name} = {plain(float(fit.values[i]), 4)}{unit} is {abs(far):.1f} sigma from its declared value, "
-                f"{plain(p.value, 4)}{unit}: the declared value or its sigma is wrong, or it compensates for a cause"
+                f"{p.name} = {plain(float(fit.values[i]), 4)}{unit} is {abs(deviation):.1f} sigma from its "
+                f"declared value, {plain(p.value, 4)}{unit}: the declared value or its sigma is wrong, or it "
+                "compensates for a cause"
             )
     for i in fit.free:
         p = fitter.parameters[i]
@@ -113,9 +116,9 @@ def _set_aside(fitter: Fitter, fit: Fit) -> Iterator[str]:
         )
     if fit.hypothesis.scatter:
         pattern = drift(fitter, fit)
-        also = f": {pattern}" if pattern else ""
-        share = f"the modes of a pose share an error of {plain(100 * fit.scatter, 2)} %"
-        yield f"{share} that the file does not state{also}"
+        drift_clause = f": {pattern}" if pattern else ""
+        error_clause = f"the modes of a pose share an error of {plain(100 * fit.scatter, 2)} %"
+        yield f"{error_clause} that the file does not state{drift_clause}"
 
 
 def low_modes(declared: MatchStage) -> list[str]:
@@ -127,25 +130,27 @@ def low_modes(declared: MatchStage) -> list[str]:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RuntimeWarning)  # of a setup without any mode
         lowest = np.nanmin(spectrum, axis=1)
-    below = data.frequency < CLEARLY_BELOW * lowest[data.pose]
-    counts = np.bincount(data.pose[below], minlength=len(lowest))
+    is_below = data.frequency < MAX_FREQUENCY_RATIO * lowest[data.pose]
+    counts = np.bincount(data.pose[is_below], minlength=len(lowest))
     measured = np.unique(data.pose)
     setups = int((counts[measured] > 0).sum())
-    if setups < max(FEWEST_SETUPS, len(measured) / 2.0):
+    if setups < max(MIN_SETUPS, len(measured) / 2.0):
         return []
-    largest, low, high = int(counts.max()), data.frequency[below].min(), data.frequency[below].max()
-    where = (
+    largest, low, high = int(counts.max()), data.frequency[is_below].min(), data.frequency[is_below].max()
+    frequency_range = (
         f"at {plain(low, 3)} Hz"
         if np.isclose(low, high, rtol=1e-2)
         else f"from {plain(low, 3)} to {plain(high, 3)} Hz"
     )
-    which = "a measured mode lies" if largest == 1 else f"up to {count(largest)} measured modes lie"
-    at = "every" if setups == len(measured) else f"{setups} of {len(measured)}"
-    held = " or something holds motions that are free in the model, such as motors or a cable"
-    also = f",{held}" if declared.prediction.rigid else ""
+    modes_in_words = (
+        "a measured mode lies" if largest == 1 else f"up to {number_in_words(largest)} measured modes lie"
+    )
+    poses = "every pose" if setups == len(measured) else f"{setups} of {len(measured)} poses"
+    explanation = "something stands on a spring, such as the machine on its base"
+    if declared.prediction.rigid:
+        explanation += ", or something holds motions that are free in the model, such as motors or a cable"
     return [
-        f"{which} below the lowest mode of the declared model at {at} pose{'' if at == 'every' else 's'}, {where}: "
-        f"something stands on a spring, such as the machine on its base{also}"
+        f"{modes_in_words} below the lowest mode of the declared model at {poses}, {frequency_range}: {explanation}"
     ]
 
 
@@ -163,12 +168,12 @@ def drift(fitter: Fitter, fit: Fit) -> str:
 
 
 def _unmeasured(fitter: Fitter, fit: Fit) -> Iterator[str]:
-    mixed = len(set(fitter.data.drives)) > 1
+    is_mixed = len(set(fitter.data.drives)) > 1
     for low, high, setups, drives in never_measured(fitter, fit):
-        where = (
+        frequency_range = (
             f"{plain(low, 4)} Hz"
             if np.isclose(low, high, rtol=1e-3)
             else f"{plain(low, 4)} to {plain(high, 4)} Hz"
         )
-        at = f"{setups} poses" + (f" with {motors([drives])}" if mixed else "")
-        yield f"a mode at {where} was expected at {at} but never measured"
+        setups_in_words = f"{setups} poses" + (f" with {motors([drives])}" if is_mixed else "")
+        yield f"a mode at {frequency_range} was expected at {setups_in_words} but never measured"

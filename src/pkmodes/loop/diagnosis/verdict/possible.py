@@ -1,7 +1,7 @@
 """Which members a class keeps, and whether the value of each is one that such a part can have.
 
-A value is *impossible* if it lies beyond the plausible range in which limits are sought, which three standard
-deviations of a candidate's prior end too (`search.ranges`): such a member leaves the class.  It is *implausible* if
+A value is *impossible* if it lies beyond the plausible range in which limits are sought, which also ends at three
+standard deviations of a candidate's prior (`search.ranges`): such a member leaves the class.  It is *implausible* if
 it is outside the usual range of such a part (`Parameter.usual`): such a member stays, and is marked.
 """
 
@@ -19,36 +19,38 @@ from pkmodes.loop.diagnosis.verdict.findings import Member
 from pkmodes.loop.diagnosis.verdict.joints import JointAlone
 
 #: Relative amount by which a value may exceed its range: the last digits of a fit.
-ROUNDING = 1e-6
+RANGE_TOLERANCE = 1e-6
 
 
-def member(
-    fitter: Fitter, fit: Fit, plausible: Mapping[int, float], single_joint: JointAlone | None = None
+def describe_member(
+    fitter: Fitter, fit: Fit, max_deviations: Mapping[int, float], single_joint: JointAlone | None = None
 ) -> Member:
     """Return the last cause of a fit as the member of a class, in the words of a single joint that explains as much.
 
-    - plausible: largest plausible deviations from the declared values, by parameter
+    - max_deviations: largest plausible deviations from the declared values, by parameter
     - single_joint: the single joint in which it explains the data as well
     """
     cause = fit.causes[-1]
-    why = impossible(fitter, fit, plausible) or unusual(fitter, fit)
+    violated_range = violated_plausible_range(fitter, fit, max_deviations)
+    violated_range = violated_range or violated_usual_range(fitter, fit)
     assumed = " and ".join(assumption.words for assumption in cause.assumes)
-    of_default = f"{assumed}, not declared" if assumed else ""
+    default_in_words = f"{assumed}, not declared" if assumed else ""
     if single_joint is not None:
-        return Member(cause.name, single_joint.sentence, implausible=why, assumed=of_default)
-    return Member(cause.name, cause.sentence, cause.kind, cause.part, why, of_default)
+        return Member(cause.name, single_joint.sentence, implausible=violated_range, assumed=default_in_words)
+    return Member(cause.name, cause.sentence, cause.kind, cause.part, violated_range, default_in_words)
 
 
-def impossible(fitter: Fitter, fit: Fit, plausible: Mapping[int, float]) -> str:
+def violated_plausible_range(fitter: Fitter, fit: Fit, max_deviations: Mapping[int, float]) -> str:
     """Return the plausible range of a value of the last cause of a fit, if the value is beyond it; else empty."""
     for i in fitter.indices(fit.causes[-1]):
-        p, size = fitter.parameters[i], plausible.get(i, np.inf)
-        if abs(float(fit.values[i]) - p.value) > (1.0 + ROUNDING) * size:
-            return f"at most {_with_unit(plain(size, 3), p)} from {_with_unit(plain(p.value, 3), p)} is plausible"
+        p, max_deviation = fitter.parameters[i], max_deviations.get(i, np.inf)
+        if abs(float(fit.values[i]) - p.value) > (1.0 + RANGE_TOLERANCE) * max_deviation:
+            declared = _with_unit(plain(p.value, 3), p)
+            return f"at most {_with_unit(plain(max_deviation, 3), p)} from {declared} is plausible"
     return ""
 
 
-def unusual(fitter: Fitter, fit: Fit) -> str:
+def violated_usual_range(fitter: Fitter, fit: Fit) -> str:
     """Return the usual range of a value of the last cause of a fit, if the value is outside it; else empty."""
     for i in fitter.indices(fit.causes[-1]):
         p = fitter.parameters[i]
@@ -67,24 +69,28 @@ def _with_unit(text: str, p: Parameter) -> str:
     return text if p.unit == "1" else f"{text} {p.unit}"
 
 
-def possible(
-    fitter: Fitter, group: Sequence[Fit], plausible: Mapping[int, float]
+def split_possible(
+    fitter: Fitter, group: Sequence[Fit], max_deviations: Mapping[int, float]
 ) -> tuple[list[Fit], list[str]]:
     """Return the members of a class whose values are possible, and a sentence for each of the others.
 
     A class that would become empty is kept whole.
     """
-    why = [impossible(fitter, fit, plausible) for fit in group]
-    if all(why):
+    violated_ranges = [violated_plausible_range(fitter, fit, max_deviations) for fit in group]
+    if all(violated_ranges):
         return list(group), []
-    kept, removed = [], []
-    for fit, text in zip(group, why, strict=True):
+    possible_fits, removed_sentences = [], []
+    for fit, text in zip(group, violated_ranges, strict=True):
         if not text:
-            kept.append(fit)
+            possible_fits.append(fit)
             continue
-        at = [(fitter.parameters[i], float(fit.values[i])) for i in fitter.indices(fit.causes[-1])]
-        values = ", ".join(f"{p.name} = {_with_unit(plain(value, 3), p)}" for p, value in at)
-        removed.append(
+        parameters_and_values = [
+            (fitter.parameters[i], float(fit.values[i])) for i in fitter.indices(fit.causes[-1])
+        ]
+        values = ", ".join(
+            f"{p.name} = {_with_unit(plain(value, 3), p)}" for p, value in parameters_and_values
+        )
+        removed_sentences.append(
             f"{values} would explain the measurements as well, but is left out of the class: {text}"
         )
-    return kept, removed
+    return possible_fits, removed_sentences

@@ -14,7 +14,7 @@ from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.problem import Candidate
 
 #: A residual varies with the pose if the p-value of an analysis of variance is below this.
-UNEVEN = 1e-3
+MAX_P_UNEVEN = 1e-3
 
 
 def names(causes: Sequence[Candidate]) -> str:
@@ -34,7 +34,7 @@ def explains(causes: Sequence[Candidate]) -> str:
     return f"{names(causes)} would explain" if causes else "the declared model explains"
 
 
-def noise(fit: Fit, lines: NDArray[np.int_]) -> str:
+def errors_in_words(fit: Fit, lines: NDArray[np.int_]) -> str:
     """Return the measurement errors of a fit, in words."""
     parts, excluded = [], [str(lines[row]) for row in sorted(fit.hypothesis.excluded)]
     if len(excluded) == 1:
@@ -46,7 +46,7 @@ def noise(fit: Fit, lines: NDArray[np.int_]) -> str:
     return " and ".join(parts)
 
 
-def larger(ratio: float) -> str:
+def ratio_in_words(ratio: float) -> str:
     """Return how large errors are relative to the stated ones: "170 times as large as", "12 % larger than"."""
     percent = round(100.0 * (ratio - 1.0))
     if percent == 0:
@@ -56,7 +56,7 @@ def larger(ratio: float) -> str:
     return f"{times(ratio)} as large as"
 
 
-def uneven(fitter: Fitter, fit: Fit) -> str:
+def variation_with_pose(fitter: Fitter, fit: Fit) -> str:
     """Return how the frequency residual varies with the setup; empty if it does not."""
     residual = fit.residual[fitter.observations.frequency_rows]
     rows = [r for r in fitter.observations.noise.rows if len(r) >= 2]
@@ -69,11 +69,11 @@ def uneven(fitter: Fitter, fit: Fit) -> str:
     within = sum(float(((residual[r] - m) ** 2).sum()) for r, m in zip(rows, means, strict=True))
     count = sum(map(len, rows))
     ratio = (between / (len(rows) - 1)) / max(within / (count - len(rows)), 1e-300)
-    if stats.f.sf(ratio, len(rows) - 1, count - len(rows)) > UNEVEN:
+    if stats.f.sf(ratio, len(rows) - 1, count - len(rows)) > MAX_P_UNEVEN:
         return ""
     labels = [fitter.data.labels[fitter.data.pose[r[0]]] for r in rows]
-    high, low = int(means.argmax()), int(means.argmin())
+    highest, lowest = int(means.argmax()), int(means.argmin())
     return (
-        f"the residual varies with the pose, from {signed(100 * means[high])} % at {labels[high]} to "
-        f"{signed(100 * means[low])} % at {labels[low]}"
+        f"the residual varies with the pose, from {signed(100 * means[highest])} % at {labels[highest]} to "
+        f"{signed(100 * means[lowest])} % at {labels[lowest]}"
     )

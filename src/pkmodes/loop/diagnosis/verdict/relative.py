@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 #: Smallest factor by which the standard deviation of each value must fall: otherwise the values themselves suffice.
-SHARPER = 3.0
+MIN_REDUCTION = 3.0
 
 
 def relative_to_mean(
@@ -40,6 +40,6 @@ def relative_to_mean(
         return None
     P = np.eye(len(a)) - np.outer(v / v.sum(), np.ones(len(a)))
     sigma = np.sqrt(np.maximum(np.diag(P @ C @ P.T), 0.0))
-    if not (SHARPER * sigma <= np.sqrt(np.diag(C))).all():
+    if not (MIN_REDUCTION * sigma <= np.sqrt(np.diag(C))).all():
         return None
     return P @ a, sigma

@@ -32,7 +32,7 @@ from pkmodes.loop.diagnosis.verdict.findings import (
     Refitted,
     Stability,
     Value,
-    believed,
+    with_saved_sigma,
 )
 from pkmodes.loop.diagnosis.verdict.joints import JointAlone
 from pkmodes.loop.diagnosis.verdict.rows import Error, Place, Row
@@ -56,7 +56,7 @@ class Stages:
 
 @dataclass(frozen=True)
 class Damping:
-    """What the damping says of losses, beside the verdict on frequencies and shapes.
+    """The diagnosis of losses from damping ratios, beside the verdict on frequencies and shapes.
 
     - verdict: ``not_measured`` without damping
     - reason: one sentence
@@ -153,7 +153,7 @@ class Diagnosis:
     stages : Stages or None
         Partners, differences and MAC of all measured modes, for figures; not part of the JSON.
     damping : Damping
-        What the damping says; its ratios are among the rows.
+        The diagnosis of losses; the damping ratios are among the rows.
     headline : str
         Part of a headline about refitted values, beside the verdict; empty if there is none.
     rule : str
@@ -204,18 +204,20 @@ class Diagnosis:
         for effect in self.effects:
             p = p_in_words(effect.p_value)
             if len(effect.members) == 1:
-                lines.append(f"cause: {effect.name} ({p}): {_values(effect, effect.name, self)}")
+                lines.append(f"cause: {effect.name} ({p}): {_values_in_words(effect, effect.name, self)}")
                 continue
             lines.append(f"cause: one of these, which these data cannot tell apart ({p})")
-            lines += [f"  {name}: {_values(effect, name, self)}" for name in effect.members]
+            lines += [f"  {name}: {_values_in_words(effect, name, self)}" for name in effect.members]
         lines += [f"remains: {' or '.join(group)}" for group in self.survivors]
         if self.beyond is not None:
             lines.append(f"beyond the catalogue: {self.beyond.status}: {self.beyond.reason}")
         for stage, (_, error) in self.errors.items():
             rms = "" if error.rms_relative is None else f"rms {100 * error.rms_relative:.3f} %, "
-            held = error.held_out_rms_relative
-            apart = "" if held is None else f"held out {100 * held:.3f} %, "
-            lines.append(f"{stage:6} {rms}{apart}chi2 per degree of freedom {plain(error.chi2_per_dof, 3)}")
+            held_out_error = error.held_out_rms_relative
+            held_out_text = "" if held_out_error is None else f"held out {100 * held_out_error:.3f} %, "
+            lines.append(
+                f"{stage:6} {rms}{held_out_text}chi2 per degree of freedom {plain(error.chi2_per_dof, 3)}"
+            )
         lines += [f"note: {text}" for text in self.notes]
         if self.damping.measured:
             lines.append(f"damping: {self.damping.verdict}: {self.damping.reason}")
@@ -247,7 +249,11 @@ class Diagnosis:
             "refit": ("refit of the uncertain values only", self.refit),
             "after": (after, self.after),
         }
-        return {key: (title, error) for key, (title, error) in stages.items() if error is not None}
+        return {
+            parameter_key: (title, error)
+            for parameter_key, (title, error) in stages.items()
+            if error is not None
+        }
 
     @property
     def next_measurement_reason(self) -> str:
@@ -265,10 +271,10 @@ class Diagnosis:
     def unpaired(self) -> tuple[Row, ...]:
         """Unmatched measured modes at the last stage."""
 
-        def last(row: Row) -> float | None:
+        def last_prediction(row: Row) -> float | None:
             return row.before if self.refit is None else row.refit if self.after is None else row.after
 
-        return tuple(row for row in self.rows if last(row) is None and not row.outlier)
+        return tuple(row for row in self.rows if last_prediction(row) is None and not row.outlier)
 
     def as_json(self) -> dict[str, object]:
         """Return the result in the form described in docs/reference/json.md, without NaN.
@@ -294,31 +300,37 @@ class Diagnosis:
         return document.as_json()
 
 
-def key(v: Value) -> str:
+def parameter_key(v: Value) -> str:
     """Return the last name of an effect's parameter (`compliance`), as in the robot file; else the whole path."""
     return v.name.split(".")[-1] if v.name.startswith("effects.") else v.name
 
 
-def _values(effect: Finding, member: str, result: Diagnosis) -> str:
+def _values_in_words(effect: Finding, member: str, result: Diagnosis) -> str:
     """Return the values of a cause, or of another member of its class, and whether they are implausible."""
     relative = effect.relative(member)
     fitted = relative or effect.alternatives.get(member, ())
-    shown = (
-        [believed(v, result.corrected) for v in fitted]
+    reported = (
+        [with_saved_sigma(v, result.corrected) for v in fitted]
         if len(effect.members) == 1 and not relative
         else fitted
     )
-    values = [f"{v.name} = {v.rounded} {v.unit}".removesuffix(" 1") for v in shown]
-    also, why = " relative to their mean" if relative else "", effect.member(member).implausible
-    assumed = f", for {text}" if (text := effect.member(member).assumed) else ""
-    return ", ".join(values) + also + assumed + (f" (implausible: {why})" if why else "")
+    values = [f"{v.name} = {v.rounded} {v.unit}".removesuffix(" 1") for v in reported]
+    relative_clause = " relative to their mean" if relative else ""
+    implausible_reason = effect.member(member).implausible
+    assumption_clause = f", for {text}" if (text := effect.member(member).assumed) else ""
+    return (
+        ", ".join(values)
+        + relative_clause
+        + assumption_clause
+        + (f" (implausible: {implausible_reason})" if implausible_reason else "")
+    )
 
 
 def _cause(cause: Finding, corrected: tuple[Corrected, ...]) -> CauseDocument:
     alternatives = {name: _by_key(ValueDocument, values) for name, values in cause.alternatives.items()}
     saved = {value.name: value.saved_sigma for value in corrected}
     parameters = {
-        key(value): FoundDocument.of(value, saved_sigma=saved.get(value.name, value.sigma))
+        parameter_key(value): FoundDocument.of(value, saved_sigma=saved.get(value.name, value.sigma))
         for value in cause.parameters
     }
     single_joint = cause.alone
@@ -345,4 +357,4 @@ def _limits(limits: Mapping[str, Limit]) -> dict[str, SizeDocument | None]:
 
 
 def _by_key(kind: type[Document], values: tuple[Value, ...]) -> dict[str, Document]:
-    return {key(value): kind.of(value) for value in values}
+    return {parameter_key(value): kind.of(value) for value in values}

@@ -1,10 +1,10 @@
 """The rules of the verdict, in tables: of those that are tried, the first that applies decides.
 
 A rule has a name, which begins with that of its table, the verdict that it gives, and a function of the evidence,
-whose docstring says when the rule applies, and which returns the reason of the verdict.  Those of `before` are tried
-first; if one applies, there is no search.  After a search come `after`, then `ADEQUACY` where the declared model
-leaves noise, `CLAIMS` where causes do, and `OPEN` (`unexplained`) where nothing does.  docs/reference/verdicts.md
-has the tables.
+whose docstring says when the rule applies, and which returns the reason of the verdict.  Those of
+`rules_before_search` are tried first; if one applies, there is no search.  After a search come `rules_after_search`,
+then `ADEQUACY` where the declared model leaves noise, `CLAIMS` where causes do, and `OPEN` (`unexplained`) where
+nothing does.  docs/reference/verdicts.md has the tables.
 """
 
 from __future__ import annotations
@@ -17,18 +17,18 @@ import numpy as np
 from pkmodes.core.base.numbers import p_in_words, p_text, plain
 from pkmodes.loop.diagnosis.readings import table
 from pkmodes.loop.diagnosis.verdict.amplitude import depends_on_amplitude
-from pkmodes.loop.diagnosis.verdict.classes import distinct_causes, more_general, parts_alone
+from pkmodes.loop.diagnosis.verdict.classes import count_distinct_causes, find_more_general, lacks_whole
 from pkmodes.loop.diagnosis.verdict.defaults import by_a_default
-from pkmodes.loop.diagnosis.verdict.dispersion import stiffness_of_frequency
-from pkmodes.loop.diagnosis.verdict.evidence import Decision, Evidence, Rule, Says, Start, T, first
-from pkmodes.loop.diagnosis.verdict.naming import explained
+from pkmodes.loop.diagnosis.verdict.dispersion import frequency_dependent_stiffness
+from pkmodes.loop.diagnosis.verdict.evidence import Answer, Decision, Evidence, Rule, Start, T, first_decision
+from pkmodes.loop.diagnosis.verdict.naming import explanation_in_words
 from pkmodes.loop.diagnosis.verdict.notes import drift
-from pkmodes.loop.diagnosis.verdict.reasons import causes_in_words, names, noise
+from pkmodes.loop.diagnosis.verdict.reasons import causes_in_words, errors_in_words, names
 from pkmodes.loop.diagnosis.verdict.shapes import better_by_shape, shapes_disagree
 from pkmodes.loop.diagnosis.verdict.specificity import p_coincidence
 from pkmodes.loop.diagnosis.verdict.too_few import too_few
-from pkmodes.loop.diagnosis.verdict.unexplained import OPEN, left_by
-from pkmodes.loop.diagnosis.verdict.values import no_value, once, rests_on_one_row
+from pkmodes.loop.diagnosis.verdict.unexplained import OPEN, reason_of_refusal
+from pkmodes.loop.diagnosis.verdict.values import deciding_row, insignificant_value, single_row_in_words
 from pkmodes.loop.diagnosis.verdict.verdicts import (
     ADEQUATE,
     AMBIGUOUS,
@@ -38,18 +38,19 @@ from pkmodes.loop.diagnosis.verdict.verdicts import (
 )
 
 #: Largest number of other causes mentioned in a reason.
-MENTIONED = 4
+MAX_CAUSES_MENTIONED = 4
 
 
-def decide_before_search(start: Start) -> Decision[Start, Says] | None:
+def decide_before_search(start: Start) -> Decision[Start, Answer] | None:
     """Return the verdict that needs no search; None if one is needed."""
-    return first(before(), start)
+    return first_decision(rules_before_search(), start)
 
 
-def decide(evidence: Evidence) -> Decision[Evidence, Says]:
+def decide(evidence: Evidence) -> Decision[Evidence, Answer]:
     """Return the verdict after a search, and why it is given."""
-    of_noise = CLAIMS if evidence.final.causes else ADEQUACY
-    decision = first((*after(), *(of_noise if evidence.outcome.last.passed else OPEN)), evidence)
+    table_if_noise = CLAIMS if evidence.final.causes else ADEQUACY
+    last_table = table_if_noise if evidence.outcome.last_gate.passed else OPEN
+    decision = first_decision((*rules_after_search(), *last_table), evidence)
     assert decision is not None  # the last rule of each table always applies
     return decision
 
@@ -70,19 +71,19 @@ def extra_modes(e: Evidence) -> str:
     for row in sorted(final.hypothesis.excluded):
         setup = fitter.data.pose[row]
         # Modes that an error could have moved here, without those that were measured as well.
-        apart = np.abs(final.prediction.log_frequencies[setup] - fitter.observations.log_frequencies[row])
-        near = apart < e.criteria.pairing.reach
-        near[: final.prediction.rigid] = False
+        difference = final.prediction.log_frequencies[setup] - fitter.observations.log_frequencies[row]
+        is_near = np.abs(difference) < e.criteria.pairing.reach
+        is_near[: final.prediction.rigid] = False
         partner = final.pairing.partner[fitter.observations.noise.rows[setup]]
-        near[partner[partner >= 0]] = False
-        if not near.any():
+        is_near[partner[partner >= 0]] = False
+        if not is_near.any():
             lines.append(int(fitter.data.lines[row]))
     if not lines:
         return ""
-    single = len(lines) == 1
-    which = f"line {lines[0]} is a mode" if single else f"lines {', '.join(map(str, lines))} are modes"
+    several = f"lines {', '.join(map(str, lines))} are modes"
+    extra = several if len(lines) > 1 else f"line {lines[0]} is a mode"
     return (
-        f"the declared model explains all other rows, but {which} that it does not have: all its modes near there "
+        f"the declared model explains all other rows, but {extra} that it does not have: all its modes near there "
         "were measured as well"
     )
 
@@ -92,11 +93,11 @@ def unstated_error(e: Evidence) -> str:
     if not e.final.hypothesis.scatter:
         return ""
     pattern = drift(e.fitter, e.final)
-    also = f"; {pattern}" if pattern else ""
+    drift_clause = f"; {pattern}" if pattern else ""
     return (
         f"the declared model explains the residual only with an error of {plain(100 * e.final.scatter, 2)} % that "
-        f"the modes of a pose share and the file does not state{also}: something changed between the poses, or an "
-        "effect is missing"
+        f"the modes of a pose share and the file does not state{drift_clause}: something changed between the poses, "
+        "or an effect is missing"
     )
 
 
@@ -105,16 +106,16 @@ def not_predicted(e: Evidence) -> str:
     return e.held_out.doubt
 
 
-def nothing_missing(e: Evidence) -> Says:
+def nothing_missing(e: Evidence) -> Answer:
     """The residual is noise, as declared or with the uncertain values refitted."""
-    gate = e.outcome.last
-    setting_aside = noise(e.final, e.fitter.data.lines)
-    aside = f", with {setting_aside}" if setting_aside else ""
-    p = f"({p_in_words(gate.p_value)}, and {p_text(gate.p_candidates)} for the best candidate)"
+    gate = e.outcome.last_gate
+    errors = errors_in_words(e.final, e.fitter.data.lines)
+    errors_clause = f", with {errors}" if errors else ""
+    p_values = f"({p_in_words(gate.p_value)}, and {p_text(gate.p_candidates)} for the best candidate)"
     if not e.refit_needed:
-        return Says(f"the residual of the declared model is noise {p}{aside}")
-    refit = "the residual is noise once the uncertain values are refitted"
-    return Says(f"{refit} {p}, not as declared ({p_in_words(e.p_declared)}){aside}")
+        return Answer(f"the residual of the declared model is noise {p_values}{errors_clause}")
+    refit_clause = "the residual is noise once the uncertain values are refitted"
+    return Answer(f"{refit_clause} {p_values}, not as declared ({p_in_words(e.p_declared)}){errors_clause}")
 
 
 # Causes leave noise --------------------------------------------------------------------------------------------
@@ -123,13 +124,14 @@ def nothing_missing(e: Evidence) -> Says:
 def remote_cause(e: Evidence) -> str:
     """A remote cause, which is never claimed, is needed, survives, or explains far more."""
     final, rivals = e.final, e.claim.rivals
-    doubtful = len(final.causes) == 1 and not e.claim.last.above(e.criteria.gate.plainly)
-    better = e.search.better_alone(final) if doubtful else []
-    remote = [cause for fit in (final, *rivals, *better) for cause in fit.causes if cause.remote]
-    if not remote:
+    is_doubtful = len(final.causes) == 1 and not e.claim.last_gate.passes_at(e.criteria.gate.plainly)
+    better_fits = e.search.better_remote_causes(final) if is_doubtful else []
+    remote_causes = [cause for fit in (final, *rivals, *better_fits) for cause in fit.causes if cause.remote]
+    if not remote_causes:
         return ""
-    also = ", or add it to the candidates" if remote[0].nameable else ""
-    return f"no candidate explains the residual alone, but {remote[0].name} would: look there{also}"
+    cause, remedy = remote_causes[0], "look there"
+    remedy += ", or add it to the candidates" if cause.nameable else ""
+    return f"no candidate explains the residual alone, but {cause.name} would: {remedy}"
 
 
 def in_one_joint(e: Evidence) -> str:
@@ -140,7 +142,7 @@ def in_one_joint(e: Evidence) -> str:
     store, c, final = e.store, e.criteria, e.final
     if len(final.causes) != 1:
         return ""
-    fits, limit = e.search.in_one_joint(final), final.deviance + c.claim.told_apart
+    fits, limit = e.search.single_joint_causes(final), final.deviance + c.claim.told_apart
     single = next((fit for fit in fits if fit.deviance < limit and store.p_value(fit) > c.gate.surely), None)
     if single is None:
         return ""
@@ -159,7 +161,7 @@ def better_shapes(e: Evidence) -> str:
 
 def general_cause(e: Evidence) -> str:
     """The residual points to a more general form of a cause, with a value of its own for each joint (score test)."""
-    pair = more_general(e.search, e.final)
+    pair = find_more_general(e.search, e.final)
     if pair is None:
         return ""
     cause, general = pair
@@ -170,10 +172,11 @@ def not_significant(e: Evidence) -> str:
     """The improvement may be chance: its p-value, corrected for the number of candidates, is above 0.1 %."""
     if all(p <= e.criteria.claim.claimed for p in e.claim.p_values):
         return ""
-    perhaps = f"; measurement errors would explain it too: {e.errors}" if e.errors else ""
+    errors = e.errors_instead
+    errors_clause = f"; measurement errors would explain it too: {errors}" if errors else ""
     return (
-        f"the residual points to {e.who.removesuffix(',')}, but not clearly enough for a claim "
-        f"({p_in_words(max(e.claim.p_values))} among all candidates): measure more{perhaps}"
+        f"the residual points to {e.cause_names.removesuffix(',')}, but not clearly enough for a claim "
+        f"({p_in_words(max(e.claim.p_values))} among all candidates): measure more{errors_clause}"
     )
 
 
@@ -197,9 +200,9 @@ def two_of_few(e: Evidence) -> str:
 
 def measurement_errors(e: Evidence) -> str:
     """Errors of the measurement explain the residual nearly as well."""
-    if not e.errors:
+    if not e.errors_instead:
         return ""
-    return f"{e.explains} the residual, but measurement errors would do so nearly as well: {e.errors}"
+    return f"{e.explains} the residual, but measurement errors would do so nearly as well: {e.errors_instead}"
 
 
 def not_specific(e: Evidence) -> str:
@@ -217,80 +220,80 @@ def not_specific(e: Evidence) -> str:
         and fit.causes != e.final.causes
         and fit.causes[0].name not in e.members
     ]
-    passing = sorted((f for f in fits if store.p_value(f) > e.criteria.gate.surely), key=store.criterion)
-    alternatives = [fit.causes[0].name for fit in passing[:MENTIONED]]
-    also = f" (and so would {', '.join(alternatives)})" if alternatives else ""
+    passing_fits = sorted((f for f in fits if store.p_value(f) > e.criteria.gate.surely), key=store.criterion)
+    alternatives = [fit.causes[0].name for fit in passing_fits[:MAX_CAUSES_MENTIONED]]
+    alternatives_clause = f" (and so would {', '.join(alternatives)})" if alternatives else ""
     return (
-        f"{e.explains} the residual{also}, but the data are too few to rule out a cause outside the candidates: "
-        f"{plain(100 * p_value, 2)} % of such causes would look like a candidate; measure more"
+        f"{e.explains} the residual{alternatives_clause}, but the data are too few to rule out a cause outside the "
+        f"candidates: {plain(100 * p_value, 2)} % of such causes would look like a candidate; measure more"
     )
 
 
 def value_without_support(e: Evidence) -> str:
     """A value is within a standard deviation of a bound, or does not differ significantly from the declared one."""
-    return no_value(e.search, e.final)
+    return insignificant_value(e.search, e.final)
 
 
-def one_row(e: Evidence) -> str:
+def depends_on_one_row(e: Evidence) -> str:
     """A cause is not detected without one row, or its value moves by five standard deviations."""
-    return rests_on_one_row(e.search, e.final)
+    return deciding_row(e.search, e.final)
 
 
-def not_settled(e: Evidence) -> Says | str:
+def not_settled(e: Evidence) -> Answer | str:
     """The preferred causes do not pass the gate, or do not survive in their places."""
-    causes, (why, pointed) = e.final.causes, left_by(e, e.final)
-    if why:
-        text = f"the best explanation, {names(causes)}, is not claimed: {why}"
-        return Says.naming(text, [*causes, *pointed])
-    if e.claim.kept:
+    causes, (refusal, indicated_candidates) = e.final.causes, reason_of_refusal(e, e.final)
+    if refusal:
+        text = f"the best explanation, {names(causes)}, is not claimed: {refusal}"
+        return Answer.naming(text, [*causes, *indicated_candidates])
+    if e.claim.causes_survive:
         return ""
-    lone = [cause for place, cause in enumerate(causes) if not e.store.predicts(e.final, place)]
-    if not lone:
+    unhelpful_causes = [cause for place, cause in enumerate(causes) if not e.store.predicts(e.final, place)]
+    if not unhelpful_causes:
         return f"{e.explains} the residual, but the comparison with other causes settles on none"
-    who = f"{names(lone)} " if len(lone) < len(causes) else ""
-    help_not = f"{who}{'does' if len(lone) == 1 else 'do'} not help to predict poses left out of the fit"
-    return f"{e.explains} the residual, but {help_not}: measure at more poses"
+    subject = f"{names(unhelpful_causes)} " if len(unhelpful_causes) < len(causes) else ""
+    verb = "does" if len(unhelpful_causes) == 1 else "do"
+    clause = f"{subject}{verb} not help to predict poses left out of the fit"
+    return f"{e.explains} the residual, but {clause}: measure at more poses"
 
 
-def several_explanations(e: Evidence) -> Says | None:
+def several_explanations(e: Evidence) -> Answer | None:
     """Several classes or pairs survive, or one class of more than five members, or of directions without a whole."""
     claim, limit = e.claim, e.criteria.claim.most_members
-    many = any(len(groups) > 1 for groups in claim.grouped)
-    many = many or any(distinct_causes(fits) > limit or parts_alone(fits) for fits in claim.own)
-    if not claim.rivals and not many:
+    is_large = any(count_distinct_causes(fits) > limit or lacks_whole(fits) for fits in claim.own_classes)
+    are_several = claim.rivals or any(len(groups) > 1 for groups in claim.classes_by_cause)
+    if not are_several and not is_large:
         return None
     single_joints = {name: joint.sentence for name, joint in e.single_joints.items()}
-    remarks = single_joints | dict.fromkeys(claim.implausible, "implausible")
+    remarks = single_joints | dict.fromkeys(claim.implausible_names, "implausible")
     remaining = [
         [f"{name} ({remarks[name]})" if name in remarks else name for name, _ in group]
-        for group in claim.remains()
+        for group in claim.remaining_explanations()
     ]
     listed = "; ".join(" or ".join(group) for group in remaining)
-    undecided = f"these data cannot tell {len(remaining[0])} explanations apart: {listed}"
-    return Says(
-        undecided if len(remaining) == 1 else f"{len(remaining)} different explanations remain: {listed}"
-    )
+    if len(remaining) == 1:
+        return Answer(f"these data cannot tell {len(remaining[0])} explanations apart: {listed}")
+    return Answer(f"{len(remaining)} different explanations remain: {listed}")
 
 
-def another_with_other_errors(e: Evidence) -> Says | None:
+def another_with_other_errors(e: Evidence) -> Answer | None:
     """With errors halved or doubled, or priors twice as wide, another cause takes the place of a claimed one."""
     for trial in e.trials:
-        if trial.instead is not None:
+        if trial.better_rival is not None:
             text = (
-                f"{e.explains} the residual, but with {trial.entry.change}, {names(trial.instead.causes)} would do "
-                "so better"
+                f"{e.explains} the residual, but with {trial.stability.change}, {names(trial.better_rival.causes)} "
+                "would do so better"
             )
-            return Says.naming(text, e.final.causes, trial.instead)
+            return Answer.naming(text, e.final.causes, trial.better_rival)
     return None
 
 
 def held_by_priors(e: Evidence) -> str:
     """With priors twice as wide the value of a cause changes."""
-    if not any(trial.moved for trial in e.trials):
+    if not any(trial.value_moved for trial in e.trials):
         return ""
-    value = "its value changes" if len(e.final.causes) == 1 else "their values change"
-    why = "some uncertain parameter is far from its declared value and compensates for something else"
-    return f"{e.explains} the residual, but {value} with priors twice as wide: {why}"
+    subject = "its value changes" if len(e.final.causes) == 1 else "their values change"
+    explanation = "some uncertain parameter is far from its declared value and compensates for something else"
+    return f"{e.explains} the residual, but {subject} with priors twice as wide: {explanation}"
 
 
 def one_term(e: Evidence) -> str:
@@ -304,61 +307,64 @@ def one_term(e: Evidence) -> str:
     return f"{e.explains} the residual, but so would {description}"
 
 
-def causes_found(e: Evidence) -> Says:
+def causes_found(e: Evidence) -> Answer:
     """One class for each cause is left."""
-    gate, setting_aside = e.outcome.first, noise(e.final, e.fitter.data.lines)
+    gate, errors = e.outcome.first_gate, errors_in_words(e.final, e.fitter.data.lines)
     smallest = min(gate.p_value, gate.p_candidates)
-    aside = f"; {setting_aside}" if setting_aside else ""
-    explanation, resting = explained(e.claim.findings(e.fitter, e.single_joints)), once(e.search, e.final)
-    rests = f"; {resting}" if resting else ""
-    return Says(
-        f"the residual of the declared model is not noise ({p_in_words(smallest)}); {explanation}{rests}{aside}"
+    errors_clause = f"; {errors}" if errors else ""
+    explanation = explanation_in_words(e.claim.findings(e.fitter, e.single_joints))
+    single_row = single_row_in_words(e.search, e.final)
+    single_row_clause = f"; {single_row}" if single_row else ""
+    return Answer(
+        f"the residual of the declared model is not noise ({p_in_words(smallest)}); "
+        f"{explanation}{single_row_clause}{errors_clause}"
     )
 
 
 # The tables ----------------------------------------------------------------------------------------------------
 
 
-def before() -> tuple[Rule[Start, Says], ...]:
+def rules_before_search() -> tuple[Rule[Start, Answer], ...]:
     """Return the rules that are tried before a search."""
     return (
         *_of_readings(
             "before", lambda reading: None if reading.refitted else reading.declared, lambda s: (s.fitter,)
         ),
         Rule("before.too_few", INSUFFICIENT_DATA, too_few),
-        *_of_readings("before", lambda reading: reading.refitted, lambda s: (s.plain,)),
+        *_of_readings("before", lambda reading: reading.refitted, lambda s: (s.store,)),
     )
 
 
-def after() -> tuple[Rule[Evidence, Says], ...]:
+def rules_after_search() -> tuple[Rule[Evidence, Answer], ...]:
     """Return the rules that are tried after a search, whatever its result."""
-    amplitude = Rule[Evidence, Says]("after.amplitude", UNEXPLAINED, depends_on_amplitude)
     return (
         *_of_readings("after", lambda reading: reading.explained, lambda e: (e.fitter, e.final)),
-        amplitude,
+        Rule[Evidence, Answer]("after.amplitude", UNEXPLAINED, depends_on_amplitude),
     )
 
 
 def _of_readings(
     prefix: str,
     question: Callable[[table.Reading], Callable[..., str] | None],
-    of: Callable[[T], tuple[object, ...]],
-) -> Iterator[Rule[T, Says]]:
+    arguments: Callable[[T], tuple[object, ...]],
+) -> Iterator[Rule[T, Answer]]:
     """Yield the rules about other readings of the data."""
     for reading in table.READINGS:
         if ask := question(reading):
-            says = functools.partial(_says, ask, of)
-            yield Rule(f"{prefix}.{reading.name}", UNEXPLAINED, functools.wraps(ask)(says))
+            answer = functools.partial(_answer_of_reading, ask, arguments)
+            yield Rule(f"{prefix}.{reading.name}", UNEXPLAINED, functools.wraps(ask)(answer))
 
 
-def _says(ask: Callable[..., str], of: Callable[[T], tuple[object, ...]], evidence: T) -> Says | None:
+def _answer_of_reading(
+    ask: Callable[..., str], arguments: Callable[[T], tuple[object, ...]], evidence: T
+) -> Answer | None:
     """Return what is wrong in the file: nothing is claimed, and no cause named."""
-    text = ask(*of(evidence))
-    return Says(text, of_reading=True) if text else None
+    text = ask(*arguments(evidence))
+    return Answer(text, decided_by_reading=True) if text else None
 
 
 #: Tried if the declared model leaves noise.
-ADEQUACY: tuple[Rule[Evidence, Says], ...] = (
+ADEQUACY: tuple[Rule[Evidence, Answer], ...] = (
     Rule("adequacy.shapes", UNEXPLAINED, modes_of_other_shapes),
     Rule("adequacy.extra_modes", UNEXPLAINED, extra_modes),
     Rule("adequacy.unstated_error", UNEXPLAINED, unstated_error),
@@ -367,7 +373,7 @@ ADEQUACY: tuple[Rule[Evidence, Says], ...] = (
 )
 
 #: Tried if causes leave noise.
-CLAIMS: tuple[Rule[Evidence, Says], ...] = (
+CLAIMS: tuple[Rule[Evidence, Answer], ...] = (
     Rule("claims.remote", UNEXPLAINED, remote_cause),
     Rule("claims.one_joint", UNEXPLAINED, in_one_joint),
     Rule("claims.shapes", UNEXPLAINED, modes_of_other_shapes),
@@ -378,13 +384,13 @@ CLAIMS: tuple[Rule[Evidence, Says], ...] = (
     Rule("claims.errors", UNEXPLAINED, measurement_errors),
     Rule("claims.not_specific", UNEXPLAINED, not_specific),
     Rule("claims.no_value", UNEXPLAINED, value_without_support),
-    Rule("claims.one_row", UNEXPLAINED, one_row),
+    Rule("claims.one_row", UNEXPLAINED, depends_on_one_row),
     Rule("claims.not_settled", UNEXPLAINED, not_settled),
     Rule("claims.several", AMBIGUOUS, several_explanations),
     Rule("claims.default", AMBIGUOUS, by_a_default),
     Rule("claims.other_errors", AMBIGUOUS, another_with_other_errors),
     Rule("claims.priors", UNEXPLAINED, held_by_priors),
-    Rule("claims.dispersion", UNEXPLAINED, stiffness_of_frequency),
+    Rule("claims.dispersion", UNEXPLAINED, frequency_dependent_stiffness),
     Rule("claims.held_out", UNEXPLAINED, not_predicted),
     Rule("claims.one_term", AMBIGUOUS, one_term),
     Rule("claims.found", EFFECT_FOUND, causes_found),

@@ -58,21 +58,21 @@ def better_by_shape(store: FitStore, fit: Fit) -> Fit | None:
     if not fitter.observations.shapes.known.any():
         return None
 
-    def squares(of: Fit) -> float:
-        white = of.white[fitter.observations.data_slice(SHAPE)]
+    def squares(compared_fit: Fit) -> float:
+        white = compared_fit.white[fitter.observations.data_slice(SHAPE)]
         return float(white @ white)
 
     excluded = len(fit.hypothesis.excluded)
-    tried = [
+    options = [
         option
         for option in store.tried()
         if len(option.causes) <= len(fit.causes) and len(option.hypothesis.excluded) == excluded
     ]
-    best = min(tried, key=squares, default=fit)
-    both = (fitter.misfit(best, SHAPE, stated=stated) for stated in (True, False))
-    degrees = max(sum(misfit.degrees for misfit in both), 1.0)
+    best = min(options, key=squares, default=fit)
+    misfits = (fitter.misfit(best, SHAPE, stated=stated) for stated in (True, False))
+    degrees = max(sum(misfit.degrees for misfit in misfits), 1.0)
     # A scatter larger than assumed applies to both; a smaller one is not credible.
     variance = max(squares(best) / degrees, 1.0)
     gain = (squares(fit) - squares(best)) / variance
-    needed = c.claim.told_apart + stats.chi2.isf(c.gate.surely, c.search.most_causes)
-    return best if gain > needed else None
+    min_gain = c.claim.told_apart + stats.chi2.isf(c.gate.surely, c.search.most_causes)
+    return best if gain > min_gain else None

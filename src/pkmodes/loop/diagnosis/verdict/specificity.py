@@ -23,15 +23,15 @@ from pkmodes.loop.diagnosis.search.score import Directions, score
 from pkmodes.loop.diagnosis.search.search import Search
 
 #: Relative singular value below which signatures differ only by numerical errors.
-SAME = 1e-3
+SIGNATURE_TOLERANCE = 1e-3
 #: Number of draws of each kind, and their seed.
 DRAWS, SEED = 2_000, 20_221_107
 #: Modes beyond the highest measured one whose shapes are mixed into it.
-ABOVE = 3
+MODES_ABOVE = 3
 
 
 @dataclass(frozen=True)
-class Plausible:
+class PlausibleChanges:
     r"""Directions of plausible changes.
 
     A plausible change affects the data as candidates do, remote ones included, smoothly over the setups, but in any
@@ -48,15 +48,15 @@ class Plausible:
 
     - axes: orthonormal directions in the whitened data, (D, k)
     - weights: their variances in the draws, between 0 and 1, (k,)
-    - different: number of directions in which the candidates differ, whatever the errors of the data
+    - direction_count: number of directions in which the candidates differ, whatever the errors of the data
     """
 
     axes: Array
     weights: Array
-    different: int
+    direction_count: int
 
     @classmethod
-    def of(cls, directions: Directions, size: float) -> Plausible:
+    def of(cls, directions: Directions, size: float) -> PlausibleChanges:
         """Return the directions in which changes like some candidates differ.
 
         - size: norm of their effect on the whitened data
@@ -64,17 +64,19 @@ class Plausible:
         signatures = np.hstack([axes for axes, _ in directions])
         axes, s, _ = thin_svd(signatures)
         variance = (size * s) ** 2 / signatures.shape[1]
-        return cls(axes, variance / (1.0 + variance), int((s > SAME * s.max(initial=0.0)).sum()))
+        return cls(
+            axes, variance / (1.0 + variance), int((s > SIGNATURE_TOLERANCE * s.max(initial=0.0)).sum())
+        )
 
     @property
-    def resolved(self) -> float:
+    def resolved_count(self) -> float:
         """Number of directions that the data resolve."""
         return float(self.weights.sum())
 
     def draws(self, count: int, rng: np.random.Generator) -> Array:
         """Draw changes, as coordinates along the axes, (k, count)."""
-        drawn: Array = np.sqrt(self.weights)[:, None] * rng.standard_normal((len(self.weights), count))
-        return drawn
+        changes: Array = np.sqrt(self.weights)[:, None] * rng.standard_normal((len(self.weights), count))
+        return changes
 
     def squares(self, white: Array) -> float:
         """Return the squares of a residual in the resolved directions."""
@@ -84,25 +86,30 @@ class Plausible:
 def p_coincidence(search: Search, final: Fit) -> float:
     """Return the probability that as many candidates explain a residual of this size although none caused it."""
     store, fitter, h = search.store, search.store.fitter, final.hypothesis
-    plain = store.fit(Hypothesis(excluded=h.excluded, scatter=h.scatter))
-    if plain is None or not final.causes:
+    fit_without_causes = store.fit(Hypothesis(excluded=h.excluded, scatter=h.scatter))
+    if fit_without_causes is None or not final.causes:
         return 0.0
     rng = np.random.default_rng(SEED)
-    gain, directions = plain.chi2 - final.chi2, search.gate(plain).scores.directions
+    gain, directions = fit_without_causes.chi2 - final.chi2, search.gate(fit_without_causes).scores.directions
     used, data = fitter.used(h), slice(0, fitter.prior_rows.start)
-    degrees = float(fitter.observations.degrees_of_freedom(used) - plain.leverage[data].sum())
-    drawn = arbitrary_draws(fitter, plain, DRAWS, rng)
-    p_value = coincidence(search, final, gain, drawn, directions, degrees, final.chi2)
+    degrees = float(fitter.observations.degrees_of_freedom(used) - fit_without_causes.leverage[data].sum())
+    changes = arbitrary_draws(fitter, fit_without_causes, DRAWS, rng)
+    p_value = coincidence(search, final, gain, changes, directions, degrees, final.chi2)
     # A few candidates do not represent what else may be wrong: their combinations are not informative.
-    all_directions = (*directions, *score(fitter, plain, search.remote).directions)
-    many = search.criteria.claim.many * len(final.causes)
-    if gain <= 0.0 or len(all_directions) < many:
+    all_directions = (*directions, *score(fitter, fit_without_causes, search.remote_candidates).directions)
+    min_directions = search.criteria.claim.many * len(final.causes)
+    if gain <= 0.0 or len(all_directions) < min_directions:
         return p_value
-    plausible = Plausible.of(all_directions, float(np.sqrt(gain)))
-    if plausible.different >= min(many, len(plausible.axes)):
-        along = [(plausible.axes.T @ axes, sign) for axes, sign in directions]
-        drawn, squares = plausible.draws(DRAWS, rng), plausible.squares(final.white)
-        p_value = max(p_value, coincidence(search, final, gain, drawn, along, plausible.resolved, squares))
+    plausible_changes = PlausibleChanges.of(all_directions, float(np.sqrt(gain)))
+    if plausible_changes.direction_count >= min(min_directions, len(plausible_changes.axes)):
+        rotated_directions = [(plausible_changes.axes.T @ axes, sign) for axes, sign in directions]
+        changes, squares = plausible_changes.draws(DRAWS, rng), plausible_changes.squares(final.white)
+        p_value = max(
+            p_value,
+            coincidence(
+                search, final, gain, changes, rotated_directions, plausible_changes.resolved_count, squares
+            ),
+        )
     return p_value
 
 
@@ -110,7 +117,7 @@ def coincidence(
     search: Search,
     final: Fit,
     gain: float,
-    drawn: Array,
+    changes: Array,
     directions: Directions,
     degrees: float,
     squares: float,
@@ -118,35 +125,39 @@ def coincidence(
     """Return the fraction of changes that some candidates explain as well as the claimed causes do the residual.
 
     - gain: decrease of chi2 by the claimed causes
-    - drawn: effects of changes on the data, of any size, (D, n)
+    - changes: effects of changes on the data, of any size, (D, n)
     - directions: those of the candidates, in the same D coordinates
     - degrees: number of directions in which the changes differ
     - squares: sum of squares that the claimed causes leave in these directions
     """
-    spare = degrees - sum(len(cause.parameters) for cause in final.causes)
-    if spare <= 0.0:
+    spare_degrees = degrees - sum(len(cause.parameters) for cause in final.causes)
+    if spare_degrees <= 0.0:
         return 1.0
     # What the claim leaves beyond noise, another cause may leave too, and noise may hide more.
-    size = gain + max(squares - spare, 0.0) + search.criteria.claim.spread * float(np.sqrt(2.0 * spare))
-    sized = drawn * (np.sqrt(size) / np.maximum(np.linalg.norm(drawn, axis=0), 1e-300))
-    reached = np.zeros(drawn.shape[1], dtype=bool)
-    for chosen in combinations(directions, len(final.causes)):
-        reached |= _gain(sized, chosen) >= gain
-    return float(reached.mean())
+    size = (
+        gain
+        + max(squares - spare_degrees, 0.0)
+        + search.criteria.claim.spread * float(np.sqrt(2.0 * spare_degrees))
+    )
+    scaled_changes = changes * (np.sqrt(size) / np.maximum(np.linalg.norm(changes, axis=0), 1e-300))
+    is_explained = np.zeros(changes.shape[1], dtype=bool)
+    for causes in combinations(directions, len(final.causes)):
+        is_explained |= _gain(scaled_changes, causes) >= gain
+    return float(is_explained.mean())
 
 
 def _gain(residuals: Array, causes: Directions) -> Array:
     """Return the squares that causes remove from residuals (D, n), at best."""
-    (axes, sign), *further = causes
-    if not further and sign:
-        along = axes[:, 0] @ residuals
-        return np.where(along > 0.0, along**2, 0.0)
-    basis = axes if not further else orthonormal(np.hstack([axes for axes, _ in causes]))
+    (axes, sign), *others = causes
+    if not others and sign:
+        projections = axes[:, 0] @ residuals
+        return np.where(projections > 0.0, projections**2, 0.0)
+    basis = axes if not others else orthonormal(np.hstack([axes for axes, _ in causes]))
     gain: Array = ((basis.T @ residuals) ** 2).sum(axis=0)
     return gain
 
 
-def arbitrary_draws(fitter: Fitter, plain: Fit, count: int, rng: np.random.Generator) -> Array:
+def arbitrary_draws(fitter: Fitter, fit: Fit, count: int, rng: np.random.Generator) -> Array:
     r"""Draw the effects of arbitrary changes on the whitened data beside a fit, (D, count).
 
     Independent relative changes :math:`\xi_{ij} = \xi_{ji}` of the modal stiffnesses and
@@ -160,47 +171,49 @@ def arbitrary_draws(fitter: Fitter, plain: Fit, count: int, rng: np.random.Gener
     so twelve shape values carry less information than twelve independent ones.  The changes in different setups are
     independent, as if the structure differed between them.
     """
-    data, changes = fitter.prior_rows.start, modal_changes(fitter, plain)
-    drawn = np.zeros((len(plain.white), count))
-    for place in fitter.observations.data_indices_by_setup():
-        drawn[place] = changes[place] @ rng.standard_normal((changes.shape[1], count))
-    drawn -= plain.basis @ (plain.basis[:data].T @ drawn[:data])
-    return drawn
+    data, modal_effects = fitter.prior_rows.start, modal_changes(fitter, fit)
+    effects = np.zeros((len(fit.white), count))
+    for rows in fitter.observations.data_indices_by_setup():
+        effects[rows] = modal_effects[rows] @ rng.standard_normal((modal_effects.shape[1], count))
+    effects -= fit.basis @ (fit.basis[:data].T @ effects[:data])
+    return effects
 
 
-def modal_changes(fitter: Fitter, plain: Fit) -> Array:
+def modal_changes(fitter: Fitter, fit: Fit) -> Array:
     """Return the effects of relative changes of the modal stiffnesses and masses on the whitened data, (D, k)."""
-    used = fitter.used(plain.hypothesis)
+    used = fitter.used(fit.hypothesis)
     # Modes far above the measured ones do not contribute to their shapes.
-    modes = int(plain.pairing.partner.max(initial=0)) + 1 + ABOVE
-    changed = _changed(plain.prediction, modes, fitter.criteria.pairing.mixed)
+    modes = int(fit.pairing.partner.max(initial=0)) + 1 + MODES_ABOVE
+    changed_modes = _with_modal_rates(fit.prediction, modes, fitter.criteria.pairing.mixed)
     observations = fitter.observations
-    return np.asarray(observations.rates(changed, plain.pairing, used) / observations.noise.stated[:, None])
+    return np.asarray(
+        observations.rates(changed_modes, fit.pairing, used) / observations.noise.stated[:, None]
+    )
 
 
-def _changed(prediction: Prediction, modes: int, least: float) -> Prediction:
+def _with_modal_rates(prediction: Prediction, modes: int, min_gap: float) -> Prediction:
     """Return the lowest modes with their derivatives with respect to relative changes of modal stiffness and mass."""
     eigenvalues, shapes = prediction.eigenvalues[:, :modes], prediction.shapes[:, :modes]
-    m = eigenvalues.shape[1]
-    i, j = np.triu_indices(m)
-    size = np.abs(eigenvalues)
+    mode_count = eigenvalues.shape[1]
+    i, j = np.triu_indices(mode_count)
+    magnitudes = np.abs(eigenvalues)
     gap = eigenvalues[:, i] - eigenvalues[:, j]
     # Nearly coincident modes rotate into each other under any change; they are compared as one subspace.
-    smallest = 2.0 * least * np.maximum(size[:, i], size[:, j])
-    gap = np.where(gap >= 0.0, 1.0, -1.0) * np.maximum(np.abs(gap), np.maximum(smallest, 1e-300))
-    mean = np.sqrt(size[:, i] * size[:, j])
-    rates = np.zeros((len(eigenvalues), m, 2, len(i)))
-    along = np.zeros((*shapes.shape, 2, len(i)))
+    min_gaps = 2.0 * min_gap * np.maximum(magnitudes[:, i], magnitudes[:, j])
+    gap = np.where(gap >= 0.0, 1.0, -1.0) * np.maximum(np.abs(gap), np.maximum(min_gaps, 1e-300))
+    mean = np.sqrt(magnitudes[:, i] * magnitudes[:, j])
+    rates = np.zeros((len(eigenvalues), mode_count, 2, len(i)))
+    shape_rates = np.zeros((*shapes.shape, 2, len(i)))
     for t in np.flatnonzero(i == j):
         rates[:, i[t], 0, t], rates[:, i[t], 1, t] = eigenvalues[:, i[t]], -eigenvalues[:, i[t]]
     for t in np.flatnonzero(i != j):
         for a, b, sign in ((i[t], j[t], 1.0), (j[t], i[t], -1.0)):
-            along[:, a, :, 0, t] = sign * (mean / gap)[:, t, None] * shapes[:, b]
-            along[:, a, :, 1, t] = -sign * (size[:, a] / gap[:, t])[:, None] * shapes[:, b]
+            shape_rates[:, a, :, 0, t] = sign * (mean / gap)[:, t, None] * shapes[:, b]
+            shape_rates[:, a, :, 1, t] = -sign * (magnitudes[:, a] / gap[:, t])[:, None] * shapes[:, b]
     return Prediction(
         eigenvalues,
-        rates.reshape(len(eigenvalues), m, -1),
+        rates.reshape(len(eigenvalues), mode_count, -1),
         shapes,
         prediction.rigid,
-        along.reshape(*shapes.shape, -1),
+        shape_rates.reshape(*shapes.shape, -1),
     )

@@ -15,7 +15,7 @@ from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.search.search import Search
-from pkmodes.loop.diagnosis.verdict.classes import nested
+from pkmodes.loop.diagnosis.verdict.classes import are_nested
 from pkmodes.loop.diagnosis.verdict.findings import Stability
 from pkmodes.loop.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, UNEXPLAINED, Verdict
 from pkmodes.loop.measured.scaling import with_errors
@@ -28,14 +28,14 @@ CHANGES = {"sigma x 0.5": (0.5, 1.0), "sigma x 2": (2.0, 1.0), "priors x 2": (1.
 class Trial:
     """The result of refitting the contenders under one change.
 
-    - instead: an explanation outside the class of the claimed one that is better under the change; the fit of the
-      search
-    - moved: whether wider priors change the value of the claimed cause
+    - better_rival: an explanation outside the class of the claimed one that is better under the change, as fitted by
+      the search
+    - value_moved: whether wider priors change the value of the claimed cause
     """
 
-    entry: Stability
-    instead: Fit | None
-    moved: bool
+    stability: Stability
+    better_rival: Fit | None
+    value_moved: bool
 
 
 def trials(
@@ -52,7 +52,7 @@ def trials(
     """
     store = search.store
     if contenders is None:
-        rest = [
+        others = [
             fit
             for fit in store.tried()
             if fit.causes
@@ -61,80 +61,82 @@ def trials(
             and {c.name for c in fit.causes} != {c.name for c in final.causes}
             and store.criterion(fit) < store.criterion(final) + search.criteria.claim.near
         ]
-        best = sorted(rest, key=store.criterion)[: search.criteria.claim.contenders]
+        best = sorted(others, key=store.criterion)[: search.criteria.claim.contenders]
         refitted = [final, *best] if final.causes else best
     else:
         refitted = [final, *contenders]
     members = [{fit.causes[-1].name for fit in fits} for fits in classes]
-    return [_trial(search, final, refitted, members, change) for change in CHANGES]
+    return [_run_trial(search, final, refitted, members, change) for change in CHANGES]
 
 
-def unchanged(verdict: Verdict) -> tuple[Stability, ...]:
+def unchanged_entries(verdict: Verdict) -> tuple[Stability, ...]:
     """Return entries for a verdict that does not depend on errors and priors."""
     return tuple(Stability(change, verdict.word, ()) for change in CHANGES)
 
 
-def _trial(
+def _run_trial(
     search: Search, final: Fit, contenders: list[Fit], members: Sequence[set[str]], change: str
 ) -> Trial:
-    errors, priors = CHANGES[change]
+    error_factor, prior_factor = CHANGES[change]
     as_stated = search.store.fitter
-    data = as_stated.data if errors == 1.0 else with_errors(as_stated.data, errors)
-    fitter = Fitter(as_stated.structure, data, as_stated.criteria, as_stated.shape_scatter, widened=priors)
+    data = as_stated.data if error_factor == 1.0 else with_errors(as_stated.data, error_factor)
+    fitter = Fitter(
+        as_stated.structure, data, as_stated.criteria, as_stated.shape_scatter, widened=prior_factor
+    )
     store, c = FitStore(fitter), fitter.criteria
-    plain = store.fit(replace(final.hypothesis, causes=()))
+    fit_without_causes = store.fit(replace(final.hypothesis, causes=()))
     refitted = [store.fit(fit.hypothesis, fit.values) for fit in contenders]
     fits = [fit for fit in refitted if fit is not None]
     claimed = refitted[0] if refitted and final.causes else None
     # Rivals with fewer causes do not count as better because they are simpler: they are not claimed.
-    same = [fit for fit in fits if len(fit.causes) == len(final.causes)]
-    best = min(same or fits, key=store.criterion, default=None)
-    instead: Fit | None = None
+    with_as_many_causes = [fit for fit in fits if len(fit.causes) == len(final.causes)]
+    best = min(with_as_many_causes or fits, key=store.criterion, default=None)
+    better_rival: Fit | None = None
     if claimed is not None and best is not None:
-        ranked = sorted(same, key=store.criterion)
+        ranked = sorted(with_as_many_causes, key=store.criterion)
         for fit in ranked[: [rival is claimed for rival in ranked].index(True)]:
-            alike = fitter.difference(claimed, fit) < c.claim.told_apart
-            if alike and store.criterion(claimed) <= store.criterion(fit) + c.search.survives:
+            are_alike = fitter.difference(claimed, fit) < c.claim.told_apart
+            if are_alike and store.criterion(claimed) <= store.criterion(fit) + c.search.survives:
                 best = claimed if fit is best else best  # one class, named after the claimed cause
                 break
-            was = contenders[[fit is refit for refit in refitted].index(True)]
-            if not _is_kin(search, final, was, members):
-                instead = was
+            fit_as_stated = contenders[[fit is refit for refit in refitted].index(True)]
+            if not _is_special_case(search, final, fit_as_stated, members):
+                better_rival = fit_as_stated
                 break
-    moved = claimed is not None and errors == 1.0 and _moved(fitter, final, claimed)
-    if plain is not None and store.p_value(plain) > c.gate.level:
-        return Trial(Stability(change, ADEQUATE.word, ()), instead, moved)
+    value_moved = claimed is not None and error_factor == 1.0 and _has_moved(fitter, final, claimed)
+    if fit_without_causes is not None and store.p_value(fit_without_causes) > c.gate.level:
+        return Trial(Stability(change, ADEQUATE.word, ()), better_rival, value_moved)
     if best is None or store.p_value(best) <= c.gate.surely:
-        return Trial(Stability(change, UNEXPLAINED.word, ()), instead, moved)
-    near = [
+        return Trial(Stability(change, UNEXPLAINED.word, ()), better_rival, value_moved)
+    rivals = [
         fit
-        for fit in same
+        for fit in with_as_many_causes
         if store.criterion(fit) <= store.criterion(best) + c.search.survives
         and store.p_value(fit) > c.gate.surely
         and fitter.difference(best, fit) >= c.claim.told_apart
     ]
     names = tuple(cause.name for cause in best.causes)
-    verdict = AMBIGUOUS if near else EFFECT_FOUND
-    return Trial(Stability(change, verdict.word, names), instead, moved)
+    verdict = AMBIGUOUS if rivals else EFFECT_FOUND
+    return Trial(Stability(change, verdict.word, names), better_rival, value_moved)
 
 
-def _moved(fitter: Fitter, final: Fit, again: Fit) -> bool:
+def _has_moved(fitter: Fitter, final: Fit, refit: Fit) -> bool:
     """Return whether the value of a claimed cause changes by far more than its standard deviation."""
     for i in (i for cause in final.causes for i in fitter.indices(cause)):
         k = final.free.index(i)
         if (
-            abs(again.values[i] - final.values[i])
+            abs(refit.values[i] - final.values[i])
             > fitter.criteria.reasons.far * final.covariance[k, k] ** 0.5
         ):
             return True
     return False
 
 
-def _is_kin(search: Search, final: Fit, rival: Fit, members: Sequence[set[str]]) -> bool:
+def _is_special_case(search: Search, final: Fit, rival: Fit, members: Sequence[set[str]]) -> bool:
     """Return whether one of two fits is a special case of the other, and the claimed class lists both.
 
     Smaller errors always favour more parameters, and larger errors fewer.  With the stated errors the simpler fit is
     adequate, the data cannot tell the two apart, and the claim covers both.
     """
     names = {c.name for c in final.causes} ^ {c.name for c in rival.causes}
-    return any(names <= group for group in members) and nested(search.store.fitter, final, rival)
+    return any(names <= group for group in members) and are_nested(search.store.fitter, final, rival)

@@ -15,17 +15,17 @@ from pkmodes.loop.diagnosis.verdict.verdicts import (
 
 HALVED, DOUBLED, WIDENED = "sigma x 0.5", "sigma x 2", "priors x 2"
 #: What explains the residual, or the part that the best explanation leaves, under each change.
-ENOUGH = {
+EXPLAINED_BY_CHANGE = {
     DOUBLED: "errors twice as large would explain {what}",
     WIDENED: "the uncertain values would then make up for {what}",
 }
 #: Why nothing explains the residual any more: with halved errors even the right explanation leaves too much.
-TOO_LARGE = {
+UNEXPLAINED_BY_CHANGE = {
     HALVED: "usual where the stated sigma is right",
     WIDENED: "the priors hold the explanation together",
 }
 #: Why other explanations are as good.
-UNDECIDED = {
+AMBIGUOUS_BY_CHANGE = {
     HALVED: "smaller errors make noise look significant",
     DOUBLED: "errors twice as large no longer tell it from others",
     WIDENED: "the uncertain values would then make up for the differences",
@@ -34,36 +34,42 @@ UNDECIDED = {
 
 #: Changes of the verdict that the errors themselves explain: smaller errors turn noise into a residual, larger errors
 #: turn a residual into noise.
-EXPECTED = {(HALVED, UNEXPLAINED.word), (DOUBLED, ADEQUATE.word)}
+EXPECTED_CHANGES = {(HALVED, UNEXPLAINED.word), (DOUBLED, ADEQUATE.word)}
 
 
-def stable(result: Diagnosis) -> bool:
+def is_stable(result: Diagnosis) -> bool:
     """Return whether a verdict is stable: at most one change gives another verdict, which the errors explain."""
-    different = [entry for entry in result.stability if not same(result, entry)]
-    return len(different) <= 1 and all((entry.change, entry.verdict) in EXPECTED for entry in different)
+    different = [entry for entry in result.stability if not same_verdict(result, entry)]
+    return len(different) <= 1 and all(
+        (entry.change, entry.verdict) in EXPECTED_CHANGES for entry in different
+    )
 
 
-def same(result: Diagnosis, entry: Stability) -> bool:
+def same_verdict(result: Diagnosis, entry: Stability) -> bool:
     """Return whether a change leaves the verdict and its causes as they are."""
     claimed = {member for effect in result.effects for member in effect.members}
     return entry.verdict == result.verdict and (not claimed or set(entry.effects) <= claimed)
 
 
-def meaning(result: Diagnosis, entry: Stability) -> str:
+def reason_of_change(result: Diagnosis, entry: Stability) -> str:
     """Return why a change gives a diagnosis another verdict; empty if it does not, or for no known reason."""
-    if same(result, entry) or INSUFFICIENT_DATA.word in (result.verdict, entry.verdict):
+    if same_verdict(result, entry) or INSUFFICIENT_DATA.word in (result.verdict, entry.verdict):
         return ""
-    settled = VERDICTS[result.verdict].settled
+    is_settled = VERDICTS[result.verdict].settled
     if entry.verdict == ADEQUATE.word:
-        return ENOUGH.get(entry.change, "").format(what="the residual")
+        return EXPLAINED_BY_CHANGE.get(entry.change, "").format(what="the residual")
     if entry.verdict == UNEXPLAINED.word:
-        return TOO_LARGE.get(entry.change, "") if settled or result.verdict == AMBIGUOUS.word else ""
+        return (
+            UNEXPLAINED_BY_CHANGE.get(entry.change, "")
+            if is_settled or result.verdict == AMBIGUOUS.word
+            else ""
+        )
     if result.verdict == UNEXPLAINED.word:
-        return ENOUGH.get(entry.change, "").format(what="what it leaves")
+        return EXPLAINED_BY_CHANGE.get(entry.change, "").format(what="what it leaves")
     if result.verdict == ADEQUATE.word:
-        return UNDECIDED[HALVED] if entry.change == HALVED else ""
+        return AMBIGUOUS_BY_CHANGE[HALVED] if entry.change == HALVED else ""
     if entry.verdict == AMBIGUOUS.word:
-        return UNDECIDED.get(entry.change, "")
+        return AMBIGUOUS_BY_CHANGE.get(entry.change, "")
     if result.verdict == AMBIGUOUS.word and entry.verdict == EFFECT_FOUND.word:
         return "smaller errors would decide" if entry.change == HALVED else ""
     return ""

@@ -90,19 +90,19 @@ class Beyond:
         """The class that was found; None if none was."""
         return self.classes[0] if self.status == FOUND.word else None
 
-    def words(self, longest: int | None = None) -> str:
+    def words(self, max_length: int | None = None) -> str:
         """Return what was found with its value, as a sentence; empty if nothing was found.
 
-        - longest: characters of a class; what does not fit is counted
+        - max_length: characters of a class; what does not fit is counted
         """
         if self.found is None:
             return ""
         finding, forms = self.found.finding, self.found.forms
         if not all(forms[name] for name in finding.members):  # a cause of the catalogue is among them
-            words = naming.found_in_words([finding], longest)
+            words = naming.found_in_words([finding], max_length)
             return words[0].upper() + words[1:]
         if len(finding.members) > 1:
-            return f"Not in the catalogue: {naming.found_in_words([finding], longest)}"
+            return f"Not in the catalogue: {naming.found_in_words([finding], max_length)}"
         sizes = [f"{value.rounded} {value.unit}".removesuffix(" 1") for value in finding.parameters]
         return f"Not in the catalogue: {', '.join([finding.member(finding.name).words, *sizes])}"
 

@@ -6,7 +6,7 @@ from pkmodes.core.base.numbers import p_in_words
 from pkmodes.loop.diagnosis.verdict.evidence import Start
 
 #: Effective number of uncertain values that the data may determine although these count as held by their priors.
-HELD = 0.1
+MAX_DETERMINED_PART = 0.1
 
 
 def too_few(start: Start) -> str:
@@ -19,7 +19,7 @@ def too_few(start: Start) -> str:
     rows, shapes = len(observations.log_frequencies), int(observations.shapes.count.sum())
     if (
         observations.degrees_of_freedom(observations.all_rows)
-        >= start.unknown - HELD + start.criteria.claim.redundancy
+        >= start.effective_parameters - MAX_DETERMINED_PART + start.criteria.claim.redundancy
     ):
         return ""
     uncertain = [fitter.parameters[i].name for i in fitter.nuisances]
@@ -28,12 +28,12 @@ def too_few(start: Start) -> str:
     modes += " is" if rows == 1 else " are"
     values = f"the uncertain {', '.join(uncertain)} and " if uncertain else ""
     text = f"{modes} too few to fit {values}a cause, with one value left to test it"
-    if start.first is None:
+    if start.declared_fit is None:
         return text
-    single, p = rows == 1, p_in_words(start.plain.p_value(start.first))
-    if not start.contradicted:
-        them = "it" if single else "them"
+    is_single, p = rows == 1, p_in_words(start.store.p_value(start.declared_fit))
+    if not start.is_contradicted:
+        them = "it" if is_single else "them"
         return f"{text}; the declared model with its uncertain values does not contradict {them} ({p})"
-    they, verb = ("it", "contradicts") if single else ("they", "contradict")
-    would = f"; {they} would not with {' or '.join(start.hints)}" if start.hints else ""
-    return f"{text}; yet {they} {verb} the declared model and its uncertain values ({p}){would}"
+    they, verb = ("it", "contradicts") if is_single else ("they", "contradict")
+    hint_clause = f"; {they} would not with {' or '.join(start.hints)}" if start.hints else ""
+    return f"{text}; yet {they} {verb} the declared model and its uncertain values ({p}){hint_clause}"

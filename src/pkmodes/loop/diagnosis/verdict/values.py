@@ -12,11 +12,11 @@ from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.problem import Candidate
 from pkmodes.loop.diagnosis.search.search import Search
 
-#: A cause shows in one row if that has more than this part of the sum of squares of its changes.
-ONCE = 0.5
+#: A cause shows only in one row if that has more than this part of the sum of squares of its changes.
+MIN_PART_OF_SQUARES = 0.5
 
 
-def no_value(search: Search, final: Fit) -> str:
+def insignificant_value(search: Search, final: Fit) -> str:
     """Return which cause has a value at a bound, or one not distinct from the declared one; empty if none has."""
     fitter, c = search.store.fitter, search.criteria
     for cause in final.causes:
@@ -44,14 +44,14 @@ def p_absent(search: Search, final: Fit, cause: Candidate) -> float:
     fitter = search.store.fitter
     index = list(fitter.indices(cause))
     sigma = np.array([final.sigma_of(i) or 1.0 for i in index])
-    away = (final.values[index] - fitter.declared[index]) / sigma
+    deviations = (final.values[index] - fitter.declared[index]) / sigma
     information = np.linalg.pinv(final.covariance_of(index) / np.outer(sigma, sigma), hermitian=True)
     if cause.form:  # a term is absent without its first parameter, whatever the others are
-        away, information = away[:1], information[:1, :1]
-    return float(stats.chi2.sf(float(away @ information @ away), len(away)))
+        deviations, information = deviations[:1], information[:1, :1]
+    return float(stats.chi2.sf(float(deviations @ information @ deviations), len(deviations)))
 
 
-def rests_on_one_row(search: Search, final: Fit) -> str:
+def deciding_row(search: Search, final: Fit) -> str:
     """Return which single row determines a cause or its value; empty if none does."""
     store, c = search.store, search.criteria
     fitter, h = store.fitter, final.hypothesis
@@ -62,30 +62,39 @@ def rests_on_one_row(search: Search, final: Fit) -> str:
         index = list(fitter.indices(cause))
         sigma = [final.sigma_of(i) for i in index]
         for row in rows:
-            if shows_once(search, final, cause, row):
+            if shows_in_one_row_only(search, final, cause, row):
                 continue
-            with_cause = replace(h, excluded=h.excluded | {row})
-            without = replace(with_cause, causes=tuple(kept for kept in h.causes if kept != cause))
-            here, less = store.fit(with_cause, final.values), store.fit(without, store.undone(final, without))
-            if here is None or less is None:
+            hypothesis = replace(h, excluded=h.excluded | {row})
+            hypothesis_without_cause = replace(
+                hypothesis, causes=tuple(other for other in h.causes if other != cause)
+            )
+            fit_with_cause = store.fit(hypothesis, final.values)
+            fit_without_cause = store.fit(
+                hypothesis_without_cause, store.undone(final, hypothesis_without_cause)
+            )
+            if fit_with_cause is None or fit_without_cause is None:
                 continue
-            gone = float(stats.chi2.sf(max(less.deviance - here.deviance, 0.0), len(index))) > c.claim.claimed
-            both = np.hypot(sigma, [here.sigma_of(i) for i in index])
-            moved = np.abs(here.values[index] - final.values[index]) > c.claim.moved * both
-            if gone or moved.any():
+            gain = max(fit_without_cause.deviance - fit_with_cause.deviance, 0.0)
+            is_lost = float(stats.chi2.sf(gain, len(index))) > c.claim.claimed
+            sigma_of_change = np.hypot(sigma, [fit_with_cause.sigma_of(i) for i in index])
+            change = np.abs(fit_with_cause.values[index] - final.values[index])
+            has_moved = change > c.claim.moved * sigma_of_change
+            if is_lost or has_moved.any():
                 data = fitter.data
-                there = float(here.values[index[int(np.argmax(moved))]])
-                so = "it would not be detected" if gone else f"its value would be {plain(there, 4)}"
+                value_without_row = float(fit_with_cause.values[index[int(np.argmax(has_moved))]])
+                consequence = f"its value would be {plain(value_without_row, 4)}"
+                if is_lost:
+                    consequence = "it would not be detected"
                 return (
                     f"{cause.name} would explain the residual, but depends on line {data.lines[row]} "
-                    f"({data.labels[data.pose[row]]}, {data.frequency[row]:g} Hz) alone: without that row, {so}; "
-                    "check the row"
+                    f"({data.labels[data.pose[row]]}, {data.frequency[row]:g} Hz) alone: without that row, "
+                    f"{consequence}; check the row"
                 )
     return ""
 
 
-def shows_once(search: Search, final: Fit, cause: Candidate, row: int) -> bool:
-    """Return whether a cause by nature shows in one row: it hardly changes other modes, all measured at one setup.
+def shows_in_one_row_only(search: Search, final: Fit, cause: Candidate, row: int) -> bool:
+    """Return whether a cause can show only in one row: it hardly changes other modes, all measured at one setup.
 
     No other row could then tell a mistaken row from the cause.  Where the mode was measured at several setups, or
     the cause changes other modes as much, they could.
@@ -93,24 +102,24 @@ def shows_once(search: Search, final: Fit, cause: Candidate, row: int) -> bool:
     store, fitter = search.store, search.store.fitter
     if not search.criteria.claim.once or len(fitter.data.labels) > 1:
         return False
-    less = replace(final.hypothesis, causes=tuple(kept for kept in final.causes if kept != cause))
-    without = fitter.evaluated(less, store.undone(final, less), final.scatter)
-    if without is None:
+    hypothesis = replace(final.hypothesis, causes=tuple(other for other in final.causes if other != cause))
+    fit_without_cause = fitter.evaluated(hypothesis, store.undone(final, hypothesis), final.scatter)
+    if fit_without_cause is None:
         return False
     rows, used = fitter.observations.frequency_rows, fitter.used(final.hypothesis)
-    change = (without.residual - final.residual)[rows] / fitter.observations.sigma
+    change = (fit_without_cause.residual - final.residual)[rows] / fitter.observations.sigma
     squares = np.where(used, change**2, 0.0)
-    return bool(squares[row] > ONCE * squares.sum())
+    return bool(squares[row] > MIN_PART_OF_SQUARES * squares.sum())
 
 
-def once(search: Search, final: Fit) -> str:
-    """Return which single row by nature shows a cause, as a clause; empty if none does."""
+def single_row_in_words(search: Search, final: Fit) -> str:
+    """Return, as a clause, the only row in which a cause can show; empty if there is none."""
     data = search.store.fitter.data
     lines = {
         int(data.lines[row])
         for cause in final.causes
         for row in range(len(data.lines))
-        if shows_once(search, final, cause, row)
+        if shows_in_one_row_only(search, final, cause, row)
     }
     if not lines:
         return ""

@@ -14,7 +14,8 @@ class Verdict:
     """A verdict.
 
     - word: its name in results and on the command line
-    - sentence: heading of a report; ``{causes}`` says what was found (`naming.found`), and ``{s}`` makes a plural
+    - sentence: heading of a report; ``{causes}`` stands for what was found (`naming.found_in_words`), and ``{s}``
+      makes a plural
     - fails: whether ``pkmodes diagnose --fail-on any`` ends with exit code 1
     - colour: colour of the heading
     - inspect, sure: what to look at, and how sure the verdict is, in the words of an owner.  ``{likely}`` stands for

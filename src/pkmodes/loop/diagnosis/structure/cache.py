@@ -8,16 +8,18 @@ from typing import Generic, TypeVar
 from cachetools import LRUCache
 
 #: Largest memory of all values together [bytes]; a single larger value is still kept.
-MEMORY = 64 * 2**20
+MAX_MEMORY = 64 * 2**20
 
 T = TypeVar("T")
 
 
-class Kept(Generic[T]):
+class ResultCache(Generic[T]):
     """A least-recently-used cache of values, each stored with its size."""
 
-    def __init__(self, memory: int = MEMORY) -> None:
-        self._values: LRUCache[Hashable, tuple[T, int]] = LRUCache(memory, getsizeof=lambda entry: entry[1])
+    def __init__(self, max_memory: int = MAX_MEMORY) -> None:
+        self._values: LRUCache[Hashable, tuple[T, int]] = LRUCache(
+            max_memory, getsizeof=lambda entry: entry[1]
+        )
 
     def __contains__(self, key: Hashable) -> bool:
         return key in self._values
