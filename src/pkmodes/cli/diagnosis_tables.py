@@ -12,7 +12,15 @@ from pkmodes.core.robot.robot import Robot
 from pkmodes.core.support.motors import motors_in_words
 from pkmodes.core.support.ordering import sorted_labels
 from pkmodes.loop.diagnosis.verdict import naming
-from pkmodes.loop.diagnosis.verdict.findings import Corrected, Finding, Value, explain_saved_sigma, omission_in_words, saved_as, with_saved_sigma
+from pkmodes.loop.diagnosis.verdict.findings import (
+    Corrected,
+    Finding,
+    Value,
+    explain_saved_sigma,
+    omission_in_words,
+    saved_as,
+    with_saved_sigma,
+)
 from pkmodes.loop.diagnosis.verdict.result import Damping, Diagnosis
 from pkmodes.pages.report.action import action
 from pkmodes.pages.report.beyond import beyond
@@ -85,7 +93,9 @@ def _show_class(terminal: Terminal, effect: Finding, corrected: Sequence[Correct
         if index == 1:
             terminal.line("these data cannot distinguish it from", "  ")
         relative, reason = effect.relative(member), effect.member(member).implausible
-        values = ", ".join(f"{_short_name(v)} = {_with_sigma(v)}" for v in relative or effect.alternatives[member])
+        values = ", ".join(
+            f"{_short_name(v)} = {_with_sigma(v)}" for v in relative or effect.alternatives[member]
+        )
         relative_note = " relative to their mean" if relative else ""
         implausible = f" (implausible: {reason})" if reason else ""
         assumed = f", for {text}" if (text := effect.member(member).assumed) else ""
@@ -96,7 +106,10 @@ def _show_class(terminal: Terminal, effect: Finding, corrected: Sequence[Correct
         if saved_value is None or saved_value.unseen is None:
             continue
         if saved_value.widened:
-            remarks.append(f"{_short_name(value)} is saved with +- {plain(saved_value.saved_sigma, 2)}, for what {saved_value.unseen.agent} could have done")
+            remarks.append(
+                f"{_short_name(value)} is saved with +- {plain(saved_value.saved_sigma, 2)}, for what "
+                f"{saved_value.unseen.agent} could have done"
+            )
         if saved_value.unseen.unbounded:
             remarks.append(omission_in_words(saved_value.unseen))
     terminal.line("; ".join(dict.fromkeys(remarks)), "  ")
@@ -116,14 +129,23 @@ def _show_values(terminal: Terminal, effect: Finding, corrected: Sequence[Correc
     if relative:
         terminal.line("relative to their mean:", "  ")
     for value in relative or effect.parameters:
-        reliable_value, reason = (value, "") if relative else (with_saved_sigma(value, corrected), explain_saved_sigma(value, corrected))
-        terminal.line(f"{_short_name(value)} = {_with_sigma(reliable_value)}{effect.assumed}", "    " if relative else "  ")
+        reliable_value, reason = (
+            (value, "")
+            if relative
+            else (with_saved_sigma(value, corrected), explain_saved_sigma(value, corrected))
+        )
+        terminal.line(
+            f"{_short_name(value)} = {_with_sigma(reliable_value)}{effect.assumed}",
+            "    " if relative else "  ",
+        )
         if reason:
             terminal.line(reason, "    ")
     if reason := effect.member(effect.name).implausible:
         terminal.line(f"implausible: {reason}", "  ")
     if relative:
-        values_with_mean = ", ".join(_with_sigma(with_saved_sigma(value, corrected)) for value in effect.parameters)
+        values_with_mean = ", ".join(
+            _with_sigma(with_saved_sigma(value, corrected)) for value in effect.parameters
+        )
         terminal.line("with their mean, which is less certain:", "  ")
         terminal.line(values_with_mean, "    ")
         reasons = dict.fromkeys(explain_saved_sigma(value, corrected) for value in effect.parameters)
@@ -176,7 +198,11 @@ def largest_limits(result: Diagnosis) -> list[str]:
     largest_by_effect: dict[str, str] = {}  # of the parameters of an effect, the one that could change most
     for name in ranked:
         largest_by_effect.setdefault(effects[name].candidate, name)
-    return [f"{name} up to {plain(value, 2)} {effects[name].unit}".removesuffix(" 1") for name in list(largest_by_effect.values())[:MAX_LIMITS_LISTED] if (value := effects[name].value) is not None]
+    return [
+        f"{name} up to {plain(value, 2)} {effects[name].unit}".removesuffix(" 1")
+        for name in list(largest_by_effect.values())[:MAX_LIMITS_LISTED]
+        if (value := effects[name].value) is not None
+    ]
 
 
 def _short_name(value: Value) -> str:
