@@ -21,7 +21,7 @@ from modaltest.campaign.structures import (
 from pkmodes.modaltest.campaign.campaign import read_campaign
 from pkmodes.modaltest.campaign.edits import edited
 from pkmodes.modaltest.campaign.results import IdentifiedMode, Parts
-from pkmodes.modaltest.identification.asked import RequestedModes
+from pkmodes.modaltest.identification.requested_modes import RequestedModes
 
 F = np.arange(10.0, 220.0, 0.25)
 ALIKE = HEAD + sensors("m/s^2", "m/s^2", "m/s^2")

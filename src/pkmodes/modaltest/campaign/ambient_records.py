@@ -23,7 +23,7 @@ from pkmodes.modaltest.campaign.time_records import (
 )
 from pkmodes.modaltest.identification.clocks import Delay
 from pkmodes.modaltest.identification.estimates import Mode
-from pkmodes.modaltest.identification.ssi_bands import FEWEST_PERIODS
+from pkmodes.modaltest.identification.ssi_bands import MIN_PERIODS
 from pkmodes.modaltest.identification.ssi_identification import identify_responses
 
 
@@ -58,7 +58,7 @@ def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) ->
                 f"end the band at {plain(BRIDGED / recording.gap, 3)} Hz or lower, where they are bridged"
             )
             raise MeasurementError(problem, error.where, f"{highest}; or {error.remedy}") from None
-    shortest = FEWEST_PERIODS / record.band[0]
+    shortest = MIN_PERIODS / record.band[0]
     short = [piece for piece in recording.pieces if len(piece) * recording.step < shortest]
     if short:
         messages = (
@@ -75,7 +75,7 @@ def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) ->
             unsigned.setdefault(name, []).append(f"{mode.frequency:.4g}")
         return adjusted
 
-    fit = replace(fit, estimate=fit.estimate.changed(accelerations))
+    fit = replace(fit, estimate=fit.estimate.map_modes(accelerations))
     lost = [
         f"{recording.source}: the modes at {', '.join(modes)} Hz have no components of {name}: its clock is not known"
         " well enough to tell their sign"

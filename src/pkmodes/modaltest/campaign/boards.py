@@ -17,7 +17,7 @@ from scipy.interpolate import make_interp_spline
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.modaltest.campaign.description import RecordTable, value_and_sigma
 from pkmodes.modaltest.identification.clocks import Delay, delay, rough_delay
-from pkmodes.modaltest.identification.estimates import Mode, turned_real
+from pkmodes.modaltest.identification.estimates import Mode, rotate_to_real
 from pkmodes.modaltest.signals.checks import FEWEST
 
 Array = NDArray[np.float64]
@@ -231,8 +231,8 @@ def _compared(first: Board, board: Board, clock: Clock, band: tuple[float, float
         shifted = board.later(stated)
         step, parts = _overlaps([first, shifted], LONGEST)
         pieces = [(low, first.at(low, step, count), shifted.at(low, step, count)) for low, count in parts]
-        estimate = delay(step, pieces, compared, within=within, drift=0.0 if clock.common else DRIFT)
-        reason = "" if (estimate.turns <= MOST).any() else "the vibrations do not tell"
+        estimate = delay(step, pieces, compared, max_delay=within, max_drift=0.0 if clock.common else DRIFT)
+        reason = "" if (estimate.phase_sigmas <= MOST).any() else "the vibrations do not tell"
     except MeasurementError as error:
         reason = error.what
     if reason and own_clock:
@@ -272,12 +272,12 @@ def with_clocks(
 
     - columns: the components of each board
     """
-    turns = {setup: by.turn(mode.frequency) for setup, by in delays.items()}
+    turns = {setup: by.phase_sigma(mode.frequency) for setup, by in delays.items()}
     lost = [setup for setup, turn in turns.items() if turn > MOST]
     shape = mode.shape.copy()
     for setup in lost:
         shape[columns[setup]] = np.nan
-    real_shape = turned_real(shape).real
+    real_shape = rotate_to_real(shape).real
     if not np.isfinite(real_shape).any():
         return replace(mode, shape=shape), lost
     largest = int(np.nanargmax(np.abs(real_shape)))
@@ -286,7 +286,7 @@ def with_clocks(
         for sign in () if setup in lost else (-1.0, 1.0):
             rotated = shape.copy()
             rotated[columns[setup]] *= np.exp(1j * sign * turn)
-            turned = turned_real(rotated).real
+            turned = rotate_to_real(rotated).real
             variance += 0.5 * (turned / turned[largest] - real_shape) ** 2
     spread = float(np.sqrt(np.nanmax(variance)))
     return replace(mode, shape=shape, sigma_shape=float(np.hypot(mode.sigma_shape, spread))), lost

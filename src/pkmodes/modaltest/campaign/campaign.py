@@ -36,7 +36,7 @@ from pkmodes.modaltest.campaign.sensors import (
     names_in_files,
     sensors_of,
 )
-from pkmodes.modaltest.identification.asked import NOTHING, RequestedModes
+from pkmodes.modaltest.identification.requested_modes import NO_EDITS, RequestedModes
 
 #: Value of `repeatability` other than a share: estimate it from poses that were measured twice.
 REVISITS = "revisits"
@@ -133,7 +133,7 @@ class Campaign:
 
     def asked(self, record: Record) -> RequestedModes:
         """Return the user's edits of the modes of a record."""
-        return self.edits.get(record.pose, NOTHING)
+        return self.edits.get(record.pose, NO_EDITS)
 
     def places_at(self, record: Record) -> dict[str, Transducer]:
         """Return sensors and forces of all setups, by key, as oriented at the pose of a record."""
@@ -368,6 +368,6 @@ def _edits(
             raise MeasurementError(problem, f"{where}.pose", nearest_name(edit.pose, labels))
         strike = tuple(frequency(text, f"{where}.strike") for text in edit.strike)
         add = tuple(frequency(text, f"{where}.add") for text in edit.add)
-        before = edits.get(label, NOTHING)
+        before = edits.get(label, NO_EDITS)
         edits[label] = RequestedModes(before.strike + strike, before.add + add)
     return edits

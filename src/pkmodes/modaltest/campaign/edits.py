@@ -14,7 +14,7 @@ from pkmodes.modaltest.campaign.grouping import grouped
 from pkmodes.modaltest.campaign.kinds import RecordKind
 from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate
 from pkmodes.modaltest.campaign.results import IdentifiedMode
-from pkmodes.modaltest.identification.asked import RequestedModes, nearest_frequency
+from pkmodes.modaltest.identification.requested_modes import RequestedModes, nearest_frequency
 
 #: Two added modes are the same if their frequencies differ by less, relative: separate fits do not end so close.
 SAME = 1e-4

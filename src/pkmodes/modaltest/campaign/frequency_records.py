@@ -27,9 +27,9 @@ from pkmodes.modaltest.campaign.sensor_functions import (
 from pkmodes.modaltest.campaign.sensors import MotionSensor, Transducer, unsigned
 from pkmodes.modaltest.identification.estimates import Mode
 from pkmodes.modaltest.identification.frf_identification import identify_frf
-from pkmodes.modaltest.identification.frf_model_errors import not_linear
+from pkmodes.modaltest.identification.frf_model_errors import nonlinearity_message
 from pkmodes.modaltest.identification.spectra import identify_spectrum
-from pkmodes.modaltest.identification.tones import no_bandwidth
+from pkmodes.modaltest.identification.tones import tone_message
 from pkmodes.modaltest.signals.functions import Function, FunctionKind
 
 Array = NDArray[np.float64]
@@ -153,9 +153,9 @@ def frf_fit(responses: Responses, averages: int | None, record: Record, campaign
 def remarks_on(fit: FileFit, source: str) -> list[str]:
     """Return messages about lines without bandwidth, and about spurious modes of a nonlinear machine."""
     estimate = fit.estimate
-    remarks = [no_bandwidth(tone) for tone in estimate.tones]
-    if estimate.left_out:
-        remarks.append(not_linear(estimate.model_error, estimate.left_out))
+    remarks = [tone_message(tone) for tone in estimate.tones]
+    if estimate.spurious_frequencies:
+        remarks.append(nonlinearity_message(estimate.model_error, estimate.spurious_frequencies))
     return [f"{source}: {remark}" for remark in remarks]
 
 

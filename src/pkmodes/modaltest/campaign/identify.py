@@ -32,9 +32,9 @@ from pkmodes.modaltest.campaign.shapes import (
     left_blank,
     turned_shape,
 )
-from pkmodes.modaltest.identification.asked import NOTHING
 from pkmodes.modaltest.identification.estimates import collinearity
-from pkmodes.modaltest.identification.spectra import LEAST as LEAST_LINE
+from pkmodes.modaltest.identification.requested_modes import NO_EDITS
+from pkmodes.modaltest.identification.spectra import MIN_SIGMA as LEAST_LINE
 
 #: Relative standard deviation of a damping ratio below which it is only rounding: the same number written several
 #: times, or functions without noise.
@@ -91,7 +91,7 @@ def _result(measured: MeasuredRecord, campaign: Campaign, repeatability: float) 
     places = {} if KINDS[record.kind].by_channel else campaign.places_at(record)
     modes = [_row(mode, places, repeatability) for mode in measured.modes]
     added = [_row(mode, places, repeatability, ADDED) for mode in measured.added]
-    edits = campaign.asked(record) if measured.repeats else NOTHING
+    edits = campaign.asked(record) if measured.repeats else NO_EDITS
     edited_modes, struck = edited(modes, added, edits, pose, campaign.source)
     if KINDS[record.kind].signals and any(mode.shape for mode in edited_modes):
         log += [

@@ -25,7 +25,11 @@ from pkmodes.modaltest.campaign.sensor_functions import in_file, signal_request
 from pkmodes.modaltest.campaign.sensors import Transducer, unsigned
 from pkmodes.modaltest.campaign.time_records import TimeSignals, time_signals, with_bridges, with_levels
 from pkmodes.modaltest.identification.estimates import Mode
-from pkmodes.modaltest.identification.frf_estimates import ImpactEstimate, impact_estimate, samples_of_blows
+from pkmodes.modaltest.identification.frf_estimates import (
+    ImpactEstimate,
+    impact_estimate,
+    shortest_blow_length,
+)
 from pkmodes.modaltest.signals.functions import MOST_NAMES
 from pkmodes.modaltest.signals.reading import read_signals
 
@@ -150,7 +154,7 @@ def _fit(
     lengths, values, estimates = list[int](), list[Complex](), list[ImpactEstimate]()
     for recording in recordings:
         with in_file(recording.source):
-            lengths.append(samples_of_blows(step, recording.forces[0], hits))
+            lengths.append(shortest_blow_length(step, recording.forces[0], hits))
     for recording in recordings:
         with in_file(recording.source):
             estimate = impact_estimate(
@@ -159,7 +163,7 @@ def _fit(
                 recording.pieces[0],
                 hits=hits,
                 exponential=record.exponential,
-                longest=min(lengths),
+                max_length=min(lengths),
             )
         messages += [f"{recording.source}: {message}" for message in estimate.messages]
         values.append(estimate.H * recording.as_accelerations(2j * np.pi * estimate.frequencies)[:, :, None])
@@ -194,4 +198,4 @@ def _fit(
             return replace(mode, sigma_shape=float(np.hypot(mode.sigma_shape, max(size_sigmas))))
         return replace(mode, sigma_size=float(np.hypot(mode.sigma_size, max(size_sigmas))))
 
-    return replace(fit, estimate=fit.estimate.changed(with_full_decay)), tuple(messages)
+    return replace(fit, estimate=fit.estimate.map_modes(with_full_decay)), tuple(messages)

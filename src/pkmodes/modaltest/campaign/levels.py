@@ -18,7 +18,7 @@ from scipy.stats import t as student
 from pkmodes.core.base.numbers import plain
 from pkmodes.loop.measured.amplitude import DIFFER
 from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate
-from pkmodes.modaltest.identification.level import FALSE_ALARM, LEAST, LevelShift
+from pkmodes.modaltest.identification.level import FALSE_ALARM, MIN_CHANGE, LevelShift
 
 Array = NDArray[np.float64]
 
@@ -72,7 +72,7 @@ def _shift(fit: _Regression, pooled: float, freedom: int) -> LevelShift | None:
     t = math.sqrt(float(((fit.fitted - fit.fitted.mean()) ** 2).sum()) / max(variance, fit.of_fits, 1e-300))
     shift = LevelShift(high, low, math.exp(float(np.ptp(fit.level))))
     sure = 2.0 * student.sf(t, worth + fit.freedom) < FALSE_ALARM
-    return shift if sure and shift.spread > LEAST * low else None
+    return shift if sure and shift.spread > MIN_CHANGE * low else None
 
 
 def widest(shifts: Sequence[LevelShift | None]) -> LevelShift | None:

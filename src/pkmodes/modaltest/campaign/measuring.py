@@ -23,7 +23,7 @@ from pkmodes.modaltest.campaign.mode_estimates import FileModes, ModeEstimate
 from pkmodes.modaltest.campaign.results import LeftOut
 from pkmodes.modaltest.campaign.roving import RovingPoint, change_of, points_of
 from pkmodes.modaltest.campaign.roving_functions import ApartError
-from pkmodes.modaltest.identification.asked import NEAR
+from pkmodes.modaltest.identification.requested_modes import SAME_MODE_TOLERANCE
 
 #: Least share of the repeats in which a mode must be found.
 OFTEN = 0.5
@@ -123,7 +123,7 @@ def _find(path: Path, record: Record, setup: str, kind: RecordKind, campaign: Ca
     def by_key(components: Mapping[str, complex]) -> dict[str, complex]:
         return {keys.get(name, name): value for name, value in components.items()}
 
-    return file_modes.changed(
+    return file_modes.map_modes(
         lambda mode: replace(mode, shape=by_key(mode.shape), participation=by_key(mode.participation))
     )
 
@@ -168,7 +168,7 @@ def _read(
         log += [
             f"{name}: the mode at {frequency:.4g} Hz lies beside the tone at {multiple:.4g} Hz"
             for frequency, multiple in beside
-            if abs(frequency / multiple - 1.0) <= NEAR
+            if abs(frequency / multiple - 1.0) <= SAME_MODE_TOLERANCE
         ]
         if outside:
             listing = ", ".join(f"{frequency:.4g}" for frequency in outside)
@@ -234,7 +234,7 @@ def _together(
     messages[:] = joint_messages
     merged = replace(
         joint,
-        file_modes=[file.changed(change.on) for file in joint.file_modes],
+        file_modes=[file.map_modes(change.on) for file in joint.file_modes],
         left_out=[faulty for setup in (*setups.values(), joint) for faulty in setup.left_out],
         places=[files for setup in setups.values() for files in setup.places],
     )

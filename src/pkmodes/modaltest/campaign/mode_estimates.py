@@ -123,7 +123,7 @@ class FileModes:
     unnamed: tuple[str, ...] = ()
     forces: tuple[str, ...] = ()
 
-    def changed(self, change: Callable[[ModeEstimate], ModeEstimate]) -> FileModes:
+    def map_modes(self, change: Callable[[ModeEstimate], ModeEstimate]) -> FileModes:
         """Return it with `change` applied to each mode, including those the user requested."""
         added = tuple(
             candidate if isinstance(candidate, str) else change(candidate) for candidate in self.added

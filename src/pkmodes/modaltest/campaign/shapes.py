@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from pkmodes.core.support.ordering import joined
 from pkmodes.modaltest.campaign.mounts import ROTATION, spread
 from pkmodes.modaltest.campaign.sensors import Transducer
-from pkmodes.modaltest.identification.estimates import turned_real
+from pkmodes.modaltest.identification.estimates import rotate_to_real
 
 Array = NDArray[np.float64]
 #: A component is undetermined if its share in a motion that no sensor shows exceeds this.
@@ -121,7 +121,7 @@ def _well_determined(
 def _largest(shape: Mapping[str, complex]) -> float:
     """Return the largest real part of a shape rotated to be as real as possible."""
     whole = np.array(list(shape.values()))
-    turned = np.linalg.norm(turned_real(whole)) if len(whole) else 0.0
+    turned = np.linalg.norm(rotate_to_real(whole)) if len(whole) else 0.0
     return float(np.linalg.norm(whole) / turned) if turned > 0.0 else 0.0
 
 
@@ -145,5 +145,5 @@ def turned_shape(shape: Mapping[str, complex]) -> dict[str, complex]:
     """Return a shape rotated to be as real as possible, relative to its largest component; its real part is used."""
     if not shape:
         return {}
-    turned = turned_real(np.array(list(shape.values())))
+    turned = rotate_to_real(np.array(list(shape.values())))
     return dict(zip(shape, turned.tolist(), strict=True))

@@ -236,7 +236,7 @@ def with_bridges(
         f"{source}: interpolating as many further samples moves the modes by {plain(moved, 2)} of their standard "
         "deviations, rms: this is added in quadrature"
     )
-    return replace(fit, estimate=fit.estimate.changed(wider)), (*messages, sentence)
+    return replace(fit, estimate=fit.estimate.map_modes(wider)), (*messages, sentence)
 
 
 def with_levels(
