@@ -23,7 +23,7 @@ from modaltest.campaign.structures import (
 )
 from pkmodes.loop.measured.reading import read_modes
 from pkmodes.modaltest.campaign.mode_estimates import FileFit
-from pkmodes.modaltest.campaign.time_records import with_bridges
+from pkmodes.modaltest.campaign.time_records import fit_with_bridges
 from pkmodes.modaltest.identification.estimates import Estimate, Mode, Stabilisation
 
 SENSORS = sensors("m/s^2", "g0", "mm/s")
@@ -202,7 +202,7 @@ def test_what_interpolating_once_more_changes_is_in_sigma() -> None:
         ), ()
 
     given = SimpleNamespace(changed=0.0, once_more=SimpleNamespace(changed=0.1))
-    found, said = with_bridges(fit, [given], "a.csv")
+    found, said = fit_with_bridges(fit, [given], "a.csv")
     (mode,) = found.estimate.modes
     sigmas = mode.sigma_frequency, mode.sigma_damping, mode.sigma_shape
     np.testing.assert_allclose(sigmas, np.sqrt(5.0) * np.array([0.05, 5e-5, 0.02]))

@@ -148,7 +148,7 @@ def test_interpolating_once_more_shows_what_interpolation_misses() -> None:
     signal = np.sin(2.0 * np.pi * 150.0 * time) + 0.1 * rng.normal(size=n)
     (piece,), _ = even_pieces(time[kept], "here", 1.5 * step)
     filled = piece.filled(signal[kept])
-    again = piece.once_more(filled)
+    again = piece.reinterpolated(filled)
     changed = np.flatnonzero(again != filled)
     assert 0.98 * len(lost) < len(changed) <= len(lost)
     assert not np.isin(changed, lost).any()

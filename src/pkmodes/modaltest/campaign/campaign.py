@@ -15,33 +15,33 @@ from pkmodes.core.robot.report_fields import read_report
 from pkmodes.loop.measured.rules import PRINTABLE, is_label
 from pkmodes.loop.updating.channels import channels
 from pkmodes.loop.updating.load_cases import settable
-from pkmodes.modaltest.campaign.boards import Clock, clocks_of
+from pkmodes.modaltest.campaign.boards import Clock, read_clocks
 from pkmodes.modaltest.campaign.description import (
     CampaignTable,
     EditTable,
     RecordTable,
-    band_of,
-    frequency,
+    parse_band,
+    parse_fraction,
+    parse_frequency,
+    parse_quantity,
+    parse_uncertain,
     read_description,
-    share,
-    si_value,
-    value_and_sigma,
 )
 from pkmodes.modaltest.campaign.mounts import Platform
 from pkmodes.modaltest.campaign.sensors import (
-    NONE,
+    NO_CHANNEL,
     MotionSensor,
     Transducer,
-    forces_of,
-    names_in_files,
-    sensors_of,
+    check_forces,
+    check_names_in_files,
+    check_sensors,
 )
 from pkmodes.modaltest.identification.requested_modes import NO_EDITS, RequestedModes
 
 #: Value of `repeatability` other than a share: estimate it from poses that were measured twice.
 REVISITS = "revisits"
 #: Kind of record with frequency response functions.
-FUNCTIONS = "frf"
+FRF_KIND = "frf"
 
 
 @dataclass(frozen=True)
@@ -53,10 +53,10 @@ class Record:
     - settings: known values of parameters by path, in SI units
     - setups: files of each setup: repeats.  The only setup of a plain list is called "".
     - band: [Hz]
-    - exponential, rate: time constant of a window [s], and a sampling rate [Hz]
+    - exponential, rate: time constant of an exponential window [s], and sampling rate [Hz]
     - columns: names of a table's columns, by those of a measurement file
     - header: names of all columns of a table of signals, in order, where its own header is missing or different
-    - names: names in the files of time, frequency, force and sensors, by these names
+    - names: names that the files use for time, frequency, force and sensors, by the names in the campaign
     - invert, conjugate: whether the functions are force over motion, or complex conjugates
     - clocks: of all setups except the first, if they are boards that recorded together
     """
@@ -82,11 +82,11 @@ class Record:
     clocks: Mapping[str, Clock] = field(default_factory=dict)
 
     @property
-    def separate(self) -> Mapping[str, tuple[Path, ...]]:
+    def independent_setups(self) -> Mapping[str, tuple[Path, ...]]:
         """The setups that are identified separately: boards that recorded together count as one."""
         return dict(list(self.setups.items())[:1]) if self.clocks else self.setups
 
-    def beside(self, path: Path) -> dict[str, Path]:
+    def simultaneous_files(self, path: Path) -> dict[str, Path]:
         """Return the files that other boards recorded together with one of the first board, by setup."""
         number = next(iter(self.setups.values())).index(path) if self.clocks else 0
         return {setup: self.setups[setup][number] for setup in self.clocks}
@@ -131,14 +131,14 @@ class Campaign:
         """Return the forces that apply to a setup, by name."""
         return {force.name: force for force in self.forces if force.setup in (None, setup)}
 
-    def asked(self, record: Record) -> RequestedModes:
+    def edits_of(self, record: Record) -> RequestedModes:
         """Return the user's edits of the modes of a record."""
         return self.edits.get(record.pose, NO_EDITS)
 
-    def places_at(self, record: Record) -> dict[str, Transducer]:
+    def transducers_at(self, record: Record) -> dict[str, Transducer]:
         """Return sensors and forces of all setups, by key, as oriented at the pose of a record."""
         R = self.platform.rotation(record.point)
-        return {place.key: place.where_turned(R) for place in (*self.sensors, *self.forces)}
+        return {place.key: place.rotated(R) for place in (*self.sensors, *self.forces)}
 
 
 def read_campaign(path: str | PathLike[str]) -> Campaign:
@@ -150,10 +150,10 @@ def read_campaign(path: str | PathLike[str]) -> Campaign:
     Raises RobotFileError if the robot file is invalid.
     """
     source = fspath(path)
-    return campaign_of(read_description(Path(path)), source)
+    return check_campaign(read_description(Path(path)), source)
 
 
-def campaign_of(table: CampaignTable, source: str) -> Campaign:
+def check_campaign(table: CampaignTable, source: str) -> Campaign:
     """Check the tables of a campaign file; `source` is its path."""
     folder = Path(source).parent
     if (table.robot is None) == (table.channels is None):
@@ -170,13 +170,13 @@ def campaign_of(table: CampaignTable, source: str) -> Campaign:
         raise MeasurementError(
             "expected records, found none", f"{source}: record", "add [[record]] for each pose"
         )
-    band = band_of(table.band, f"{source}: band")
+    band = parse_band(table.band, f"{source}: band")
     records = tuple(
         _record(record, i, table, model, folder, band, f"{source}: record.{i}")
         for i, record in enumerate(table.record, start=1)
     )
     _check_labels(records, source)
-    used = {name for record in records for name in record.setups}
+    setups = {name for record in records for name in record.setups}
 
     def refuse_field(path: str, what: str, remedy: str) -> None:
         raise MeasurementError(what, f"{source}: {path}", remedy)
@@ -188,11 +188,11 @@ def campaign_of(table: CampaignTable, source: str) -> Campaign:
         repeatability=(
             None
             if table.repeatability == REVISITS
-            else share(table.repeatability, f"{source}: repeatability")
+            else parse_fraction(table.repeatability, f"{source}: repeatability")
         ),
-        tones=tuple(frequency(text, f"{source}: tones") for text in table.tones),
-        sensors=sensors_of(table.sensor, channel_units, _platform(model), used, source),
-        forces=forces_of(table.force, channel_units, _platform(model), used, source),
+        tones=tuple(parse_frequency(text, f"{source}: tones") for text in table.tones),
+        sensors=check_sensors(table.sensor, channel_units, _platform(model), setups, source),
+        forces=check_forces(table.force, channel_units, _platform(model), setups, source),
         records=records,
         edits=_edits(table.edit, records, source),
         report=read_report(table.report, refuse_field),
@@ -206,7 +206,7 @@ def _platform(model: Model | None) -> Platform:
 
 def _check_channels(names: list[str], source: str) -> None:
     for i, name in enumerate(names):
-        if not name.strip() or not name.isprintable() or name == NONE:
+        if not name.strip() or not name.isprintable() or name == NO_CHANNEL:
             problem = f"expected the name of a channel, found {shown(name)}"
             raise MeasurementError(problem, f"{source}: channels", "use printable characters, and not none")
         if name in names[:i]:
@@ -251,39 +251,41 @@ def _record(
             problem = f"expected at least 1, found {count}"
             raise MeasurementError(problem, f"{where}.{name}", "count what is in each file")
     for name, flag in (("invert", record_table.invert), ("conjugate", record_table.conjugate)):
-        if flag and record_table.kind != FUNCTIONS:
-            problem = f"expected the kind {FUNCTIONS} with {name}, found {shown(record_table.kind)}"
+        if flag and record_table.kind != FRF_KIND:
+            problem = f"expected the kind {FRF_KIND} with {name}, found {shown(record_table.kind)}"
             raise MeasurementError(
                 problem, f"{where}.{name}", "leave it out: it is for frequency responses only"
             )
-    point, spread = _point(record_table, model, where)
+    point, point_sigma = _point(record_table, model, where)
     return Record(
         number=number,
         pose=record_table.pose.strip(),  # as the measurement file is read
         point=point,
-        point_sigma=spread,
+        point_sigma=point_sigma,
         settings=_settings(record_table, model, where),
         kind=record_table.kind,
         setups={name: tuple(folder / file for file in listed) for name, listed in files.items()},
-        band=band if record_table.band is None else band_of(record_table.band, f"{where}.band"),
+        band=band if record_table.band is None else parse_band(record_table.band, f"{where}.band"),
         drives=record_table.drives or table.drives,
         averages=record_table.averages,
         exponential=None
         if record_table.exponential is None
-        else _time(record_table.exponential, f"{where}.exponential"),
+        else _parse_time(record_table.exponential, f"{where}.exponential"),
         hits=record_table.hits,
-        rate=None if record_table.rate is None else frequency(record_table.rate, f"{where}.rate", "3200 Hz"),
+        rate=None
+        if record_table.rate is None
+        else parse_frequency(record_table.rate, f"{where}.rate", "3200 Hz"),
         columns=record_table.columns if isinstance(record_table.columns, dict) else {},
         header=tuple(record_table.columns) if isinstance(record_table.columns, list) else (),
-        names=names_in_files(record_table, table.sensor, where),
+        names=check_names_in_files(record_table, table.sensor, where),
         invert=record_table.invert,
         conjugate=record_table.conjugate,
-        clocks={} if record_table.clock is None else clocks_of(record_table, files, where),
+        clocks={} if record_table.clock is None else read_clocks(record_table, files, where),
     )
 
 
-def _time(text: str, where: str) -> float:
-    value = si_value(text, "s", where)
+def _parse_time(text: str, where: str) -> float:
+    value = parse_quantity(text, "s", where)
     if value <= 0.0:
         raise MeasurementError(
             f"expected a time above 0, found {shown(text)}", where, 'for example: "0.35 s"'
@@ -310,16 +312,16 @@ def _point(
     if missing:
         problem = f"expected {', '.join(units)}, found no {', '.join(missing)}"
         raise MeasurementError(problem, f"{where}.at", 'for example: at = { x = "600 mm", ... }')
-    both = {
-        name: value_and_sigma(record_table.at[name], unit, f"{where}.at.{name}")
+    values_and_sigmas = {
+        name: parse_uncertain(record_table.at[name], unit, f"{where}.at.{name}")
         for name, unit in units.items()
     }
-    point = {name: value for name, (value, _) in both.items()}
+    point = {name: value for name, (value, _) in values_and_sigmas.items()}
     try:
         model.checked(list(point.values()), "raise")
     except PkmodesError as error:
         raise MeasurementError(error.what, f"{where}.at", error.remedy) from None
-    return point, {name: sigma for name, (_, sigma) in both.items()}
+    return point, {name: sigma for name, (_, sigma) in values_and_sigmas.items()}
 
 
 def _settings(record_table: RecordTable, model: Model | None, where: str) -> dict[str, float]:
@@ -338,7 +340,7 @@ def _settings(record_table: RecordTable, model: Model | None, where: str) -> dic
                 f"{where}.set",
                 nearest_name(path, settable_units, "see docs/reference/parameter-paths.md"),
             )
-        values[path] = si_value(value, settable_units[path], f"{where}.set.{path}")
+        values[path] = parse_quantity(value, settable_units[path], f"{where}.set.{path}")
     try:
         model.robot.with_values(values)
     except PkmodesError as error:
@@ -366,8 +368,8 @@ def _edits(
         if label not in labels:
             problem = f"no record has the label {shown(edit.pose)}"
             raise MeasurementError(problem, f"{where}.pose", nearest_name(edit.pose, labels))
-        strike = tuple(frequency(text, f"{where}.strike") for text in edit.strike)
-        add = tuple(frequency(text, f"{where}.add") for text in edit.add)
-        before = edits.get(label, NO_EDITS)
-        edits[label] = RequestedModes(before.strike + strike, before.add + add)
+        strike = tuple(parse_frequency(text, f"{where}.strike") for text in edit.strike)
+        add = tuple(parse_frequency(text, f"{where}.add") for text in edit.add)
+        earlier = edits.get(label, NO_EDITS)
+        edits[label] = RequestedModes(earlier.strike + strike, earlier.add + add)
     return edits

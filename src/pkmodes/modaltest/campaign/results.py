@@ -1,4 +1,4 @@
-"""What identification gives: the modes of each record, with the parts of their standard deviations."""
+"""Results of an identification: the modes of each record, with the parts of their standard deviations."""
 
 from __future__ import annotations
 

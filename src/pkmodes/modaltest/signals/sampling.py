@@ -68,7 +68,7 @@ class Piece:
             samples[missing] = CubicSpline(self.numbers[near], values[near])(missing)
         return samples
 
-    def once_more(self, filled: Array) -> Array:
+    def reinterpolated(self, filled: Array) -> Array:
         """Return filled samples with as many further ones removed, half way between the gaps, and interpolated.
 
         Their difference from the filled samples resembles the error of the filled samples.
