@@ -216,7 +216,7 @@ def test_a_record_too_long_for_memory_is_reduced_to_fewer_samples(
     write_ambient(tmp_path / "a.csv", np.random.default_rng(33))
     text = HEAD.replace("200 Hz", "120 Hz") + SENSORS + record("ambient", "a.csv")
     whole = identify(tmp_path, text).record
-    monkeypatch.setattr("pkmodes.modaltest.signals.reduction.LONG", 10_000)
+    monkeypatch.setattr("pkmodes.modaltest.signals.reduction.MAX_SAMPLES", 10_000)
     fewer = identify(tmp_path, text).record
     pairs = list(zip(whole["modes"], fewer["modes"], strict=True))
     assert len(pairs) == 2

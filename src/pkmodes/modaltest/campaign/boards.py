@@ -18,7 +18,7 @@ from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.modaltest.campaign.description import RecordTable, parse_uncertain
 from pkmodes.modaltest.identification.clocks import Delay, delay, rough_delay
 from pkmodes.modaltest.identification.estimates import Mode, rotate_to_real
-from pkmodes.modaltest.signals.checks import FEWEST
+from pkmodes.modaltest.signals.checks import MIN_POINTS
 
 Array = NDArray[np.float64]
 Spans = list[tuple[float, float]]
@@ -200,7 +200,7 @@ def _common_parts(boards: Sequence[Board], max_time: float) -> tuple[float, list
         spans = _intersection(spans, board.spans)
     end = spans[0][0] + max_time if spans else 0.0
     counts = [(low, math.floor((min(high, end) - low) / step) + 1) for low, high in spans]
-    parts = [(low, count) for low, count in counts if count >= FEWEST]
+    parts = [(low, count) for low, count in counts if count >= MIN_POINTS]
     if not parts:
         found_spans = " and ".join(
             f"{b.file} from {b.spans[0][0]:.6g} to {b.spans[-1][1]:.6g} s" for b in boards

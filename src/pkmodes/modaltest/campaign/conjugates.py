@@ -19,7 +19,7 @@ import numpy as np
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.modaltest.identification.estimates import complex_mac
 from pkmodes.modaltest.identification.frf_identification import identify_frf
-from pkmodes.modaltest.signals.functions import Array, Complex, Function, computed
+from pkmodes.modaltest.signals.functions import Array, Complex, Function, derived_function
 
 #: Excess over one half of the share of energy before the blow that marks a conjugate: its minimum, and a multiple of
 #: 1/sqrt(lines).  For noise the share is one half, with a standard deviation of 0.7/sqrt(lines).
@@ -65,7 +65,7 @@ def check_phase(
     ]
     if conjugate:
         corrected = (
-            computed(function, np.conj) if is_suspect else function
+            derived_function(function, np.conj) if is_suspect else function
             for function, is_suspect in zip(functions, to_conjugate, strict=True)
         )
         return tuple(corrected), ()
@@ -76,7 +76,7 @@ def check_phase(
         suspects = [
             function for function, is_suspect in zip(functions, to_conjugate, strict=True) if is_suspect
         ]
-        if not _explained_by_modes([computed(function, np.conj) for function in suspects], band):
+        if not _explained_by_modes([derived_function(function, np.conj) for function in suspects], band):
             remark = (
                 f"{source}: {len(suspect_names)} of {len(names)} functions ({examples}) hold more vibration "
                 "before the force than after it, and no modes fit their complex conjugates either: they are "

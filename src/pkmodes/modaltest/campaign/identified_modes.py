@@ -26,7 +26,7 @@ from pkmodes.modaltest.campaign.campaign import Campaign, Record
 from pkmodes.modaltest.campaign.grouping import MAX_FREQUENCY_DIFFERENCE
 from pkmodes.modaltest.campaign.mode_estimates import FileModes, ModeEstimate, check_shape
 from pkmodes.modaltest.campaign.shapes import UNDETERMINED, blank_messages, combine_sensors
-from pkmodes.modaltest.signals.reading import HEAD, read_signals
+from pkmodes.modaltest.signals.reading import HEAD_SIZE, read_signals
 from pkmodes.modaltest.signals.universal_file import UNIVERSAL_FILE
 
 #: Most modes of one file within the width in which modes of two files may be the same: far more than any test can
@@ -104,7 +104,7 @@ def _is_universal(path: Path) -> bool:
     """Return whether a file is a universal file."""
     try:
         with path.open("rb") as file:
-            head = file.read(HEAD)
+            head = file.read(HEAD_SIZE)
     except (OSError, ValueError):  # the reader says why
         head = b""
     return UNIVERSAL_FILE.recognises(head) or path.suffix.lower() in UNIVERSAL_FILE.suffixes

@@ -40,7 +40,7 @@ from pkmodes.modaltest.identification.frf_estimates import (
     impact_estimate,
     shortest_blow_length,
 )
-from pkmodes.modaltest.signals.functions import MOST_NAMES
+from pkmodes.modaltest.signals.functions import MAX_NAMES
 from pkmodes.modaltest.signals.reading import read_signals
 
 Array = NDArray[np.float64]
@@ -103,7 +103,7 @@ def _read_blows(path: Path, record: Record, setup: str, campaign: Campaign) -> _
     if not signals.forces:
         functions = read_signals(path, replace(signal_request(record), force=False)).functions
         names = list(dict.fromkeys(function.response for function in functions))
-        signal_names = listed([*map(shown, names)], MOST_NAMES)
+        signal_names = listed([*map(shown, names)], MAX_NAMES)
         remedy = f'state in the record which of {signal_names} it is, names = {{ force = "NAME" }}'
         remedy += ", or give its type in a universal file; without a force the kind is ambient"
         raise MeasurementError("expected a force, found none", signals.source, remedy)

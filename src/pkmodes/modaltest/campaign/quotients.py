@@ -13,7 +13,7 @@ import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.modaltest.campaign.motion import Motion, base_factor, motion_or_none
-from pkmodes.modaltest.signals.functions import Array, Complex, Function, computed
+from pkmodes.modaltest.signals.functions import Array, Complex, Function, derived_function
 
 #: Powers of the base units of a force and of a torque, the force of an angle.
 FORCES = ({"gram": 1.0, "meter": 1.0, "second": -2.0}, {"gram": 1.0, "meter": 2.0, "second": -2.0})
@@ -69,7 +69,8 @@ def invert_functions(functions: Sequence[Function], source: str) -> tuple[Functi
         problem += " reciprocals one by one, or the inverse of their matrix"
         raise MeasurementError(problem, source, "export motion over force")
     return tuple(
-        computed(function, _reciprocal, (function.reference_unit, function.unit)) for function in functions
+        derived_function(function, _reciprocal, (function.reference_unit, function.unit))
+        for function in functions
     )
 
 

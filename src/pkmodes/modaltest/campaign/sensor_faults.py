@@ -9,7 +9,7 @@ import numpy as np
 from pkmodes.core.base.numbers import plain
 from pkmodes.modaltest.campaign.sensor_functions import dead_channel_messages
 from pkmodes.modaltest.signals.functions import Array, Function
-from pkmodes.modaltest.signals.sensor_faults import clipped
+from pkmodes.modaltest.signals.sensor_faults import find_clipping
 
 #: Fewest samples at an extreme value that are examined in records of blows, whose pulses are short.
 MIN_CLIPPED_OF_BLOWS = 3
@@ -19,7 +19,7 @@ MIN_RUNNING_SHARE = 0.5
 
 def overload_messages(name: str, values: Array, source: str, *, of_blows: bool) -> list[str]:
     """Return a message about a signal (N,) whose range was exceeded, none otherwise."""
-    levels, share = clipped(values, MIN_CLIPPED_OF_BLOWS) if of_blows else clipped(values)
+    levels, share = find_clipping(values, MIN_CLIPPED_OF_BLOWS) if of_blows else find_clipping(values)
     if not levels:
         return []
     level_text = " and ".join(f"{level:.4g}" for level in levels)

@@ -24,7 +24,7 @@ from pkmodes.modaltest.campaign.mounts import (
     Vector,
     vector_along,
 )
-from pkmodes.modaltest.signals.functions import WORDS, Function, FunctionKind, computed
+from pkmodes.modaltest.signals.functions import RESERVED_NAMES, Function, FunctionKind, derived_function
 
 #: Channel of a sensor that helps to find modes but appears in no shape.
 NO_CHANNEL = "none"
@@ -124,7 +124,7 @@ def check_names_in_files(table: RecordTable, sensors: Sequence[SensorTable], whe
     Raises MeasurementError if a name is none of these, a name in the files is used twice, or the record is one of
     identified modes.
     """
-    known_names = [*WORDS, *dict.fromkeys(sensor.name for sensor in sensors)]
+    known_names = [*RESERVED_NAMES, *dict.fromkeys(sensor.name for sensor in sensors)]
     for name in table.names:
         if name not in known_names:
             problem = f"expected time, frequency, force or a sensor of the campaign, found {shown(name)}"
@@ -287,7 +287,7 @@ def apply_sign(function: Function) -> Function:
     """Return a function along the positive directions of its degrees of freedom; a coherence has no sign."""
     negative = [end for end in (function.response, function.reference) if NEGATIVE.fullmatch(end)]
     has_sign = function.kind in (FunctionKind.FRF, FunctionKind.TIME)
-    return computed(function, np.negative) if has_sign and len(negative) == 1 else function
+    return derived_function(function, np.negative) if has_sign and len(negative) == 1 else function
 
 
 def without_sign(name: str) -> str:

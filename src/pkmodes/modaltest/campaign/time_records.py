@@ -29,11 +29,11 @@ from pkmodes.modaltest.campaign.sensor_functions import (
 )
 from pkmodes.modaltest.identification.estimates import Mode
 from pkmodes.modaltest.identification.level import levels
-from pkmodes.modaltest.signals.checks import FEWEST
+from pkmodes.modaltest.signals.checks import MIN_POINTS
 from pkmodes.modaltest.signals.functions import FunctionKind
-from pkmodes.modaltest.signals.reduction import reduced, reduction
+from pkmodes.modaltest.signals.reduction import reduce_signal, reduction_factor
 from pkmodes.modaltest.signals.sampling import Piece, even_pieces, stated_pieces
-from pkmodes.modaltest.signals.sensor_faults import stopped
+from pkmodes.modaltest.signals.sensor_faults import find_stop
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -121,7 +121,7 @@ def time_signals(
         motion_of(function, sensors[function.response], campaign.channels, file.source) for function in used
     ]
     pieces, gaps = _pieces(time, record, file.source)
-    decimation = 1 if highest is None else reduction(len(time), pieces[0].step, highest)
+    decimation = 1 if highest is None else reduction_factor(len(time), pieces[0].step, highest)
     overloads, blows = list[str](), bool(forces)
     for force in forces:
         overloads += overload_messages(force.response, force.values.real, file.source, of_blows=blows)
@@ -131,14 +131,16 @@ def time_signals(
     for i, (function, motion) in enumerate(zip(used, motions, strict=True)):
         values = function.values.real  # a long signal fills much of the memory: one at a time
         check_size(motion.factor * np.array([values.min(), values.max()]), file.source)
-        if (rest := stopped(values)) is not None:
+        if (rest := find_stop(values)) is not None:
             rests[i] = rest
         overloads += overload_messages(function.response, values, file.source, of_blows=blows)
-        filled = [piece.filled(values) for piece in pieces]
-        columns.append([motion.factor * reduced(samples, decimation) for samples in filled])
+        filled = [piece.fill_gaps(values) for piece in pieces]
+        columns.append([motion.factor * reduce_signal(samples, decimation) for samples in filled])
         if bridged:
             refilled = (piece.reinterpolated(samples) for piece, samples in zip(pieces, filled, strict=True))
-            bridged_columns.append([motion.factor * reduced(samples, decimation) for samples in refilled])
+            bridged_columns.append(
+                [motion.factor * reduce_signal(samples, decimation) for samples in refilled]
+            )
     silent, silent_messages = find_silent_sensors(used, rests, time, file.source)
     if len(silent) == len(used):
         problem = f"expected signals, found only constant ones: {', '.join(names)}"
@@ -152,11 +154,11 @@ def time_signals(
         raise MeasurementError(problem, file.source, "narrow the band of the record, or sample faster")
     units = [1.0 if force.unit is None else force_unit_factor(force.unit) for force in forces]
     force_pieces = tuple(
-        piece.filled(np.asarray(force.values.real)) * unit
+        piece.fill_gaps(np.asarray(force.values.real)) * unit
         for force, unit in zip(forces, units, strict=True)
         for piece in pieces
     )
-    gap_times = [time[b.part.start] - time[a.part.stop - 1] - a.step for a, b in pairwise(pieces)]
+    gap_times = [time[b.samples.start] - time[a.samples.stop - 1] - a.step for a, b in pairwise(pieces)]
     signals = TimeSignals(
         file.source,
         pieces[0].step * decimation,
@@ -168,7 +170,7 @@ def time_signals(
         frozenset(names),
         (*file.messages, *gaps, *silent_messages, *overloads),
         float(np.median(gap_times)) if gap_times else 0.0,
-        tuple(float(time[piece.part.start]) for piece in pieces),
+        tuple(float(time[piece.samples.start]) for piece in pieces),
     )
     if not bridged:
         return signals
@@ -191,7 +193,7 @@ def _pieces(time: Array, record: Record, source: str) -> tuple[tuple[Piece, ...]
     try:
         pieces, messages = even_pieces(time, source, MAX_BRIDGED_PERIODS / record.band[1])
     except MeasurementError:
-        if rate is None or time.size < FEWEST:
+        if rate is None or time.size < MIN_POINTS:
             raise
         pieces, messages = stated_pieces(time, rate, source)
         by_times = (time.size - 1) / float(time[-1] - time[0])
