@@ -27,7 +27,7 @@ class RecordKind:
       `MeasurementError` for a faulty file.
     - signals: whether its files have signals, to which a mode can be fitted
     - fit_roving: the modes of one file of each setup, fitted together, where a hammer roved in front of sensors that
-      stayed.  Raises `MeasurementError` for a faulty file, and `ApartError` if they cannot be fitted together.
+      stayed.  Raises `MeasurementError` for a faulty file, and `SeparateFitError` if they cannot be fitted together.
     - forces: whether the forces of the campaign are in its files
     """
 

@@ -50,7 +50,7 @@ RATES = ("fs", "rate", "sampling_rate", "sample_rate")
 ABSCISSAS = ("time", "frequency")
 #: Rates that differ by less, relative, are the same.
 RATE_TOLERANCE = 1e-6
-NAMING = 'state in the record which it is, names = { time = "NAME" } or { frequency = "NAME" }, or give the rate there'
+GIVE_NAMES = 'state in the record which it is, names = { time = "NAME" } or { frequency = "NAME" }, or give the rate there'
 
 
 class _Signal(NamedTuple):
@@ -95,7 +95,7 @@ def find_functions(
     if abscissa_name is None and (rate is None or not signals):
         labels = [f"{name} ({skipped[name]})" if name in skipped else name for name in by_name]
         text = f"expected times, frequencies or a sampling rate, found {listed(labels, MAX_NAMES) or 'no variables'}"
-        raise MeasurementError(text, source, f"{NAMING}; or {REMEDY}")
+        raise MeasurementError(text, source, f"{GIVE_NAMES}; or {REMEDY}")
     signals = _rename_signals(signals, request, source)
     force_name = FORCE if kind is FunctionKind.TIME else None
     requested = [
