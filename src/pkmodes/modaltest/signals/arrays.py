@@ -50,8 +50,10 @@ RATES = ("fs", "rate", "sampling_rate", "sample_rate")
 ABSCISSAS = ("time", "frequency")
 #: Rates that differ by less, relative, are the same.
 RATE_TOLERANCE = 1e-6
-GIVE_NAMES = 'state in the record which it is, names = { time = "NAME" } or { frequency = "NAME" }, or give '
+GIVE_NAMES = (
+    'state in the record which it is, names = { time = "NAME" } or { frequency = "NAME" }, or give '
     "the rate there"
+)
 
 
 class _Signal(NamedTuple):
