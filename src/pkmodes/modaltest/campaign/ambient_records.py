@@ -69,18 +69,18 @@ def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) ->
 
     def to_acceleration(mode: Mode) -> Mode:
         scaled = replace(mode, shape=mode.shape * recording.as_accelerations(mode.pole))
-        adjusted, lost = add_clock_uncertainty(scaled, columns, delays)
-        for name in lost:
+        adjusted, unsigned_setups = add_clock_uncertainty(scaled, columns, delays)
+        for name in unsigned_setups:
             unsigned_modes.setdefault(name, []).append(f"{mode.frequency:.4g}")
         return adjusted
 
     fit = replace(fit, estimate=fit.estimate.map_modes(to_acceleration))
-    lost = [
+    sign_messages = [
         f"{recording.source}: the modes at {', '.join(modes)} Hz have no components of {name}: its clock is not known"
         " well enough to tell their sign"
         for name, modes in unsigned_modes.items()
     ]
-    all_messages = (*recording.messages, *messages, *lost)
+    all_messages = (*recording.messages, *messages, *sign_messages)
     return modes_with_levels(fit, all_messages, recording)
 
 

@@ -138,7 +138,7 @@ class Campaign:
     def transducers_at(self, record: Record) -> dict[str, Transducer]:
         """Return sensors and forces of all setups, by key, as oriented at the pose of a record."""
         R = self.platform.rotation(record.point)
-        return {place.key: place.rotated(R) for place in (*self.sensors, *self.forces)}
+        return {transducer.key: transducer.rotated(R) for transducer in (*self.sensors, *self.forces)}
 
 
 def read_campaign(path: str | PathLike[str]) -> Campaign:

@@ -211,8 +211,10 @@ def arrange_responses(
     check_size(values, file.source)
     dead = tuple(name for i, name in enumerate(rows) if not np.nan_to_num(values[:, i]).any())
     coherence = _coherence(file.functions, rows, columns, f)
-    named = [name for name in columns if name not in NAMELESS or len(columns) == 1]
-    acting = {name: force for name in named if (force := force_of_reference(name, forces)) is not None}
+    named_references = [name for name in columns if name not in NAMELESS or len(columns) == 1]
+    acting = {
+        name: force for name in named_references if (force := force_of_reference(name, forces)) is not None
+    }
     unnamed = [name for name in columns if name and name not in acting]
     messages: tuple[str, ...] = ()
     if unnamed and acting:
@@ -244,13 +246,17 @@ def _coherence(
 
 def force_of_reference(name: str, forces: Mapping[str, Transducer]) -> Transducer | None:
     """Return the force of a reference, ignoring signs in names; a nameless reference is that of the only force."""
-    named = next(
-        (place for force_name, place in forces.items() if without_sign(force_name) == without_sign(name)),
+    force = next(
+        (
+            candidate
+            for force_name, candidate in forces.items()
+            if without_sign(force_name) == without_sign(name)
+        ),
         None,
     )
-    if named is None and name in NAMELESS and len(forces) == 1:
+    if force is None and name in NAMELESS and len(forces) == 1:
         return next(iter(forces.values()))
-    return named
+    return force
 
 
 def spectrum_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:

@@ -38,14 +38,14 @@ def group_modes(files: Sequence[Sequence[ModeEstimate]]) -> list[dict[int, ModeE
         key=lambda entry: entry[:2],
     )
     groups: list[dict[int, ModeEstimate]] = []
-    near: list[dict[int, ModeEstimate]] = []
+    cluster: list[dict[int, ModeEstimate]] = []
     for k, (frequency, i, mode) in enumerate(ordered):
         # Modes on either side of a gap cannot match.
         if k and np.log(frequency / ordered[k - 1][0]) > max(_width(mode), _width(ordered[k - 1][2])):
-            groups += _merge(near)
-            near = []
-        near.append({i: mode})
-    groups += _merge(near) if near else []
+            groups += _merge(cluster)
+            cluster = []
+        cluster.append({i: mode})
+    groups += _merge(cluster) if cluster else []
     return sorted(groups, key=lambda group: float(np.mean([mode.frequency for mode in group.values()])))
 
 

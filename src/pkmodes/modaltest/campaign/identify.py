@@ -99,28 +99,30 @@ def _result(outcome: MeasuredRecord, campaign: Campaign, repeatability: float) -
             for mode in edited_modes
             if not (mode.shape or mode.blank or mode.uncertain)
         ]
-    kept = [readable for mode in edited_modes if (readable := _limit_to_file(mode, pose, log)) is not None]
-    log += blank_messages(pose, UNDETERMINED, [(mode.frequency, mode.blank) for mode in kept])
-    log += blank_messages(pose, UNCERTAIN, [(mode.frequency, mode.uncertain) for mode in kept])
-    reported = {mode.frequency for mode in kept}
+    reported_modes = [
+        readable for mode in edited_modes if (readable := _limit_to_file(mode, pose, log)) is not None
+    ]
+    log += blank_messages(pose, UNDETERMINED, [(mode.frequency, mode.blank) for mode in reported_modes])
+    log += blank_messages(pose, UNCERTAIN, [(mode.frequency, mode.uncertain) for mode in reported_modes])
+    reported = {mode.frequency for mode in reported_modes}
     for estimate in (*outcome.modes, *outcome.added):
         if estimate.frequency in reported:
             log += level_messages(pose, estimate)
     log += [
         f"{pose}: the shape of the mode at {mode.frequency:.4g} Hz is complex: its modal phase collinearity is "
         f"{mode.complexity:.2f}, and only its real part is used"
-        for mode in kept
+        for mode in reported_modes
         if mode.complexity < MIN_COLLINEARITY
     ]
-    if any(mode.sigma == 0.0 for mode in kept):
+    if any(mode.sigma == 0.0 for mode in reported_modes):
         problem = f"a mode of {pose} has no standard deviation"
         remedy = "measure repeats, state sigma in the table, or a repeatability above 0"
         raise MeasurementError(problem, f"{campaign.source}: record.{record.number}", remedy)
-    if any(mode.parts.scatter == mode.parts.fit == 0.0 for mode in kept):
+    if any(mode.parts.scatter == mode.parts.fit == 0.0 for mode in reported_modes):
         log.append(f"{pose}: sigma is the repeatability alone where neither repeats nor the file state more")
     return RecordResult(
         record,
-        tuple(kept),
+        tuple(reported_modes),
         tuple(struck),
         tuple(outcome.left_out),
         tuple(log),

@@ -121,8 +121,8 @@ def _find_modes(path: Path, record: Record, setup: str, kind: RecordKind, campai
     file_modes = kind.find_modes(path, record, setup, campaign)
     if kind.by_channel:
         return file_modes
-    places = {**campaign.forces_in(setup), **campaign.sensors_in(setup)}
-    keys = {name: place.key for name, place in places.items()}
+    transducers = {**campaign.forces_in(setup), **campaign.sensors_in(setup)}
+    keys = {name: transducer.key for name, transducer in transducers.items()}
 
     def by_key(components: Mapping[str, complex]) -> dict[str, complex]:
         return {keys.get(name, name): value for name, value in components.items()}
@@ -167,15 +167,17 @@ def _read_files(
             for mode in modes
             for tone in campaign.tones
         ]
-        outside = [mode.frequency for mode in file_modes.modes if not low <= mode.frequency <= high]
+        frequencies_outside = [
+            mode.frequency for mode in file_modes.modes if not low <= mode.frequency <= high
+        ]
         log += file_modes.messages
         log += [
             f"{name}: the mode at {frequency:.4g} Hz lies beside the tone at {multiple:.4g} Hz"
             for frequency, multiple in tone_pairs
             if abs(frequency / multiple - 1.0) <= SAME_MODE_TOLERANCE
         ]
-        if outside:
-            listing = ", ".join(f"{frequency:.4g}" for frequency in outside)
+        if frequencies_outside:
+            listing = ", ".join(f"{frequency:.4g}" for frequency in frequencies_outside)
             log.append(f"{name}: outside the band, left out: {listing} Hz")
         in_band = tuple(mode for mode in file_modes.modes if low <= mode.frequency <= high)
         # The functions of a fit may be large.
@@ -278,8 +280,8 @@ def _average_record(
         repeats.append(Repeats(name, tuple(setup.names), tuple(frequencies)))
     unrepeated = [name for name, setup in setups.items() if len(setup.file_modes) == 1]
     if unrepeated:
-        which = "each setup" if len(unrepeated) == len(setups) else ", ".join(unrepeated)
-        of_setups = f" of {which}" if len(setups) > 1 else ""
+        setup_names = "each setup" if len(unrepeated) == len(setups) else ", ".join(unrepeated)
+        of_setups = f" of {setup_names}" if len(setups) > 1 else ""
         log.append(f"{record.pose}: a single file{of_setups}: the scatter of repeats is unknown")
     presence = [files for setup in setups.values() for files in setup.presence]
     log += missing_messages(record.pose, presence)

@@ -113,14 +113,16 @@ def _well_determined(
     values: dict[str, complex], gains: Mapping[str, float], shape: Mapping[str, complex], sigma: float
 ) -> tuple[dict[str, complex], float]:
     """Return the components with errors below the largest of them, and the growth of their errors."""
-    error, size = sigma * _largest(shape), _largest(values)
+    error, size = sigma * _largest_component(shape), _largest_component(values)
     while values and error * (worst := max(gains[name] for name in values)) >= size > 0.0:
         values = {name: value for name, value in values.items() if gains[name] < worst}
-        size = _largest(values)
-    return values, max(gains[name] for name in values) * _largest(shape) / size if size > 0.0 else 1.0
+        size = _largest_component(values)
+    return values, max(gains[name] for name in values) * _largest_component(
+        shape
+    ) / size if size > 0.0 else 1.0
 
 
-def _largest(shape: Mapping[str, complex]) -> float:
+def _largest_component(shape: Mapping[str, complex]) -> float:
     """Return the largest real part of a shape rotated to be as real as possible."""
     components = np.array(list(shape.values()))
     rotated_norm = np.linalg.norm(rotate_to_real(components)) if len(components) else 0.0

@@ -152,7 +152,7 @@ def delay(
     total = part_sums.sum(axis=0)
     best_delay, best_drift, best_index = _peak(total, delays, drifts)
     at_lines = best_delay + best_drift * mean_times
-    leave_out_peaks = [_peak(total - part, delays, drifts) for part in part_sums]
+    leave_out_peaks = [_peak(total - part_sum, delays, drifts) for part_sum in part_sums]
     leave_out_delays = np.array([offset + slope * mean_times for offset, slope, _ in leave_out_peaks])
     variance = (
         (JACKKNIFE_PARTS - 1)
@@ -180,10 +180,10 @@ def _spectra(
     times, transforms = [np.zeros(0)], list[list[Complex]]([[], []])
     for start, *signals in usable:
         for transform_list, signal in zip(transforms, signals, strict=True):
-            _, middles, parts = spectrogram(
+            _, middles, segments = spectrogram(
                 signal, rate, "hann", count, count // 2, detrend="constant", mode="complex", axis=0
             )
-            transform_list.append(np.moveaxis(parts[in_band], -1, 0))  # (segments, F, S)
+            transform_list.append(np.moveaxis(segments[in_band], -1, 0))  # (segments, F, S)
         times.append(start + middles)
     if not usable:
         return (

@@ -76,8 +76,8 @@ def add_requested_modes(
         if isinstance(outcome, str):
             reasons[i] = outcome
         else:
-            current, kept = outcome
-            request_index = np.append(request_index[kept], i)
+            current, kept_mask = outcome
+            request_index = np.append(request_index[kept_mask], i)
     if (request_index >= 0).any():
         current, bounds = fit_until_settled(data, current)
     else:
@@ -100,21 +100,21 @@ def _add_requested_mode(
     """Return modes with one more, the last, and which of the former remain; or why there is none."""
     reported = request_index < 0
     replaced_index = nearest_frequency(np.where(reported, modes.frequencies, np.inf), target)
-    kept = np.ones(len(modes.poles), bool)
+    kept_mask = np.ones(len(modes.poles), bool)
     if replaced_index is not None:
-        kept[replaced_index] = False
-    base = modes.select(kept)
+        kept_mask[replaced_index] = False
+    base = modes.select(kept_mask)
     fitted_frequencies: list[float] = []
     accepted: list[tuple[float, IdentifiedModes, NDArray[np.bool_]]] = []
     for trial in _trial_fits(data, base, target):
-        candidate, remaining = trial, kept.copy()
+        candidate, remaining = trial, kept_mask.copy()
         for k in range(len(candidate.poles) - 1):
             # A fit that has become a copy of a reported mode replaces it.
             if are_copies(candidate, k, len(candidate.poles) - 1):
-                remaining[np.flatnonzero(kept)[k]] = False
+                remaining[np.flatnonzero(kept_mask)[k]] = False
         if not reported[~remaining].all():
             return "its fit converges to another mode that is added"
-        if remaining.sum() < kept.sum():
+        if remaining.sum() < kept_mask.sum():
             candidate = _add_fitted_mode(data, modes.select(remaining), trial.poles[-1])
         fitted, bounds = fit_until_settled(data, candidate)
         frequency = float(fitted.frequencies[-1])
@@ -157,9 +157,9 @@ def _starting_poles(data: FrequencyLines, base: IdentifiedModes, target: float) 
     starts = [
         2.0 * math.pi * target * complex(-ratio, math.sqrt(1.0 - ratio**2)) for ratio in STARTING_DAMPINGS
     ]
-    near = np.abs(data.frequencies / target - 1.0) <= 2.0 * MAX_SHIFT
-    inside = slice(*np.flatnonzero(near)[[0, -1]]) if near.any() else slice(0, 0)
-    if len(data.frequencies[inside]) < 3:
+    is_near = np.abs(data.frequencies / target - 1.0) <= 2.0 * MAX_SHIFT
+    line_range = slice(*np.flatnonzero(is_near)[[0, -1]]) if is_near.any() else slice(0, 0)
+    if len(data.frequencies[line_range]) < 3:
         return starts
     hidden_poles = find_hidden_poles(data, base.response(data.frequencies), _threshold(data, target)).tolist()
     return starts + [pole for pole in hidden_poles if near_request(abs(pole) / (2.0 * math.pi), target)]

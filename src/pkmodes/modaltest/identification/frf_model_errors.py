@@ -124,9 +124,9 @@ def nonlinearity_message(error: float, spurious: Sequence[float]) -> str:
     )
     single = len(spurious) == 1
     modes, are = ("a mode", "is") if single else ("modes", "are")
-    part = f" (up to {plain(100 * error, 2)} % of a peak)" if error > 0.0 else ""
+    error_text = f" (up to {plain(100 * error, 2)} % of a peak)" if error > 0.0 else ""
     return (
-        f"a few linear modes do not fit the functions to noise{part}: {modes} that would fit the remainder, at "
+        f"a few linear modes do not fit the functions to noise{error_text}: {modes} that would fit the remainder, at "
         f"{examples}{remainder} Hz, {are} left out; the machine or the measuring chain is not linear"
     )
 
@@ -159,11 +159,11 @@ def _lower_neighbours(modes: IdentifiedModes, height: Array, k: int) -> Index:
     half_width, centre = np.abs(modes.poles.real), modes.poles.imag
     members = np.arange(len(height)) == k
     while True:
-        near = (
+        is_near = (
             np.abs(centre[:, None] - centre[members])
             < NEIGHBOUR_DISTANCE * (half_width[:, None] + half_width[members])
         ).any(axis=1)
-        grown = members | (near & (height < height[k]))
+        grown = members | (is_near & (height < height[k]))
         if (grown == members).all():
             return np.setdiff1d(np.flatnonzero(members), [k])
         members = grown
@@ -171,8 +171,8 @@ def _lower_neighbours(modes: IdentifiedModes, height: Array, k: int) -> Index:
 
 def _remainder_without(data: FrequencyLines, modes: IdentifiedModes, dropped: Index, k: int) -> float:
     """Return the remainder of a fit without some modes, relative to mode k at its peak or the functions at theirs."""
-    kept = ~np.isin(np.arange(len(modes.poles)), dropped)
-    remaining, index = modes.select(kept), int(kept[:k].sum())
+    kept_mask = ~np.isin(np.arange(len(modes.poles)), dropped)
+    remaining, index = modes.select(kept_mask), int(kept_mask[:k].sum())
     fitted = fit_group(
         data, remaining, next(group for group in group_overlapping(remaining.poles) if index in group)
     )
@@ -190,9 +190,9 @@ def _remainder_without(data: FrequencyLines, modes: IdentifiedModes, dropped: In
 
 def _relative_remainder(remainder: Complex, reference: Complex, s: Complex, pole: complex) -> float:
     """Return the remainder within the half bandwidths of a pole, relative to a reference; inf if that is zero."""
-    near = np.abs(s.imag - pole.imag) < abs(pole.real)
-    size = float(np.linalg.norm(reference[near]))
-    return float(np.linalg.norm(remainder[near])) / size if near.any() and size > 0.0 else math.inf
+    is_near = np.abs(s.imag - pole.imag) < abs(pole.real)
+    size = float(np.linalg.norm(reference[is_near]))
+    return float(np.linalg.norm(remainder[is_near])) / size if is_near.any() and size > 0.0 else math.inf
 
 
 # On their skirts -----------------------------------------------------------------------------------------------
@@ -240,13 +240,13 @@ def peak_errors(data: FrequencyLines, modes: IdentifiedModes) -> Array:
     for k, (centre, half_width) in enumerate(
         zip(modes.poles.imag / (2.0 * math.pi), modes.half_widths, strict=True)
     ):
-        near = np.abs(f - centre) < 2.0 * half_width
-        first = np.flatnonzero(near & paired & near[later])
+        is_near = np.abs(f - centre) < 2.0 * half_width
+        first = np.flatnonzero(is_near & paired & is_near[later])
         if len(first) < MIN_PAIRS:
             continue
         products = (remainder[first].conj() * remainder[later[first]]).real
         power = float((np.abs(data.H[first][:, measured]) ** 2).mean())
-        noise = float((np.abs(np.diff(remainder[near], axis=0)) ** 2).mean()) / 2.0
+        noise = float((np.abs(np.diff(remainder[is_near], axis=0)) ** 2).mean()) / 2.0
         slow = float(products.mean())
         significant = slow > SIGNIFICANT_SIGMAS * noise / math.sqrt(products.size)
         errors[k] = math.sqrt(slow / power) if significant and power > 0.0 else 0.0

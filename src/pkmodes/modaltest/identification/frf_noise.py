@@ -145,9 +145,9 @@ def apply_correlation(functions: Complex, grid_index: NDArray[np.int64], correla
 
 def _line_pairs(grid_index: NDArray[np.int64], lag: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """Return the indices of the lines that have another one `lag` places before, and of those earlier lines."""
-    before = np.searchsorted(grid_index, grid_index - lag)
-    exists = grid_index[np.minimum(before, len(grid_index) - 1)] == grid_index - lag
-    return np.flatnonzero(exists), before[exists].astype(np.int64)
+    earlier = np.searchsorted(grid_index, grid_index - lag)
+    exists = grid_index[np.minimum(earlier, len(grid_index) - 1)] == grid_index - lag
+    return np.flatnonzero(exists), earlier[exists].astype(np.int64)
 
 
 def _taper(lags: int) -> Array:

@@ -73,12 +73,12 @@ def group_overlapping(poles: Complex) -> list[NDArray[np.int64]]:
 def lines_around(frequencies: Array, poles: Complex) -> NDArray[np.int64]:
     """Return the indices of the lines (F,) [Hz] for a group of modes."""
     centres, half_widths = poles.imag / (2.0 * math.pi), np.abs(poles.real) / (2.0 * math.pi)
-    near = np.zeros(len(frequencies), bool)
+    is_near = np.zeros(len(frequencies), bool)
     for centre, half_width in zip(centres, half_widths, strict=True):
         middle = int(np.searchsorted(frequencies, centre))
-        near[max(middle - MIN_SIDE_LINES, 0) : middle + MIN_SIDE_LINES] = True
-        near |= np.abs(frequencies - centre) <= REACH_HALF_WIDTHS * half_width
-    line_indices = np.flatnonzero(near)
+        is_near[max(middle - MIN_SIDE_LINES, 0) : middle + MIN_SIDE_LINES] = True
+        is_near |= np.abs(frequencies - centre) <= REACH_HALF_WIDTHS * half_width
+    line_indices = np.flatnonzero(is_near)
     line_indices = np.arange(line_indices[0], line_indices[-1] + 1)
     missing = 2 * MIN_SIDE_LINES - len(line_indices)
     if missing > 0:  # at an end of the band
@@ -227,9 +227,9 @@ def subtract_other_modes(
     lines: NDArray[np.int64] | NDArray[np.bool_],
 ) -> Complex:
     """Return the functions at some lines without the other modes, and without the conjugates of all modes."""
-    outside = np.setdiff1d(np.arange(len(modes.poles)), members)
+    other_indices = np.setdiff1d(np.arange(len(modes.poles)), members)
     s, residues = 2j * math.pi * data.frequencies[lines][:, None], modes.residues
-    H = data.H[lines] - np.tensordot(1.0 / (s - modes.poles[outside]), residues[outside], 1)
+    H = data.H[lines] - np.tensordot(1.0 / (s - modes.poles[other_indices]), residues[other_indices], 1)
     return np.asarray(H - np.tensordot(1.0 / (s - modes.poles.conj()), residues.conj(), 1))
 
 

@@ -93,9 +93,9 @@ def _fit_single_pole(
 ) -> tuple[tuple[Array, Complex], complex | None]:
     """Return the lines around a cluster without the other modes, and the one pole that fits them best."""
     centre = float(modes.poles[cluster].imag.mean()) / (2.0 * math.pi)
-    near = np.abs(data.frequencies - centre) < SIDE_LINES * step
-    f = data.frequencies[near]
-    H = subtract_other_modes(data, modes, cluster, near)
+    is_near = np.abs(data.frequencies - centre) < SIDE_LINES * step
+    f = data.frequencies[is_near]
+    H = subtract_other_modes(data, modes, cluster, is_near)
     if len(cluster) == 1 or len(f) < MIN_LINES:
         return (f, H), complex(modes.poles[cluster[0]])
     variance = np.where(np.isfinite(H).all(axis=0), (np.abs(H) ** 2).mean(axis=0), np.inf)
@@ -109,8 +109,8 @@ def _is_resonance(f: Array, H: Complex, pole: complex, step: float) -> bool:
     """Return whether a pole is that of a mode: its lines have its skirts, and damping."""
     measured = np.isfinite(H).all(axis=0)
     values = H[:, measured]
-    beyond = np.abs(f - pole.imag / (2.0 * math.pi)) > TONE_SPREAD * step
-    skirt_residues, skirt_variance, factor = _residues(f[beyond], values[beyond], pole)
+    on_skirts = np.abs(f - pole.imag / (2.0 * math.pi)) > TONE_SPREAD * step
+    skirt_residues, skirt_variance, factor = _residues(f[on_skirts], values[on_skirts], pole)
     residues, residual_variance, _ = _residues(f, values, pole)
     energy = float((np.abs(skirt_residues) ** 2 / (skirt_variance * factor)).sum())
     if energy < gamma.isf(FALSE_ALARM, len(skirt_residues)):
@@ -128,10 +128,10 @@ def _is_resonance(f: Array, H: Complex, pole: complex, step: float) -> bool:
 def _exceeds_noise(f: Array, H: Complex, frequency: float, step: float) -> bool:
     """Return whether one of the lines near a frequency is above the noise of the others."""
     values = H[:, np.isfinite(H).all(axis=0)]
-    near = np.abs(f - frequency) < TONE_SPREAD * step
-    noise = np.maximum(np.median(np.abs(values[~near]) ** 2, axis=0) / MEDIAN_SQUARE, 1e-300)
+    is_near = np.abs(f - frequency) < TONE_SPREAD * step
+    noise = np.maximum(np.median(np.abs(values[~is_near]) ** 2, axis=0) / MEDIAN_SQUARE, 1e-300)
     return bool(
-        (np.abs(values[near]) ** 2 / noise).sum(axis=1).max(initial=0.0)
+        (np.abs(values[is_near]) ** 2 / noise).sum(axis=1).max(initial=0.0)
         > gamma.isf(TONE_FALSE_ALARM, len(noise))
     )
 

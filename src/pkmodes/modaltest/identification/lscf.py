@@ -116,9 +116,9 @@ def _poles_of_order(sums: Complex, n: int, S: int, R: int, step: float, low: flo
 
 def _denominator(M: Complex, n: int, R: int) -> Complex:
     """Return the coefficients A_i, (n + 1, R, R), with A_0 = 1, that make the sum of squares least."""
-    rest = M[R:, R:].copy()
-    rest[np.diag_indices(n * R)] += RIDGE * float(np.trace(M).real) / len(M)
-    coefficients = -np.linalg.solve(rest, M[R:, :R])
+    block = M[R:, R:].copy()
+    block[np.diag_indices(n * R)] += RIDGE * float(np.trace(M).real) / len(M)
+    coefficients = -np.linalg.solve(block, M[R:, :R])
     return np.concatenate([np.eye(R, dtype=complex)[None], coefficients.reshape(n, R, R)])
 
 

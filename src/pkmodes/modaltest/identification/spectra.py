@@ -155,10 +155,10 @@ def _prominent_maxima(total: Array) -> list[int]:
         if total[k] <= MIN_POWER * total.max() or total[k] < total[k - 1] or total[k] <= total[k + 1]:
             continue
         higher = np.flatnonzero(total > total[k])
-        before, after = higher[higher < k], higher[higher > k]
-        left = total[(before[-1] if before.size else 0) : k].min()
-        right = total[k + 1 : (after[0] + 1 if after.size else len(total))].min()
-        if total[k] > MIN_PROMINENCE * max(left, right):
+        higher_before, higher_after = higher[higher < k], higher[higher > k]
+        left_min = total[(higher_before[-1] if higher_before.size else 0) : k].min()
+        right_min = total[k + 1 : (higher_after[0] + 1 if higher_after.size else len(total))].min()
+        if total[k] > MIN_PROMINENCE * max(left_min, right_min):
             maxima.append(k)
     return maxima
 
@@ -205,17 +205,17 @@ def _fit_peak(f: Array, total: Array, k: int) -> _Peak | None:
 
 def _merge_peaks(peaks: list[_Peak], step: float) -> tuple[list[_Peak], tuple[str, ...]]:
     """Return the peaks with those closer than a line merged, and messages about the ones dropped."""
-    kept: list[_Peak] = []
+    distinct: list[_Peak] = []
     messages: list[str] = []
     for peak in sorted(peaks, key=lambda candidate: -candidate.height):
-        near = [earlier for earlier in kept if abs(earlier.frequency - peak.frequency) < step]
-        if near:
+        merged_into = [earlier for earlier in distinct if abs(earlier.frequency - peak.frequency) < step]
+        if merged_into:
             messages.append(
-                f"peaks at {peak.frequency:.4g} and {near[0].frequency:.4g} Hz are closer than a line: one row"
+                f"peaks at {peak.frequency:.4g} and {merged_into[0].frequency:.4g} Hz are closer than a line: one row"
             )
         else:
-            kept.append(peak)
-    return sorted(kept, key=lambda peak: peak.frequency), tuple(messages)
+            distinct.append(peak)
+    return sorted(distinct, key=lambda peak: peak.frequency), tuple(messages)
 
 
 def _to_mode(peak: _Peak, sensors: int) -> Mode:

@@ -77,10 +77,10 @@ class SpectralLines:
     frequencies: Array
     values: Complex
 
-    def within(self, part: BandPart) -> SpectralLines:
+    def select(self, part: BandPart) -> SpectralLines:
         """Return the lines of a part of the band."""
-        inside = slice(*np.searchsorted(self.frequencies, [part.start, part.stop]))
-        return SpectralLines(self.frequencies[inside], self.values[inside])
+        line_range = slice(*np.searchsorted(self.frequencies, [part.start, part.stop]))
+        return SpectralLines(self.frequencies[line_range], self.values[line_range])
 
     @property
     def step(self) -> float:
@@ -129,7 +129,7 @@ def zero_lag_correlations(padded: Sequence[SpectralLines], part: BandPart) -> Co
     weighted = (
         (selected.values * (part.window(selected.frequencies) * selected.step)[:, None]).T
         @ selected.values.conj()
-        for selected in (piece.within(part) for piece in padded)
+        for selected in (piece.select(part) for piece in padded)
     )
     return np.asarray(sum(weighted))
 
@@ -144,7 +144,7 @@ def correlations(
     - lags: (K,)
     """
     total: Complex = np.zeros((), dtype=complex)
-    for selected in (piece.within(part) for piece in padded):
+    for selected in (piece.select(part) for piece in padded):
         weighted = selected.values * (part.window(selected.frequencies) * selected.step)[:, None]
         total = total + weighted[:, :, None] * (selected.values.conj() @ references)[:, None, :]
     turns = np.exp(2j * math.pi * np.outer(lags, (selected.frequencies - part.start) / part.rate))
@@ -189,7 +189,10 @@ def prepare_record(t_step: float, pieces: list[Array]) -> PreparedRecord:
     scales = np.sqrt(sum(((piece**2).sum(axis=0) for piece in centred), np.zeros(pieces[0].shape[1])) / total)
     alive = np.where(scales > 0.0, scales, np.inf)
     scaled = [piece / alive for piece in centred]
-    longest = max(len(piece) for piece in scaled)
+    max_length = max(len(piece) for piece in scaled)
     return PreparedRecord(
-        spectral_lines(scaled, t_step, 2 * longest), spectral_lines(scaled, t_step), scales, longest * t_step
+        spectral_lines(scaled, t_step, 2 * max_length),
+        spectral_lines(scaled, t_step),
+        scales,
+        max_length * t_step,
     )

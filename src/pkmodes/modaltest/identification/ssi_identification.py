@@ -99,19 +99,21 @@ def identify_responses(
         modes_found, part_requested = modes_of_part(record, part, poles, edits)
         part_modes += modes_found
         requested = part_requested | requested
-    kept = [
+    accepted = [
         part_mode
         for part_mode in refit_beside_neighbours(record, distinct_modes(part_modes))
         if not is_tone_remainder(part_mode.mode, found_tones, record)
     ]
-    line_modes = find_line_modes(record.unpadded, [part_mode.mode for part_mode in kept], found_tones)
-    kept = [part_mode for i, part_mode in enumerate(kept) if i not in line_modes]
-    longest = max(record.unpadded, key=lambda piece: len(piece.frequencies))
-    sweep_ends = [part_mode for part_mode in kept if is_at_line_end(longest, t_step, part_mode.mode)]
-    kept = [part_mode for part_mode in kept if part_mode not in sweep_ends]
-    kept, requested = apply_requests(record, kept, requested, found_tones, edits)
+    line_modes = find_line_modes(record.unpadded, [part_mode.mode for part_mode in accepted], found_tones)
+    accepted = [part_mode for i, part_mode in enumerate(accepted) if i not in line_modes]
+    longest_piece = max(record.unpadded, key=lambda piece: len(piece.frequencies))
+    sweep_ends = [
+        part_mode for part_mode in accepted if is_at_line_end(longest_piece, t_step, part_mode.mode)
+    ]
+    accepted = [part_mode for part_mode in accepted if part_mode not in sweep_ends]
+    accepted, requested = apply_requests(record, accepted, requested, found_tones, edits)
     modes = tuple(
-        _to_mode(record, part_mode) for part_mode in kept if band[0] <= part_mode.mode.undamped <= band[1]
+        _to_mode(record, part_mode) for part_mode in accepted if band[0] <= part_mode.mode.undamped <= band[1]
     )
     outcomes = [requested.get(f, "it is outside the band") for f in edits.add]
     added = tuple(
@@ -208,8 +210,8 @@ def _tone_messages(tones: Sequence[Tone], modes: Sequence[Mode], seconds: float)
     doubtful = [f"{mode.frequency:.4g}" for mode in modes if mode.damping < 2.0 * mode.sigma_damping]
     if doubtful:
         modes_are = "the modes at {} Hz are" if len(doubtful) > 1 else "the mode at {} Hz is"
-        why = "damping is within two standard deviations of 0; a longer record would tell"
-        messages.append(f"{modes_are.format(joined(doubtful))} doubtful: {why}")
+        reason = "damping is within two standard deviations of 0; a longer record would tell"
+        messages.append(f"{modes_are.format(joined(doubtful))} doubtful: {reason}")
     return tuple(messages)
 
 
@@ -256,7 +258,7 @@ def apply_requests(
     edits: RequestedModes,
 ) -> tuple[list[PartMode], RequestOutcomes]:
     """Return the modes that requested ones do not replace, and the requested ones without remainders of tones."""
-    kept, outcomes = list(part_modes), dict(requested)
+    accepted, outcomes = list(part_modes), dict(requested)
     for frequency, candidate in requested.items():
         if isinstance(candidate, str):
             continue
@@ -264,17 +266,17 @@ def apply_requests(
             outcomes[frequency] = "what is fitted there is the remainder of a tone"
             continue
         replaced_index = index_to_replace(
-            [part_mode.mode.undamped for part_mode in kept], edits, candidate.mode.undamped
+            [part_mode.mode.undamped for part_mode in accepted], edits, candidate.mode.undamped
         )
         if replaced_index is not None:
-            del kept[replaced_index]
-    return kept, outcomes
+            del accepted[replaced_index]
+    return accepted, outcomes
 
 
 def is_tone_remainder(mode: RefinedMode, tones: Sequence[Tone], record: PreparedRecord) -> bool:
     """Return whether a mode is as narrow as a line and at a tone: a remainder of its subtraction."""
-    near = any(abs(mode.frequency - tone.frequency) * record.seconds < 3.0 for tone in tones)
-    return near and mode.rate * record.seconds < MAX_REMAINDER_DECAYS
+    at_tone = any(abs(mode.frequency - tone.frequency) * record.seconds < 3.0 for tone in tones)
+    return at_tone and mode.rate * record.seconds < MAX_REMAINDER_DECAYS
 
 
 def _eccentricity(part_mode: PartMode) -> float:
@@ -290,8 +292,11 @@ def _averaged_spectra(
 ) -> tuple[Array, Complex, Complex]:
     """Return averaged spectral densities of the responses in the band, and the modes' share of them."""
     piece = max(record.unpadded, key=lambda piece: len(piece.frequencies))
-    inside = slice(*np.searchsorted(piece.frequencies, band))
-    f, power = piece.frequencies[inside], np.abs(piece.values[inside]) ** 2 * record.scales**2 * piece.step
+    line_range = slice(*np.searchsorted(piece.frequencies, band))
+    f, power = (
+        piece.frequencies[line_range],
+        np.abs(piece.values[line_range]) ** 2 * record.scales**2 * piece.step,
+    )
     group = max(len(f) // MAX_DRAWN_LINES, 1)
     rows = len(f) // group * group
     f = f[:rows].reshape(-1, group).mean(axis=1)

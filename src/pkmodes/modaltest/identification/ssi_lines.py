@@ -103,14 +103,14 @@ def amplitude_statistics(pieces: Sequence[SpectralLines], mode: RefinedMode) -> 
     powers, line_powers, offsets = [], [], []
     for lines in pieces:
         half_width = max(BAND_HALF_WIDTHS * width, MIN_BAND_LINES * lines.step)
-        inside = slice(
+        line_range = slice(
             *np.searchsorted(lines.frequencies, [mode.frequency - half_width, mode.frequency + half_width])
         )
-        values = lines.values[inside] @ weights * lines.step
+        values = lines.values[line_range] @ weights * lines.step
         samples = OVERSAMPLING * len(values)
         powers.append(np.abs(np.fft.ifft(values, samples) * samples) ** 2)
         line_powers.append(np.abs(values) ** 2 / lines.step)
-        offsets.append(lines.frequencies[inside] - mode.frequency)
+        offsets.append(lines.frequencies[line_range] - mode.frequency)
     power, power_weights = np.concatenate(powers), np.concatenate(line_powers)
     centre = float(power_weights @ np.concatenate(offsets) / max(float(power_weights.sum()), 1e-300))
     statistic = float(np.mean(power**2) / max(float(np.mean(power)) ** 2, 1e-300))

@@ -90,8 +90,8 @@ def modes_of_part(
         by_order.append(
             OrderPoles(s, (model.shapes * levels[:, None]).T, np.ones((len(s), 1), complex), ORDERS[k])
         )
-        inside = (s.imag >= 2 * math.pi * part.low) & (s.imag < 2 * math.pi * part.high)
-        poles[k].append(s[inside & (s.real < 0.0)])
+        in_part = (s.imag >= 2 * math.pi * part.low) & (s.imag < 2 * math.pi * part.high)
+        poles[k].append(s[in_part & (s.real < 0.0)])
     margins = 0.5 * (part.low - part.start), 0.5 * (part.stop - part.high)
     clusters = pole_clusters(by_order, part.low - margins[0], part.high + margins[1])
 
@@ -132,24 +132,24 @@ def _select_modes(
     """Return the candidates that are modes: the strongest are tried first, then each is fitted beside the others."""
     ends = part.start, part.stop
     strength = [_strength(record, candidate) for candidate in clusters]
-    kept: list[tuple[RefinedMode, PoleCluster]] = []
+    accepted: list[tuple[RefinedMode, PoleCluster]] = []
     for k in np.argsort(strength)[::-1]:
         candidate = clusters[k]
         mode = refine(
             starting_mode(candidate.pole, candidate.shape),
-            [kept_mode for kept_mode, _ in kept],
+            [neighbour for neighbour, _ in accepted],
             record.unpadded,
             ends,
         )
         if mode is not None:
-            kept.append((mode, candidate))
+            accepted.append((mode, candidate))
     # the least certain first: a second description of a mode is dropped before the mode is fitted beside it
-    for pair in sorted(kept, key=lambda pair: pair[0].log_likelihood_ratio):
-        kept.remove(pair)
-        refitted = refine(pair[0], [kept_mode for kept_mode, _ in kept], record.unpadded, ends)
+    for pair in sorted(accepted, key=lambda pair: pair[0].log_likelihood_ratio):
+        accepted.remove(pair)
+        refitted = refine(pair[0], [neighbour for neighbour, _ in accepted], record.unpadded, ends)
         if refitted is not None:
-            kept.append((refitted, pair[1]))
-    return kept
+            accepted.append((refitted, pair[1]))
+    return accepted
 
 
 def _strength(record: PreparedRecord, candidate: PoleCluster) -> float:
@@ -161,8 +161,8 @@ def _strength(record: PreparedRecord, candidate: PoleCluster) -> float:
     weights = candidate.shape.conj() / np.linalg.norm(candidate.shape)
     zero_lag_correlations = []
     for piece in record.unpadded:
-        inside = slice(*np.searchsorted(piece.frequencies, [f - width, f + width]))
-        zero_lag_correlations.append((np.abs(piece.values[inside] @ weights) ** 2).sum() * piece.step)
+        line_range = slice(*np.searchsorted(piece.frequencies, [f - width, f + width]))
+        zero_lag_correlations.append((np.abs(piece.values[line_range] @ weights) ** 2).sum() * piece.step)
     return float(sum(zero_lag_correlations)) / width
 
 

@@ -173,8 +173,8 @@ def _powers(lines: Sequence[SpectralLines], row: Complex, low: float, high: floa
     """Return the power that passes a filter, between two frequencies."""
     frequencies, values, seconds = [], [], []
     for piece in lines:
-        inside = slice(*np.searchsorted(piece.frequencies, [max(low, 0.5 * piece.step), high]))
-        frequencies.append(piece.frequencies[inside])
-        values.append(np.abs(piece.values[inside] @ row) ** 2 * piece.step)
+        line_range = slice(*np.searchsorted(piece.frequencies, [max(low, 0.5 * piece.step), high]))
+        frequencies.append(piece.frequencies[line_range])
+        values.append(np.abs(piece.values[line_range] @ row) ** 2 * piece.step)
         seconds.append(np.full(len(frequencies[-1]), 1.0 / piece.step))
     return Powers(np.concatenate(frequencies), np.concatenate(values), np.concatenate(seconds))

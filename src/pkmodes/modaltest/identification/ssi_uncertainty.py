@@ -60,7 +60,7 @@ def mode_sigmas(
     largest = int(np.argmax(np.abs(shape)))
     shape_variances = np.zeros(len(shape))
     for piece in lines:
-        dlambda, dshape = _line_contributions(piece.within(part), part, references, first_lag, order, i)
+        dlambda, dshape = _line_contributions(piece.select(part), part, references, first_lag, order, i)
         ds = part.rate * dlambda / order.values[i]
         dabs = (ds * s.conjugate()).real / abs(s)
         dzeta = -ds.real / abs(s) + s.real * dabs / abs(s) ** 2

@@ -103,9 +103,9 @@ def subtract_tones(
 ) -> list[Array]:
     """Return the pieces of a record (N, S) without tones [Hz]."""
     cleaned = [np.array(piece, float) for piece in pieces]
-    inside = [tone for tone in tones if 0.5 * band[0] < tone.frequency < 2.0 * band[1]]
+    nearby_tones = [tone for tone in tones if 0.5 * band[0] < tone.frequency < 2.0 * band[1]]
     for piece in cleaned:
-        for tone in inside:
+        for tone in nearby_tones:
             for _ in range(PASSES):
                 frequency = _refine_frequency(piece, t_step, tone.frequency)
                 piece -= _sinusoid(piece, t_step, frequency)
@@ -121,9 +121,9 @@ def _stated_frequencies(
         for multiple in range(1, int(1.05 * band[1] / tone) + 1):
             frequency = multiple * tone
             reach = min(SEARCH_SHARE * frequency, 0.5) + SEARCH_LINES / seconds
-            near = slice(*np.searchsorted(f, [frequency - reach, frequency + reach]))
-            if frequency > 0.9 * band[0] and power[near].size:
-                frequencies.append(float(f[near][np.argmax(power[near])]))
+            line_range = slice(*np.searchsorted(f, [frequency - reach, frequency + reach]))
+            if frequency > 0.9 * band[0] and power[line_range].size:
+                frequencies.append(float(f[line_range][np.argmax(power[line_range])]))
     return frequencies
 
 
@@ -197,19 +197,19 @@ def find_only_tones(
     - tones: those that were found in and near the band
     - band: in Hz
     """
-    longest = max(range(len(pieces)), key=lambda i: len(pieces[i]))
-    live = pieces[longest].std(axis=0) > 0.0
-    signals = pieces[longest][:, live]
-    power, remaining_power = _powers(signals), _powers(remainders[longest][:, live])
+    piece_index = max(range(len(pieces)), key=lambda i: len(pieces[i]))
+    live = pieces[piece_index].std(axis=0) > 0.0
+    signals = pieces[piece_index][:, live]
+    power, remaining_power = _powers(signals), _powers(remainders[piece_index][:, live])
     f = np.arange(len(remaining_power)) / (t_step * len(signals))
     step_rounding = np.array([quantization_step(column) ** 2 / 12.0 for column in signals.T])
     # The rounding of the arithmetic is so small that nothing else is below it in the band; the share of the rounding
     # of steps that lies in the band is unknown.
     low, high = search_band(band)
-    inside = (f > low) & (f < high)
+    in_band = (f > low) & (f < high)
     for floor, counted in (
         (step_rounding, np.full(len(f), True)),
-        (ARITHMETIC_ROUNDING * signals.var(axis=0), inside),
+        (ARITHMETIC_ROUNDING * signals.var(axis=0), in_band),
     ):
         strong, unaffected = [], counted.copy()
         for tone in tones:

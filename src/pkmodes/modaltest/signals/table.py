@@ -122,10 +122,10 @@ def parse_table(content: bytes, source: str, request: SignalRequest) -> SignalFi
         if column.kind is FunctionKind.COHERENCE:
             _check_coherence(column, numbers, text)
     channels = {f"{column.response}/{column.reference}".removesuffix("/") for column in layout.columns}
-    stated = _find_statements(text.comments, channels)
-    functions = tuple(_function(column, numbers, abscissa, stated, source) for column in layout.columns)
+    statements = _find_statements(text.comments, channels)
+    functions = tuple(_function(column, numbers, abscissa, statements, source) for column in layout.columns)
     messages = tuple(f"{source}: {remark}" for remark in (*remarks, *_loss_messages(text.comments), *losses))
-    return SignalFile(source, functions, (), messages, stated)
+    return SignalFile(source, functions, (), messages, statements)
 
 
 def _rate(
@@ -225,7 +225,11 @@ def _check_coherence(column: FunctionColumn, numbers: dict[int, Numbers], text: 
 
 
 def _function(
-    column: FunctionColumn, numbers: dict[int, Numbers], abscissa: Array, stated: dict[str, str], source: str
+    column: FunctionColumn,
+    numbers: dict[int, Numbers],
+    abscissa: Array,
+    statements: dict[str, str],
+    source: str,
 ) -> Function:
     """Return a function, whose values are computed from the numbers of the table at each access."""
     parts = [numbers[index] for index in column.indices]
@@ -238,7 +242,7 @@ def _function(
                 _polar, parts[0], parts[1], _phase_factor(column, parts[1], source), column.decibels
             )
         channel = f"{column.response}/{column.reference}".removesuffix("/")
-        unit, reference_unit = quotient_units(column.unit or stated.get(f"unit {channel}", ""))
+        unit, reference_unit = quotient_units(column.unit or statements.get(f"unit {channel}", ""))
     if column.kind is FunctionKind.COHERENCE:
         unit = None
     return StoredFunction(

@@ -101,7 +101,7 @@ def _read_file(path: Path, request: SignalRequest, units: FileUnits) -> tuple[Si
     functions: list[Function] = []
     modes: list[ModeShape] = []
     skipped: dict[str, list[str]] = {}
-    stated: FileUnits | None = None
+    stated_units: FileUnits | None = None
     has_late_units = False
     contradictions: list[tuple[str, FileUnits, FileUnits]] = []
     abscissas = SharedAbscissas()
@@ -119,11 +119,11 @@ def _read_file(path: Path, request: SignalRequest, units: FileUnits) -> tuple[Si
             elif dataset.number in MODE_READERS:
                 outcome = MODE_READERS[dataset.number](scanner)
             elif dataset.number == UNIT_DATASET:
-                previous, stated = stated, _read_units(scanner)
-                has_late_units |= bool(functions) and stated != units
-                units = stated
-                if previous is not None and previous != stated:
-                    contradictions.append((scanner.where, previous, stated))
+                previous, stated_units = stated_units, _read_units(scanner)
+                has_late_units |= bool(functions) and stated_units != units
+                units = stated_units
+                if previous is not None and previous != stated_units:
+                    contradictions.append((scanner.where, previous, stated_units))
             elif dataset.number in LINES_PER_NODE:
                 axes |= _read_axes(scanner, LINES_PER_NODE[dataset.number])
                 other_datasets[dataset.number] = None
@@ -155,7 +155,7 @@ def _read_file(path: Path, request: SignalRequest, units: FileUnits) -> tuple[Si
     used = [function.response for function in functions] + [name for mode in modes for name in mode.shape]
     all_messages = (*messages, *_axes_message(used, axes, source))
     content = SignalFile(source, tuple(functions), tuple(modes), all_messages, skipped=tuple(reasons))
-    return content, stated if has_late_units else None
+    return content, stated_units if has_late_units else None
 
 
 def _read_axes(scanner: Scanner, lines: int) -> dict[str, str]:

@@ -138,8 +138,8 @@ def _problem(form: _SampleFormat, size: int) -> str | None:
     if form.bits not in BITS.get(form.code, ()):
         return f"expected plain numbers of 8 to 64 bits, found {form.bits} bits of type {form.code}"
     if not 1 <= form.channels <= MAX_CHANNELS or form.bytes_per_sample != form.channels * form.bits // 8:
-        found = f"{form.channels} in {form.bytes_per_sample} bytes a sample"
-        return f"expected 1 to {MAX_CHANNELS} channels, found {found}"
+        counts = f"{form.channels} in {form.bytes_per_sample} bytes a sample"
+        return f"expected 1 to {MAX_CHANNELS} channels, found {counts}"
     if not form.rate:
         return "expected a sampling rate above 0, found 0"
     if size < MIN_POINTS * form.bytes_per_sample or size % form.bytes_per_sample:
