@@ -201,7 +201,7 @@ def test_what_interpolating_once_more_changes_is_in_sigma() -> None:
             Estimate((mode,), Stabilisation(np.zeros(0, int), ()), none.real, none, none), ("a",)
         ), ()
 
-    given = SimpleNamespace(changed=0.0, once_more=SimpleNamespace(changed=0.1))
+    given = SimpleNamespace(changed=0.0, reinterpolated=SimpleNamespace(changed=0.1))
     found, said = fit_with_bridges(fit, [given], "a.csv")
     (mode,) = found.estimate.modes
     sigmas = mode.sigma_frequency, mode.sigma_damping, mode.sigma_shape
