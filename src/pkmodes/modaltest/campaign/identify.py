@@ -41,7 +41,7 @@ from pkmodes.modaltest.identification.spectra import MIN_SIGMA as LEAST_LINE
 MIN_DAMPING_SIGMA = 1e-4
 #: Modal phase collinearity below which a shape is reported as complex.
 MIN_COLLINEARITY = 0.8
-#: Value of `IdentifiedMode.apply_edits` for a mode that the user added.
+#: Value of `IdentifiedMode.edited` for a mode that the user added.
 ADDED = "added"
 
 

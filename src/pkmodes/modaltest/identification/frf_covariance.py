@@ -151,7 +151,8 @@ def component_sigmas(shape: Complex, covariance: Complex) -> Array:
 def determined_components(shape: Complex, covariance: Complex) -> NDArray[np.bool_]:
     """Return which components of a shape (S,) have a sigma below `MAX_COMPONENT_SIGMA` of the largest.
 
-    The component of a sensor measured only with a reference near a node of the mode is not determined.
+    The component of a sensor measured only with a reference near a node of the mode is not determined.  The largest
+    component is the largest of those above three times their own sigma.
     """
     size, sigma = np.abs(shape), np.sqrt(np.maximum(covariance.diagonal().real, 0.0))
     significant_size = size * (size > 3.0 * sigma)

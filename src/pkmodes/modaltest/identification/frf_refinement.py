@@ -163,9 +163,8 @@ def _add_reference_scatter(modes: IdentifiedModes, bounds: Uncertainty, fits: li
         for m in pooled_modes:
             finite = np.isfinite(variances[:, m])
             variance = variances[finite, m]
-            variance = (
-                variance * sigmas[m, component] ** 2 * (1.0 / variance).sum()
-            )  # those of one fit, with its correlations
+            # The variances of one fit, with its correlations.
+            variance = variance * sigmas[m, component] ** 2 * (1.0 / variance).sum()
             reference_poles = poles[finite, m]
             values.append((reference_poles.real if component == 0 else reference_poles.imag) / magnitude[m])
             relative_variances.append(variance / magnitude[m] ** 2)

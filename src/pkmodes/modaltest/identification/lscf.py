@@ -103,9 +103,8 @@ def _poles_of_order(sums: Complex, n: int, S: int, R: int, step: float, low: flo
         1.0 - COVERED_SHARE
     )
     poles = (np.log(np.abs(z)) + 1j * angle) / step + 2j * math.pi * low
-    scaled = inverse[:, None] ** np.arange(
-        n, -1, -1
-    )  # z^i / z^n, (P, n + 1): roots inside the circle stay finite
+    # z^i / z^n, (P, n + 1), so that roots inside the circle stay finite.
+    scaled = inverse[:, None] ** np.arange(n, -1, -1)
     scaled /= np.abs(scaled).max(axis=1, keepdims=True)
     products = (numerators.reshape(S * (n + 1), size) @ A.reshape(size, R)).reshape(S, n + 1, R)
     at_pole = np.einsum("pi,oir->por", scaled, products)

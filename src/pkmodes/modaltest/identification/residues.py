@@ -71,9 +71,8 @@ def lsfd(
             continue
         direct = pole_terms[:, None] * participations[:, measured].T
         conjugate = conjugate_terms[:, None] * participations[:, measured].T.conj()
-        shape_columns = np.concatenate(
-            [direct + conjugate, 1j * (direct - conjugate)], axis=2
-        )  # of the real and imaginary parts
+        # Columns of the real and imaginary parts of the shape.
+        shape_columns = np.concatenate([direct + conjugate, 1j * (direct - conjugate)], axis=2)
         residual_columns = np.zeros((F, measured.size, measured.size, 4), complex)
         index = np.arange(measured.size)
         residual_columns[:, index, index] = _residual_columns(derivative, s)[:, None]

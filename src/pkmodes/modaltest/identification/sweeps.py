@@ -50,9 +50,8 @@ def is_at_line_end(lines: SpectralLines, t_step: float, mode: RefinedMode) -> bo
     power = np.abs(z[:-1]) ** 2
     averaged_samples = max(round(AVERAGING_TIME / (2.0 * math.pi * half_width * step)), 1)
     turns = np.convolve(z[1:] * z[:-1].conj(), np.ones(averaged_samples), "same")
-    detuning = np.angle(turns) / (
-        2.0 * math.pi * step
-    )  # of the frequency of the response from the mode's [Hz]
+    # Of the frequency of the response from that of the mode [Hz].
+    detuning = np.angle(turns) / (2.0 * math.pi * step)
     reach = max(PASSED_HALF_WIDTHS * width, MIN_PASSED_DISTANCE * half_width)
     ringing_samples = SUDDEN_SHARE * -math.log(GONE_POWER) / (2.0 * mode.rate * step)
     ringing_window = np.ones(max(min(round(1.0 / (mode.rate * step)), len(power)), 1))
@@ -75,9 +74,8 @@ def is_at_line_end(lines: SpectralLines, t_step: float, mode: RefinedMode) -> bo
         samples.append(min(passed_index, gone_index))
     pass_power = power[max(top - samples[0], 0) : top + samples[1] + 1].sum()
     near_power = power[np.abs(detuning) < reach].sum()
-    moves_without_passing = (
-        any(directions) and directions[0] * directions[1] >= 0.0
-    )  # a line that moves, and does not pass
+    # A line that moves, and does not pass.
+    moves_without_passing = any(directions) and directions[0] * directions[1] >= 0.0
     return bool(
         moves_without_passing
         and pass_power > MIN_PASS_SHARE * near_power > 0.0

@@ -232,9 +232,8 @@ def _tar_loaders(path: Path, limit: int, source: str) -> dict[str, Callable[[], 
     total = 0
     for number, entry in enumerate(tar_files(path)):
         total += entry.size
-        _check_size(
-            total, MAX_UNPACKED_SIZE, source
-        )  # before looking for the next one, which unpacks this one
+        # Checked before the next file is looked for, which unpacks this one.
+        _check_size(total, MAX_UNPACKED_SIZE, source)
         loaders[entry.name] = partial(load, number)
         if number == MAX_FILES:
             problem = f"expected an archive of at most {MAX_FILES:,} files, found more"

@@ -182,9 +182,8 @@ def read_variables(file: BinaryIO, length: int) -> Iterator[FileVariable]:
         for variable in _read_variable(element, inner.start, inner.start + inner.size, order):
             if variable.name:  # what MATLAB stores for itself has none
                 yield variable
-        offset += (
-            outer.start + outer.size if compressed else outer.next
-        )  # compressed elements have no padding
+        # Compressed elements have no padding.
+        offset += outer.start + outer.size if compressed else outer.next
 
 
 def _read_variable(
@@ -218,9 +217,8 @@ def _read_variable(
     description = f"an array of {' x '.join(map(str, sizes))} values"
     count = float(np.prod(sizes, dtype=np.float64)) if np.all(sizes >= 0) else np.inf
     remaining = end - position
-    if (
-        not count <= remaining <= 16.0 * count + MAX_PART_SIZE
-    ):  # a byte for each number at least, two of eight at most
+    # Each number has at least one byte, and at most two parts of eight.
+    if not count <= remaining <= 16.0 * count + MAX_PART_SIZE:
         raise DamagedError(f"expected the values of {text}")
     is_complex, shape = bool(bits & COMPLEX), tuple(map(int, sizes))
     load = partial(_read_values, element, position, end, order, int(count), is_complex, text, whole=not depth)

@@ -196,9 +196,8 @@ def parse_numbers(text: bytes) -> Array | None:
         return np.empty(0)
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter(
-                "error", DeprecationWarning
-            )  # which NumPy before 2.3 raises instead of an error
+            # NumPy before 2.3 raises this warning instead of an error.
+            warnings.simplefilter("error", DeprecationWarning)
             return np.fromstring(text, sep=" ")
     except (ValueError, DeprecationWarning):
         pass

@@ -96,9 +96,8 @@ def parse_table(content: bytes, source: str, request: SignalRequest) -> SignalFi
             layout.abscissa, column_indices, lambda number: _needs_values(factor * number, request.band)
         )
     read_columns = ([] if layout.abscissa is None else [layout.abscissa]) + column_indices
-    if (
-        not read_columns
-    ):  # still checked, so that a damaged table is not mistaken for one without these sensors
+    # The first column is still checked, so that a damaged table is not mistaken for one without these sensors.
+    if not read_columns:
         read_columns = [0]
     clock = layout.abscissa is not None and is_clock(text.cell(layout.abscissa))
     numeric_columns = column_indices if clock and column_indices else read_columns

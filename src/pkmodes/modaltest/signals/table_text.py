@@ -138,17 +138,16 @@ class TableText:
     def without_gaps(
         self, abscissa: int, indices: Sequence[int], needs_values: Callable[[float], bool]
     ) -> TableText:
-        """Return the table without the rows that lack a requested value and do not count.
+        """Return the table without the rows that lack a requested value and need none.
 
-        - needs_values: whether a row counts, by the number in the column `abscissa`
+        - needs_values: whether a row must have all values, by the number in the column `abscissa`
         """
 
         def remove_rows(part: bytes) -> bytes:
             if GAP.search(part) is None:
                 return part
-            return b"".join(
-                line if is_kept(line) else b"\n" for line in io.BytesIO(part)
-            )  # keeps the line numbers
+            # Blank lines keep the line numbers.
+            return b"".join(line if is_kept(line) else b"\n" for line in io.BytesIO(part))
 
         def is_kept(line: bytes) -> bool:
             cells = self._cells(self._row(line)) if is_row(line) else []
@@ -330,9 +329,8 @@ def _find_header(
         matches_by_blanks = separator not in names and len(names.split()) == len(row.split()) > 1
         cells, row_cells = names.split(separator), row.split(separator)
         matches = matches_by_blanks or len(cells) == len(row_cells)
-        matches |= (
-            len(cells) == len(row.rstrip(f"{separator} \t").split(separator)) > 1
-        )  # the row may end with a separator
+        # The row may end with a separator.
+        matches |= len(cells) == len(row.rstrip(f"{separator} \t").split(separator)) > 1
         if not text.startswith("##") and matches:
             header = line, names
     if header is not None:
