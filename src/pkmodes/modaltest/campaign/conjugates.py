@@ -102,7 +102,7 @@ def _explained_by_modes(functions: Sequence[Function], band: tuple[float, float]
     usable = np.isfinite(norms) & (norms > 0.0)
     try:
         estimate = identify_frf(f, (values[:, usable] / norms[usable])[..., None], band=band, power=2)
-    except MeasurementError:  # too few lines or functions to tell
+    except MeasurementError:  # too few lines or functions
         return False
     if not estimate.modes:
         return False

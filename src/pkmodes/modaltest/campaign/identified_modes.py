@@ -1,7 +1,7 @@
 """Records of modes that another program has identified: dataset 55 of universal files, and tables.
 
-Tables have the columns of a measurement file, under any names.  The campaign says where the machine was, so that only
-the frequency is required.
+Tables have the columns of a measurement file, under any names.  The campaign states where the machine was, so that
+only the frequency is required.
 """
 
 from __future__ import annotations
@@ -105,7 +105,7 @@ def _is_universal(path: Path) -> bool:
     try:
         with path.open("rb") as file:
             head = file.read(HEAD_SIZE)
-    except (OSError, ValueError):  # the reader says why
+    except (OSError, ValueError):  # the reader reports the reason
         head = b""
     return UNIVERSAL_FILE.recognises(head) or path.suffix.lower() in UNIVERSAL_FILE.suffixes
 

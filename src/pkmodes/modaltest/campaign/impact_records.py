@@ -1,8 +1,8 @@
 """Records of hammer blows in time: the functions of a file, or of all points over which a hammer roved.
 
-When the hammer roves and the sensors stay, the points hit become the shape's degrees of freedom and the sensors its
-references.  Their functions, though measured one after the other, are those of one structure, and are fitted
-together.
+When the hammer roves and the sensors stay in place, the points hit become the shape's degrees of freedom and the
+sensors its references.  Their functions, though measured one after the other, are those of one structure, and are
+fitted together.
 """
 
 from __future__ import annotations

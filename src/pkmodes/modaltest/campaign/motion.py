@@ -1,4 +1,4 @@
-"""What a sensor measures: a linear or angular displacement, velocity or acceleration, in a unit."""
+"""The motion that a sensor measures: a linear or angular displacement, velocity or acceleration, in a unit."""
 
 from __future__ import annotations
 

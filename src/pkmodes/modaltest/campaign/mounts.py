@@ -8,7 +8,7 @@ of the velocity v of the platform's origin and of its angular velocity omega, bo
 these numbers, (d, R b x d), are also the generalised force of a force along d at b.  A gyroscope reads d . omega
 wherever it sits.
 
-What is screwed to the platform turns with it: `direction` and `at` of a campaign are along the platform's axes, so
+Sensors screwed to the platform turn with it: `direction` and `at` of a campaign are along the platform's axes, so
 that one line describes a sensor at all poses.  The channels ``p_x`` and ``r_x`` are along base axes, as their columns
 are.
 """

@@ -1,4 +1,4 @@
-"""What a frequency response is by its units: a motion over a force, or a quotient that has other poles.
+"""The kind of a frequency response by its units: a motion over a force, or a quotient that has other poles.
 
 The poles of a motion over a force are those of the structure.  Those of a motion over a motion, a transmissibility,
 are zeros of the motion in the denominator, and so are those of a force over a motion (Ewins, Modal Testing, 2nd

@@ -1,4 +1,4 @@
-"""A hammer that roves in front of sensors that stay: whether the files of all its points can be fitted together."""
+"""A roving hammer and fixed sensors: whether the files of all its points can be fitted together."""
 
 from __future__ import annotations
 

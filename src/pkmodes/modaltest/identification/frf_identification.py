@@ -120,11 +120,12 @@ def identify_frf(
     step = float(np.median(np.diff(f)))
     reported_modes = [to_mode(extended.modes, extended.bounds, int(m)) for m in reported]
     is_wide = extended.modes.half_widths[reported] > NARROW_HALF_WIDTH * step
+    # A drifting tone leaves narrow poles without a shape beside the lines that are left out.
     reported_modes = [
         candidate
         for candidate, resolved in zip(reported_modes, is_wide, strict=True)
         if resolved or np.isfinite(candidate.shape).any()
-    ]  # a narrow pole without a shape is what a drifting tone leaves beside the lines that are left out
+    ]
     reported_modes += [to_mode(modes, bounds, int(m)) for m in struck_modes]
     return Estimate(
         modes=tuple(sorted(reported_modes, key=lambda candidate: candidate.frequency)),

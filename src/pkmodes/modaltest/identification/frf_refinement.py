@@ -42,7 +42,7 @@ Complex = NDArray[np.complex128]
 OVERLAP = 4.0
 #: Lines up to this many half bandwidths from a mode are used: 94 % of the information about its pole is within 10.
 REACH_HALF_WIDTHS = 10.0
-#: but at least this many lines on each side, so that noise can be told from the smooth part,
+#: but at least this many lines on each side, so that noise can be distinguished from the smooth part,
 MIN_SIDE_LINES = 24
 #: and at most this many in a window: a mode over more lines is determined equally well by every second or third.
 MAX_WINDOW_LINES = 400

@@ -176,7 +176,7 @@ def _fit_peak(f: Array, total: Array, k: int) -> _Peak | None:
     def peak(p: Array) -> _Peak:
         return _Peak(float(p[0]), 0.0, math.exp(p[1]), math.exp(p[2]), math.exp(p[3]))
 
-    # the least width is about half a line: narrower peaks cannot be told from it
+    # the least width is about half a line: narrower peaks are not resolved
     log_top, log_lowest = math.log(total[k]), math.log(max(P_fit.min(), 1e-9 * total[k]))
     start = np.array([f[k], log_top, math.log(step), log_lowest - 0.5])
     lower_bounds = [f[k] - step, log_top - 3.0, math.log(0.3 * step), log_lowest - 20.0]

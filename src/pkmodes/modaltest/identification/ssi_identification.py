@@ -4,7 +4,7 @@ The band is treated in overlapping parts (`ssi_bands`).  In each, covariance-dri
 gives poles and shapes of all model orders, clusters of these give candidates (`clusters`), and the power on the lines
 around each decides whether it is a mode (`ssi_selection`) and what its frequency and damping are (`ssi_likelihood`).
 The shape and its standard deviation are those of the subspace identification (`ssi_uncertainty`).  A mode that two
-overlapping parts find is kept once, and each is fitted again beside those of all parts.
+overlapping parts find is kept once, and each is fitted again together with the modes of all parts.
 """
 
 from __future__ import annotations

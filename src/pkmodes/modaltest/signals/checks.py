@@ -15,7 +15,7 @@ MIN_POINTS = 2
 #: Largest distance of a coherence from the range 0 to 1: rounding of sums over a thousand averages in single
 #: precision, or of four decimals.  More is another quantity, or another unit.
 ROUNDING = 1e-4
-#: Range of the largest value of a coherence in per cent: one that stays below 2 % would be no measurement.
+#: Range of the largest value of a coherence in per cent: a coherence below 2 % everywhere would be no measurement.
 PER_CENT = (2.0, 100.0 * (1.0 + ROUNDING))
 
 

@@ -41,8 +41,8 @@ class Function:
     - reference: name of the excitation, likewise; empty where there is none, or it has no name
     - abscissa: strictly ascending, (n,): time [s], or frequency [Hz]
     - values: complex128 for a frequency response, float64 otherwise, (n,)
-    - unit: of the values, of a frequency response that of its numerator; None where the file does not say
-    - reference_unit: of the denominator of a frequency response; None where the file does not say
+    - unit: of the values, of a frequency response that of its numerator; None where the file does not state it
+    - reference_unit: of the denominator of a frequency response; None where the file does not state it
     - force: whether this is the excitation, in time
     - assumed: whether the file states the kind of its values but no unit: ``unit`` is then that of SI
     """
@@ -106,7 +106,7 @@ class ModeShape:
     """An identified mode.
 
     - frequency: undamped natural frequency [Hz]
-    - damping: ratio of critical damping; None where the file does not say
+    - damping: ratio of critical damping; None where the file does not state it
     - shape: components by degree of freedom, ``12:+X`` or ``12:+RX``
     """
 

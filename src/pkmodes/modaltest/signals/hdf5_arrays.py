@@ -72,7 +72,7 @@ def _variables(group: Any, prefix: str, limit: int, visited: set[int]) -> Iterat
     from h5py import Dataset, Group
 
     for name in group:
-        if name.startswith("#"):  # what MATLAB stores for itself
+        if name.startswith("#"):  # variables that MATLAB stores for itself
             continue
         full_name = f"{prefix}{name}"
         if len(full_name) > MAX_NAME_LENGTH:

@@ -5,7 +5,7 @@ and imaginary values if it is complex; it may be compressed as a whole ("MAT-Fil
 reader cannot be used for files that may be damaged: with wrong sizes it reads memory that is not the file's.
 
 Only the first parts of each array are kept until its values are requested: a few compressed bytes may become
-gigabytes.  What precedes them in a compressed struct is unpacked again, piece by piece, and discarded.
+gigabytes.  Data before them in a compressed struct are unpacked again, piece by piece, and discarded.
 """
 
 from __future__ import annotations
@@ -180,7 +180,7 @@ def read_variables(file: BinaryIO, length: int) -> Iterator[FileVariable]:
         if inner.type != MATRIX:
             raise DamagedError(f"expected a variable, found an element of type {inner.type}")
         for variable in _read_variable(element, inner.start, inner.start + inner.size, order):
-            if variable.name:  # what MATLAB stores for itself has none
+            if variable.name:  # variables that MATLAB stores for itself have none
                 yield variable
         # Compressed elements have no padding.
         offset += outer.start + outer.size if compressed else outer.next

@@ -88,6 +88,6 @@ def _split_member(path: Path) -> tuple[Path, str]:
     try:
         parents = () if path.exists() else path.parents
         file = next((parent for parent in parents if parent.is_file()), None)
-    except OSError:  # such as a name that is too long; opening it says why
+    except OSError:  # such as a name that is too long; opening it reports the reason
         file = None
     return (path, "") if file is None else (file, path.relative_to(file).as_posix())

@@ -28,7 +28,7 @@ INCOMPLETE = "the file is damaged or incomplete: copy or export it again"
 NUMBER = re.compile(rb"[+-]?(?:\d+\.?\d*|\.\d+)(?:[EeDd][+-]?\d+|[+-]\d{3}(?![\d.]))?")
 #: Bytes in numbers and between them.
 NUMERALS = b"0123456789+-.eEdD \t\r\n"
-#: What programs write for a missing value.
+#: Texts that programs write for a missing value.
 NOT_A_NUMBER = re.compile(
     rb"[+-]?(?:nan(?:\(ind\))?|inf(?:inity)?|1\.#(?:qnan|snan|ind|inf)\d*)", re.IGNORECASE
 )

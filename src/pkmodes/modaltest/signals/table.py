@@ -44,7 +44,7 @@ from pkmodes.modaltest.signals.units import hertz_in, quotient_units, radians_in
 MAX_FILE_SIZE = 1_000_000_000
 #: Phases without a unit are radians up to the first (from -pi to pi, or up to 2 pi), and degrees from the second.
 MAX_RADIANS, MIN_DEGREES = 2.0 * np.pi, 40.0
-#: First bytes by which binary data are told from text.
+#: Number of first bytes by which binary data are distinguished from text.
 HEAD_SIZE = 4096
 #: Statement of lost samples in any comment; other wordings are looked for only in lines beginning with ``##``.
 LOST_SAMPLES = re.compile(
