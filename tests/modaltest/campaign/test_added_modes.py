@@ -19,9 +19,9 @@ from modaltest.campaign.structures import (
     write_frf,
 )
 from pkmodes.modaltest.campaign.campaign import read_campaign
-from pkmodes.modaltest.campaign.edits import edited
+from pkmodes.modaltest.campaign.edits import apply_edits
 from pkmodes.modaltest.campaign.results import IdentifiedMode, Parts
-from pkmodes.modaltest.identification.asked import RequestedModes
+from pkmodes.modaltest.identification.requested_modes import RequestedModes
 
 F = np.arange(10.0, 220.0, 0.25)
 ALIKE = HEAD + sensors("m/s^2", "m/s^2", "m/s^2")
@@ -100,7 +100,9 @@ def test_an_added_mode_replaces_only_the_reported_one_within_one_per_cent() -> N
         return IdentifiedMode(frequency, Parts(0.0, 0.1, 0.1), 0.01, 0.001, {}, np.nan, np.nan, None, 1, edit)
 
     reported = [mode(49.4), mode(49.7), mode(50.6)]
-    kept, struck = edited(reported, [mode(50.0, "added")], RequestedModes((50.6,), (50.0,)), "P1", "c.toml")
+    kept, struck = apply_edits(
+        reported, [mode(50.0, "added")], RequestedModes((50.6,), (50.0,)), "P1", "c.toml"
+    )
     assert [(one.frequency, one.edited) for one in kept] == [(49.4, None), (50.0, "added")]
     assert struck == [50.6]
 
@@ -110,7 +112,7 @@ def test_what_several_edits_ask_of_one_record_adds_up(tmp_path: Path) -> None:
     edits = edit(strike=["41 Hz"], add=["97 Hz"]) + edit(strike=["163 Hz"])
     (tmp_path / "c.toml").write_text(text + edits, encoding="utf-8")
     campaign = read_campaign(tmp_path / "c.toml")
-    assert campaign.asked(campaign.records[0]) == RequestedModes((41.0, 163.0), (97.0,))
+    assert campaign.edits_of(campaign.records[0]) == RequestedModes((41.0, 163.0), (97.0,))
 
 
 def test_a_mode_that_is_struck_and_added_is_fitted_again(tmp_path: Path) -> None:

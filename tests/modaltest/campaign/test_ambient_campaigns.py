@@ -23,7 +23,7 @@ from modaltest.campaign.structures import (
 )
 from pkmodes.loop.measured.reading import read_modes
 from pkmodes.modaltest.campaign.mode_estimates import FileFit
-from pkmodes.modaltest.campaign.time_records import with_bridges
+from pkmodes.modaltest.campaign.time_records import fit_with_bridges
 from pkmodes.modaltest.identification.estimates import Estimate, Mode, Stabilisation
 
 SENSORS = sensors("m/s^2", "g0", "mm/s")
@@ -201,8 +201,8 @@ def test_what_interpolating_once_more_changes_is_in_sigma() -> None:
             Estimate((mode,), Stabilisation(np.zeros(0, int), ()), none.real, none, none), ("a",)
         ), ()
 
-    given = SimpleNamespace(changed=0.0, once_more=SimpleNamespace(changed=0.1))
-    found, said = with_bridges(fit, [given], "a.csv")
+    given = SimpleNamespace(changed=0.0, reinterpolated=SimpleNamespace(changed=0.1))
+    found, said = fit_with_bridges(fit, [given], "a.csv")
     (mode,) = found.estimate.modes
     sigmas = mode.sigma_frequency, mode.sigma_damping, mode.sigma_shape
     np.testing.assert_allclose(sigmas, np.sqrt(5.0) * np.array([0.05, 5e-5, 0.02]))
@@ -216,7 +216,7 @@ def test_a_record_too_long_for_memory_is_reduced_to_fewer_samples(
     write_ambient(tmp_path / "a.csv", np.random.default_rng(33))
     text = HEAD.replace("200 Hz", "120 Hz") + SENSORS + record("ambient", "a.csv")
     whole = identify(tmp_path, text).record
-    monkeypatch.setattr("pkmodes.modaltest.signals.reduction.LONG", 10_000)
+    monkeypatch.setattr("pkmodes.modaltest.signals.reduction.MAX_SAMPLES", 10_000)
     fewer = identify(tmp_path, text).record
     pairs = list(zip(whole["modes"], fewer["modes"], strict=True))
     assert len(pairs) == 2

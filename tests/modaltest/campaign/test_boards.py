@@ -11,7 +11,7 @@ import pytest
 
 from modaltest.campaign.structures import Identified, identify, refused
 from pkmodes.loop.measured.reading import read_modes
-from pkmodes.modaltest.campaign.boards import with_clocks
+from pkmodes.modaltest.campaign.boards import add_clock_uncertainty
 from pkmodes.modaltest.identification.clocks import Delay
 from pkmodes.modaltest.identification.estimates import Mode
 
@@ -145,7 +145,7 @@ def test_what_a_clock_is_known_to_enters_sigma_until_the_sign_is_lost() -> None:
     for frequency, lost in ((20.0, []), (45.0, ["bed"])):
         shape = np.array([1.0 + 0j, 0.6, -0.5])
         mode = Mode(2j * np.pi * frequency, shape, 0.1, 0.001, 0.01, (10, 20))
-        found, unsigned = with_clocks(mode, {"bed": slice(1, 3)}, delays)
+        found, unsigned = add_clock_uncertainty(mode, {"bed": slice(1, 3)}, delays)
         assert unsigned == lost
         np.testing.assert_array_equal(np.isnan(found.shape), [False, bool(lost), bool(lost)])
         turned = np.array([1.0, 0.6, -0.5]) * np.exp(

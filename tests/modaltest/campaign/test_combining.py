@@ -9,18 +9,18 @@ import numpy as np
 import pytest
 
 from pkmodes.modaltest.campaign.averaging import mean_modes, mean_shape
-from pkmodes.modaltest.campaign.grouping import _apart, grouped, reunited
-from pkmodes.modaltest.campaign.joining import joined_setups
+from pkmodes.modaltest.campaign.grouping import _mode_distance, group_modes, match_visits
+from pkmodes.modaltest.campaign.joining import join_setups
 from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate, mac
-from pkmodes.modaltest.campaign.motion import motion
-from pkmodes.modaltest.campaign.revisits import revisited
+from pkmodes.modaltest.campaign.motion import parse_motion
+from pkmodes.modaltest.campaign.revisits import estimate_repeatability
 from pkmodes.modaltest.campaign.sensors import Transducer
-from pkmodes.modaltest.campaign.shapes import combined
+from pkmodes.modaltest.campaign.shapes import combine_sensors
 
 
 def test_neighbours_of_one_file_are_never_one_mode() -> None:
     files = [[ModeEstimate(50.0 + e), ModeEstimate(50.2 + e)] for e in (-0.02, 0.01, 0.03)]
-    groups = grouped(files)
+    groups = group_modes(files)
     assert [len(group) for group in groups] == [3, 3]
     assert [round(float(np.mean([mode.frequency for mode in group.values()])), 1) for group in groups] == [
         50.0,
@@ -31,7 +31,7 @@ def test_neighbours_of_one_file_are_never_one_mode() -> None:
 def test_shapes_tell_modes_that_cross_apart() -> None:
     """Frequencies alone would pair the lower ones of both files."""
     one, other = {"a": 1.0 + 0j, "b": 0.1 + 0j}, {"a": -0.1 + 0j, "b": 1.0 + 0j}
-    groups = grouped(
+    groups = group_modes(
         [
             [ModeEstimate(50.0, shape=one), ModeEstimate(50.2, shape=other)],
             [ModeEstimate(50.1, shape=other), ModeEstimate(50.3, shape=one)],
@@ -46,7 +46,7 @@ def test_what_moves_between_setups_is_one_mode_and_a_close_pair_stays_two(move: 
     """A pair 1 % apart, which moves as far as that; no shape tells them apart."""
     f = np.array([40.0, 60.0, 60.6, 90.0])
     visits = [[ModeEstimate(value) for value in f], [ModeEstimate(value) for value in f * (1.0 - move)]]
-    assert reunited(visits) == [{0: k, 1: k} for k in range(4)]
+    assert match_visits(visits) == [{0: k, 1: k} for k in range(4)]
 
 
 @pytest.mark.parametrize(
@@ -73,7 +73,7 @@ def test_a_mode_that_moves_alone_is_one_if_no_other_is_near(
         [*map(ModeEstimate, others), ModeEstimate(f, shape=shape)]
         for f, shape in zip((60.0, 60.9), shapes, strict=True)
     ]
-    assert len(reunited(visits)) == count
+    assert len(match_visits(visits)) == count
 
 
 def by_definition(files: list[list[ModeEstimate]]) -> list[list[tuple[int, ModeEstimate]]]:
@@ -82,7 +82,13 @@ def by_definition(files: list[list[ModeEstimate]]) -> list[list[tuple[int, ModeE
     groups.sort(key=lambda group: min((mode.frequency, i) for i, mode in group.items()))
     while True:
         pairs = [
-            (float(np.mean([_apart(a, b) for a in groups[i].values() for b in groups[k].values()])), i, k)
+            (
+                float(
+                    np.mean([_mode_distance(a, b) for a in groups[i].values() for b in groups[k].values()])
+                ),
+                i,
+                k,
+            )
             for k in range(len(groups))
             for i in range(k)
             if not groups[i].keys() & groups[k].keys()
@@ -111,7 +117,7 @@ def test_groups_are_those_of_the_definition(seed: int) -> None:
         ]
         for _ in range(4)
     ]
-    found = [sorted(group.items(), key=lambda one: one[0]) for group in grouped(files)]
+    found = [sorted(group.items(), key=lambda one: one[0]) for group in group_modes(files)]
     assert found == by_definition(files)
 
 
@@ -124,13 +130,13 @@ def seconds(count: int) -> float:
         for value, of in zip(f, shapes, strict=True)
     ]
     start = time.process_time()
-    assert len(mean_modes(grouped([modes]))) == count
+    assert len(mean_modes(group_modes([modes]))) == count
     assert (
-        len(grouped([modes, [ModeEstimate(mode.frequency, shape=mode.shape) for mode in modes[::4]]]))
+        len(group_modes([modes, [ModeEstimate(mode.frequency, shape=mode.shape) for mode in modes[::4]]]))
         == count
     )
     assert (
-        len(reunited([modes, [ModeEstimate(0.98 * mode.frequency, shape=mode.shape) for mode in modes]]))
+        len(match_visits([modes, [ModeEstimate(0.98 * mode.frequency, shape=mode.shape) for mode in modes]]))
         == count
     )
     return time.process_time() - start
@@ -147,21 +153,21 @@ def test_setups_are_weighted_by_their_variances_and_their_spread_counts_where_it
         return ModeEstimate(frequency, 0.01, {}, sigma, 1e-3, files=(0,))
 
     log: list[str] = []
-    (near,) = joined_setups({"x": [mode(50.0, 0.01)], "y": [mode(50.02, 0.02)]}, "P", 0.0, log)
+    (near,) = join_setups({"x": [mode(50.0, 0.01)], "y": [mode(50.02, 0.02)]}, "P", 0.0, log)
     assert near.frequency == pytest.approx((50.0 * 4 + 50.02 * 1) / 5)
     assert near.sigma_frequency == pytest.approx(1.0 / np.sqrt(1e4 + 2.5e3))
     assert not log
-    (apart,) = joined_setups({"x": [mode(50.0, 0.01)], "y": [mode(50.2, 0.01)]}, "P", 0.0, [])
+    (apart,) = join_setups({"x": [mode(50.0, 0.01)], "y": [mode(50.2, 0.01)]}, "P", 0.0, [])
     assert apart.frequency * apart.scatter == pytest.approx(0.1)  # half their difference
     # A machine that warmed was as much the one as the other, however well each is known.
     setups = {"x": [mode(50.0, 0.001)], "y": [mode(50.4, 0.1)]}
-    (warmed,) = joined_setups(setups, "P", 0.0, log)
+    (warmed,) = join_setups(setups, "P", 0.0, log)
     assert warmed.frequency == pytest.approx(50.2)
     assert warmed.frequency * warmed.scatter == pytest.approx(0.2)
     (message,) = log
     assert message.startswith("P: the setups x, y differ by more than their standard deviations")
     assert "50 to 50.4 Hz" in message
-    joined_setups(setups, "P", 3e-3, log)  # which explains it
+    join_setups(setups, "P", 3e-3, log)  # which explains it
     assert log == [message]
 
 
@@ -171,7 +177,7 @@ def test_shapes_without_a_common_sensor_are_said() -> None:
 
     log: list[str] = []
     setups = {"x": [mode({"a": 1 + 0j, "b": 2 + 0j})], "y": [mode({"c": 1 + 0j})]}
-    (joined,) = joined_setups(setups, "P", 0.0, log)
+    (joined,) = join_setups(setups, "P", 0.0, log)
     assert set(joined.shape) == {"a", "b"}
     assert "share no sensor in the setups x, y" in log[0]
 
@@ -188,8 +194,8 @@ def test_scatter_within_visits_is_taken_off_that_between_them(truth: float, with
             for _ in range(4)
         ]
         record = SimpleNamespace(point={"x": 0.0}, settings={}, drives="free")
-        records.append((record, mean_modes(grouped(files))))
-    value, message = revisited(records, "c.toml")
+        records.append((record, mean_modes(group_modes(files))))
+    value, message = estimate_repeatability(records, "c.toml")
     # 132 degrees of freedom; what is taken off has an error of its own.
     assert value == pytest.approx(truth, rel=0.2 if truth > within else 0.6)
     assert "12 modes" in message
@@ -235,12 +241,12 @@ def test_sensors_in_oblique_directions_give_the_platform_by_least_squares() -> N
         "s": 4.0,
         "help": 9.0,
     }
-    found = combined({name: complex(value) for name, value in shape.items()}, places).values
+    found = combine_sensors({name: complex(value) for name, value in shape.items()}, places).values
     assert set(found) == {"p_x", "p_y", "p_z", "x_1"}
     np.testing.assert_allclose([found[f"p_{axis}"] for axis in "xyz"], p, rtol=0, atol=1e-14)
     assert found["x_1"] == pytest.approx(3.5)
     # One oblique sensor determines neither component.
-    assert set(combined({"u": 1 + 0j, "w": 1 + 0j}, places).values) == {"p_z"}
+    assert set(combine_sensors({"u": 1 + 0j, "w": 1 + 0j}, places).values) == {"p_z"}
 
 
 @pytest.mark.parametrize(
@@ -248,7 +254,7 @@ def test_sensors_in_oblique_directions_give_the_platform_by_least_squares() -> N
     [("cm/s2", 0.01, 2), ("gn", 9.80665, 2), ("mg0", 9.80665e-3, 2), ("m/s²", 1.0, 2), ("um", 1e-6, 0)],
 )
 def test_units_of_campaigns_are_written_as_those_of_files(unit: str, factor: float, derivative: int) -> None:
-    found = motion(unit, "c.toml")
+    found = parse_motion(unit, "c.toml")
     assert (found.factor, found.derivative, found.angular) == (
         pytest.approx(factor, rel=1e-12),
         derivative,

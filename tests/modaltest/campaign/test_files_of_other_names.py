@@ -21,7 +21,7 @@ from modaltest.campaign.structures import (
 )
 from modaltest.signals.universal import dataset58b, packed
 from pkmodes.loop.measured.reading import read_modes
-from pkmodes.modaltest.campaign.sensors import signed
+from pkmodes.modaltest.campaign.sensors import apply_sign
 from pkmodes.modaltest.signals.reading import read_signals
 
 STEP = 1.0 / 2048.0
@@ -176,5 +176,5 @@ def test_the_sign_of_a_numbered_label_counts_where_those_of_the_file_do(tmp_path
         campaign = campaign.replace(f'"a{k}"', json.dumps(f"1:-Z#{k}"))
     numbered = [one for one in read_signals(tmp_path / "b.uff").functions if not one.force]
     for one, expected in zip(numbered, noisy(a, 8).T, strict=True):
-        np.testing.assert_allclose(signed(one).values, expected, rtol=1e-6, atol=1e-9)
+        np.testing.assert_allclose(apply_sign(one).values, expected, rtol=1e-6, atol=1e-9)
     check(identify(tmp_path, campaign).file)

@@ -10,7 +10,7 @@ import pytest
 
 from modaltest.campaign.structures import HEAD, identify, record, sensors
 from modaltest.identification.test_level import F0, RATE, ring_down
-from pkmodes.modaltest.campaign.levels import between_files
+from pkmodes.modaltest.campaign.levels import shifts_between_files
 from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate
 
 CAMPAIGN = HEAD.replace('"200 Hz"', '"150 Hz"') + 'repeatability = "0.01 %"\n' + sensors("m/s^2", "m/s^2")
@@ -58,7 +58,7 @@ def files(levels: list[float], slope: float, scatter: float, seed: int) -> list[
 
 
 def test_files_of_other_levels_show_a_change_beyond_their_scatter() -> None:
-    shift, *others = between_files(files([1.0, 2.0, 4.0, 8.0, 1.5, 6.0], -0.002, 1e-4, 1))
+    shift, *others = shifts_between_files(files([1.0, 2.0, 4.0, 8.0, 1.5, 6.0], -0.002, 1e-4, 1))
     assert others == [None, None]
     assert shift is not None
     assert shift.low == pytest.approx(30.0, rel=3e-4)
@@ -70,8 +70,8 @@ def test_scatter_and_equal_levels_show_none() -> None:
     alarms = sum(
         shift is not None
         for seed in range(300)
-        for shift in between_files(files([1.0, 2.0, 4.0, 8.0], 0.0, 1e-3, seed))
+        for shift in shifts_between_files(files([1.0, 2.0, 4.0, 8.0], 0.0, 1e-3, seed))
     )
     assert alarms <= 1  # 900 modes at one in ten thousand
-    assert between_files(files([1.0, 1.1, 1.2, 1.05], -0.05, 1e-5, 2)) == [None, None, None]
-    assert between_files(files([1.0, np.nan, 4.0, 8.0], -0.002, 1e-5, 2)) == [None, None, None]
+    assert shifts_between_files(files([1.0, 1.1, 1.2, 1.05], -0.05, 1e-5, 2)) == [None, None, None]
+    assert shifts_between_files(files([1.0, np.nan, 4.0, 8.0], -0.002, 1e-5, 2)) == [None, None, None]

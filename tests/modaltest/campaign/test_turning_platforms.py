@@ -17,10 +17,10 @@ from scipy.linalg import expm
 from modaltest.campaign.structures import identify, write_frf
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.modaltest.campaign.description import ForceTable, SensorTable
-from pkmodes.modaltest.campaign.motion import motion
+from pkmodes.modaltest.campaign.motion import parse_motion
 from pkmodes.modaltest.campaign.mounts import Platform
-from pkmodes.modaltest.campaign.sensors import Transducer, check_motion, forces_of, sensors_of
-from pkmodes.modaltest.campaign.shapes import UNDETERMINED, combined, left_blank
+from pkmodes.modaltest.campaign.sensors import Transducer, check_forces, check_motion, check_sensors
+from pkmodes.modaltest.campaign.shapes import UNDETERMINED, blank_messages, combine_sensors
 
 Array = NDArray[np.float64]
 ROBOT = Path(__file__).parents[3] / "robots/hexapod.toml"
@@ -45,12 +45,12 @@ def known(platform: Platform) -> dict[str, str]:
 def read(kind: str, platform: Platform, *tables: dict[str, Any]) -> dict[str, Transducer]:
     numbered = [{"name": str(i)} | table for i, table in enumerate(tables)]
     if kind == "force":
-        found: Sequence[Transducer] = forces_of(
+        found: Sequence[Transducer] = check_forces(
             msgspec.convert(numbered, list[ForceTable]), known(platform), platform, {""}, "c.toml"
         )
     else:
         given = [{"unit": "m/s^2"} | table for table in numbered]
-        found = sensors_of(
+        found = check_sensors(
             msgspec.convert(given, list[SensorTable]), known(platform), platform, {""}, "c.toml"
         )
     return {one.name: one for one in found}
@@ -59,7 +59,7 @@ def read(kind: str, platform: Platform, *tables: dict[str, Any]) -> dict[str, Tr
 def at(places: dict[str, Transducer], turn: Array, platform: Platform = PLATFORM) -> dict[str, Transducer]:
     R = platform.rotation(dict(zip(("rx", "ry", "rz"), turn, strict=True)))
     np.testing.assert_allclose(R, expm(cross(turn)), rtol=0, atol=1e-14)
-    return {name: one.where_turned(R) for name, one in places.items()}
+    return {name: one.rotated(R) for name, one in places.items()}
 
 
 def cross(vector: Array) -> Array:
@@ -94,7 +94,7 @@ def test_six_accelerometers_that_turn_with_the_platform_give_its_motion_along_ba
     R = expm(cross(turn))
     along = [R @ np.array(d) / np.linalg.norm(d) for d, _ in SIX]
     places = at(read("sensor", PLATFORM, *(mounted(*one) for one in SIX)), turn)
-    found = combined(shown(along, [b for _, b in SIX], turn), places)
+    found = combine_sensors(shown(along, [b for _, b in SIX], turn), places)
     assert list(found.values) == ["p_x", "p_y", "p_z", "r_x", "r_y", "r_z"]
     assert not found.blank
     # Central differences leave |omega|^3 h^2 / 6, 4e-6 of what the lever arm moves.
@@ -128,7 +128,7 @@ def test_gyroscopes_complete_accelerometers_wherever_they_sit() -> None:
     places = at(read("sensor", PLATFORM, *tables), TILT)
     shape = shown([R @ np.array(d, dtype=float) for d in axes], [b] * 3, TILT)
     turned = [OMEGA[0], -OMEGA[1], R @ np.array([0.6, 0, 0.8]) @ OMEGA]
-    found = combined(shape | {str(3 + i): complex(one) for i, one in enumerate(turned)}, places)
+    found = combine_sensors(shape | {str(3 + i): complex(one) for i, one in enumerate(turned)}, places)
     np.testing.assert_allclose(list(found.values.values()), [*V, *OMEGA], rtol=0, atol=1e-4)
 
 
@@ -141,21 +141,21 @@ def test_what_five_accelerometers_leave_open_is_blank_and_said() -> None:
         ([0, 1, 0], [0, 0, 9]),
     ]
     places = read("sensor", PLATFORM, *(mounted(*one) for one in five))
-    level = combined(
+    level = combine_sensors(
         shown([np.array(d, dtype=float) for d, _ in five], [b for _, b in five], np.zeros(3)), places
     )
     np.testing.assert_allclose(list(level.values.values()), [*V, *OMEGA[:2]], rtol=0, atol=1e-4)
     assert level.blank == ("r_z",)
-    tilted = combined(dict.fromkeys(places, 1.0 + 0j), at(places, TILT))
+    tilted = combine_sensors(dict.fromkeys(places, 1.0 + 0j), at(places, TILT))
     assert set(tilted.values) == {"p_x", "p_y", "p_z"}
-    alone = combined(dict.fromkeys("012", 1.0 + 0j), places)
+    alone = combine_sensors(dict.fromkeys("012", 1.0 + 0j), places)
     assert alone.blank == ("p_x", "p_y", "r_z")
-    said = left_blank("P1", UNDETERMINED, [(50.0, level.blank), (60.0, ()), (70.123, level.blank)])
+    said = blank_messages("P1", UNDETERMINED, [(50.0, level.blank), (60.0, ()), (70.123, level.blank)])
     assert said == [
         "P1: the measurements on the platform do not determine r_z in the modes at 50, 70.12 Hz: left blank; add a "
         "sensor at another place or in another direction"
     ]
-    assert left_blank("P1", UNDETERMINED, [(50.0, ())]) == []
+    assert blank_messages("P1", UNDETERMINED, [(50.0, ())]) == []
 
 
 def test_the_error_of_the_least_certain_component_is_that_of_the_row() -> None:
@@ -166,16 +166,16 @@ def test_the_error_of_the_least_certain_component_is_that_of_the_row() -> None:
     noise = 0.01 * max(abs(value) for value in whole.values())
     found = [
         list(
-            combined(
+            combine_sensors(
                 {name: value + noise * rng.normal() for name, value in whole.items()}, places
             ).values.values()
         )
         for _ in range(2000)
     ]
     scatter = np.std(np.real(found), axis=0).max() / np.abs(OMEGA).max()
-    growth = combined(whole, places, 0.01).growth
+    growth = combine_sensors(whole, places, 0.01).growth
     assert 0.01 * growth == pytest.approx(scatter, rel=0.05)  # the scatter of 2000 is known to 2 %
-    rough = combined(whole, places, 1.01 / growth)
+    rough = combine_sensors(whole, places, 1.01 / growth)
     assert not rough.blank
     assert "r_z" in rough.uncertain
     assert set(rough.values) >= {"p_x", "p_y"}
@@ -190,7 +190,7 @@ def test_blows_at_other_places_give_the_motion_that_they_excite() -> None:
         force = R @ np.array(d) / np.linalg.norm(d)
         moment = np.cross(R @ np.array(b) / 1e3, force)
         shape[str(i)] = complex(force @ V + moment @ OMEGA)
-    found = combined(shape, places)
+    found = combine_sensors(shape, places)
     np.testing.assert_allclose(list(found.values.values()), [*V, *OMEGA], rtol=0, atol=1e-12)
 
 
@@ -198,7 +198,7 @@ def test_a_plate_that_turns_in_its_plane_needs_three_sensors() -> None:
     tables = [mounted([1, 0], [0, 30, 0]), mounted([1, 0], [0, -30, 0]), mounted([0, 1], [50, 0, 4])]
     R = expm(cross(np.array([0, 0, 0.7])))
     places = {
-        name: one.where_turned(PLANAR.rotation({"x": 1.0, "rz": 0.7}))
+        name: one.rotated(PLANAR.rotation({"x": 1.0, "rz": 0.7}))
         for name, one in read("sensor", PLANAR, *tables).items()
     }
     v, omega = np.array([0.4, -1.0, 0.0]), np.array([0.0, 0.0, 5.0])
@@ -206,7 +206,7 @@ def test_a_plate_that_turns_in_its_plane_needs_three_sensors() -> None:
         str(i): complex(R @ np.array([*t["direction"], 0.0]) @ velocity(b, np.array([0, 0, 0.7]), v, omega))
         for i, (t, b) in enumerate(zip(tables, ([0, 30, 0], [0, -30, 0], [50, 0, 4]), strict=True))
     }
-    found = combined(shape, places).values
+    found = combine_sensors(shape, places).values
     assert list(found) == ["p_x", "p_y", "r_z"]
     np.testing.assert_allclose(list(found.values()), [0.4, -1.0, 5.0], rtol=0, atol=1e-5)
 
@@ -270,5 +270,5 @@ def test_sensors_that_no_turning_platform_has_are_refused(
 def test_a_gyroscope_whose_unit_only_the_file_says_is_refused_with_what_to_write() -> None:
     place = read("sensor", PLATFORM, mounted([0, 0, 1], [0, 0, 0]))["0"]
     with pytest.raises(MeasurementError) as error:
-        check_motion(motion("rad/s^2", "a.csv"), place, known(PLATFORM), "a.csv: 0")
+        check_motion(parse_motion("rad/s^2", "a.csv"), place, known(PLATFORM), "a.csv: 0")
     assert 'write unit = "rad/s^2" in the campaign' in str(error.value)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.modaltest.identification.frf_estimates import impact_estimate, without_window
+from pkmodes.modaltest.identification.frf_estimates import impact_estimate, remove_window_damping
 from pkmodes.modaltest.identification.frf_identification import identify_frf
 from pkmodes_rig.structures.forced import impact, mac, structure
 
@@ -36,8 +36,8 @@ def test_a_window_of_the_responses_is_taken_off_the_damping(blow, tau: float | N
 
 
 def test_a_pole_without_its_window() -> None:
-    assert without_window(-5.0 + 100.0j, 0.5) == -3.0 + 100.0j
-    assert without_window(-5.0 + 100.0j, None) == -5.0 + 100.0j
+    assert remove_window_damping(-5.0 + 100.0j, 0.5) == -3.0 + 100.0j
+    assert remove_window_damping(-5.0 + 100.0j, None) == -5.0 + 100.0j
 
 
 def test_a_decay_that_the_record_cuts_off_is_exact(blow) -> None:

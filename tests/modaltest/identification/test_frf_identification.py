@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.modaltest.identification.estimates import turned_real
+from pkmodes.modaltest.identification.estimates import rotate_to_real
 from pkmodes.modaltest.identification.frf_identification import identify_frf
-from pkmodes.modaltest.identification.frf_lines import used_lines
-from pkmodes.modaltest.identification.frf_skirts import without_bandwidth
+from pkmodes.modaltest.identification.frf_lines import select_lines
+from pkmodes.modaltest.identification.frf_skirts import find_tone_lines
 from pkmodes.modaltest.identification.modes import IdentifiedModes
 from pkmodes_rig.structures.forced import mac, noise, random_structure, structure
 
@@ -130,7 +130,7 @@ def test_two_sigma_covers_and_nothing_is_false() -> None:
             if not visible:
                 continue
             found += 1
-            mode, a = modes[k], turned_real(modes[k].shape).real
+            mode, a = modes[k], rotate_to_real(modes[k].shape).real
             best = int(np.argmax(np.abs(a)))
             b = s.shapes[outputs, m] / s.shapes[outputs[best], m]
             errors["frequency"].append((mode.frequency - s.frequencies[m]) / mode.sigma_frequency)
@@ -226,7 +226,7 @@ def test_a_mode_whose_bandwidth_the_lines_do_not_resolve_is_no_tone(step: float)
 
 def test_stated_tones_and_their_multiples_are_left_out_of_the_lines() -> None:
     H = noise(np.random.default_rng(4300), np.zeros((len(LINES), 2, 1), complex), 1.0)
-    data, _ = used_lines(LINES, H, None, None, None, [50.1])
+    data, _ = select_lines(LINES, H, None, None, None, [50.1])
     left_out = np.setdiff1d(LINES, data.frequencies)
     expected = [at for k in range(1, 8) for at in LINES[np.abs(LINES - 50.1 * k) < 0.2525]]
     np.testing.assert_array_equal(left_out, expected)
@@ -238,8 +238,8 @@ def test_a_narrow_pole_where_no_lines_are_left_is_a_line_without_bandwidth() -> 
     f = np.arange(100.0, 400.0)
     f = f[np.abs(f - 250.0) > 40.0]
     H = np.random.default_rng(1).standard_normal((len(f), 2, 1)).astype(complex)
-    data, _ = used_lines(f, H, None, None, None, ())
+    data, _ = select_lines(f, H, None, None, None, ())
     poles = 2.0 * np.pi * np.array([-0.2 + 250.0j, -0.2 + 251.0j])
     modes = IdentifiedModes(poles, np.ones((2, 2), complex), np.ones((2, 1), complex))
-    found = without_bandwidth(data, modes)
-    assert [(round(line.frequency), line.sure) for line in found] == [(250, False)]
+    found = find_tone_lines(data, modes)
+    assert [(round(line.frequency), line.significant) for line in found] == [(250, False)]

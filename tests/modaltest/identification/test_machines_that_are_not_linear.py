@@ -13,7 +13,7 @@ import pytest
 
 from pkmodes.modaltest.identification.estimates import Estimate
 from pkmodes.modaltest.identification.frf_identification import identify_frf
-from pkmodes.modaltest.identification.frf_model_errors import not_linear
+from pkmodes.modaltest.identification.frf_model_errors import nonlinearity_message
 from pkmodes_rig.structures.forced import noise, structure
 from pkmodes_rig.structures.not_linear import BAND, DAMPING, FREQUENCIES, LINES, SHAPES, responses
 
@@ -26,7 +26,7 @@ def identified(seed: int, band: tuple[float, float] = BAND, **kind: Any) -> Esti
 def test_of_a_linear_machine_nothing_is_left_out_and_no_error_is_seen(seed: int) -> None:
     e = identified(seed)
     assert [mode.frequency for mode in e.modes] == pytest.approx(FREQUENCIES, rel=2e-4)
-    assert (e.left_out, e.model_error) == ((), 0.0)
+    assert (e.spurious_frequencies, e.model_error) == ((), 0.0)
 
 
 @pytest.mark.parametrize(
@@ -44,7 +44,7 @@ def test_a_joint_that_softens_has_a_row_for_each_peak(softens: float, noise: flo
     """With seed 4 the fit alone ends with four to six modes."""
     e = identified(seed, softens=softens, noise=noise)
     assert len(e.modes) == 3
-    assert (len(e.left_out) > 0) == (seed == 4)
+    assert (len(e.spurious_frequencies) > 0) == (seed == 4)
     for mode, f, zeta in zip(e.modes, FREQUENCIES, DAMPING, strict=True):
         # At the peak the amplitude is that of the linear machine, less what the joint dissipates.
         assert (1.0 - softens) * f < mode.frequency < (1.0 - 0.9 * softens) * f
@@ -73,14 +73,14 @@ def test_a_broad_mode_that_fits_what_is_left_of_a_skirt_is_left_out() -> None:
     """Without this, nine of twelve such machines have a fourth row, here at 2632 Hz, and the third 5 Hz too low."""
     e = identified(0, jenkins=0.04)
     assert [mode.frequency for mode in e.modes] == pytest.approx([1059, 1935, 2580], abs=1)
-    assert len(e.left_out) == 1
+    assert len(e.spurious_frequencies) == 1
 
 
 @pytest.mark.parametrize("resonance", [3700.0, 6000.0])
 def test_a_resonance_of_the_transducer_above_the_band_adds_no_mode(resonance: float) -> None:
     e = identified(1, transducer=resonance)
     assert [mode.frequency for mode in e.modes] == pytest.approx(FREQUENCIES, rel=3e-4)
-    assert e.left_out == ()
+    assert e.spurious_frequencies == ()
 
 
 def test_errors_in_proportion_to_the_functions_make_hardly_any_modes() -> None:
@@ -143,15 +143,15 @@ def test_a_close_pair_of_a_linear_machine_stays_a_pair(seed: int) -> None:
         f, H + noise(rng, H, 0.003 * np.sqrt((np.abs(H) ** 2).mean())), band=(100.0, 400.0), power=2
     )
     assert [round(mode.frequency, 1) for mode in e.modes] == [146.0, 146.9, 300.0]
-    assert e.left_out == ()
+    assert e.spurious_frequencies == ()
 
 
 def test_what_is_said_of_it() -> None:
-    assert not_linear(0.0213, (992.03,)) == (
+    assert nonlinearity_message(0.0213, (992.03,)) == (
         "a few linear modes do not fit the functions to noise (up to 2.1 % of a peak): a mode that would fit the "
         "remainder, at 992 Hz, is left out; the machine or the measuring chain is not linear"
     )
-    assert not_linear(0.0, (1.0, 2.0, 3.0, 4.0, 5.0, 6.0)) == (
+    assert nonlinearity_message(0.0, (1.0, 2.0, 3.0, 4.0, 5.0, 6.0)) == (
         "a few linear modes do not fit the functions to noise: modes that would fit the remainder, at 1, 2, 3, 4 and "
         "2 more Hz, are left out; the machine or the measuring chain is not linear"
     )

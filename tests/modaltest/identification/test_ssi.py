@@ -6,9 +6,9 @@ from itertools import pairwise
 
 import numpy as np
 
-from pkmodes.modaltest.identification.ssi import order, subspace
-from pkmodes.modaltest.identification.ssi_bands import BandPart, SpectralLines, correlations, parts
-from pkmodes.modaltest.identification.ssi_uncertainty import _changes
+from pkmodes.modaltest.identification.ssi import modes_of_order, subspace
+from pkmodes.modaltest.identification.ssi_bands import BandPart, SpectralLines, correlations, split_band
+from pkmodes.modaltest.identification.ssi_uncertainty import _line_contributions
 
 PART = BandPart(20.0, 28.0, 17.6, 30.4)
 
@@ -20,7 +20,7 @@ def test_correlations_of_three_modes_give_their_poles_and_shapes() -> None:
     psi, g = (rng.normal(size=(4, 3)) + 1j * rng.normal(size=(4, 3)) for _ in range(2))
     step = np.exp((poles - 2j * np.pi * PART.start) / PART.rate)
     R = np.einsum("si,ki,ri->ksr", psi, step ** np.arange(1, 41)[:, None], g)
-    found = order(subspace(R, 20, 3), 3)
+    found = modes_of_order(subspace(R, 20, 3), 3)
     order_of = np.argsort(np.abs(PART.pole(found.values)))
     np.testing.assert_allclose(PART.pole(found.values)[order_of], poles, rtol=1e-8)
     shapes = found.shapes[:, order_of]
@@ -39,14 +39,16 @@ def test_changes_of_the_lines_change_poles_and_shapes_as_their_derivatives_say()
     def at(change: float) -> tuple[complex, np.ndarray]:
         values = lines.values.copy()
         values[k] *= np.sqrt(1.0 + change)
-        of = order(subspace(correlations([SpectralLines(f, values)], PART, references, lags), 20, 2), 2)
+        of = modes_of_order(
+            subspace(correlations([SpectralLines(f, values)], PART, references, lags), 20, 2), 2
+        )
         i = int(np.argmin(np.abs(PART.pole(of.values).imag / (2 * np.pi) - 22.0)))
         return complex(of.values[i]), of.shapes[1:, i] / of.shapes[0, i]
 
-    of = order(subspace(correlations([lines], PART, references, lags), 20, 2), 2)
+    of = modes_of_order(subspace(correlations([lines], PART, references, lags), 20, 2), 2)
     i = int(np.argmin(np.abs(PART.pole(of.values).imag / (2 * np.pi) - 22.0)))
     inside = lines.within(PART)
-    dvalue, dshape = _changes(inside, PART, references, 1, of, i)
+    dvalue, dshape = _line_contributions(inside, PART, references, 1, of, i)
     row = int(np.argmin(np.abs(inside.frequencies - f[k])))
     h = 1e-3
     (low, shape_low), (high, shape_high) = at(-h), at(h)
@@ -59,7 +61,7 @@ def test_changes_of_the_lines_change_poles_and_shapes_as_their_derivatives_say()
 
 
 def test_the_parts_of_a_band_cover_it_once() -> None:
-    found = parts(10.0, 200.0, 500.0, 40.0)
+    found = split_band(10.0, 200.0, 500.0, 40.0)
     assert found[0].low == 10.0
     assert found[-1].high == 200.0
     assert all(one.high == other.low for one, other in pairwise(found))

@@ -14,8 +14,8 @@ import pytest
 from scipy.signal import lfilter
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.modaltest.identification.estimates import turned_real
-from pkmodes.modaltest.identification.ssi_identification import apart, identify_responses
+from pkmodes.modaltest.identification.estimates import rotate_to_real
+from pkmodes.modaltest.identification.ssi_identification import identify_responses, shape_distance
 from pkmodes_rig.structures.driven import (
     Array,
     Structure,
@@ -66,7 +66,7 @@ def study(
         left = [k for k in range(len(f)) if band[0] < f[k] < band[1]]
         true += len(left)
         for mode in estimate.modes:
-            shape = turned_real(mode.shape).real
+            shape = rotate_to_real(mode.shape).real
             near = min(left, key=lambda k: abs(mode.frequency - f[k]), default=None)
             mac = 0.0
             if near is not None:
@@ -187,9 +187,11 @@ def test_a_coarse_noisy_sensor_gives_modes_that_exceed_its_noise() -> None:
 
 def test_orders_differ_by_the_part_of_a_neighbour_in_their_shapes_at_any_scale() -> None:
     shape, neighbour = np.array([2.0, 1.0, -1.0]) + 0j, np.array([0.0, 0.4, 0.2]) + 0j
-    assert apart(shape, [1j * shape, -3.0 * shape]) == pytest.approx(0.0, abs=1e-15)
+    assert shape_distance(shape, [1j * shape, -3.0 * shape]) == pytest.approx(0.0, abs=1e-15)
     # (0.2, 0.1) of the largest component in one of two orders
-    assert apart(shape, [shape, 5j * (shape + neighbour)]) == pytest.approx(np.sqrt((0.04 + 0.01) / 4))
+    assert shape_distance(shape, [shape, 5j * (shape + neighbour)]) == pytest.approx(
+        np.sqrt((0.04 + 0.01) / 4)
+    )
 
 
 def test_pieces_of_a_record_are_used_together() -> None:

@@ -12,8 +12,8 @@ from scipy.signal import lfilter
 
 from pkmodes.modaltest.identification.ssi_bands import SpectralLines
 from pkmodes.modaltest.identification.ssi_identification import identify_responses
-from pkmodes.modaltest.identification.ssi_lines import followed, quantile
-from pkmodes.modaltest.identification.ssi_selection import Refined
+from pkmodes.modaltest.identification.ssi_lines import amplitude_statistics, quantile
+from pkmodes.modaltest.identification.ssi_selection import RefinedMode
 from pkmodes_rig.structures.driven import accelerations, structure
 
 Array = NDArray[np.float64]
@@ -69,7 +69,9 @@ def responses(decays: float, count: int, rng: np.random.Generator) -> Array:
 def statistic(signal: NDArray[np.complex128], decays: float) -> float:
     """Return that of a signal of 1 s around 200 Hz."""
     lines = SpectralLines(np.arange(-312.0, 712.0) + 0.0, np.fft.fftshift(np.fft.fft(signal))[:, None])
-    return followed([lines], Refined(200.0, decays, np.zeros((2, 2)), np.ones(1, complex), 0.0)).statistic
+    return amplitude_statistics(
+        [lines], RefinedMode(200.0, decays, np.zeros((2, 2)), np.ones(1, complex), 0.0)
+    ).statistic
 
 
 @pytest.mark.parametrize("decays", [3.0, 12.0, 100.0])

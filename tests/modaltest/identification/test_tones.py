@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from pkmodes.modaltest.identification.tones import find_tones, without_tones
+from pkmodes.modaltest.identification.tones import find_tones, subtract_tones
 from pkmodes_rig.structures.driven import ambient, structure
 
 BAND = (10.0, 200.0)
@@ -21,7 +21,7 @@ def test_a_tone_in_noise_is_found_to_a_fraction_of_a_line(frequency: float) -> N
     noise = np.random.default_rng(5).normal(size=(40000, 2))
     (found,) = find_tones(1e-3, [noise + 0.3 * tone(frequency)], BAND)
     assert found.frequency == pytest.approx(frequency, abs=0.003)
-    assert "not a mode" in found.sentence
+    assert "not a mode" in found.message
 
 
 @pytest.mark.parametrize("seed", range(6))
@@ -47,5 +47,5 @@ def test_given_tones_and_their_multiples_are_taken_where_they_are() -> None:
 def test_subtraction_leaves_the_noise() -> None:
     noise = np.random.default_rng(8).normal(size=(40000, 2))
     pieces = [noise + 5.0 * tone(49.987)]
-    (left,) = without_tones(1e-3, pieces, find_tones(1e-3, pieces, BAND), BAND)
+    (left,) = subtract_tones(1e-3, pieces, find_tones(1e-3, pieces, BAND), BAND)
     assert np.std(left - noise) < 0.03

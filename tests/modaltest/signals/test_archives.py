@@ -174,7 +174,7 @@ def test_other_archives_are_refused_by_name(subtests: pytest.Subtests, tmp_path:
 def test_an_archive_that_unpacks_to_too_much_is_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("pkmodes.modaltest.signals.archives.LARGEST", 10_000)
+    monkeypatch.setattr("pkmodes.modaltest.signals.archives.MAX_UNPACKED_SIZE", 10_000)
     for name in ("a.zip", "a.tgz"):
         archive(tmp_path / name, {"a.csv": as_table(SHORT[0])})
         assert "found more" in refusal(tmp_path / name).what

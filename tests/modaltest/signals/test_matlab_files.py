@@ -207,7 +207,7 @@ def test_what_no_sensor_names_is_not_unpacked(of_zeros: Path) -> None:
 def test_more_values_than_fit_into_memory_are_refused_before_they_are_unpacked(
     of_zeros: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(arrays, "MOST_VALUES", 4_000_000)
+    monkeypatch.setattr(arrays, "MAX_VALUES", 4_000_000)
     said, peak = peak_of(of_zeros, "acc_1", "other")
     assert "they have 4,000,006 values, more than 4,000,000" in str(said)
     assert peak < 2_000_000

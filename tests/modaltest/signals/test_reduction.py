@@ -5,17 +5,17 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pkmodes.modaltest.signals.reduction import LONG, reduced, reduction
+from pkmodes.modaltest.signals.reduction import MAX_SAMPLES, reduce_signal, reduction_factor
 
 STEP = 1.0 / 12_800.0
 TIME = STEP * np.arange(60_001)
 
 
 def test_records_of_usual_length_are_left_as_they_are() -> None:
-    assert reduction(LONG, STEP, 100.0) == 1
-    assert reduction(LONG + 1, STEP, 100.0) == 32
-    assert reduction(LONG + 1, STEP, 3000.0) == 1
-    assert reduced(TIME, 1) is TIME
+    assert reduction_factor(MAX_SAMPLES, STEP, 100.0) == 1
+    assert reduction_factor(MAX_SAMPLES + 1, STEP, 100.0) == 32
+    assert reduction_factor(MAX_SAMPLES + 1, STEP, 3000.0) == 1
+    assert reduce_signal(TIME, 1) is TIME
 
 
 @pytest.mark.parametrize("frequency", [0.0, 20.0, 100.0])
@@ -23,7 +23,7 @@ def test_records_of_usual_length_are_left_as_they_are() -> None:
 def test_what_is_of_interest_is_unchanged(frequency: float, factor: int) -> None:
     highest = 1.0 / (STEP * 4.0 * factor)
     signal = np.cos(2.0 * np.pi * min(frequency, highest) * TIME + 0.4)
-    found = reduced(signal, factor)
+    found = reduce_signal(signal, factor)
     assert len(found) == len(TIME[::factor])
     inside = slice(50, -50)  # beyond the ends nothing is known
     # 100 dB of ripple
@@ -33,11 +33,11 @@ def test_what_is_of_interest_is_unchanged(frequency: float, factor: int) -> None
 def test_nothing_is_aliased_into_what_is_of_interest() -> None:
     """A sine that would appear at 30 Hz without a filter, and one just above the new Nyquist frequency."""
     for frequency in (800.0 - 30.0, 1600.0 - 30.0, 5000.0):
-        found = reduced(np.cos(2.0 * np.pi * frequency * TIME), 16)
+        found = reduce_signal(np.cos(2.0 * np.pi * frequency * TIME), 16)
         line = np.abs(np.fft.rfft(found * np.hanning(len(found)))) / (0.25 * len(found))
         f = np.fft.rfftfreq(len(found), 16 * STEP)
         assert line[f < 200.0].max() < 2e-5
 
 
 def test_a_constant_stays_one() -> None:
-    np.testing.assert_allclose(reduced(np.full(5000, 9.81), 16), 9.81, rtol=1e-12)
+    np.testing.assert_allclose(reduce_signal(np.full(5000, 9.81), 16), 9.81, rtol=1e-12)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy import signal
 
-from pkmodes.modaltest.signals.sensor_faults import clipped, stopped
+from pkmodes.modaltest.signals.sensor_faults import find_clipping, find_stop
 
 COUNT, RATE = 20_000, 1344.0
 TIME = np.arange(COUNT) / RATE
@@ -42,9 +42,9 @@ def test_extreme_values_that_are_no_limit_are_no_overload() -> None:
     rng = np.random.default_rng(5)
     for _ in range(4):
         for name, values in vibrations(rng):
-            assert clipped(values) == ((), 0.0), name
+            assert find_clipping(values) == ((), 0.0), name
             for bits, part in CASES:
-                assert clipped(digits(values, bits, part)) == ((), 0.0), (name, bits, part)
+                assert find_clipping(digits(values, bits, part)) == ((), 0.0), (name, bits, part)
 
 
 @pytest.mark.parametrize("share", [0.05, 0.005])
@@ -53,42 +53,42 @@ def test_a_range_that_was_exceeded_is_found_with_its_share(share: float) -> None
     for name, values in list(vibrations(rng))[:3]:
         limit = float(np.quantile(np.abs(values), 1.0 - share))
         for cut in (np.clip(values, -limit, limit), digits(np.clip(values, -limit, limit), 12, 0.98)):
-            levels, found = clipped(cut)
+            levels, found = find_clipping(cut)
             assert levels == (cut.max(), cut.min()), name
             assert found == pytest.approx(share, rel=0.2)
-        levels, found = clipped(np.minimum(values, limit))
+        levels, found = find_clipping(np.minimum(values, limit))
         assert levels == (limit,)
         assert found == pytest.approx(np.mean(values >= limit), rel=0.01)
 
 
 def test_a_signal_that_rests_at_its_least_value_is_not_cut_off() -> None:
     force = np.where(np.arange(COUNT) % 5000 < 40, np.sin(np.pi * (np.arange(COUNT) % 5000) / 40.0), 0.0)
-    assert clipped(force) == ((), 0.0)
+    assert find_clipping(force) == ((), 0.0)
 
 
 def test_a_sensor_that_stops_is_told_from_one_with_few_digits() -> None:
     rng = np.random.default_rng(7)
     for name, values in vibrations(rng):
         for used in (values, digits(values, 8, 0.9)):
-            assert stopped(used) is None, name
+            assert find_stop(used) is None, name
             dead = used.copy()
             dead[12_000:15_000] = dead[12_000]
-            found = stopped(dead)
+            found = find_stop(dead)
             assert found is not None, name
             assert abs(found.start - 12_000) + abs(found.stop - 15_000) <= 2, (
                 name
             )  # its neighbours may be as large
-    assert stopped(np.round(0.2 * rng.normal(size=COUNT))) is None
-    assert stopped(np.full(COUNT, 9.81)) == slice(0, COUNT)
+    assert find_stop(np.round(0.2 * rng.normal(size=COUNT))) is None
+    assert find_stop(np.full(COUNT, 9.81)) == slice(0, COUNT)
 
 
 def test_a_long_signal_is_looked_at_in_parts(monkeypatch: pytest.MonkeyPatch) -> None:
     rng = np.random.default_rng(8)
     cut = np.clip(rng.normal(size=COUNT), -2.0, np.inf)
     cut[3_000:9_000] = 0.5
-    whole = clipped(cut)
-    monkeypatch.setattr("pkmodes.modaltest.signals.sensor_faults.PART", 1000)
-    assert clipped(cut) == whole
+    whole = find_clipping(cut)
+    monkeypatch.setattr("pkmodes.modaltest.signals.sensor_faults.PART_SIZE", 1000)
+    assert find_clipping(cut) == whole
     assert whole[0] == (-2.0,)
-    assert stopped(cut) == slice(3_000, 9_000)
-    assert stopped(rng.normal(size=COUNT)) is None
+    assert find_stop(cut) == slice(3_000, 9_000)
+    assert find_stop(rng.normal(size=COUNT)) is None

@@ -10,7 +10,7 @@ import pytest
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.modaltest.signals.functions import FunctionKind, SignalFile, SignalRequest
 from pkmodes.modaltest.signals.reading import read_signals
-from pkmodes.modaltest.signals.sampling import as_sampled, even_pieces
+from pkmodes.modaltest.signals.sampling import even_pieces, restore_even_times
 
 
 def read(
@@ -169,7 +169,7 @@ def test_times_printed_with_few_digits_are_even(rate: float, digits: int, repeat
     exact = 100.0 + np.arange(40_000) / rate
     printed = np.array([float(f"{one:.{digits - 1}e}") for one in exact])
     assert repeat == bool((np.diff(printed) == 0.0).any())
-    pieces, messages = even_pieces(as_sampled(printed), "record")
+    pieces, messages = even_pieces(restore_even_times(printed), "record")
     assert (len(pieces), messages) == (1, ())
     assert pieces[0].step == pytest.approx(1 / rate, rel=1e-6)
 
@@ -194,9 +194,9 @@ def test_a_carriage_return_inside_a_line_is_a_fault(tmp_path: Path) -> None:
 def test_uneven_times_stay_as_they_are() -> None:
     rng = np.random.default_rng(5)
     uneven = np.cumsum(rng.uniform(0.5, 1.5, 1000)) * 0.01
-    assert as_sampled(uneven) is uneven
+    assert restore_even_times(uneven) is uneven
     with_a_gap = np.concatenate([np.arange(500), np.arange(510, 1000)]) * 1e-3
-    assert as_sampled(with_a_gap) is with_a_gap
+    assert restore_even_times(with_a_gap) is with_a_gap
 
 
 def test_many_gaps_are_said_in_one_sentence() -> None:

@@ -1,10 +1,10 @@
 """The mean of a mode over repeats, and its standard deviation.
 
-Few repeats tell little of their own scatter.  So the scatter of all modes of a record is pooled, and that of each
+A few repeats do not determine their own scatter.  So the scatter of all modes of a record is pooled, and that of each
 mode is shrunk towards it: the posterior variance of Smyth, Stat. Appl. Genet. Mol. Biol. 3 (2004), with a prior worth
 `PRIOR_DOF` degrees of freedom.  Frequencies scatter because the machine changes; their relative scatter is about the
-same for all modes.  The damping ratio and the shape of a mode scatter mostly by noise, which weak modes feel more: in
-proportion to its identification uncertainty.
+same for all modes.  The damping ratio and the shape of a mode scatter mostly by noise, which affects weak modes
+more: in proportion to its identification uncertainty.
 Student's t turns the result into an effective standard deviation such that +-2 sigma covers 95 % of errors.  The
 uncertainty of the identification itself is added: repeats at one place do not show it.
 """
@@ -18,8 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.stats import t as student
 
-from pkmodes.modaltest.campaign.grouping import reunited
-from pkmodes.modaltest.campaign.levels import PRIOR_DOF, between_files, widest
+from pkmodes.modaltest.campaign.grouping import match_visits
+from pkmodes.modaltest.campaign.levels import PRIOR_DOF, largest_shift, shifts_between_files
 from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate
 
 Complex = NDArray[np.complex128]
@@ -50,15 +50,15 @@ def mean_modes(groups: Sequence[Mapping[int, ModeEstimate]]) -> list[ModeEstimat
         [len(modes) for modes in repeats],
         _rms_sigmas([[mode.sigma_shape for mode in modes] for modes in repeats]),
     )
-    between = between_files(groups)
+    file_shifts = shifts_between_files(groups)
     return [
         replace(
-            _mean(repeats[i], shapes[i][0]),
+            _mean_mode(repeats[i], shapes[i][0]),
             scatter=frequency_scatters[i][0],
             damping_scatter=damping_scatters[i][0],
             shape_scatter=shape_scatters[i][0],
             variance=frequency_scatters[i][1],
-            between=between[i],
+            shift_between_files=file_shifts[i],
             files=tuple(sorted(group)),
         )
         for i, group in enumerate(groups)
@@ -67,10 +67,10 @@ def mean_modes(groups: Sequence[Mapping[int, ModeEstimate]]) -> list[ModeEstimat
 
 def group_by_mode(setups: Sequence[Sequence[ModeEstimate]]) -> list[dict[int, ModeEstimate]]:
     """Group the estimates of the same mode; each group maps the index of a setup to its estimate."""
-    return [{i: setups[i][k] for i, k in group.items()} for group in reunited(setups)]
+    return [{i: setups[i][k] for i, k in group.items()} for group in match_visits(setups)]
 
 
-def _mean(modes: Sequence[ModeEstimate], shape: dict[str, complex]) -> ModeEstimate:
+def _mean_mode(modes: Sequence[ModeEstimate], shape: dict[str, complex]) -> ModeEstimate:
     """Return the mean of a mode over its repeats, with the uncertainty from their identification."""
     n = np.sqrt(len(modes))
 
@@ -92,7 +92,7 @@ def _mean(modes: Sequence[ModeEstimate], shape: dict[str, complex]) -> ModeEstim
         if len(order_counts) == len(modes)
         else None,
         resolution=max(mode.resolution for mode in modes),
-        shift=widest([mode.shift for mode in modes]),
+        shift=largest_shift([mode.shift for mode in modes]),
         participation=participation,
         sigma_size=max((sigma for sigma in (fit_sigma, size_sigma) if np.isfinite(sigma)), default=np.nan),
     )
@@ -162,7 +162,7 @@ def mean_shape(shapes: Sequence[Mapping[str, complex]]) -> tuple[dict[str, compl
     """Return the mean of arbitrarily scaled shapes, relative to its largest component, and the residual of each.
 
     Each shape is scaled to fit the mean; the mean is their strongest singular vector.  A component missing from some
-    shapes is averaged over the others; one that nothing links to the rest is left out.
+    shapes is averaged over the others; one that shares no shape with the rest is left out.
     """
     names = list(dict.fromkeys(name for shape in shapes for name in shape))
     if not names:
@@ -178,9 +178,9 @@ def mean_shape(shapes: Sequence[Mapping[str, complex]]) -> tuple[dict[str, compl
     for _ in range(20):
         scaled = np.array([row * _fit_scale(row, mean) for row in table])
         count = np.isfinite(scaled).sum(axis=0)
-        before, mean = mean, np.where(count > 0, np.nansum(scaled, axis=0) / np.maximum(count, 1), np.nan)
+        previous, mean = mean, np.where(count > 0, np.nansum(scaled, axis=0) / np.maximum(count, 1), np.nan)
         mean = mean / mean[np.nanargmax(np.abs(mean))]
-        if np.array_equal(mean, before, equal_nan=True):  # at once for a single shape
+        if np.array_equal(mean, previous, equal_nan=True):  # at once for a single shape
             break
     finite = np.isfinite(mean)
     shape = {name: complex(mean[i]) for i, name in enumerate(names) if finite[i]}

@@ -1,7 +1,7 @@
 """Files that boards with clocks of their own recorded together: brought to the clock of the first, on one grid.
 
-What a clock is not known to turns a shape: 1 ms is 18 degrees at 50 Hz.  Up to `MOST` the turn enters the standard
-deviation of the shape; beyond it the sign is not known, and the components of that board are left out.
+The uncertainty of a clock rotates a shape: 1 ms is 18 degrees at 50 Hz.  Up to `MAX_CLOCK_PHASE` the rotation enters
+the standard deviation of the shape; beyond it the sign is unknown, and the components of that board are left out.
 """
 
 from __future__ import annotations
@@ -15,34 +15,34 @@ from numpy.typing import NDArray
 from scipy.interpolate import make_interp_spline
 
 from pkmodes.core.base.errors import MeasurementError, shown
-from pkmodes.modaltest.campaign.description import RecordTable, value_and_sigma
+from pkmodes.modaltest.campaign.description import RecordTable, parse_uncertain
 from pkmodes.modaltest.identification.clocks import Delay, delay, rough_delay
-from pkmodes.modaltest.identification.estimates import Mode, turned_real
-from pkmodes.modaltest.signals.checks import FEWEST
+from pkmodes.modaltest.identification.estimates import Mode, rotate_to_real
+from pkmodes.modaltest.signals.checks import MIN_POINTS
 
 Array = NDArray[np.float64]
 Spans = list[tuple[float, float]]
 #: Kind of record that boards share: responses in time.
 RESPONSES = "ambient"
 #: Standard deviation of the times with which a host stamps the samples of several boards [s].
-HOST = 2e-4
+HOST_TIME_SIGMA = 2e-4
 #: Largest rotation of a shape by one standard deviation of a clock: at twice this, its sign is lost [rad].
-MOST = math.pi / 4.0
+MAX_CLOCK_PHASE = math.pi / 4.0
 #: Largest drift of clocks whose files state their rates, such as 1300 Hz rounded to whole numbers.
-DRIFT = 5e-4
+MAX_DRIFT = 5e-4
 #: Search range of a clock offset: after a rough comparison, in stated standard deviations, and when checking a common
 #: clock [s, -, s].
-AFTER_ROUGH, SIGMAS, CHECKED = 0.1, 4.0, 0.01
+ROUGH_RANGE, SEARCH_SIGMAS, COMMON_CLOCK_RANGE = 0.1, 4.0, 0.01
 #: Highest frequency used to compare clocks: the grid of delays and drifts grows with its square [Hz].
-COMPARED = 250.0
+MAX_COMPARED_FREQUENCY = 250.0
 #: A common clock that is off by less is not reported [s].
-UNSAID = 1e-3
+MIN_REPORTED_OFFSET = 1e-3
 #: Longest part of a record over which separate clocks are compared [s].
-LONGEST = 300.0
+MAX_COMPARED_TIME = 300.0
 #: Highest frequency, relative to the sampling rate, at which splines of this degree are accurate to 0.3 %.
-HIGHEST, DEGREE = 0.25, 5
+MAX_RELATIVE_FREQUENCY, SPLINE_DEGREE = 0.25, 5
 #: Samples that a spline includes on either side of the requested times.
-BESIDE = 32
+SPLINE_MARGIN = 32
 
 
 @dataclass(frozen=True)
@@ -59,7 +59,7 @@ class Clock:
     common: bool = False
 
 
-def clocks_of(table: RecordTable, files: Mapping[str, Sequence[str]], where: str) -> dict[str, Clock]:
+def read_clocks(table: RecordTable, files: Mapping[str, Sequence[str]], where: str) -> dict[str, Clock]:
     """Return the clocks of all boards except the first.
 
     Raises MeasurementError if they are invalid, or the boards have different numbers of files.
@@ -68,13 +68,13 @@ def clocks_of(table: RecordTable, files: Mapping[str, Sequence[str]], where: str
     first, *other_boards = files
     if table.kind != RESPONSES or not other_boards or len({len(listed) for listed in files.values()}) > 1:
         problem = f"expected the kind {RESPONSES}, and as many files of each board, with clock"
-        counted = ", ".join(f"{len(listed)} of {shown(name)}" for name, listed in files.items())
+        counts = ", ".join(f"{len(listed)} of {shown(name)}" for name, listed in files.items())
         remedy = (
             'write files = { head = ["head_1.csv"], bed = ["bed_1.csv"] }, recorded together in this order'
         )
-        raise MeasurementError(f"{problem}, found {shown(table.kind)} and {counted}", where, remedy)
+        raise MeasurementError(f"{problem}, found {shown(table.kind)} and {counts}", where, remedy)
     if table.clock == "common":
-        return {name: Clock(0.0, HOST, common=True) for name in other_boards}
+        return {name: Clock(0.0, HOST_TIME_SIGMA, common=True) for name in other_boards}
     if table.clock == "own":
         return {name: Clock(0.0, math.inf) for name in other_boards}
     if not isinstance(table.clock, dict) or set(table.clock) != set(other_boards):
@@ -87,7 +87,7 @@ def clocks_of(table: RecordTable, files: Mapping[str, Sequence[str]], where: str
             f'{{ {other_boards[0]} = {{ value = "12 ms", sigma = "3 ms" }} }}'
         )
         raise MeasurementError(problem, where, remedy)
-    return {name: Clock(*value_and_sigma(table.clock[name], "s", f"{where}.{name}")) for name in other_boards}
+    return {name: Clock(*parse_uncertain(table.clock[name], "s", f"{where}.{name}")) for name in other_boards}
 
 
 class UnknownOffsetError(Exception):
@@ -117,24 +117,24 @@ class Board:
             for start, piece in zip(self.starts, self.pieces, strict=True)
         ]
 
-    def later(self, by: Delay) -> Board:
+    def with_delay(self, added: Delay) -> Board:
         """Return the board with a delay added to its times."""
-        starts = tuple(start + by.seconds + by.drift * (start - by.middle) for start in self.starts)
-        return replace(self, starts=starts, step=self.step * (1.0 + by.drift))
+        starts = tuple(start + added.seconds + added.drift * (start - added.middle) for start in self.starts)
+        return replace(self, starts=starts, step=self.step * (1.0 + added.drift))
 
-    def at(self, first: float, step: float, count: int) -> Array:
+    def resample(self, first: float, step: float, count: int) -> Array:
         """Return the signals at even times within a piece."""
         i = int(np.searchsorted(self.starts, first, side="right")) - 1
         samples = (first - self.starts[i] + step * np.arange(count)) / self.step
-        low = max(math.floor(samples[0]) - BESIDE, 0)
-        values = self.pieces[i][low : math.ceil(samples[-1]) + BESIDE]
+        low = max(math.floor(samples[0]) - SPLINE_MARGIN, 0)
+        values = self.pieces[i][low : math.ceil(samples[-1]) + SPLINE_MARGIN]
         last = len(values) - 1
-        spline = make_interp_spline(np.arange(last + 1), values, k=min(DEGREE, last))
+        spline = make_interp_spline(np.arange(last + 1), values, k=min(SPLINE_DEGREE, last))
         return np.asarray(spline((samples - low).clip(0.0, last)))
 
 
 @dataclass(frozen=True, eq=False)
-class Together:
+class AlignedBoards:
     """Signals of several boards on one grid.
 
     - step: [s]
@@ -150,17 +150,18 @@ class Together:
     messages: tuple[str, ...]
 
 
-def boards_together(
+def align_boards(
     boards: Mapping[str, Board], clocks: Mapping[str, Clock], band: tuple[float, float]
-) -> Together:
+) -> AlignedBoards:
     """Return the signals of all boards by the clock of the first one.
 
     Raises MeasurementError if a board samples too slowly, or the times of the boards have nothing in common.
     Raises UnknownOffsetError if a clock of its own cannot be compared with the first.
     """
     for board in boards.values():
-        if band[1] > HIGHEST / board.step * (1.0 + 1e-6):  # the rate may have been reduced to exactly that
-            problem = f"expected a band up to a quarter of the sampling rate, {HIGHEST / board.step:.4g} Hz"
+        highest = MAX_RELATIVE_FREQUENCY / board.step
+        if band[1] > highest * (1.0 + 1e-6):  # the rate may have been reduced to exactly that
+            problem = f"expected a band up to a quarter of the sampling rate, {highest:.4g} Hz"
             remedy = "narrow the band of the record, or sample faster"
             raise MeasurementError(f"{problem}, found {band[1]:g} Hz", board.file, remedy)
         if board.starts[0] == 0.0 and any(clock.common for clock in clocks.values()):
@@ -172,21 +173,23 @@ def boards_together(
     aligned = [next(iter(boards.values()))]
     delays, messages = dict[str, Delay](), list[str]()
     for setup, clock in clocks.items():
-        by, message = _compared(aligned[0], boards[setup], clock, band)
-        aligned.append(boards[setup].later(by))
-        delays[setup] = by
+        board_delay, message = _compare_clocks(aligned[0], boards[setup], clock, band)
+        aligned.append(boards[setup].with_delay(board_delay))
+        delays[setup] = board_delay
         messages += [message] if message else []
-    longest = math.inf if all(clock.common for clock in clocks.values()) else LONGEST
-    step, parts = _overlaps(aligned, longest)
-    if parts[-1][0] + parts[-1][1] * step > parts[0][0] + longest:
+    max_time = math.inf if all(clock.common for clock in clocks.values()) else MAX_COMPARED_TIME
+    step, parts = _common_parts(aligned, max_time)
+    if parts[-1][0] + parts[-1][1] * step > parts[0][0] + max_time:
         messages.append(
-            f"{aligned[0].file}: {longest:g} s are used: over longer times, separate clocks drift apart"
+            f"{aligned[0].file}: {max_time:g} s are used: over longer times, separate clocks drift apart"
         )
-    pieces = tuple(np.hstack([board.at(start, step, count) for board in aligned]) for start, count in parts)
-    return Together(step, tuple(start for start, _ in parts), pieces, delays, tuple(messages))
+    pieces = tuple(
+        np.hstack([board.resample(start, step, count) for board in aligned]) for start, count in parts
+    )
+    return AlignedBoards(step, tuple(start for start, _ in parts), pieces, delays, tuple(messages))
 
 
-def _overlaps(boards: Sequence[Board], longest: float) -> tuple[float, list[tuple[float, int]]]:
+def _common_parts(boards: Sequence[Board], max_time: float) -> tuple[float, list[tuple[float, int]]]:
     """Return the finest step of boards, and the start time and sample count of each part that all of them recorded.
 
     Raises MeasurementError if there is no common part.
@@ -194,10 +197,10 @@ def _overlaps(boards: Sequence[Board], longest: float) -> tuple[float, list[tupl
     step = min(board.step for board in boards)
     spans = boards[0].spans
     for board in boards[1:]:
-        spans = _both(spans, board.spans)
-    end = spans[0][0] + longest if spans else 0.0
+        spans = _intersection(spans, board.spans)
+    end = spans[0][0] + max_time if spans else 0.0
     counts = [(low, math.floor((min(high, end) - low) / step) + 1) for low, high in spans]
-    parts = [(low, count) for low, count in counts if count >= FEWEST]
+    parts = [(low, count) for low, count in counts if count >= MIN_POINTS]
     if not parts:
         found_spans = " and ".join(
             f"{b.file} from {b.spans[0][0]:.6g} to {b.spans[-1][1]:.6g} s" for b in boards
@@ -207,7 +210,7 @@ def _overlaps(boards: Sequence[Board], longest: float) -> tuple[float, list[tupl
     return step, parts
 
 
-def _both(first: Spans, second: Spans) -> Spans:
+def _intersection(first: Spans, second: Spans) -> Spans:
     """Return the intersection of two lists of spans in time order."""
     common, i, k = list[tuple[float, float]](), 0, 0
     while i < len(first) and k < len(second):
@@ -217,76 +220,85 @@ def _both(first: Spans, second: Spans) -> Spans:
     return common
 
 
-def _compared(first: Board, board: Board, clock: Clock, band: tuple[float, float]) -> tuple[Delay, str]:
+def _compare_clocks(first: Board, board: Board, clock: Clock, band: tuple[float, float]) -> tuple[Delay, str]:
     """Return the delay to add to the times of a board, and a message about it."""
-    stated = Delay(clock.offset, 0.0, 0.0, np.array(band), np.full(2, clock.sigma))
+    stated_delay = Delay(clock.offset, 0.0, 0.0, np.array(band), np.full(2, clock.sigma))
     if clock.sigma == 0.0:
-        return stated, ""
-    own_clock = not clock.common and SIGMAS * clock.sigma > AFTER_ROUGH
-    within = AFTER_ROUGH if own_clock else CHECKED if clock.common else SIGMAS * clock.sigma
-    compared = (band[0], min(band[1], COMPARED))
+        return stated_delay, ""
+    own_clock = not clock.common and SEARCH_SIGMAS * clock.sigma > ROUGH_RANGE
+    search_range = (
+        ROUGH_RANGE if own_clock else COMMON_CLOCK_RANGE if clock.common else SEARCH_SIGMAS * clock.sigma
+    )
+    compared_band = (band[0], min(band[1], MAX_COMPARED_FREQUENCY))
     try:
         if own_clock:
-            stated = replace(stated, seconds=_roughly(first, board, compared))
-        shifted = board.later(stated)
-        step, parts = _overlaps([first, shifted], LONGEST)
-        pieces = [(low, first.at(low, step, count), shifted.at(low, step, count)) for low, count in parts]
-        estimate = delay(step, pieces, compared, within=within, drift=0.0 if clock.common else DRIFT)
-        reason = "" if (estimate.turns <= MOST).any() else "the vibrations do not tell"
+            stated_delay = replace(stated_delay, seconds=_rough_offset(first, board, compared_band))
+        shifted = board.with_delay(stated_delay)
+        step, parts = _common_parts([first, shifted], MAX_COMPARED_TIME)
+        pieces = [
+            (low, first.resample(low, step, count), shifted.resample(low, step, count))
+            for low, count in parts
+        ]
+        estimate = delay(
+            step, pieces, compared_band, max_delay=search_range, max_drift=0.0 if clock.common else MAX_DRIFT
+        )
+        reason = "" if (estimate.phase_sigmas <= MAX_CLOCK_PHASE).any() else "the vibrations do not tell"
     except MeasurementError as error:
         reason = error.what
     if reason and own_clock:
         raise UnknownOffsetError(f"what to add to the times of {board.file} is unknown: {reason}")
     if reason:
-        return stated, ""
-    sigma, off = float(np.median(estimate.sigmas)), abs(estimate.seconds)
+        return stated_delay, ""
+    sigma, difference = float(np.median(estimate.sigmas)), abs(estimate.seconds)
     total = replace(
-        estimate, seconds=stated.seconds + estimate.seconds, middle=estimate.middle - stated.seconds
+        estimate,
+        seconds=stated_delay.seconds + estimate.seconds,
+        middle=estimate.middle - stated_delay.seconds,
     )
     offset_text = f"{1e3 * total.seconds:.2f} +- {1e3 * sigma:.2f} ms"
-    if clock.common and off > max(UNSAID, SIGMAS * sigma):
-        doubted = f"{board.file}: the campaign says that its clock is that of {first.file}, the vibrations that it is"
+    if clock.common and difference > max(MIN_REPORTED_OFFSET, SEARCH_SIGMAS * sigma):
+        doubt = f"{board.file}: the campaign says that its clock is that of {first.file}, the vibrations that it is"
         return replace(
-            stated, sigmas=np.full(2, off)
-        ), f'{doubted} {offset_text} off: if so, write clock = "own"'
+            stated_delay, sigmas=np.full(2, difference)
+        ), f'{doubt} {offset_text} off: if so, write clock = "own"'
     if clock.common or sigma > clock.sigma:
-        return stated, ""
+        return stated_delay, ""
     offset_text += f", and {1e6 * total.drift:.0f} ppm" if total.drift else ""
     return total, f"{board.file}: so that the shapes are real, {offset_text} is added to its times"
 
 
-def _roughly(first: Board, board: Board, band: tuple[float, float]) -> float:
+def _rough_offset(first: Board, board: Board, band: tuple[float, float]) -> float:
     """Return a rough offset for the times of a board, from the longest piece of each."""
-    step, starts, longest = min(first.step, board.step), list[float](), list[Array]()
+    step, starts, longest_pieces = min(first.step, board.step), list[float](), list[Array]()
     for recording in (first, board):
         low, high = max(recording.spans, key=lambda span: span[1] - span[0])
         starts.append(low)
-        longest.append(recording.at(low, step, math.floor((high - low) / step) + 1))
-    return starts[0] - starts[1] + rough_delay(step, longest[0], longest[1], band)
+        longest_pieces.append(recording.resample(low, step, math.floor((high - low) / step) + 1))
+    return starts[0] - starts[1] + rough_delay(step, longest_pieces[0], longest_pieces[1], band)
 
 
-def with_clocks(
+def add_clock_uncertainty(
     mode: Mode, columns: Mapping[str, slice], delays: Mapping[str, Delay]
 ) -> tuple[Mode, list[str]]:
     """Return a mode with the clocks' uncertainty in its shape's sigma, and the setups whose signs are unknown.
 
     - columns: the components of each board
     """
-    turns = {setup: by.turn(mode.frequency) for setup, by in delays.items()}
-    lost = [setup for setup, turn in turns.items() if turn > MOST]
+    phases = {setup: board_delay.phase_sigma(mode.frequency) for setup, board_delay in delays.items()}
+    unsigned_setups = [setup for setup, phase in phases.items() if phase > MAX_CLOCK_PHASE]
     shape = mode.shape.copy()
-    for setup in lost:
+    for setup in unsigned_setups:
         shape[columns[setup]] = np.nan
-    real_shape = turned_real(shape).real
+    real_shape = rotate_to_real(shape).real
     if not np.isfinite(real_shape).any():
-        return replace(mode, shape=shape), lost
+        return replace(mode, shape=shape), unsigned_setups
     largest = int(np.nanargmax(np.abs(real_shape)))
     variance = np.zeros(len(shape))
-    for setup, turn in turns.items():
-        for sign in () if setup in lost else (-1.0, 1.0):
+    for setup, phase in phases.items():
+        for sign in () if setup in unsigned_setups else (-1.0, 1.0):
             rotated = shape.copy()
-            rotated[columns[setup]] *= np.exp(1j * sign * turn)
-            turned = turned_real(rotated).real
-            variance += 0.5 * (turned / turned[largest] - real_shape) ** 2
-    spread = float(np.sqrt(np.nanmax(variance)))
-    return replace(mode, shape=shape, sigma_shape=float(np.hypot(mode.sigma_shape, spread))), lost
+            rotated[columns[setup]] *= np.exp(1j * sign * phase)
+            rotated_real = rotate_to_real(rotated).real
+            variance += 0.5 * (rotated_real / rotated_real[largest] - real_shape) ** 2
+    sigma = float(np.sqrt(np.nanmax(variance)))
+    return replace(mode, shape=shape, sigma_shape=float(np.hypot(mode.sigma_shape, sigma))), unsigned_setups

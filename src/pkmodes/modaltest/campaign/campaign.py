@@ -16,33 +16,16 @@ from pkmodes.core.robot.report_fields import read_report
 from pkmodes.loop.measured.rules import PRINTABLE, is_label
 from pkmodes.loop.updating.channels import channels
 from pkmodes.loop.updating.load_cases import settable
-from pkmodes.modaltest.campaign.boards import Clock, clocks_of
-from pkmodes.modaltest.campaign.description import (
-    CampaignTable,
-    EditTable,
-    RecordTable,
-    band_of,
-    frequency,
-    read_description,
-    share,
-    si_value,
-    value_and_sigma,
-)
+from pkmodes.modaltest.campaign.boards import Clock, read_clocks
+from pkmodes.modaltest.campaign.description import CampaignTable, EditTable, RecordTable, parse_band, parse_fraction, parse_frequency, parse_quantity, parse_uncertain, read_description
 from pkmodes.modaltest.campaign.mounts import Platform
-from pkmodes.modaltest.campaign.sensors import (
-    NONE,
-    MotionSensor,
-    Transducer,
-    forces_of,
-    names_in_files,
-    sensors_of,
-)
-from pkmodes.modaltest.identification.asked import NOTHING, RequestedModes
+from pkmodes.modaltest.campaign.sensors import NO_CHANNEL, MotionSensor, Transducer, check_forces, check_names_in_files, check_sensors
+from pkmodes.modaltest.identification.requested_modes import NO_EDITS, RequestedModes
 
 #: Value of `repeatability` other than a share: estimate it from poses that were measured twice.
 REVISITS = "revisits"
 #: Kind of record with frequency response functions.
-FUNCTIONS = "frf"
+FRF_KIND = "frf"
 
 
 @dataclass(frozen=True)
@@ -54,10 +37,10 @@ class Record:
     - settings: known values of parameters by path, in SI units
     - setups: files of each setup: repeats.  The only setup of a plain list is called "".
     - band: [Hz]
-    - exponential, rate: time constant of a window [s], and a sampling rate [Hz]
+    - exponential, rate: time constant of an exponential window [s], and sampling rate [Hz]
     - columns: names of a table's columns, by those of a measurement file
     - header: names of all columns of a table of signals, in order, where its own header is missing or different
-    - names: names in the files of time, frequency, force and sensors, by these names
+    - names: names that the files use for time, frequency, force and sensors, by the names in the campaign
     - invert, conjugate: whether the functions are force over motion, or complex conjugates
     - clocks: of all setups except the first, if they are boards that recorded together
     """
@@ -83,11 +66,11 @@ class Record:
     clocks: Mapping[str, Clock] = field(default_factory=dict)
 
     @property
-    def separate(self) -> Mapping[str, tuple[Path, ...]]:
+    def independent_setups(self) -> Mapping[str, tuple[Path, ...]]:
         """The setups that are identified separately: boards that recorded together count as one."""
         return dict(list(self.setups.items())[:1]) if self.clocks else self.setups
 
-    def beside(self, path: Path) -> dict[str, Path]:
+    def simultaneous_files(self, path: Path) -> dict[str, Path]:
         """Return the files that other boards recorded together with one of the first board, by setup."""
         number = next(iter(self.setups.values())).index(path) if self.clocks else 0
         return {setup: self.setups[setup][number] for setup in self.clocks}
@@ -132,14 +115,14 @@ class Campaign:
         """Return the forces that apply to a setup, by name."""
         return {force.name: force for force in self.forces if force.setup in (None, setup)}
 
-    def asked(self, record: Record) -> RequestedModes:
+    def edits_of(self, record: Record) -> RequestedModes:
         """Return the user's edits of the modes of a record."""
-        return self.edits.get(record.pose, NOTHING)
+        return self.edits.get(record.pose, NO_EDITS)
 
-    def places_at(self, record: Record) -> dict[str, Transducer]:
+    def transducers_at(self, record: Record) -> dict[str, Transducer]:
         """Return sensors and forces of all setups, by key, as oriented at the pose of a record."""
         R = self.platform.rotation(record.point)
-        return {place.key: place.where_turned(R) for place in (*self.sensors, *self.forces)}
+        return {transducer.key: transducer.rotated(R) for transducer in (*self.sensors, *self.forces)}
 
 
 def read_campaign(path: str | PathLike[str]) -> Campaign:
@@ -151,33 +134,24 @@ def read_campaign(path: str | PathLike[str]) -> Campaign:
     Raises RobotFileError if the robot file is invalid.
     """
     source = fspath(path)
-    return campaign_of(read_description(Path(path)), source)
+    return check_campaign(read_description(Path(path)), source)
 
 
-def campaign_of(table: CampaignTable, source: str) -> Campaign:
+def check_campaign(table: CampaignTable, source: str) -> Campaign:
     """Check the tables of a campaign file; `source` is its path."""
     folder = Path(source).parent
     if (table.robot is None) == (table.channels is None):
-        problem = "expected either a robot or channels, found " + (
-            "both" if table.robot is not None else "neither"
-        )
-        raise MeasurementError(
-            problem, source, 'write robot = "robot.toml", or channels = ["floor_1"] for a structure'
-        )
+        problem = "expected either a robot or channels, found " + ("both" if table.robot is not None else "neither")
+        raise MeasurementError(problem, source, 'write robot = "robot.toml", or channels = ["floor_1"] for a structure')
     model = None if table.robot is None else Model(read_robot(folder / table.robot))
     _check_channels(table.channels or [], source)
     channel_units = dict.fromkeys(table.channels or (), "") if model is None else channels(model.mechanism)
     if not table.record:
-        raise MeasurementError(
-            "expected records, found none", f"{source}: record", "add [[record]] for each pose"
-        )
-    band = band_of(table.band, f"{source}: band")
-    records = tuple(
-        _record(record, i, table, model, folder, band, f"{source}: record.{i}")
-        for i, record in enumerate(table.record, start=1)
-    )
+        raise MeasurementError("expected records, found none", f"{source}: record", "add [[record]] for each pose")
+    band = parse_band(table.band, f"{source}: band")
+    records = tuple(_record(record, i, table, model, folder, band, f"{source}: record.{i}") for i, record in enumerate(table.record, start=1))
     _check_labels(records, source)
-    used = {name for record in records for name in record.setups}
+    setups = {name for record in records for name in record.setups}
 
     def refuse_field(path: str, what: str, remedy: str) -> None:
         raise MeasurementError(what, f"{source}: {path}", remedy)
@@ -186,14 +160,10 @@ def campaign_of(table: CampaignTable, source: str) -> Campaign:
         source=source,
         model=model,
         channels=channel_units,
-        repeatability=(
-            None
-            if table.repeatability == REVISITS
-            else share(table.repeatability, f"{source}: repeatability")
-        ),
-        tones=tuple(frequency(text, f"{source}: tones") for text in table.tones),
-        sensors=sensors_of(table.sensor, channel_units, _platform(model), used, source),
-        forces=forces_of(table.force, channel_units, _platform(model), used, source),
+        repeatability=(None if table.repeatability == REVISITS else parse_fraction(table.repeatability, f"{source}: repeatability")),
+        tones=tuple(parse_frequency(text, f"{source}: tones") for text in table.tones),
+        sensors=check_sensors(table.sensor, channel_units, _platform(model), setups, source),
+        forces=check_forces(table.force, channel_units, _platform(model), setups, source),
         records=records,
         edits=_edits(table.edit, records, source),
         report=read_report(table.report, refuse_field),
@@ -207,43 +177,25 @@ def _platform(model: Model | None) -> Platform:
 
 def _check_channels(names: list[str], source: str) -> None:
     for i, name in enumerate(names):
-        if not name.strip() or not name.isprintable() or name == NONE:
+        if not name.strip() or not name.isprintable() or name == NO_CHANNEL:
             problem = f"expected the name of a channel, found {shown(name)}"
             raise MeasurementError(problem, f"{source}: channels", "use printable characters, and not none")
         if name in names[:i]:
             raise MeasurementError(f"{shown(name)} is given twice", f"{source}: channels", "give each once")
 
 
-def _record(
-    record_table: RecordTable,
-    number: int,
-    table: CampaignTable,
-    model: Model | None,
-    folder: Path,
-    band: tuple[float, float],
-    where: str,
-) -> Record:
+def _record(record_table: RecordTable, number: int, table: CampaignTable, model: Model | None, folder: Path, band: tuple[float, float], where: str) -> Record:
     files = record_table.files if isinstance(record_table.files, dict) else {"": record_table.files}
     if not files or not all(files.values()):
-        raise MeasurementError(
-            "expected files, found none", f"{where}.files", 'for example: files = ["p1.uff"]'
-        )
-    repeated = [
-        name
-        for name, count in Counter(name for listed in files.values() for name in listed).items()
-        if count > 1
-    ]
+        raise MeasurementError("expected files, found none", f"{where}.files", 'for example: files = ["p1.uff"]')
+    repeated = [name for name, count in Counter(name for listed in files.values() for name in listed).items() if count > 1]
     if repeated:
         problem = f"the file {shown(repeated[0])} is given twice"
-        raise MeasurementError(
-            problem, f"{where}.files", "a repeat is another measurement: give each file once"
-        )
+        raise MeasurementError(problem, f"{where}.files", "a repeat is another measurement: give each file once")
     if not record_table.pose.strip():
         raise MeasurementError("expected a label, found none", f"{where}.pose", 'for example: pose = "P1"')
     if not is_label(record_table.pose):
-        raise MeasurementError(
-            f"expected a label, found {shown(record_table.pose)}", f"{where}.pose", PRINTABLE
-        )
+        raise MeasurementError(f"expected a label, found {shown(record_table.pose)}", f"{where}.pose", PRINTABLE)
     if record_table.pose.lstrip().startswith("#"):
         problem = f"expected a label that does not begin with #, found {shown(record_table.pose)}"
         raise MeasurementError(problem, f"{where}.pose", "its rows would be comments of the measurement file")
@@ -252,49 +204,41 @@ def _record(
             problem = f"expected at least 1, found {count}"
             raise MeasurementError(problem, f"{where}.{name}", "count what is in each file")
     for name, flag in (("invert", record_table.invert), ("conjugate", record_table.conjugate)):
-        if flag and record_table.kind != FUNCTIONS:
-            problem = f"expected the kind {FUNCTIONS} with {name}, found {shown(record_table.kind)}"
-            raise MeasurementError(
-                problem, f"{where}.{name}", "leave it out: it is for frequency responses only"
-            )
-    point, spread = _point(record_table, model, where)
+        if flag and record_table.kind != FRF_KIND:
+            problem = f"expected the kind {FRF_KIND} with {name}, found {shown(record_table.kind)}"
+            raise MeasurementError(problem, f"{where}.{name}", "leave it out: it is for frequency responses only")
+    point, point_sigma = _point(record_table, model, where)
     return Record(
         number=number,
         pose=record_table.pose.strip(),  # as the measurement file is read
         point=point,
-        point_sigma=spread,
+        point_sigma=point_sigma,
         settings=_settings(record_table, model, where),
         kind=record_table.kind,
         setups={name: tuple(folder / file for file in listed) for name, listed in files.items()},
-        band=band if record_table.band is None else band_of(record_table.band, f"{where}.band"),
+        band=band if record_table.band is None else parse_band(record_table.band, f"{where}.band"),
         drives=record_table.drives or table.drives or (FREE if model is None else model.robot.drives),
         averages=record_table.averages,
-        exponential=None
-        if record_table.exponential is None
-        else _time(record_table.exponential, f"{where}.exponential"),
+        exponential=None if record_table.exponential is None else _parse_time(record_table.exponential, f"{where}.exponential"),
         hits=record_table.hits,
-        rate=None if record_table.rate is None else frequency(record_table.rate, f"{where}.rate", "3200 Hz"),
+        rate=None if record_table.rate is None else parse_frequency(record_table.rate, f"{where}.rate", "3200 Hz"),
         columns=record_table.columns if isinstance(record_table.columns, dict) else {},
         header=tuple(record_table.columns) if isinstance(record_table.columns, list) else (),
-        names=names_in_files(record_table, table.sensor, where),
+        names=check_names_in_files(record_table, table.sensor, where),
         invert=record_table.invert,
         conjugate=record_table.conjugate,
-        clocks={} if record_table.clock is None else clocks_of(record_table, files, where),
+        clocks={} if record_table.clock is None else read_clocks(record_table, files, where),
     )
 
 
-def _time(text: str, where: str) -> float:
-    value = si_value(text, "s", where)
+def _parse_time(text: str, where: str) -> float:
+    value = parse_quantity(text, "s", where)
     if value <= 0.0:
-        raise MeasurementError(
-            f"expected a time above 0, found {shown(text)}", where, 'for example: "0.35 s"'
-        )
+        raise MeasurementError(f"expected a time above 0, found {shown(text)}", where, 'for example: "0.35 s"')
     return value
 
 
-def _point(
-    record_table: RecordTable, model: Model | None, where: str
-) -> tuple[dict[str, float], dict[str, float]]:
+def _point(record_table: RecordTable, model: Model | None, where: str) -> tuple[dict[str, float], dict[str, float]]:
     """Return the pose and its standard deviations; empty for a structure that is not a robot."""
     if model is None:
         if record_table.at:
@@ -304,23 +248,18 @@ def _point(
     units = {component.name: component.unit for component in model.mechanism.pose}
     for name in record_table.at:
         if name not in units:
-            raise MeasurementError(
-                f"unknown component {shown(name)}", f"{where}.at", nearest_name(name, units)
-            )
+            raise MeasurementError(f"unknown component {shown(name)}", f"{where}.at", nearest_name(name, units))
     missing = [name for name in units if name not in record_table.at]
     if missing:
         problem = f"expected {', '.join(units)}, found no {', '.join(missing)}"
         raise MeasurementError(problem, f"{where}.at", 'for example: at = { x = "600 mm", ... }')
-    both = {
-        name: value_and_sigma(record_table.at[name], unit, f"{where}.at.{name}")
-        for name, unit in units.items()
-    }
-    point = {name: value for name, (value, _) in both.items()}
+    values_and_sigmas = {name: parse_uncertain(record_table.at[name], unit, f"{where}.at.{name}") for name, unit in units.items()}
+    point = {name: value for name, (value, _) in values_and_sigmas.items()}
     try:
         model.checked(list(point.values()), "raise")
     except PkmodesError as error:
         raise MeasurementError(error.what, f"{where}.at", error.remedy) from None
-    return point, {name: sigma for name, (_, sigma) in both.items()}
+    return point, {name: sigma for name, (_, sigma) in values_and_sigmas.items()}
 
 
 def _settings(record_table: RecordTable, model: Model | None, where: str) -> dict[str, float]:
@@ -334,12 +273,8 @@ def _settings(record_table: RecordTable, model: Model | None, where: str) -> dic
     for path, value in record_table.settings.items():
         if path not in settable_units:
             problem = f"unknown parameter path {shown(path)}"
-            raise MeasurementError(
-                problem,
-                f"{where}.set",
-                nearest_name(path, settable_units, "see docs/reference/parameter-paths.md"),
-            )
-        values[path] = si_value(value, settable_units[path], f"{where}.set.{path}")
+            raise MeasurementError(problem, f"{where}.set", nearest_name(path, settable_units, "see docs/reference/parameter-paths.md"))
+        values[path] = parse_quantity(value, settable_units[path], f"{where}.set.{path}")
     try:
         model.robot.with_values(values)
     except PkmodesError as error:
@@ -357,9 +292,7 @@ def _check_labels(records: tuple[Record, ...], source: str) -> None:
             raise MeasurementError(problem, f"{source}: record.{record.number}.pose", remedy)
 
 
-def _edits(
-    tables: Sequence[EditTable], records: tuple[Record, ...], source: str
-) -> dict[str, RequestedModes]:
+def _edits(tables: Sequence[EditTable], records: tuple[Record, ...], source: str) -> dict[str, RequestedModes]:
     labels = [record.pose for record in records]
     edits: dict[str, RequestedModes] = {}
     for i, edit in enumerate(tables, start=1):
@@ -367,8 +300,8 @@ def _edits(
         if label not in labels:
             problem = f"no record has the label {shown(edit.pose)}"
             raise MeasurementError(problem, f"{where}.pose", nearest_name(edit.pose, labels))
-        strike = tuple(frequency(text, f"{where}.strike") for text in edit.strike)
-        add = tuple(frequency(text, f"{where}.add") for text in edit.add)
-        before = edits.get(label, NOTHING)
-        edits[label] = RequestedModes(before.strike + strike, before.add + add)
+        strike = tuple(parse_frequency(text, f"{where}.strike") for text in edit.strike)
+        add = tuple(parse_frequency(text, f"{where}.add") for text in edit.add)
+        earlier = edits.get(label, NO_EDITS)
+        edits[label] = RequestedModes(earlier.strike + strike, earlier.add + add)
     return edits

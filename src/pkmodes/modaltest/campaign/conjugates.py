@@ -1,7 +1,7 @@
 """Frequency responses with the phase of exp(-i omega t), their complex conjugates: poles that grow.
 
 The impulse response of a structure is zero before the blow, and that of a conjugate after it.  So their energies over
-time tell them apart (as Bendat and Piersol, Random Data, 4th edition, 2010, section 2.1: physically realisable
+time distinguish them (as Bendat and Piersol, Random Data, 4th edition, 2010, section 2.1: physically realisable
 systems), function by function, before any fit.
 
 Signals that are not responses to the force can mimic this: the energy of noise in a few lines, such as drift or a
@@ -19,7 +19,7 @@ import numpy as np
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.modaltest.identification.estimates import complex_mac
 from pkmodes.modaltest.identification.frf_identification import identify_frf
-from pkmodes.modaltest.signals.functions import Array, Complex, Function, computed
+from pkmodes.modaltest.signals.functions import Array, Complex, Function, derived_function
 
 #: Excess over one half of the share of energy before the blow that marks a conjugate: its minimum, and a multiple of
 #: 1/sqrt(lines).  For noise the share is one half, with a standard deviation of 0.7/sqrt(lines).
@@ -38,7 +38,7 @@ MIN_LINES = 16
 SPACING_TOLERANCE = 0.01
 
 
-def with_checked_phase(
+def check_phase(
     functions: Sequence[Function], band: tuple[float, float], conjugate: bool, source: str
 ) -> tuple[tuple[Function, ...], tuple[str, ...]]:
     """Return functions with the phase of exp(+i omega t), and messages about them.
@@ -59,31 +59,34 @@ def with_checked_phase(
     is_conjugate = [share > _threshold(lines) for share in shares]
     majority_conjugate = bool(np.mean(shares) > (0.5 if conjugate else _threshold(lines * len(shares))))
     is_causal = [share < 1.0 - _threshold(lines) for share in shares]
-    wrong = [
-        bad or (majority_conjugate and not good) for bad, good in zip(is_conjugate, is_causal, strict=True)
+    to_conjugate = [
+        is_suspect or (majority_conjugate and not is_sound)
+        for is_suspect, is_sound in zip(is_conjugate, is_causal, strict=True)
     ]
     if conjugate:
-        mended = (
-            computed(function, np.conj) if bad else function
-            for function, bad in zip(functions, wrong, strict=True)
+        corrected = (
+            derived_function(function, np.conj) if is_suspect else function
+            for function, is_suspect in zip(functions, to_conjugate, strict=True)
         )
-        return tuple(mended), ()
-    if any(wrong):
+        return tuple(corrected), ()
+    if any(to_conjugate):
         names = [f"{function.response}/{function.reference}".removesuffix("/") for function in functions]
-        which = [name for name, bad in zip(names, wrong, strict=True) if bad]
-        examples = f"{', '.join(which[:4])}{', ...' if len(which) > 4 else ''}"
-        suspects = [function for function, bad in zip(functions, wrong, strict=True) if bad]
-        if not _explained_by_modes([computed(function, np.conj) for function in suspects], band):
+        suspect_names = [name for name, is_suspect in zip(names, to_conjugate, strict=True) if is_suspect]
+        examples = f"{', '.join(suspect_names[:4])}{', ...' if len(suspect_names) > 4 else ''}"
+        suspects = [
+            function for function, is_suspect in zip(functions, to_conjugate, strict=True) if is_suspect
+        ]
+        if not _explained_by_modes([derived_function(function, np.conj) for function in suspects], band):
             remark = (
-                f"{source}: {len(which)} of {len(names)} functions ({examples}) hold more vibration before the force "
-                "than after it, and no modes fit their complex conjugates either: they are mostly not responses "
-                "to this force; measure with more force or more averages"
+                f"{source}: {len(suspect_names)} of {len(names)} functions ({examples}) hold more vibration "
+                "before the force than after it, and no modes fit their complex conjugates either: they are "
+                "mostly not responses to this force; measure with more force or more averages"
             )
             return tuple(functions), (remark,)
         problem = (
             "expected vibrations that decay after the force, found ones that grow before it in "
-            f"{len(which)} of {len(names)} functions ({examples}): these are complex conjugates, with the phase of "
-            "exp(-i omega t)"
+            f"{len(suspect_names)} of {len(names)} functions ({examples}): these are complex conjugates, "
+            "with the phase of exp(-i omega t)"
         )
         raise MeasurementError(problem, source, "write conjugate = true in the record")
     return tuple(functions), ()
@@ -91,15 +94,15 @@ def with_checked_phase(
 
 def _explained_by_modes(functions: Sequence[Function], band: tuple[float, float]) -> bool:
     """Return whether modes explain most of the power of functions."""
-    chosen = [functions[i] for i in range(0, len(functions), math.ceil(len(functions) / MAX_FITTED))]
-    f = chosen[0].abscissa
-    inside = (f >= band[0]) & (f <= band[1])
-    values = np.stack([np.asarray(function.values, complex) for function in chosen], axis=1)
-    size = np.linalg.norm(values[inside], axis=0)
-    usable = np.isfinite(size) & (size > 0.0)
+    subset = [functions[i] for i in range(0, len(functions), math.ceil(len(functions) / MAX_FITTED))]
+    f = subset[0].abscissa
+    in_band = (f >= band[0]) & (f <= band[1])
+    values = np.stack([np.asarray(function.values, complex) for function in subset], axis=1)
+    norms = np.linalg.norm(values[in_band], axis=0)
+    usable = np.isfinite(norms) & (norms > 0.0)
     try:
-        estimate = identify_frf(f, (values[:, usable] / size[usable])[..., None], band=band, power=2)
-    except MeasurementError:  # too few lines or functions to tell
+        estimate = identify_frf(f, (values[:, usable] / norms[usable])[..., None], band=band, power=2)
+    except MeasurementError:  # too few lines or functions
         return False
     if not estimate.modes:
         return False
@@ -119,8 +122,8 @@ def _threshold(lines: int) -> float:
 
 def _energy_share_before(frequencies: Array, values: Complex, band: tuple[float, float]) -> float:
     """Return the share of an impulse response's energy that lies before its blow; 0.5 if it cannot be told."""
-    inside = (frequencies >= band[0]) & (frequencies <= band[1])
-    f, H = frequencies[inside], values[inside]
+    in_band = (frequencies >= band[0]) & (frequencies <= band[1])
+    f, H = frequencies[in_band], values[in_band]
     spacings = np.diff(f)
     if (
         len(f) < MIN_LINES

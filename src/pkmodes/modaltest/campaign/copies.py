@@ -11,7 +11,7 @@ from pkmodes.core.base.errors import MeasurementError
 from pkmodes.modaltest.campaign.campaign import Record
 
 
-def copies(paths: Sequence[Path]) -> list[tuple[Path, Path]]:
+def find_copies(paths: Sequence[Path]) -> list[tuple[Path, Path]]:
     """Return the pairs of files of equal content, the earlier one first; files that cannot be read have none."""
     sizes = [path.stat().st_size if path.is_file() else None for path in paths]
     pairs = [
@@ -24,12 +24,12 @@ def copies(paths: Sequence[Path]) -> list[tuple[Path, Path]]:
     return [(paths[i], paths[k]) for i, k in pairs if digests[i] == digests[k]]
 
 
-def copied_repeats(record: Record) -> list[str]:
+def copy_messages(record: Record) -> list[str]:
     """Return a sentence for each repeat of a record that is a copy of another."""
     return [
         f"{record.pose}: {copy.name} is a copy of {first.name}: a copy is not a repeat, and lowers the scatter"
         for paths in record.setups.values()
-        for first, copy in copies(paths)
+        for first, copy in find_copies(paths)
     ]
 
 
@@ -47,7 +47,7 @@ def refuse_copied_visits(records: Sequence[Record], source: str) -> None:
         for paths in record.setups.values()
         for path in paths
     ]
-    for first, copy in copies([path for path, _ in labels]):
+    for first, copy in find_copies([path for path, _ in labels]):
         poses = {record.pose for path, record in labels if path in (first, copy)}
         if len(poses) > 1:
             problem = f"expected new measurements under {' and '.join(sorted(poses))}, found the same content in both"

@@ -24,15 +24,15 @@ from pkmodes.core.robot.units import (
 from pkmodes.loop.measured.cells import number_in
 from pkmodes.loop.measured.csv_format import read_text
 
-LARGEST_FILE = 1_000_000
+MAX_FILE_SIZE = 1_000_000
 #: Messages of msgspec: an unknown or missing key, and the place of an error.
-UNKNOWN = re.compile(r"Object contains unknown field `(.*)`")
-MISSING = re.compile(r"Object missing required field `(.*)`")
-KINDS_OF_VALUES = re.compile(r"`([a-z]+(?: \| [a-z]+)*)`")
+UNKNOWN_KEY = re.compile(r"Object contains unknown field `(.*)`")
+MISSING_KEY = re.compile(r"Object missing required field `(.*)`")
+VALUE_TYPES = re.compile(r"`([a-z]+(?: \| [a-z]+)*)`")
 #: Values allowed for keys with few possible values.
 CHOICES = {"format": "1", "drives": '"free" or "held"', "signs": '"file"'}
-PLACE = re.compile(r"(.*) - at `\$(.*)`")
-Given = str | int | float
+ERROR_PATH = re.compile(r"(.*) - at `\$(.*)`")
+RawValue = str | int | float
 
 
 class CampaignPart(Struct, frozen=True, forbid_unknown_fields=True):
@@ -131,7 +131,7 @@ def read_description(path: Path) -> CampaignTable:
     Raises MeasurementError if it cannot be read, is no TOML, or a key is unknown, missing or of another kind.
     """
     source = str(path)
-    text = read_text(path, source, "the campaign", "give a campaign file in TOML", LARGEST_FILE)
+    text = read_text(path, source, "the campaign", "give a campaign file in TOML", MAX_FILE_SIZE)
     if (line := long_key(text)) is not None:
         problem = f"expected a key of at most {MOST_PARTS} parts, found more"
         _refuse(problem, f"{source}: line {line}", "shorten the key")
@@ -151,35 +151,35 @@ def campaign_tables(document: dict[str, Any], source: str) -> CampaignTable:
         return msgspec.convert(document, CampaignTable)
     except msgspec.ValidationError as error:
         text = str(error)
-    located = PLACE.fullmatch(text)
-    problem, place = (located[1], located[2]) if located else (text, "")
-    place = re.sub(r"\[(\d+)\]", lambda index: f".{int(index[1]) + 1}", place).lstrip(".")
-    where = f"{source}: {place}" if place else source
-    keys = re.sub(r"\.?\d+$", "", place)
+    error_path = ERROR_PATH.fullmatch(text)
+    problem, path = (error_path[1], error_path[2]) if error_path else (text, "")
+    path = re.sub(r"\[(\d+)\]", lambda index: f".{int(index[1]) + 1}", path).lstrip(".")
+    where = f"{source}: {path}" if path else source
+    keys = re.sub(r"\.?\d+$", "", path)
     table = TABLES.get(keys.rpartition(".")[2])
     known_keys = [attribute.encode_name for attribute in msgspec.structs.fields(table)] if table else []
-    if match := UNKNOWN.fullmatch(problem):
+    if match := UNKNOWN_KEY.fullmatch(problem):
         _refuse(
             f"unknown key {shown(match[1])}",
             where,
             nearest_name(match[1], known_keys) if known_keys else "remove it",
         )
-    if match := MISSING.fullmatch(problem):
+    if match := MISSING_KEY.fullmatch(problem):
         _refuse(
             f'expected the key "{match[1]}", found none',
             where,
             f"add it; known keys: {', '.join(known_keys)}",
         )
-    key = place.rpartition(".")[2]
+    key = path.rpartition(".")[2]
     if problem.startswith("Invalid enum value") and key in CHOICES:
         problem = f"expected {CHOICES[key]}, found {problem.removeprefix('Invalid enum value ')}"
-    problem = KINDS_OF_VALUES.sub(lambda kinds: " or ".join(_plain(kinds[1])), problem)
+    problem = VALUE_TYPES.sub(lambda kinds: " or ".join(_plain_words(kinds[1])), problem)
     problem = problem.replace(", got ", ", found ").replace("`", '"').replace(" | ", " or ")
     remedy = "see docs/reference/campaign-file.md"
     raise MeasurementError(f"{problem[0].lower()}{problem[1:]}", where, remedy)
 
 
-def _plain(kinds: str) -> list[str]:
+def _plain_words(kinds: str) -> list[str]:
     """Return msgspec's names of value types in plain words."""
     words = {"str": "text", "int": "an integer", "float": "a number", "array": "a list", "object": "a table"}
     return list(dict.fromkeys(words.get(kind, kind) for kind in kinds.split(" | ") if kind != "null"))
@@ -189,7 +189,7 @@ def _refuse(what: str, where: str, remedy: str) -> NoReturn:
     raise MeasurementError(what, where, remedy) from None
 
 
-def frequency(text: str, where: str, example: str = "50 Hz") -> float:
+def parse_frequency(text: str, where: str, example: str = "50 Hz") -> float:
     """Return a frequency above 0 [Hz]; one in rad/s is converted.
 
     Raises MeasurementError if the text is not a frequency above 0 with its unit.
@@ -202,15 +202,17 @@ def frequency(text: str, where: str, example: str = "50 Hz") -> float:
             raise QuantityError(f"expected a frequency with its unit, found {shown(text)}")
         value = number_in(match[1], frequency_factor(match[2]))
     except QuantityError as error:
-        meant = meant_as(match[2], "Hz") if match is not None and not error.remedy else None
-        remedy = error.remedy or (remedy if meant is None or match is None else f'write "{match[1]} {meant}"')
+        suggested_unit = meant_as(match[2], "Hz") if match is not None and not error.remedy else None
+        remedy = error.remedy or (
+            remedy if suggested_unit is None or match is None else f'write "{match[1]} {suggested_unit}"'
+        )
         raise MeasurementError(str(error), where, remedy) from None
     if value is None or value <= 0.0:
         raise MeasurementError(f"expected a frequency above 0, found {shown(text)}", where, remedy)
     return value
 
 
-def band_of(frequencies: list[str], where: str) -> tuple[float, float]:
+def parse_band(frequencies: list[str], where: str) -> tuple[float, float]:
     """Return a band [Hz].
 
     Raises MeasurementError if it is not two frequencies, the lower one first.
@@ -218,7 +220,7 @@ def band_of(frequencies: list[str], where: str) -> tuple[float, float]:
     remedy = 'for example: band = ["10 Hz", "400 Hz"]'
     if len(frequencies) != 2:
         raise MeasurementError(f"expected two frequencies, found {len(frequencies)}", where, remedy)
-    low, high = (frequency(text, where) for text in frequencies)
+    low, high = (parse_frequency(text, where) for text in frequencies)
     if low >= high:
         raise MeasurementError(
             f"expected the lower frequency first, found {low:g} Hz, {high:g} Hz", where, remedy
@@ -226,19 +228,19 @@ def band_of(frequencies: list[str], where: str) -> tuple[float, float]:
     return low, high
 
 
-def share(text: str, where: str) -> float:
+def parse_fraction(text: str, where: str) -> float:
     """Return a ratio of at least 0 and below 1, such as ``"0.2 %"``.
 
     Raises MeasurementError if it is not one.
     """
-    value = si_value(text, "1", where)
+    value = parse_quantity(text, "1", where)
     if not 0.0 <= value < 1.0:
         problem = f"expected a share of at least 0 and below 100 %, found {shown(text)}"
         raise MeasurementError(problem, where, 'for example: "0.2 %"')
     return value
 
 
-def si_value(raw_value: Given, unit: str, where: str) -> float:
+def parse_quantity(raw_value: RawValue, unit: str, where: str) -> float:
     """Return a quantity in SI units; a bare number only where the unit is 1.
 
     Raises MeasurementError if it is not a quantity of this unit.
@@ -250,15 +252,15 @@ def si_value(raw_value: Given, unit: str, where: str) -> float:
         raise MeasurementError(str(error), where, remedy) from None
 
 
-def value_and_sigma(raw_value: Given | Uncertain, unit: str, where: str) -> tuple[float, float]:
+def parse_uncertain(raw_value: RawValue | Uncertain, unit: str, where: str) -> tuple[float, float]:
     """Return a quantity in SI units and its standard deviation, 0 where none is given.
 
     Raises MeasurementError if one of them is not a quantity of this unit, or the standard deviation is negative.
     """
     if not isinstance(raw_value, Uncertain):
-        return si_value(raw_value, unit, where), 0.0
-    sigma = 0.0 if raw_value.sigma == 0 else si_value(raw_value.sigma, unit, f"{where}.sigma")
+        return parse_quantity(raw_value, unit, where), 0.0
+    sigma = 0.0 if raw_value.sigma == 0 else parse_quantity(raw_value.sigma, unit, f"{where}.sigma")
     if sigma < 0.0:
         problem = f"expected a standard deviation of at least 0, found {shown(raw_value.sigma)}"
         raise MeasurementError(problem, f"{where}.sigma", "give its size")
-    return si_value(raw_value.value, unit, f"{where}.value"), sigma
+    return parse_quantity(raw_value.value, unit, f"{where}.value"), sigma

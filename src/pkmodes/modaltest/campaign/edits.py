@@ -1,4 +1,4 @@
-"""What the user decides about the modes of a record: which are struck out, and where one is added."""
+"""The user's edits of the modes of a record: modes that are struck out, and modes that are added."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.modaltest.campaign.campaign import Record
-from pkmodes.modaltest.campaign.grouping import grouped
+from pkmodes.modaltest.campaign.grouping import group_modes
 from pkmodes.modaltest.campaign.kinds import RecordKind
 from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate
 from pkmodes.modaltest.campaign.results import IdentifiedMode
-from pkmodes.modaltest.identification.asked import RequestedModes, nearest_frequency
+from pkmodes.modaltest.identification.requested_modes import RequestedModes, nearest_frequency
 
 #: Two added modes are the same if their frequencies differ by less, relative: separate fits do not end so close.
-SAME = 1e-4
+SAME_MODE_DIFFERENCE = 1e-4
 
 
-def check_asked(edits: RequestedModes, record: Record, kind: RecordKind, source: str) -> None:
+def check_requests(edits: RequestedModes, record: Record, kind: RecordKind, source: str) -> None:
     """Refuse frequencies at which no mode can be added, before anything is read.
 
     Raises MeasurementError if the record has no signals, or a frequency is outside its band.
@@ -28,31 +28,31 @@ def check_asked(edits: RequestedModes, record: Record, kind: RecordKind, source:
     for frequency in edits.add:
         if not kind.signals:
             reason = f"the record of {record.pose} has no signals to fit"
-            refuse_added(frequency, reason, source, "add it to the file of modes")
+            refuse_request(frequency, reason, source, "add it to the file of modes")
         low, high = record.band
         if not low <= frequency <= high:
-            refuse_added(frequency, f"the band of {record.pose} is {low:g} Hz to {high:g} Hz", source)
+            refuse_request(frequency, f"the band of {record.pose} is {low:g} Hz to {high:g} Hz", source)
 
 
-def added_group(
-    candidates: Sequence[ModeEstimate | str], frequency: float, least: float
+def select_requested(
+    candidates: Sequence[ModeEstimate | str], frequency: float, min_files: float
 ) -> dict[int, ModeEstimate] | str:
     """Return a mode that the user adds, by the files in which it is found, or why there is none.
 
     - candidates: the result of each file
     - frequency: requested by the user [Hz]
-    - least: number of files in which it must be found
+    - min_files: number of files in which it must be found
     """
-    groups = grouped([[] if isinstance(candidate, str) else [candidate] for candidate in candidates])
+    groups = group_modes([[] if isinstance(candidate, str) else [candidate] for candidate in candidates])
     if not groups:
         return next(candidate for candidate in candidates if isinstance(candidate, str))
     best = max(groups, key=lambda group: (len(group), -abs(next(iter(group.values())).frequency - frequency)))
-    if len(best) < least:
+    if len(best) < min_files:
         return f"it is found in {len(best)} of {len(candidates)} files only"
     return best
 
 
-def edited(
+def apply_edits(
     modes: Sequence[IdentifiedMode],
     added: Sequence[IdentifiedMode],
     edits: RequestedModes,
@@ -74,9 +74,9 @@ def edited(
             raise MeasurementError(problem, f"{source}: edit", "correct the frequency, or leave it out")
         struck.append(kept.pop(i).frequency)
     for (i, first), (k, second) in combinations(enumerate(added), 2):
-        if abs(np.log(first.frequency / second.frequency)) < SAME:
+        if abs(np.log(first.frequency / second.frequency)) < SAME_MODE_DIFFERENCE:
             problem = f"its fit converges to the mode at {first.frequency:.4g} Hz"
-            refuse_added(edits.add[k], f"{problem}, as does that from {edits.add[i]:g} Hz ({pose})", source)
+            refuse_request(edits.add[k], f"{problem}, as does that from {edits.add[i]:g} Hz ({pose})", source)
     for mode in added:
         i = nearest_frequency([reported.frequency for reported in kept], mode.frequency)
         if i is not None:
@@ -84,7 +84,7 @@ def edited(
     return sorted([*kept, *added], key=lambda mode: mode.frequency), struck
 
 
-def refuse_added(
+def refuse_request(
     frequency: float, reason: str, source: str, remedy: str = "correct the frequency, or leave it out"
 ) -> NoReturn:
     """Refuse to add a mode at a frequency [Hz]."""

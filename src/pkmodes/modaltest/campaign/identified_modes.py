@@ -1,7 +1,7 @@
 """Records of modes that another program has identified: dataset 55 of universal files, and tables.
 
-Tables have the columns of a measurement file, under any names.  The campaign says where the machine was, so that only
-the frequency is required.
+Tables have the columns of a measurement file, under any names.  The campaign states where the machine was, so that
+only the frequency is required.
 """
 
 from __future__ import annotations
@@ -23,17 +23,17 @@ from pkmodes.loop.measured.csv_rows import read_lines
 from pkmodes.loop.measured.meanings import likely_meaning, worded
 from pkmodes.loop.measured.rules import SHAPE
 from pkmodes.modaltest.campaign.campaign import Campaign, Record
-from pkmodes.modaltest.campaign.grouping import APART
+from pkmodes.modaltest.campaign.grouping import MAX_FREQUENCY_DIFFERENCE
 from pkmodes.modaltest.campaign.mode_estimates import FileModes, ModeEstimate, check_shape
-from pkmodes.modaltest.campaign.shapes import UNDETERMINED, combined, left_blank
-from pkmodes.modaltest.signals.reading import HEAD, read_signals
+from pkmodes.modaltest.campaign.shapes import UNDETERMINED, blank_messages, combine_sensors
+from pkmodes.modaltest.signals.reading import HEAD_SIZE, read_signals
 from pkmodes.modaltest.signals.universal_file import UNIVERSAL_FILE
 
 #: Most modes of one file within the width in which modes of two files may be the same: far more than any test can
 #: resolve, and few enough to compare all pairs in seconds.
-MOST_ALIKE = 200
+MAX_MODES_NEARBY = 200
 #: Numeric columns, with the kind of their units.
-NUMBERS = {"frequency": "Hz", "sigma": "Hz", "damping": "1", "sigma_damping": "1", "sigma_shape": "1"}
+NUMERIC_COLUMNS = {"frequency": "Hz", "sigma": "Hz", "damping": "1", "sigma_damping": "1", "sigma_shape": "1"}
 PER_CENT = Decimal("0.01")
 
 
@@ -42,69 +42,70 @@ def identified_modes(path: Path, record: Record, setup: str, campaign: Campaign)
 
     Raises MeasurementError if the file is faulty, or has no modes.
     """
-    if not _universal(path):
-        listed = tuple(read_mode_table(path, record.columns, campaign.channels, record.pose))
-        _check_apart(listed, str(path))
-        return FileModes(listed, (), None)
-    read = read_signals(path)
-    if not read.modes:
-        problem = f"expected identified modes (dataset 55 or 2414), found {len(read.functions)} functions and no mode"
-        problem += f"; skipped: {'; '.join(read.skipped)}" if read.skipped else ""
+    if not _is_universal(path):
+        table_modes = tuple(read_mode_table(path, record.columns, campaign.channels, record.pose))
+        _check_density(table_modes, str(path))
+        return FileModes(table_modes, (), None)
+    file = read_signals(path)
+    if not file.modes:
+        problem = f"expected identified modes (dataset 55 or 2414), found {len(file.functions)} functions and no mode"
+        problem += f"; skipped: {'; '.join(file.skipped)}" if file.skipped else ""
         remedy = 'choose another kind of record, such as kind = "frf"'
-        raise MeasurementError(problem, read.source, remedy)
-    for mode in read.modes:
-        where = f"{read.source}: mode at {mode.frequency:g} Hz"
+        raise MeasurementError(problem, file.source, remedy)
+    for mode in file.modes:
+        where = f"{file.source}: mode at {mode.frequency:g} Hz"
         if mode.damping is not None and not 0.0 <= mode.damping < 1.0:
             problem = f"expected a damping ratio of at least 0 and below 1, found {mode.damping:g}"
             raise MeasurementError(problem, where, "correct it, or export the modes again")
         check_shape(mode.shape, where)
-    turned = campaign.places_at(record)
-    sensors = {name: turned[sensor.key] for name, sensor in campaign.sensors_in(setup).items()}
-    names_in_file = {name for mode in read.modes for name in mode.shape}
+    transducers = campaign.transducers_at(record)
+    sensors = {name: transducers[sensor.key] for name, sensor in campaign.sensors_in(setup).items()}
+    names_in_file = {name for mode in file.modes for name in mode.shape}
     # Programs write exactly 0 in every mode for nodes without a sensor.
     unmeasured = [
         name
         for name in sensors
-        if name in names_in_file and not any(mode.shape.get(name) for mode in read.modes)
+        if name in names_in_file and not any(mode.shape.get(name) for mode in file.modes)
     ]
-    places = {name: place for name, place in sensors.items() if name not in unmeasured}
+    measured_sensors = {name: transducer for name, transducer in sensors.items() if name not in unmeasured}
     shapes = [
-        combined({name: value for name, value in mode.shape.items() if name in places}, places)
-        for mode in read.modes
+        combine_sensors(
+            {name: value for name, value in mode.shape.items() if name in measured_sensors}, measured_sensors
+        )
+        for mode in file.modes
     ]
     modes = tuple(
         ModeEstimate(mode.frequency, np.nan if mode.damping is None else mode.damping, shape.values)
-        for mode, shape in zip(read.modes, shapes, strict=True)
+        for mode, shape in zip(file.modes, shapes, strict=True)
     )
-    _check_apart(modes, read.source)
+    _check_density(modes, file.source)
     blank = [(mode.frequency, shape.blank) for mode, shape in zip(modes, shapes, strict=True)]
-    messages = left_blank(read.source, UNDETERMINED, blank)
+    messages = blank_messages(file.source, UNDETERMINED, blank)
     if unmeasured:
         predicate = "is 0 in every mode" if len(unmeasured) == 1 else "are 0 in every mode"
-        zeros = f"{read.source}: {joined(unmeasured)} {predicate}: taken as not measured, and left out of the shapes"
-        messages = [zeros, *messages]
-    return FileModes(modes, (*read.messages, *messages), frozenset(names_in_file))
+        zeros = f"{joined(unmeasured)} {predicate}: taken as not measured, and left out of the shapes"
+        messages = [f"{file.source}: {zeros}", *messages]
+    return FileModes(modes, (*file.messages, *messages), frozenset(names_in_file))
 
 
-def _check_apart(modes: Sequence[ModeEstimate], source: str) -> None:
+def _check_density(modes: Sequence[ModeEstimate], source: str) -> None:
     """Refuse a list with more modes in a narrow range than a structure can have."""
     f = np.sort([mode.frequency for mode in modes])
-    counts = np.searchsorted(f, f * (1.0 + APART), side="right") - np.arange(len(f))
+    counts = np.searchsorted(f, f * (1.0 + MAX_FREQUENCY_DIFFERENCE), side="right") - np.arange(len(f))
     densest = int(np.argmax(counts))
-    if counts[densest] > MOST_ALIKE:
-        problem = (
-            f"expected modes, found {counts[densest]} within {100.0 * APART:g} % from {f[densest]:.4g} Hz"
-        )
+    if counts[densest] > MAX_MODES_NEARBY:
+        width = f"{100.0 * MAX_FREQUENCY_DIFFERENCE:g} % from {f[densest]:.4g} Hz"
+        problem = f"expected modes, found {counts[densest]} within {width}"
         remedy = "list each mode once, and each pose as a record of its own"
         raise MeasurementError(problem, source, remedy)
 
 
-def _universal(path: Path) -> bool:
+def _is_universal(path: Path) -> bool:
     """Return whether a file is a universal file."""
     try:
         with path.open("rb") as file:
-            head = file.read(HEAD)
-    except (OSError, ValueError):  # the reader says why
+            head = file.read(HEAD_SIZE)
+    except (OSError, ValueError):  # the reader reports the reason
         head = b""
     return UNIVERSAL_FILE.recognises(head) or path.suffix.lower() in UNIVERSAL_FILE.suffixes
 
@@ -127,22 +128,22 @@ def read_mode_table(
     where, names = lines.header(source, remedy)
     if len(lines.records) < 2:
         _refuse("expected a header and rows, found none", source, remedy)
-    places = _places(names, columns, channels, where)
+    column_indices = _column_indices(names, columns, channels, where)
     modes, labels = [], set()
     for where, cells in lines.rows(source, len(names)):
-        if "pose" in places:
-            label = cells[places["pose"][0]]
+        if "pose" in column_indices:
+            label = cells[column_indices["pose"][0]]
             labels.add(label)
             if label != pose:
                 continue
-        modes.append(_mode(cells, places, names, lines.notation, where))
+        modes.append(_mode_of_row(cells, column_indices, names, lines.notation, where))
     if not modes:
         problem = f"expected rows of the pose {shown(pose)}, found {', '.join(sorted(labels)) or 'none'}"
         _refuse(problem, source, "correct the label of the record, or leave the column out")
     return modes
 
 
-def _places(
+def _column_indices(
     names: list[str], columns: Mapping[str, str], channels: Mapping[str, str], where: str
 ) -> dict[str, tuple[int, Decimal | None]]:
     """Return the index of each known column, and its factor to SI units or Hz."""
@@ -150,21 +151,23 @@ def _places(
     if functions:
         problem = f"expected modes, found frequency responses, {shown(functions[0])}"
         _refuse(problem, where, 'the kind of this record is "frf"')
-    unknown = [key for key in columns if key not in NUMBERS and key != "pose" and not key.startswith(SHAPE)]
+    unknown = [
+        key for key in columns if key not in NUMERIC_COLUMNS and key != "pose" and not key.startswith(SHAPE)
+    ]
     if unknown:
-        known_columns = ["pose", *NUMBERS, *(f"{SHAPE}{name}" for name in channels)]
+        known_columns = ["pose", *NUMERIC_COLUMNS, *(f"{SHAPE}{name}" for name in channels)]
         _refuse(
             f"unknown column {shown(unknown[0])} in columns", where, nearest_name(unknown[0], known_columns)
         )
-    theirs = {name: key for key, name in columns.items()}
-    if len(theirs) < len(columns):
+    key_by_name = {name: key for key, name in columns.items()}
+    if len(key_by_name) < len(columns):
         _refuse("two entries of columns name the same column", where, "give each its own")
-    places: dict[str, tuple[int, Decimal | None]] = {}
+    indices: dict[str, tuple[int, Decimal | None]] = {}
     for i, cell in enumerate(names):
-        name, unit = parted(cell, [*theirs, *NUMBERS, "pose"])
-        if name in theirs and unit is None:
+        name, unit = parted(cell, [*key_by_name, *NUMERIC_COLUMNS, "pose"])
+        if name in key_by_name and unit is None:
             unit = worded(cell)[1] or None  # "Damping ratio in %"
-        name = theirs.get(name, theirs.get(cell, name))
+        name = key_by_name.get(name, key_by_name.get(cell, name))
         if name.startswith(SHAPE) and name.removeprefix(SHAPE) not in channels:
             channel = name.removeprefix(SHAPE)
             _refuse(
@@ -172,25 +175,25 @@ def _places(
                 f"{where}, column {i + 1}",
                 nearest_name(channel, channels),
             )
-        if name in NUMBERS or name == "pose" or name.startswith(SHAPE):
-            if name in places:
+        if name in NUMERIC_COLUMNS or name == "pose" or name.startswith(SHAPE):
+            if name in indices:
                 _refuse(
                     f"the column {shown(name)} is repeated", f"{where}, column {i + 1}", "remove one of them"
                 )
-            places[name] = (i, _factor(name, unit, f"{where}, column {i + 1}") if unit else None)
-    present = {*names, *(parted(cell, list(theirs))[0] for cell in names)}
+            indices[name] = (i, _factor(name, unit, f"{where}, column {i + 1}") if unit else None)
+    present = {*names, *(parted(cell, list(key_by_name))[0] for cell in names)}
     missing = [name for name in columns.values() if name not in present]
     if missing:
         _refuse(
             f"expected the column {shown(missing[0])}, found none", where, nearest_name(missing[0], names)
         )
-    if "frequency" not in places:
-        standard_columns = [*NUMBERS, *(f"{SHAPE}{name}" for name in channels)]
-        meant: dict[str, str] = {}
+    if "frequency" not in indices:
+        standard_columns = [*NUMERIC_COLUMNS, *(f"{SHAPE}{name}" for name in channels)]
+        meanings: dict[str, str] = {}
         for cell in names:
-            meaning = worded(likely_meaning(cell, standard_columns, {*places, *meant}))[0]
-            meant |= {meaning: cell} if meaning else {}
-        likely = meant if "frequency" in meant else {"frequency": "f0", **meant}
+            meaning = worded(likely_meaning(cell, standard_columns, {*indices, *meanings}))[0]
+            meanings |= {meaning: cell} if meaning else {}
+        likely = meanings if "frequency" in meanings else {"frequency": "f0", **meanings}
         example = ", ".join(
             f"{shown(key) if ':' in key else key} = {shown(cell)}" for key, cell in likely.items()
         )
@@ -198,14 +201,14 @@ def _places(
             f"name it in the record: columns = {{ {example} }}; the table has {', '.join(map(shown, names))}"
         )
         _refuse("expected a column of frequencies, found none", where, remedy)
-    return places
+    return indices
 
 
 def _factor(name: str, unit: str, where: str) -> Decimal:
     try:
-        if NUMBERS.get(name) == "Hz":
+        if NUMERIC_COLUMNS.get(name) == "Hz":
             return frequency_factor(unit)
-        if name in NUMBERS:
+        if name in NUMERIC_COLUMNS:
             if unit != "%":
                 raise QuantityError(f"{shown(unit)} is not the unit of a ratio")
             return PER_CENT
@@ -214,16 +217,16 @@ def _factor(name: str, unit: str, where: str) -> Decimal:
         _refuse(str(error), where, "correct the unit")
 
 
-def _mode(
+def _mode_of_row(
     cells: list[str],
-    places: Mapping[str, tuple[int, Decimal | None]],
+    column_indices: Mapping[str, tuple[int, Decimal | None]],
     names: list[str],
     notation: TableNotation,
     where: str,
 ) -> ModeEstimate:
     values: dict[str, float] = {}
     shape: dict[str, complex] = {}
-    for name, (i, factor) in places.items():
+    for name, (i, factor) in column_indices.items():
         if name == "pose" or not cells[i]:
             continue
         value = notation.number(cells[i], factor)
@@ -236,10 +239,12 @@ def _mode(
             shape[name.removeprefix(SHAPE)] = complex(value)
         else:
             values[name] = value
-    place = f"{where}, column {names[places['frequency'][0]]}"
+    frequency_cell = f"{where}, column {names[column_indices['frequency'][0]]}"
     if values.get("frequency", 0.0) <= 0.0:
         _refuse(
-            f"expected a frequency above 0, found {shown(cells[places['frequency'][0]])}", place, "correct it"
+            f"expected a frequency above 0, found {shown(cells[column_indices['frequency'][0]])}",
+            frequency_cell,
+            "correct it",
         )
     for name in ("sigma", "sigma_damping", "sigma_shape"):
         if values.get(name, 1.0) <= 0.0:

@@ -1,8 +1,8 @@
 """Records of hammer blows in time: the functions of a file, or of all points over which a hammer roved.
 
-When the hammer roves and the sensors stay, the points hit become the shape's degrees of freedom and the sensors its
-references.  Their functions, though measured one after the other, are those of one structure, and are fitted
-together.
+When the hammer roves and the sensors stay in place, the points hit become the shape's degrees of freedom and the
+sensors its references.  Their functions, though measured one after the other, are those of one structure, and are
+fitted together.
 """
 
 from __future__ import annotations
@@ -18,15 +18,29 @@ from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.core.base.numbers import plain
 from pkmodes.core.support.ordering import listed
 from pkmodes.modaltest.campaign.campaign import Campaign, Record
-from pkmodes.modaltest.campaign.frequency_records import Responses, force_of_reference, frf_fit, remarks_on
+from pkmodes.modaltest.campaign.frequency_records import (
+    Responses,
+    fit_remarks,
+    fit_responses,
+    force_of_reference,
+)
 from pkmodes.modaltest.campaign.mode_estimates import NAMELESS, FileFit, FileModes
 from pkmodes.modaltest.campaign.roving import RovingPoint
-from pkmodes.modaltest.campaign.sensor_functions import in_file, signal_request
-from pkmodes.modaltest.campaign.sensors import Transducer, unsigned
-from pkmodes.modaltest.campaign.time_records import TimeSignals, time_signals, with_bridges, with_levels
+from pkmodes.modaltest.campaign.sensor_functions import errors_in_file, signal_request
+from pkmodes.modaltest.campaign.sensors import Transducer, without_sign
+from pkmodes.modaltest.campaign.time_records import (
+    TimeSignals,
+    fit_with_bridges,
+    modes_with_levels,
+    time_signals,
+)
 from pkmodes.modaltest.identification.estimates import Mode
-from pkmodes.modaltest.identification.frf_estimates import ImpactEstimate, impact_estimate, samples_of_blows
-from pkmodes.modaltest.signals.functions import MOST_NAMES
+from pkmodes.modaltest.identification.frf_estimates import (
+    ImpactEstimate,
+    impact_estimate,
+    shortest_blow_length,
+)
+from pkmodes.modaltest.signals.functions import MAX_NAMES
 from pkmodes.modaltest.signals.reading import read_signals
 
 Array = NDArray[np.float64]
@@ -54,7 +68,7 @@ def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> 
     names = () if blows.force is None else (blows.force.name,)
     file_modes = _modes([blows], names, record, campaign, blows.signals.source)
     unnamed = (blows.signals.force,) if not names and blows.signals.force not in NAMELESS else ()
-    names_in_file = blows.signals.names_in_file | set(map(unsigned, names))
+    names_in_file = blows.signals.names_in_file | set(map(without_sign, names))
     return replace(file_modes, names_in_file=names_in_file, unnamed=unnamed, forces=names)
 
 
@@ -75,7 +89,7 @@ def roving_modes(points: Mapping[str, RovingPoint], record: Record, campaign: Ca
     if not names:
         problem = "expected a sensor that is not silent at any point that was hit, found none"
         raise MeasurementError(problem, record.pose, "check the sensors and their cables")
-    files = [replace(file, signals=file.signals.of(names)) for file in files]
+    files = [replace(file, signals=file.signals.select(names)) for file in files]
     force_keys = [file.force.key for file in files if file.force is not None]
     return _modes(files, force_keys, record, campaign, record.pose, list(points.values()))
 
@@ -89,7 +103,7 @@ def _read_blows(path: Path, record: Record, setup: str, campaign: Campaign) -> _
     if not signals.forces:
         functions = read_signals(path, replace(signal_request(record), force=False)).functions
         names = list(dict.fromkeys(function.response for function in functions))
-        signal_names = listed([*map(shown, names)], MOST_NAMES)
+        signal_names = listed([*map(shown, names)], MAX_NAMES)
         remedy = f'state in the record which of {signal_names} it is, names = {{ force = "NAME" }}'
         remedy += ", or give its type in a universal file; without a force the kind is ambient"
         raise MeasurementError("expected a force, found none", signals.source, remedy)
@@ -126,14 +140,14 @@ def _modes(
 ) -> FileModes:
     """Return the modes of files of blows, with shapes at the named forces, or else at the sensors."""
     recordings = [file.signals for file in files]
-    fit, bridge_messages = with_bridges(
+    fit, bridge_messages = fit_with_bridges(
         lambda bridged: _fit(bridged, forces, record, campaign, source, points), recordings, source
     )
     messages = (*(message for recording in recordings for message in recording.messages), *bridge_messages)
     joint = replace(
         recordings[0], pieces=tuple(piece for recording in recordings for piece in recording.pieces)
     )
-    return with_levels(fit, messages, joint, record.exponential)
+    return modes_with_levels(fit, messages, joint, record.exponential)
 
 
 def _fit(
@@ -149,41 +163,41 @@ def _fit(
     messages = list[str]()
     lengths, values, estimates = list[int](), list[Complex](), list[ImpactEstimate]()
     for recording in recordings:
-        with in_file(recording.source):
-            lengths.append(samples_of_blows(step, recording.forces[0], hits))
+        with errors_in_file(recording.source):
+            lengths.append(shortest_blow_length(step, recording.forces[0], hits))
     for recording in recordings:
-        with in_file(recording.source):
+        with errors_in_file(recording.source):
             estimate = impact_estimate(
                 step,
                 recording.forces[0],
                 recording.pieces[0],
                 hits=hits,
                 exponential=record.exponential,
-                longest=min(lengths),
+                max_length=min(lengths),
             )
         messages += [f"{recording.source}: {message}" for message in estimate.messages]
         values.append(estimate.H * recording.as_accelerations(2j * np.pi * estimate.frequencies)[:, :, None])
         estimates.append(estimate)
-    last = estimates[-1]  # all have the same lines and averages
-    f, record_length = last.frequencies, float(1.0 / last.frequencies[1])
+    last_estimate = estimates[-1]  # all have the same lines and averages
+    f, record_length = last_estimate.frequencies, float(1.0 / last_estimate.frequencies[1])
     known_coherences = [estimate.coherence for estimate in estimates if estimate.coherence is not None]
     coherence = np.concatenate(known_coherences, axis=2) if len(known_coherences) == len(recordings) else None
     size_sigmas = [estimate.sigma_size for estimate in estimates]
     reference = recordings[0].force if len(recordings) == 1 else ""
     responses = Responses(f, np.concatenate(values, axis=2), coherence, sensors, (), (reference,))
     if forces:
-        responses = responses.roving(range(len(forces)), forces)
+        responses = responses.as_roving(range(len(forces)), forces)
     if points:
         changes = [
-            point.change(f, [force], sensors, record.exponential, record_length)
+            point.correction(f, [force], sensors, record.exponential, record_length)
             for point, force in zip(points, forces, strict=True)
         ]
         responses = replace(responses, values=responses.values + np.concatenate(changes, axis=1))
-    with in_file(source):
-        fit = frf_fit(responses, last.averages, record, campaign)
-    messages += remarks_on(fit, source)
+    with errors_in_file(source):
+        fit = fit_responses(responses, last_estimate.averages, record, campaign)
+    messages += fit_remarks(fit, source)
 
-    def with_full_decay(mode: Mode) -> Mode:
+    def to_full_decay(mode: Mode) -> Mode:
         # The record of a blow cuts off the decays; participations are those of complete ones.
         pole = mode.pole - (1.0 / record.exponential if record.exponential else 0.0)
         full_participation = np.asarray(mode.participation) / (1.0 - np.exp(pole * record_length))
@@ -194,4 +208,4 @@ def _fit(
             return replace(mode, sigma_shape=float(np.hypot(mode.sigma_shape, max(size_sigmas))))
         return replace(mode, sigma_size=float(np.hypot(mode.sigma_size, max(size_sigmas))))
 
-    return replace(fit, estimate=fit.estimate.changed(with_full_decay)), tuple(messages)
+    return replace(fit, estimate=fit.estimate.map_modes(to_full_decay)), tuple(messages)

@@ -17,9 +17,9 @@ from pkmodes.modaltest.identification.estimates import Stabilisation
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 #: Most functions of a file that are drawn.
-CURVES = 4
+MAX_CURVES = 4
 #: Parts of the band; the lines with the lowest and the highest value of each are drawn.
-PARTS = 180
+BAND_PARTS = 180
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,72 +76,74 @@ class Repeats:
     modes: tuple[Mapping[int, float], ...]
 
 
-def inspection(setup: str, file: str, further_files: int, fit: FileFit) -> Inspection:
+def inspect_fit(setup: str, file: str, further_files: int, fit: FileFit) -> Inspection:
     """Return what is drawn of the fit of one of several files."""
     estimate = fit.estimate
     f, (F, S, R) = estimate.frequencies, estimate.measured.shape
-    places = [
+    columns = [
         (s, r)
         for s in range(S)
         for r in range(R)
         if np.isfinite(estimate.measured[:, s, r]).all() and estimate.measured[:, s, r].any()
     ]
-    sizes = {place: np.abs(estimate.measured[:, place[0], place[1]]) for place in places}
+    magnitudes = {column: np.abs(estimate.measured[:, column[0], column[1]]) for column in columns}
     total = np.zeros(F)
-    for size in sizes.values():
-        total += size / np.sqrt(np.mean(size**2))
+    for magnitude in magnitudes.values():
+        total += magnitude / np.sqrt(np.mean(magnitude**2))
     modes = [*estimate.modes, *(mode for mode in estimate.added if not isinstance(mode, str))]
-    at = [int(np.argmin(np.abs(f - mode.frequency))) for mode in modes]
-    heights = np.array([size[at] / np.sqrt(np.mean(size**2)) for size in sizes.values()])
+    mode_lines = [int(np.argmin(np.abs(f - mode.frequency))) for mode in modes]
+    heights = np.array(
+        [magnitude[mode_lines] / np.sqrt(np.mean(magnitude**2)) for magnitude in magnitudes.values()]
+    )
     curves = []
-    for s, r in (places[k] for k in _chosen(heights)):
+    for s, r in (columns[k] for k in _select_functions(heights)):
         measured = estimate.measured[:, s, r]
-        drawn = thinned(np.abs(measured))
+        curve_lines = thin_indices(np.abs(measured))
         curves.append(
             InspectedFunction(
                 fit.responses[s] + (f" / {fit.references[r]}" if fit.references else ""),
-                f[drawn],
-                measured[drawn],
-                estimate.synthesised[drawn, s, r],
-                None if fit.coherence is None else fit.coherence[drawn, s, r],
+                f[curve_lines],
+                measured[curve_lines],
+                estimate.synthesised[curve_lines, s, r],
+                None if fit.coherence is None else fit.coherence[curve_lines, s, r],
             )
         )
-    shown = thinned(total)
+    total_lines = thin_indices(total)
     return Inspection(
         setup,
         file,
         further_files,
         estimate.stabilisation,
-        f[shown],
-        total[shown],
+        f[total_lines],
+        total[total_lines],
         tuple(curves),
-        len(places),
+        len(columns),
         estimate.tones,
     )
 
 
-def _chosen(heights: Array) -> list[int]:
+def _select_functions(heights: Array) -> list[int]:
     """Return the functions that together show the modes best, in ascending order.
 
     Greedy: each step takes the function that most raises the modes above the best of those already chosen.
 
     - heights: magnitude of each function at each mode, relative to its rms, (functions, modes)
     """
-    best, chosen = np.zeros(heights.shape[1:]), list[int]()
-    for _ in range(min(CURVES, len(heights))):
+    best, selected = np.zeros(heights.shape[1:]), list[int]()
+    for _ in range(min(MAX_CURVES, len(heights))):
         gain = np.log1p(np.maximum(heights, best)).sum(axis=1)
-        gain[chosen] = -1.0
+        gain[selected] = -1.0
         k = int(gain.argmax())
-        chosen.append(k)
+        selected.append(k)
         best = np.maximum(best, heights[k])
-    return sorted(chosen)
+    return sorted(selected)
 
 
-def thinned(values: Array) -> NDArray[np.int64]:
+def thin_indices(values: Array) -> NDArray[np.int64]:
     """Return the indices of the values (F,) that are drawn: the lowest and the highest of each of many parts."""
-    if len(values) <= 2 * PARTS:
+    if len(values) <= 2 * BAND_PARTS:
         return np.arange(len(values))
-    kept = {0, len(values) - 1}
-    for part in np.array_split(np.arange(len(values)), PARTS):
-        kept |= {int(part[values[part].argmin()]), int(part[values[part].argmax()])}
-    return np.array(sorted(kept))
+    indices = {0, len(values) - 1}
+    for part in np.array_split(np.arange(len(values)), BAND_PARTS):
+        indices |= {int(part[values[part].argmin()]), int(part[values[part].argmax()])}
+    return np.array(sorted(indices))

@@ -23,24 +23,24 @@ from pkmodes.modaltest.campaign.roving_functions import roving_frf_modes
 class RecordKind:
     """A kind of record.
 
-    - find: the modes of a file of a setup, their shapes by sensor or, if `by_channel`, by channel.  Raises
+    - find_modes: the modes of a file of a setup, their shapes by sensor or, if `by_channel`, by channel.  Raises
       `MeasurementError` for a faulty file.
     - signals: whether its files have signals, to which a mode can be fitted
-    - roving: the modes of one file of each setup, fitted together, where a hammer roved in front of sensors that
-      stayed.  Raises `MeasurementError` for a faulty file, and `ApartError` if they cannot be fitted together.
+    - fit_roving: the modes of one file of each setup, fitted together, where a hammer roved in front of sensors that
+      stayed.  Raises `MeasurementError` for a faulty file, and `SeparateFitError` if they cannot be fitted together.
     - forces: whether the forces of the campaign are in its files
     """
 
-    find: Callable[[Path, Record, str, Campaign], FileModes]
+    find_modes: Callable[[Path, Record, str, Campaign], FileModes]
     by_channel: bool = False
     signals: bool = True
-    roving: Callable[[Mapping[str, RovingPoint], Record, Campaign], FileModes] | None = None
+    fit_roving: Callable[[Mapping[str, RovingPoint], Record, Campaign], FileModes] | None = None
     forces: bool = False
 
 
 KINDS = {
-    "frf": RecordKind(frf_modes, roving=roving_frf_modes, forces=True),
-    "impact": RecordKind(impact_modes, roving=roving_modes, forces=True),
+    "frf": RecordKind(frf_modes, fit_roving=roving_frf_modes, forces=True),
+    "impact": RecordKind(impact_modes, fit_roving=roving_modes, forces=True),
     "ambient": RecordKind(ambient_modes),
     "spectrum": RecordKind(spectrum_modes),
     "modes": RecordKind(identified_modes, by_channel=True, signals=False),

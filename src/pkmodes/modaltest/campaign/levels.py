@@ -1,8 +1,8 @@
 """Frequencies that change with the level of excitation: while a vibration decays, and between files.
 
-Within a file the decays tell (`pkmodes.modaltest.identification.level`).  Repeats whose levels differ tell it as
-well: the logarithm of the frequency is regressed on that of the level, and Student's t decides, with the scatter
-about the regressions pooled over the modes of a record, as few repeats say little about their own.
+Within a file the decays show it (`pkmodes.modaltest.identification.level`), and so do repeats whose levels differ:
+the logarithm of the frequency is regressed on that of the level, and Student's t decides, with the scatter
+about the regressions pooled over the modes of a record, as a few repeats do not determine their own.
 """
 
 from __future__ import annotations
@@ -18,12 +18,12 @@ from scipy.stats import t as student
 from pkmodes.core.base.numbers import plain
 from pkmodes.loop.measured.amplitude import DIFFER
 from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate
-from pkmodes.modaltest.identification.level import FALSE_ALARM, LEAST, LevelShift
+from pkmodes.modaltest.identification.level import FALSE_ALARM, MIN_CHANGE, LevelShift
 
 Array = NDArray[np.float64]
 
 #: Fewest files for a regression.
-FEWEST = 3
+MIN_FILES = 3
 #: Weight of the pooled scatter against that of a single mode, in degrees of freedom: the value of Smyth (see
 #: `averaging`) for similar variances.
 PRIOR_DOF = 4.0
@@ -36,14 +36,14 @@ class _Regression:
     level: Array
     fitted: Array
     squares: float
-    of_fits: float
+    fit_variance: float
 
     @property
     def freedom(self) -> int:
         return len(self.level) - 2
 
 
-def between_files(groups: Sequence[Mapping[int, ModeEstimate]]) -> list[LevelShift | None]:
+def shifts_between_files(groups: Sequence[Mapping[int, ModeEstimate]]) -> list[LevelShift | None]:
     """Return, for each mode, how its frequency changes with the level of the files; None for no detectable change."""
     fits = [_regression(list(group.values())) for group in groups]
     usable = [fit for fit in fits if fit is not None]
@@ -54,34 +54,36 @@ def between_files(groups: Sequence[Mapping[int, ModeEstimate]]) -> list[LevelShi
 
 def _regression(modes: Sequence[ModeEstimate]) -> _Regression | None:
     """Return the regression of a mode over its files, None if their levels agree or are unknown."""
-    if len(modes) < FEWEST or not all(mode.level > 0.0 for mode in modes):
+    if len(modes) < MIN_FILES or not all(mode.level > 0.0 for mode in modes):
         return None
     level, f = (np.log([getattr(mode, name) for mode in modes]) for name in ("level", "frequency"))
     if np.ptp(level) < math.log(DIFFER):
         return None
     slope, constant = np.polyfit(level - level.mean(), f, 1)
     fitted = constant + slope * (level - level.mean())
-    of_fits = float(np.mean([(mode.sigma_frequency / mode.frequency) ** 2 for mode in modes]))
-    return _Regression(level, fitted, float(((f - fitted) ** 2).sum()), of_fits)
+    fit_variance = float(np.mean([(mode.sigma_frequency / mode.frequency) ** 2 for mode in modes]))
+    return _Regression(level, fitted, float(((f - fitted) ** 2).sum()), fit_variance)
 
 
 def _shift(fit: _Regression, pooled: float, freedom: int) -> LevelShift | None:
     high, low = math.exp(fit.fitted[fit.level.argmax()]), math.exp(fit.fitted[fit.level.argmin()])
-    worth = min(PRIOR_DOF, freedom) if freedom > fit.freedom else 0.0
-    variance = (worth * pooled + fit.squares) / (worth + fit.freedom)
-    t = math.sqrt(float(((fit.fitted - fit.fitted.mean()) ** 2).sum()) / max(variance, fit.of_fits, 1e-300))
+    prior_dof = min(PRIOR_DOF, freedom) if freedom > fit.freedom else 0.0
+    variance = (prior_dof * pooled + fit.squares) / (prior_dof + fit.freedom)
+    t = math.sqrt(
+        float(((fit.fitted - fit.fitted.mean()) ** 2).sum()) / max(variance, fit.fit_variance, 1e-300)
+    )
     shift = LevelShift(high, low, math.exp(float(np.ptp(fit.level))))
-    sure = 2.0 * student.sf(t, worth + fit.freedom) < FALSE_ALARM
-    return shift if sure and shift.spread > LEAST * low else None
+    significant = 2.0 * student.sf(t, prior_dof + fit.freedom) < FALSE_ALARM
+    return shift if significant and shift.spread > MIN_CHANGE * low else None
 
 
-def widest(shifts: Sequence[LevelShift | None]) -> LevelShift | None:
+def largest_shift(shifts: Sequence[LevelShift | None]) -> LevelShift | None:
     """Return the change with the largest spread, None for none."""
     changes = [shift for shift in shifts if shift is not None]
     return max(changes, key=lambda shift: shift.spread, default=None)
 
 
-def with_half(sigma: float, shift: LevelShift | None) -> float:
+def add_half_spread(sigma: float, shift: LevelShift | None) -> float:
     """Return a standard deviation with half the spread of a change added in quadrature [Hz]."""
     return sigma if shift is None else math.hypot(sigma, 0.5 * shift.spread)
 
@@ -93,7 +95,7 @@ def level_messages(pose: str, mode: ModeEstimate) -> list[str]:
         f"while {falls} {plain(shift.fall, 2)}-fold; half the difference is in sigma"
         for shift, falls in (
             (mode.shift, "its amplitude falls"),
-            (mode.between, "the level of the files falls"),
+            (mode.shift_between_files, "the level of the files falls"),
         )
         if shift is not None
     ]

@@ -12,21 +12,21 @@ from pkmodes.core.base.numbers import plain
 from pkmodes.modaltest.campaign.averaging import mean_modes
 from pkmodes.modaltest.campaign.boards import UnknownOffsetError
 from pkmodes.modaltest.campaign.campaign import Campaign, Record
-from pkmodes.modaltest.campaign.copies import copied_repeats
-from pkmodes.modaltest.campaign.edits import added_group, check_asked, refuse_added
-from pkmodes.modaltest.campaign.grouping import grouped
-from pkmodes.modaltest.campaign.inspection import Inspection, Repeats, inspection
-from pkmodes.modaltest.campaign.joining import joined_setups
+from pkmodes.modaltest.campaign.copies import copy_messages
+from pkmodes.modaltest.campaign.edits import check_requests, refuse_request, select_requested
+from pkmodes.modaltest.campaign.grouping import group_modes
+from pkmodes.modaltest.campaign.inspection import Inspection, Repeats, inspect_fit
+from pkmodes.modaltest.campaign.joining import join_setups
 from pkmodes.modaltest.campaign.kinds import RecordKind
-from pkmodes.modaltest.campaign.missing import Places, lacking, places_in, unnamed
+from pkmodes.modaltest.campaign.missing import Presence, missing_messages, presence_in_file, unnamed_messages
 from pkmodes.modaltest.campaign.mode_estimates import FileModes, ModeEstimate
 from pkmodes.modaltest.campaign.results import LeftOut
-from pkmodes.modaltest.campaign.roving import RovingPoint, change_of, points_of
-from pkmodes.modaltest.campaign.roving_functions import ApartError
-from pkmodes.modaltest.identification.asked import NEAR
+from pkmodes.modaltest.campaign.roving import RovingPoint, estimate_change, match_repeats
+from pkmodes.modaltest.campaign.roving_functions import SeparateFitError
+from pkmodes.modaltest.identification.requested_modes import SAME_MODE_TOLERANCE
 
 #: Least share of the repeats in which a mode must be found.
-OFTEN = 0.5
+MIN_REPEAT_SHARE = 0.5
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,7 +35,7 @@ class MeasuredRecord:
 
     - modes, added: the modes found, and those that the user adds, in the order of the requested frequencies
     - inspections: of the first file of each setup, if requested
-    - places: the files of each setup, each with whether it has the sensors and forces that it should have
+    - presence: the files of each setup, each with whether it has the sensors and forces that it should have
     - log: messages about the record; each step writes to it
     """
 
@@ -45,32 +45,32 @@ class MeasuredRecord:
     left_out: Sequence[LeftOut]
     inspections: Sequence[Inspection]
     repeats: Sequence[Repeats]
-    places: Sequence[Sequence[tuple[Path, Places]]]
+    presence: Sequence[Sequence[tuple[Path, Presence]]]
     log: list[str]
 
 
 @dataclass(frozen=True, eq=False)
 class _Setup:
-    """The readable files of a setup, and those left out; `places` as in `MeasuredRecord`."""
+    """The readable files of a setup, and those left out; `presence` as in `MeasuredRecord`."""
 
     names: Sequence[str]
     file_modes: Sequence[FileModes]
     left_out: Sequence[LeftOut]
     inspection: Inspection | None
-    places: Sequence[Sequence[tuple[Path, Places]]] = ()
+    presence: Sequence[Sequence[tuple[Path, Presence]]] = ()
 
     @property
-    def least(self) -> float:
+    def min_files(self) -> float:
         """Number of files in which a mode must be found."""
-        return max(1.0, OFTEN * len(self.file_modes))
+        return max(1.0, MIN_REPEAT_SHARE * len(self.file_modes))
 
     def groups(self) -> list[dict[int, ModeEstimate]]:
         """Return the modes that are found often enough, each by the files in which it was found."""
-        groups = grouped([file.modes for file in self.file_modes])
-        return [group for group in groups if len(group) >= self.least]
+        groups = group_modes([file.modes for file in self.file_modes])
+        return [group for group in groups if len(group) >= self.min_files]
 
 
-def measured(
+def measure_record(
     record: Record, kind: RecordKind, campaign: Campaign, keep_going: bool, inspect: bool = False
 ) -> MeasuredRecord:
     """Return the modes of a record.
@@ -80,15 +80,15 @@ def measured(
 
     Raises MeasurementError if a file is faulty, or a mode that the user requests cannot be added.
     """
-    check_asked(campaign.asked(record), record, kind, campaign.source)
-    log = copied_repeats(record)
+    check_requests(campaign.edits_of(record), record, kind, campaign.source)
+    log = copy_messages(record)
     try:
         setups = _read_setups(record, kind, campaign, keep_going, inspect, log)
     except UnknownOffsetError as error:
         record = replace(record, clocks={})
         log.insert(0, f"{record.pose}: each board is identified alone, with no phase between them: {error}")
         setups = _read_setups(record, kind, campaign, keep_going, inspect, log)
-    return _averaged_record(record, setups, campaign, log)
+    return _average_record(record, setups, campaign, log)
 
 
 def _read_setups(
@@ -99,36 +99,40 @@ def _read_setups(
     - log: unchanged if a file is refused, so that the record can be read in another way
     """
     setups, messages = dict[str, _Setup](), list[str]()
-    for name, paths in record.separate.items():
-        files = {str(path): partial(_find, path, record, name, kind, campaign) for path in paths}
-        setup = _read(name, files, record, campaign, keep_going, inspect, messages)
-        left_out = {faulty.file for faulty in setup.left_out}
-        read = [path for path in paths if str(path) not in left_out]
-        has = [places_in(file.names_in_file, record, name, kind, campaign) for file in setup.file_modes]
-        setups[name] = replace(setup, places=[list(zip(read, has, strict=True))])
-    if kind.roving is not None:
-        setups = _together(setups, kind.roving, record, campaign, keep_going, inspect, messages)
+    for name, paths in record.independent_setups.items():
+        files = {str(path): partial(_find_modes, path, record, name, kind, campaign) for path in paths}
+        setup = _read_files(name, files, record, campaign, keep_going, inspect, messages)
+        faulty_files = {faulty.file for faulty in setup.left_out}
+        readable = [path for path in paths if str(path) not in faulty_files]
+        presence = [
+            presence_in_file(file.names_in_file, record, name, kind, campaign) for file in setup.file_modes
+        ]
+        setups[name] = replace(setup, presence=[list(zip(readable, presence, strict=True))])
+    if kind.fit_roving is not None:
+        setups = _merge_roving_setups(
+            setups, kind.fit_roving, record, campaign, keep_going, inspect, messages
+        )
     log += messages
     return setups
 
 
-def _find(path: Path, record: Record, setup: str, kind: RecordKind, campaign: Campaign) -> FileModes:
+def _find_modes(path: Path, record: Record, setup: str, kind: RecordKind, campaign: Campaign) -> FileModes:
     """Return the modes of a file, by the keys of its sensors and forces, which are unique over all setups."""
-    file_modes = kind.find(path, record, setup, campaign)
+    file_modes = kind.find_modes(path, record, setup, campaign)
     if kind.by_channel:
         return file_modes
-    places = {**campaign.forces_in(setup), **campaign.sensors_in(setup)}
-    keys = {name: place.key for name, place in places.items()}
+    transducers = {**campaign.forces_in(setup), **campaign.sensors_in(setup)}
+    keys = {name: transducer.key for name, transducer in transducers.items()}
 
     def by_key(components: Mapping[str, complex]) -> dict[str, complex]:
         return {keys.get(name, name): value for name, value in components.items()}
 
-    return file_modes.changed(
+    return file_modes.map_modes(
         lambda mode: replace(mode, shape=by_key(mode.shape), participation=by_key(mode.participation))
     )
 
 
-def _read(
+def _read_files(
     setup: str,
     files: Mapping[str, Callable[[], FileModes]],
     record: Record,
@@ -138,19 +142,19 @@ def _read(
     log: list[str],
 ) -> _Setup:
     """Return the modes in each readable file of a setup; `files` are the functions that read them, by name."""
-    results, read, left_out = list[FileModes](), list[str](), list[LeftOut]()
-    drawn: Inspection | None = None
+    results, names, left_out = list[FileModes](), list[str](), list[LeftOut]()
+    first_inspection: Inspection | None = None
     low, high = record.band
-    for name, find in files.items():
+    for name, find_modes in files.items():
         try:
-            file_modes = find()
+            file_modes = find_modes()
         except MeasurementError as error:
             if not keep_going:
                 raise
             left_out.append(LeftOut(name, f"{error.what} ({error.where})"))
             continue
         if inspect and file_modes.fit is not None and not results:
-            drawn = inspection(setup, Path(name).name, len(files) - 1, file_modes.fit)
+            first_inspection = inspect_fit(setup, Path(name).name, len(files) - 1, file_modes.fit)
         added = tuple(
             candidate
             if isinstance(candidate, str) or low <= candidate.frequency <= high
@@ -158,31 +162,33 @@ def _read(
             for candidate in file_modes.added
         )
         modes = [*file_modes.modes, *(candidate for candidate in added if not isinstance(candidate, str))]
-        beside = [
+        tone_pairs = [
             (mode.frequency, max(1, round(mode.frequency / tone)) * tone)
             for mode in modes
             for tone in campaign.tones
         ]
-        outside = [mode.frequency for mode in file_modes.modes if not low <= mode.frequency <= high]
+        frequencies_outside = [
+            mode.frequency for mode in file_modes.modes if not low <= mode.frequency <= high
+        ]
         log += file_modes.messages
         log += [
             f"{name}: the mode at {frequency:.4g} Hz lies beside the tone at {multiple:.4g} Hz"
-            for frequency, multiple in beside
-            if abs(frequency / multiple - 1.0) <= NEAR
+            for frequency, multiple in tone_pairs
+            if abs(frequency / multiple - 1.0) <= SAME_MODE_TOLERANCE
         ]
-        if outside:
-            listing = ", ".join(f"{frequency:.4g}" for frequency in outside)
+        if frequencies_outside:
+            listing = ", ".join(f"{frequency:.4g}" for frequency in frequencies_outside)
             log.append(f"{name}: outside the band, left out: {listing} Hz")
-        inside = tuple(mode for mode in file_modes.modes if low <= mode.frequency <= high)
+        in_band = tuple(mode for mode in file_modes.modes if low <= mode.frequency <= high)
         # The functions of a fit may be large.
-        results.append(replace(file_modes, modes=inside, added=added, fit=None))
-        read.append(Path(name).name)
-    return _Setup(read, results, left_out, drawn)
+        results.append(replace(file_modes, modes=in_band, added=added, fit=None))
+        names.append(Path(name).name)
+    return _Setup(names, results, left_out, first_inspection)
 
 
-def _together(
+def _merge_roving_setups(
     setups: dict[str, _Setup],
-    roving: Callable[[Mapping[str, RovingPoint], Record, Campaign], FileModes],
+    fit_roving: Callable[[Mapping[str, RovingPoint], Record, Campaign], FileModes],
     record: Record,
     campaign: Campaign,
     keep_going: bool,
@@ -194,22 +200,24 @@ def _together(
     - messages: about the single files; those about the joint fit replace them
     """
     files = {
-        name: {path: file for (path, _), file in zip(setup.places[0], setup.file_modes, strict=True)}
+        name: {path: file for (path, _), file in zip(setup.presence[0], setup.file_modes, strict=True)}
         for name, setup in setups.items()
         if setup.file_modes
     }
-    points = points_of(files, campaign)
+    points = match_repeats(files, campaign)
     if not points:
         return setups
-    change = change_of({name: mean_modes(setups[name].groups()) for name in files})
-    apart = plain(100.0 * change.apart, 2)
-    differ = f"{record.pose}: the frequencies differ by {apart} % between the points that were hit"
-    if change.apart > change.allowed:
-        messages.insert(0, f"{differ}: each point is fitted by itself")
+    change = estimate_change({name: mean_modes(setups[name].groups()) for name in files})
+    difference = plain(100.0 * change.difference, 2)
+    difference_message = (
+        f"{record.pose}: the frequencies differ by {difference} % between the points that were hit"
+    )
+    if change.difference > change.allowed:
+        messages.insert(0, f"{difference_message}: each point is fitted by itself")
         return setups
-    runs = {
+    readers = {
         f"{record.pose}, file {i} of each setup": partial(
-            roving,
+            fit_roving,
             {
                 name: RovingPoint(path, files[name][path].modes, change.factors[name])
                 for name, path in paths.items()
@@ -220,32 +228,36 @@ def _together(
         for i, paths in enumerate(points, start=1)
     }
     joint_messages = (
-        [f"{differ}: half of it is in sigma"] if change.apart > (campaign.repeatability or 0.0) else []
+        [f"{difference_message}: half of it is in sigma"]
+        if change.difference > (campaign.repeatability or 0.0)
+        else []
     )
     surplus = [path.name for paths in files.values() for path in list(paths)[len(points) :]]
     if surplus:
-        few = "one file" if len(points) == 1 else f"{len(points)} files"
-        joint_messages.append(f"{record.pose}: not used, as some point has only {few}: {', '.join(surplus)}")
+        file_count = "one file" if len(points) == 1 else f"{len(points)} files"
+        joint_messages.append(
+            f"{record.pose}: not used, as some point has only {file_count}: {', '.join(surplus)}"
+        )
     try:
-        joint = _read("", runs, record, campaign, keep_going, inspect, joint_messages)
-    except ApartError as error:
+        joint = _read_files("", readers, record, campaign, keep_going, inspect, joint_messages)
+    except SeparateFitError as error:
         messages.insert(0, f"{record.pose}: each point is fitted by itself: {error}")
         return setups
     messages[:] = joint_messages
     merged = replace(
         joint,
-        file_modes=[file.changed(change.on) for file in joint.file_modes],
+        file_modes=[file.map_modes(change.add_to_sigma) for file in joint.file_modes],
         left_out=[faulty for setup in (*setups.values(), joint) for faulty in setup.left_out],
-        places=[files for setup in setups.values() for files in setup.places],
+        presence=[files for setup in setups.values() for files in setup.presence],
     )
     return {"": merged}
 
 
-def _averaged_record(
+def _average_record(
     record: Record, setups: Mapping[str, _Setup], campaign: Campaign, log: list[str]
 ) -> MeasuredRecord:
     """Average the modes of each setup over its repeats, and join the setups; likewise for modes that users add."""
-    requested = campaign.asked(record).add
+    requested = campaign.edits_of(record).add
     modes: dict[str, list[ModeEstimate]] = {}
     added: dict[float, dict[str, ModeEstimate | str]] = {frequency: {} for frequency in requested}
     repeats: list[Repeats] = []
@@ -254,7 +266,7 @@ def _averaged_record(
             continue
         groups, added_groups = setup.groups(), dict[float, dict[int, ModeEstimate]]()
         for i, frequency in enumerate(requested):
-            group = added_group([file.added[i] for file in setup.file_modes], frequency, setup.least)
+            group = select_requested([file.added[i] for file in setup.file_modes], frequency, setup.min_files)
             if isinstance(group, str):
                 added[frequency][name] = group
             else:
@@ -266,32 +278,34 @@ def _averaged_record(
             added[frequency][name] = mode
         frequencies = [{i: mode.frequency for i, mode in sorted(group.items())} for group in all_groups]
         repeats.append(Repeats(name, tuple(setup.names), tuple(frequencies)))
-    single = [name for name, setup in setups.items() if len(setup.file_modes) == 1]
-    if single:
-        which = "each setup" if len(single) == len(setups) else ", ".join(single)
-        of = f" of {which}" if len(setups) > 1 else ""
-        log.append(f"{record.pose}: a single file{of}: the scatter of repeats is unknown")
-    places = [files for setup in setups.values() for files in setup.places]
-    log += lacking(record.pose, places)
-    log += unnamed(record.pose, [file for setup in setups.values() for file in setup.file_modes], campaign)
+    unrepeated = [name for name, setup in setups.items() if len(setup.file_modes) == 1]
+    if unrepeated:
+        setup_names = "each setup" if len(unrepeated) == len(setups) else ", ".join(unrepeated)
+        of_setups = f" of {setup_names}" if len(setups) > 1 else ""
+        log.append(f"{record.pose}: a single file{of_setups}: the scatter of repeats is unknown")
+    presence = [files for setup in setups.values() for files in setup.presence]
+    log += missing_messages(record.pose, presence)
+    log += unnamed_messages(
+        record.pose, [file for setup in setups.values() for file in setup.file_modes], campaign
+    )
     repeatability = campaign.repeatability or 0.0
     return MeasuredRecord(
         record,
-        joined_setups(modes, record.pose, repeatability, log) if modes else [],
+        join_setups(modes, record.pose, repeatability, log) if modes else [],
         [
-            _joined(frequency, by_setup, record, campaign, log)
+            _join_requested(frequency, by_setup, record, campaign, log)
             for frequency, by_setup in added.items()
             if modes
         ],
         [faulty for setup in setups.values() for faulty in setup.left_out],
         [setup.inspection for setup in setups.values() if setup.inspection is not None],
         repeats,
-        places,
+        presence,
         log,
     )
 
 
-def _joined(
+def _join_requested(
     frequency: float,
     by_setup: Mapping[str, ModeEstimate | str],
     record: Record,
@@ -302,6 +316,6 @@ def _joined(
     fitted = {setup: [mode] for setup, mode in by_setup.items() if not isinstance(mode, str)}
     if not fitted:
         reason = next(reason for reason in by_setup.values() if isinstance(reason, str))
-        refuse_added(frequency, f"{reason} ({record.pose})", campaign.source)
-    modes = joined_setups(fitted, record.pose, campaign.repeatability or 0.0, log)
+        refuse_request(frequency, f"{reason} ({record.pose})", campaign.source)
+    modes = join_setups(fitted, record.pose, campaign.repeatability or 0.0, log)
     return min(modes, key=lambda mode: abs(mode.frequency - frequency))

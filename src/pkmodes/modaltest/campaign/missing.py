@@ -14,18 +14,18 @@ from pkmodes.modaltest.campaign.campaign import Campaign, Record
 from pkmodes.modaltest.campaign.kinds import RecordKind
 from pkmodes.modaltest.campaign.mode_estimates import FileModes
 from pkmodes.modaltest.campaign.sensor_functions import signal_request
-from pkmodes.modaltest.campaign.sensors import MotionSensor, Transducer, unsigned
+from pkmodes.modaltest.campaign.sensors import MotionSensor, Transducer, without_sign
 from pkmodes.modaltest.signals.reading import read_signals
 
 #: Whether a file has each place that it should have, a sensor or a force, by its label.
-Places = Mapping[str, bool]
+Presence = Mapping[str, bool]
 #: Most names in a file that an error shows.
-MOST = 6
+MAX_NAMES = 6
 
 
-def places_in(
+def presence_in_file(
     names_in_file: frozenset[str] | None, record: Record, setup: str, kind: RecordKind, campaign: Campaign
-) -> Places:
+) -> Presence:
     """Return whether a file has the places that apply to its setup; empty for a file that needs none.
 
     - names_in_file: names in the file: `FileModes.names_in_file`
@@ -39,28 +39,34 @@ def places_in(
         for sensor in campaign.sensors
         if sensor.setup in record.clocks
     }
-    return presence | {_label(force): unsigned(name) in names_in_file for name, force in forces.items()}
+    return presence | {_label(force): without_sign(name) in names_in_file for name, force in forces.items()}
 
 
-def _label(place: Transducer) -> str:
-    return f"the {'sensor' if isinstance(place, MotionSensor) else 'force'} {shown(place.key)}"
+def _label(transducer: Transducer) -> str:
+    return f"the {'sensor' if isinstance(transducer, MotionSensor) else 'force'} {shown(transducer.key)}"
 
 
-def lacking(pose: str, setups: Sequence[Sequence[tuple[Path, Places]]]) -> list[str]:
+def missing_messages(pose: str, setups: Sequence[Sequence[tuple[Path, Presence]]]) -> list[str]:
     """Return messages about what the files of a record lack."""
-    all_places = [places for files in setups for _, places in files]
-    labels = list(dict.fromkeys(label for places in all_places for label in places))
-    nowhere = [label for label in labels if not any(places.get(label) for places in all_places)]
-    messages = [f"{pose}: none of its files has {joined(nowhere, 'or')} of the campaign"] if nowhere else []
+    all_presence = [presence for files in setups for _, presence in files]
+    labels = list(dict.fromkeys(label for presence in all_presence for label in presence))
+    missing_everywhere = [
+        label for label in labels if not any(presence.get(label) for presence in all_presence)
+    ]
+    messages = (
+        [f"{pose}: none of its files has {joined(missing_everywhere, 'or')} of the campaign"]
+        if missing_everywhere
+        else []
+    )
     for files in setups:
-        present = {label for _, places in files for label, has in places.items() if has}
-        for path, places in files:
-            absent = [label for label, has in places.items() if not has and label in present]
+        present = {label for _, presence in files for label, is_present in presence.items() if is_present}
+        for path, presence in files:
+            absent = [label for label, is_present in presence.items() if not is_present and label in present]
             messages += [f"{path}: it lacks {joined(absent)}, which its repeats have"] if absent else []
     return messages
 
 
-def unnamed(pose: str, files: Sequence[FileModes], campaign: Campaign) -> list[str]:
+def unnamed_messages(pose: str, files: Sequence[FileModes], campaign: Campaign) -> list[str]:
     """Return a message about references that no force names, if a hammer may have roved over them."""
     names = list(dict.fromkeys(name for file in files for name in file.unnamed))
     sensors = {sensor.name for sensor in campaign.sensors} & {
@@ -74,43 +80,53 @@ def unnamed(pose: str, files: Sequence[FileModes], campaign: Campaign) -> list[s
     ]
 
 
-def refuse_missing(files: Sequence[tuple[Record, Path, Places]], campaign: Campaign) -> None:
+def refuse_missing(files: Sequence[tuple[Record, Path, Presence]], campaign: Campaign) -> None:
     """Refuse a sensor or force that is in no file of the campaign.
 
     Raises MeasurementError with the names in the files of the first record that should have it.
     """
-    places = {**_numbered("sensor", campaign.sensors), **_numbered("force", campaign.forces)}
-    for where, place in places.items():
-        label = _label(place)
-        wanting = [(record, path) for record, path, has in files if label in has]
-        if not wanting or any(has.get(label) for _, _, has in files):
+    transducers = {**_numbered("sensor", campaign.sensors), **_numbered("force", campaign.forces)}
+    for where, transducer in transducers.items():
+        label = _label(transducer)
+        expecting = [(record, path) for record, path, presence in files if label in presence]
+        if not expecting or any(presence.get(label) for _, _, presence in files):
             continue
-        first = wanting[0][0]
-        main_paths = [path for record, path in wanting if record is first]
-        beside = [path for main_path in main_paths for path in first.beside(main_path).values()]
-        paths = first.setups[place.setup] if place.setup is not None else [*main_paths, *beside]
-        of_sensors = isinstance(place, MotionSensor)
-        names = list(dict.fromkeys(name for path in paths for name in _names(path, first, of_sensors)))
-        listing = listed([shown(name) for name in names], MOST) or "none"
-        new = [name for name in names if name not in {place.name for place in places.values()}]
+        first = expecting[0][0]
+        main_paths = [path for record, path in expecting if record is first]
+        simultaneous_paths = [
+            path for main_path in main_paths for path in first.simultaneous_files(main_path).values()
+        ]
+        paths = (
+            first.setups[transducer.setup]
+            if transducer.setup is not None
+            else [*main_paths, *simultaneous_paths]
+        )
+        is_sensor = isinstance(transducer, MotionSensor)
+        names = list(dict.fromkeys(name for path in paths for name in _names(path, first, is_sensor)))
+        listing = listed([shown(name) for name in names], MAX_NAMES) or "none"
+        unused_names = [
+            name for name in names if name not in {transducer.name for transducer in transducers.values()}
+        ]
         problem = f"expected {label} in a file, found {listing} in those of {first.pose}"
-        remedy = nearest_name(place.name, new, "correct the name, or remove it from the campaign")
-        if not names and not of_sensors:
+        remedy = nearest_name(
+            transducer.name, unused_names, "correct the name, or remove it from the campaign"
+        )
+        if not names and not is_sensor:
             remedy = (
                 "these files do not name their force: give each [[force]] the setup in which it acts alone"
             )
         raise MeasurementError(problem, f"{campaign.source}: {where}.name", remedy)
 
 
-def _numbered(kind: str, places: Sequence[Transducer]) -> dict[str, Transducer]:
-    return {f"{kind}.{i}": place for i, place in enumerate(places, start=1)}
+def _numbered(kind: str, transducers: Sequence[Transducer]) -> dict[str, Transducer]:
+    return {f"{kind}.{i}": transducer for i, transducer in enumerate(transducers, start=1)}
 
 
 def _names(path: Path, record: Record, sensors: bool) -> Iterator[str]:
     """Yield the names of the sensors in a file, or of the forces and references."""
-    read = read_signals(path, signal_request(record))
-    for function in read.functions:
+    file = read_signals(path, signal_request(record))
+    for function in file.functions:
         name = function.response if sensors or function.force else function.reference
         if name and not (sensors and function.force):
             yield name
-    yield from (name for mode in read.modes for name in mode.shape if sensors)
+    yield from (name for mode in file.modes for name in mode.shape if sensors)

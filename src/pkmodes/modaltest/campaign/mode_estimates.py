@@ -13,7 +13,7 @@ from pkmodes.core.robot.units import LARGEST, SMALLEST
 from pkmodes.modaltest.identification.estimates import Estimate, Mode, complex_mac
 from pkmodes.modaltest.identification.level import LevelShift
 
-#: References that do not say where the force acts: it may act at a different place in each setup.
+#: Names of references that do not identify the point of the force: it may differ between setups.
 NAMELESS = ("", "force")
 
 
@@ -29,7 +29,7 @@ class ModeEstimate:
       none
     - sigma_shape: likewise for a component of the shape, relative to the largest one; NaN where unknown
     - found_in: number of model orders in which it was found, and their total
-    - resolution: spacing below which the file cannot tell two modes apart [Hz]
+    - resolution: spacing below which the file does not resolve two modes [Hz]
     - level: of its vibration in the file; NaN where unknown
     - shift: how the frequency changes with the level within the file; over several files, the largest change
     - participation: by named reference: its product with the shape is the residue, an acceleration per force
@@ -40,7 +40,7 @@ class ModeEstimate:
     - shape_scatter: likewise of a component of the shape, relative to the largest
     - variance: unbiased variance of the mean of ln f from the scatter; `scatter` is larger, as few repeats estimate
       it badly
-    - between: how the frequency changes with the level of the files
+    - shift_between_files: how the frequency changes with the level of the files
     - files: indices of those over which it is the mean; empty for a mode of one file
     """
 
@@ -60,7 +60,7 @@ class ModeEstimate:
     damping_scatter: float = np.nan
     shape_scatter: float = np.nan
     variance: float = np.nan
-    between: LevelShift | None = None
+    shift_between_files: LevelShift | None = None
     files: tuple[int, ...] = ()
 
 
@@ -123,7 +123,7 @@ class FileModes:
     unnamed: tuple[str, ...] = ()
     forces: tuple[str, ...] = ()
 
-    def changed(self, change: Callable[[ModeEstimate], ModeEstimate]) -> FileModes:
+    def map_modes(self, change: Callable[[ModeEstimate], ModeEstimate]) -> FileModes:
         """Return it with `change` applied to each mode, including those the user requested."""
         added = tuple(
             candidate if isinstance(candidate, str) else change(candidate) for candidate in self.added
@@ -131,7 +131,7 @@ class FileModes:
         return replace(self, modes=tuple(map(change, self.modes)), added=added)
 
 
-def estimate_of(mode: Mode, names: Sequence[str], references: Sequence[str] = ()) -> ModeEstimate:
+def to_mode_estimate(mode: Mode, names: Sequence[str], references: Sequence[str] = ()) -> ModeEstimate:
     """Return a fitted mode with its shape by name, as accelerations, and its participations by reference."""
     shape = {
         name: complex(value) for name, value in zip(names, mode.shape, strict=True) if np.isfinite(value)
@@ -150,20 +150,21 @@ def estimate_of(mode: Mode, names: Sequence[str], references: Sequence[str] = ()
     )
 
 
-def modes_of_fit(
+def modes_from_fit(
     fit: FileFit,
     messages: Sequence[str],
     names_in_file: frozenset[str],
     convert: Callable[[Mode], ModeEstimate] | None = None,
 ) -> FileModes:
-    """Return the modes of a file from its fit; `convert` makes each fitted mode one of the file, as `estimate_of`."""
-    made = convert or (lambda mode: estimate_of(mode, fit.responses, fit.references))
+    """Return the modes of a file from its fit; `convert` takes the place of `to_mode_estimate`."""
+    to_estimate = convert or (lambda mode: to_mode_estimate(mode, fit.responses, fit.references))
     return FileModes(
-        tuple(made(mode) for mode in fit.estimate.modes),
+        tuple(to_estimate(mode) for mode in fit.estimate.modes),
         tuple(messages),
         names_in_file,
         tuple(
-            candidate if isinstance(candidate, str) else made(candidate) for candidate in fit.estimate.added
+            candidate if isinstance(candidate, str) else to_estimate(candidate)
+            for candidate in fit.estimate.added
         ),
         fit,
     )

@@ -1,4 +1,4 @@
-"""What a sensor measures: a linear or angular displacement, velocity or acceleration, in a unit."""
+"""The motion that a sensor measures: a linear or angular displacement, velocity or acceleration, in a unit."""
 
 from __future__ import annotations
 
@@ -22,34 +22,34 @@ class Motion:
     - factor: to SI units
     - derivative: 0 for a displacement, 1 for a velocity, 2 for an acceleration
     - unit: as stated
-    - of_volts: whether the numbers are volts, and `unit` is a sensitivity
+    - from_volts: whether the numbers are volts, and `unit` is a sensitivity
     """
 
     factor: float
     derivative: int
     angular: bool
     unit: str
-    of_volts: bool = False
+    from_volts: bool = False
 
 
-def motion(unit: str, where: str) -> Motion:
+def parse_motion(unit: str, where: str) -> Motion:
     """Return the motion that a unit measures.
 
     Raises MeasurementError if it is not a unit of displacement, velocity or acceleration.
     """
     try:
-        factor, powers = base(unit, where)
-        return _of(factor, powers, unit, where)
+        factor, powers = base_factor(unit, where)
+        return _motion_from_powers(factor, powers, unit, where)
     except MeasurementError as error:
-        if (meant := meant_as(unit, "m/s^2")) is None:
+        if (suggested_unit := meant_as(unit, "m/s^2")) is None:
             raise
-        raise MeasurementError(error.what, where, f'write "{meant}"') from None
+        raise MeasurementError(error.what, where, f'write "{suggested_unit}"') from None
 
 
 def motion_or_none(unit: str) -> Motion | None:
     """Return the motion that a unit measures, None if it measures none."""
     try:
-        return motion(unit, "")
+        return parse_motion(unit, "")
     except MeasurementError:
         return None
 
@@ -68,18 +68,18 @@ def motion_of_voltage(sensitivity: str, where: str) -> Motion:
     if match is None or value == 0.0:
         problem = f'expected a sensitivity such as "100 mV/g0", found {shown(sensitivity)}'
         raise MeasurementError(problem, where, "give the volts per unit of the motion")
-    factor, powers = base(match[2], where)
+    factor, powers = base_factor(match[2], where)
     volt, of_volt = base_units("V")
     remaining = {name: float(str(power)) for name, power in of_volt.items()}
     for name, power in powers.items():
         remaining[name] = remaining.get(name, 0.0) - power
-    measured = _of(
+    measured = _motion_from_powers(
         float(volt) / (value * factor), {n: p for n, p in remaining.items() if p}, sensitivity, where
     )
-    return replace(measured, of_volts=True)
+    return replace(measured, from_volts=True)
 
 
-def base(unit: str, where: str) -> tuple[float, dict[str, float]]:
+def base_factor(unit: str, where: str) -> tuple[float, dict[str, float]]:
     """Return a unit's factor to base units (gram for mass), and their powers; ``g`` is standard gravity.
 
     Raises MeasurementError if it is unknown.
@@ -93,7 +93,7 @@ def base(unit: str, where: str) -> tuple[float, dict[str, float]]:
     return float(factor), {name: float(str(power)) for name, power in powers.items()}
 
 
-def _of(factor: float, powers: dict[str, float], text: str, where: str) -> Motion:
+def _motion_from_powers(factor: float, powers: dict[str, float], text: str, where: str) -> Motion:
     kind = next((name for name in ("meter", "radian") if powers.get(name) == 1.0), None)
     derivative = -powers.get("second", 0.0)
     if kind is None or derivative not in (0.0, 1.0, 2.0) or not powers.keys() <= {kind, "second"}:

@@ -1,14 +1,14 @@
-"""Sensors on a turning platform, and blows on it: how each responds to the platform's motion.
+"""Sensors and blows on a turning platform: how each responds to the platform's motion.
 
-At a pose with the rotation R, a sensor at the point b of the platform and along the unit vector d of the base shows
+At a pose with the rotation R, a sensor at the point b of the platform and along the unit vector d of the base reads
 
     d . (v + omega x R b) = d . v + (R b x d) . omega
 
 of the velocity v of the platform's origin and of its angular velocity omega, both along base axes.  By reciprocity
-these numbers, (d, R b x d), are also the generalised force of a force along d at b.  A gyroscope shows d . omega
+these numbers, (d, R b x d), are also the generalised force of a force along d at b.  A gyroscope reads d . omega
 wherever it sits.
 
-What is screwed to the platform turns with it: `direction` and `at` of a campaign are along the platform's axes, so
+Sensors screwed to the platform turn with it: `direction` and `at` of a campaign are along the platform's axes, so
 that one line describes a sensor at all poses.  The channels ``p_x`` and ``r_x`` are along base axes, as their columns
 are.
 """
@@ -40,8 +40,8 @@ class Platform:
     @property
     def components(self) -> tuple[str, ...]:
         """Names of the components of its motion."""
-        of = (DISPLACEMENT, self.directions), (ROTATION, self.rotations)
-        return tuple(f"{kind}{axis}" for kind, axes in of for axis in axes)
+        axes_by_prefix = (DISPLACEMENT, self.directions), (ROTATION, self.rotations)
+        return tuple(f"{kind}{axis}" for kind, axes in axes_by_prefix for axis in axes)
 
     def rotation(self, point: Mapping[str, float]) -> Array:
         """Return its rotation, (3, 3), at a pose whose components ``r`` + axis are a rotation vector [rad]."""
@@ -54,8 +54,8 @@ class Mount:
 
     - direction: unit vector
     - turns: whether the direction is along the platform's axes, which turn, or along those of the base
-    - at: its place in platform axes from the platform's origin [m]
-    - angular: whether it shows a rotation about its direction, or is a torque
+    - at: its position in platform axes from the platform's origin [m]
+    - angular: whether it measures a rotation about its direction, or is a torque
     """
 
     direction: Vector
@@ -65,7 +65,7 @@ class Mount:
     platform: Platform
 
     @property
-    def shows(self) -> tuple[str, ...]:
+    def sensed_components(self) -> tuple[str, ...]:
         """The components of the platform's motion that have its unit."""
         kind = ROTATION if self.angular else DISPLACEMENT
         return tuple(name for name in self.platform.components if name.startswith(kind))
@@ -74,22 +74,22 @@ class Mount:
         """Return its reading per unit of each motion component of a platform with the rotation R, (3, 3)."""
         d = np.array(self.direction)
         d = R @ d if self.turns else d
-        moved, turned = (np.zeros(3), d) if self.angular else (d, np.cross(R @ np.array(self.at), d))
-        of = {DISPLACEMENT: moved, ROTATION: turned}
-        return {name: float(of[name[:2]][AXES.index(name[2:])]) for name in self.platform.components}
+        linear, rotational = (np.zeros(3), d) if self.angular else (d, np.cross(R @ np.array(self.at), d))
+        vectors = {DISPLACEMENT: linear, ROTATION: rotational}
+        return {name: float(vectors[name[:2]][AXES.index(name[2:])]) for name in self.platform.components}
 
 
-def along(axes: Sequence[str], numbers: Sequence[float]) -> Vector:
+def vector_along(axes: Sequence[str], numbers: Sequence[float]) -> Vector:
     """Return the vector with these components along these axes, and 0 along the others."""
     x, y, z = about(axes, np.asarray(numbers, dtype=float)).tolist()
     return x, y, z
 
 
-def spread(mounts: Sequence[Mount]) -> float:
+def rms_distance(mounts: Sequence[Mount]) -> float:
     """Return the rms distance of sensors from their centre [m], 1 m if they all sit at one point.
 
     It makes rotations comparable with displacements.
     """
-    places = np.array([mount.at for mount in mounts if not mount.angular] or [ORIGIN])
-    size = float(np.sqrt(((places - places.mean(axis=0)) ** 2).sum(axis=1).mean()))
-    return size if size > 0.0 else 1.0
+    positions = np.array([mount.at for mount in mounts if not mount.angular] or [ORIGIN])
+    distance = float(np.sqrt(((positions - positions.mean(axis=0)) ** 2).sum(axis=1).mean()))
+    return distance if distance > 0.0 else 1.0

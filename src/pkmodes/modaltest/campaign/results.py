@@ -1,4 +1,4 @@
-"""What identification gives: the modes of each record, with the parts of their standard deviations."""
+"""Results of an identification: the modes of each record, with the parts of their standard deviations."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ class IdentifiedMode:
     - files: number of files in which it was found
     - edited: "added" if the user added it
     - complex_shape: the shape before its imaginary part was left out
-    - blank, uncertain: components of a turning platform that are left out: see `Combined`
+    - blank, uncertain: components of a turning platform that are left out: see `ChannelShape`
     """
 
     frequency: float

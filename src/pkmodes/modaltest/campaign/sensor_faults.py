@@ -7,29 +7,29 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from pkmodes.core.base.numbers import plain
-from pkmodes.modaltest.campaign.sensor_functions import dead_channels
+from pkmodes.modaltest.campaign.sensor_functions import dead_channel_messages
 from pkmodes.modaltest.signals.functions import Array, Function
-from pkmodes.modaltest.signals.sensor_faults import clipped
+from pkmodes.modaltest.signals.sensor_faults import find_clipping
 
 #: Fewest samples at an extreme value that are examined in records of blows, whose pulses are short.
-OF_BLOWS = 3
+MIN_CLIPPED_OF_BLOWS = 3
 #: A sensor keeps running while another has stopped if it shows this fraction of its usual standard deviation there.
-GOES_ON = 0.5
+MIN_RUNNING_SHARE = 0.5
 
 
-def overloads(name: str, values: Array, source: str, *, of_blows: bool) -> list[str]:
+def overload_messages(name: str, values: Array, source: str, *, of_blows: bool) -> list[str]:
     """Return a message about a signal (N,) whose range was exceeded, none otherwise."""
-    levels, share = clipped(values, OF_BLOWS) if of_blows else clipped(values)
+    levels, share = find_clipping(values, MIN_CLIPPED_OF_BLOWS) if of_blows else find_clipping(values)
     if not levels:
         return []
-    at = " and ".join(f"{level:.4g}" for level in levels)
+    level_text = " and ".join(f"{level:.4g}" for level in levels)
     return [
-        f"{source}: {name} is overloaded: {plain(100.0 * share, 2)} % of its samples are clipped at {at}, which "
-        "changes shapes and damping: measure again with a larger range"
+        f"{source}: {name} is overloaded: {plain(100.0 * share, 2)} % of its samples are clipped at {level_text}, "
+        "which changes shapes and damping: measure again with a larger range"
     ]
 
 
-def silent(
+def find_silent_sensors(
     used: Sequence[Function], rests: Mapping[int, slice], time: Array, source: str
 ) -> tuple[set[int], list[str]]:
     """Return which signals are constant, or stopped while others went on, and a message about each.
@@ -37,13 +37,13 @@ def silent(
     - rests: where signals keep one value, by index
     """
     faulty, messages = set[int](), list[str]()
-    moving = [signal for i, signal in enumerate(used) if i not in rests]
+    running = [signal for i, signal in enumerate(used) if i not in rests]
     for i, rest in rests.items():
         name = used[i].response
         if rest.stop - rest.start == time.size:
             faulty.add(i)
-            messages += dead_channels([name], source)
-        elif any(_goes_on(signal.values.real, rest) for signal in moving):
+            messages += dead_channel_messages([name], source)
+        elif any(_keeps_running(signal.values.real, rest) for signal in running):
             faulty.add(i)
             first, last = time[rest.start], time[rest.stop - 1]
             messages.append(
@@ -53,5 +53,5 @@ def silent(
     return faulty, messages
 
 
-def _goes_on(values: Array, rest: slice) -> bool:
-    return bool(np.std(values[rest]) >= GOES_ON * np.std(values))
+def _keeps_running(values: Array, rest: slice) -> bool:
+    return bool(np.std(values[rest]) >= MIN_RUNNING_SHARE * np.std(values))

@@ -16,17 +16,17 @@ from pkmodes.core.base.errors import MeasurementError, nearest_name, shown
 from pkmodes.core.base.numbers import plain
 from pkmodes.core.robot.units import LARGEST, SMALLEST
 from pkmodes.modaltest.campaign.campaign import Record
-from pkmodes.modaltest.campaign.motion import Motion, motion, motion_or_none
-from pkmodes.modaltest.campaign.sensors import MotionSensor, check_motion, signed
+from pkmodes.modaltest.campaign.motion import Motion, motion_or_none, parse_motion
+from pkmodes.modaltest.campaign.sensors import MotionSensor, apply_sign, check_motion
 from pkmodes.modaltest.signals.functions import Function, FunctionKind, SignalFile, SignalRequest
 from pkmodes.modaltest.signals.reading import read_signals
 
 #: All sensors are converted to accelerations, which most of them measure.
 ACCELERATION = 2
 #: Units whose factors differ by less are the same: files round them.
-SAME = 1e-3
+UNIT_TOLERANCE = 1e-3
 #: The content that a file should have, and its abscissa, in words.
-WORDS = {
+CONTENT_WORDS = {
     FunctionKind.FRF: ("frequency response functions", "frequencies"),
     FunctionKind.TIME: ("signals in time", "times"),
     FunctionKind.SPECTRUM: ("power spectra", "frequencies"),
@@ -37,11 +37,11 @@ WORDS = {
 class SensorFunctions:
     """The functions of one kind that a campaign's sensors have in a file.
 
-    - read: with all of the file's functions that the campaign names
+    - file: with all of the file's functions that the campaign names
     - used: those of the sensors, all with the same abscissa
     """
 
-    read: SignalFile
+    file: SignalFile
     used: tuple[Function, ...]
 
 
@@ -64,10 +64,10 @@ def sensor_functions(
     Raises MeasurementError if the file is faulty or has none of them, or their times or frequencies differ.
     """
     request = signal_request(record, names or None)
-    read = read_signals(path, request)
+    file = read_signals(path, request)
     if signs:
-        read = replace(read, functions=tuple(map(signed, read.functions)))
-    of_kind = [function for function in read.functions if function.kind is kind and not function.force]
+        file = replace(file, functions=tuple(map(apply_sign, file.functions)))
+    of_kind = [function for function in file.functions if function.kind is kind and not function.force]
     used = [
         function
         for function in of_kind
@@ -78,31 +78,31 @@ def sensor_functions(
     for function in used:
         if not np.array_equal(function.abscissa, used[0].abscissa):
             name, first = shown(function.response), shown(used[0].response)
-            problem = f"the {WORDS[kind][1]} of {name} differ from those of {first}"
-            raise MeasurementError(problem, read.source, "measure all functions of a file together")
-    return SensorFunctions(read, tuple(used))
+            problem = f"the {CONTENT_WORDS[kind][1]} of {name} differ from those of {first}"
+            raise MeasurementError(problem, file.source, "measure all functions of a file together")
+    return SensorFunctions(file, tuple(used))
 
 
 def _refuse_unknown_names(
     path: Path, kind: FunctionKind, names: frozenset[str], request: SignalRequest
 ) -> None:
     """Refuse a file without the campaign's sensors, listing what it has instead."""
-    read = read_signals(path, request)
+    file = read_signals(path, request)
     available = list(
         dict.fromkeys(
-            function.response for function in read.functions if function.kind is kind and not function.force
+            function.response for function in file.functions if function.kind is kind and not function.force
         )
     )
     if not available:
-        problem = f"expected {WORDS[kind][0]}, found {len(read.functions)} other functions"
-        problem += f"; skipped: {'; '.join(read.skipped)}" if read.skipped else ""
+        problem = f"expected {CONTENT_WORDS[kind][0]}, found {len(file.functions)} other functions"
+        problem += f"; skipped: {'; '.join(file.skipped)}" if file.skipped else ""
         raise MeasurementError(
-            problem, read.source, "choose another kind of record, or export other functions"
+            problem, file.source, "choose another kind of record, or export other functions"
         )
     problem = f"expected a sensor of the campaign, found {', '.join(map(shown, available[:6]))}"
     remedy = f"add [[sensor]] for each measured direction, named as in the file: name = {shown(available[0])}"
     remedy = nearest_name(available[0], names, remedy) if names else remedy
-    raise MeasurementError(problem, read.source, remedy)
+    raise MeasurementError(problem, file.source, remedy)
 
 
 def refuse_repeated(name: str, subject: str, source: str) -> NoReturn:
@@ -121,22 +121,24 @@ def motion_of(function: Function, sensor: MotionSensor, channels: Mapping[str, s
     if sensor.motion is None and function.unit is None:
         problem = "expected the unit of the sensor, found none in the file"
         raise MeasurementError(problem, where, 'give it in the campaign: unit = "m/s^2"')
-    measured = sensor.motion or motion(str(function.unit), where)
+    measured = sensor.motion or parse_motion(str(function.unit), where)
     check_motion(measured, sensor, channels, where)
     declared, unit = sensor.motion, function.unit
     if declared is None or unit is None:
         return measured
-    of_file = motion_or_none(unit)
-    if declared.of_volts and not function.assumed:
+    file_motion = motion_or_none(unit)
+    if declared.from_volts and not function.assumed:
         agree = unit == "V"
-    elif of_file is None:
+    elif file_motion is None:
         agree = False
     else:
-        # A type without a unit says "acceleration" even for a rotation.
-        alike = of_file.derivative == declared.derivative and (
-            function.assumed or of_file.angular == declared.angular
+        # A type without a unit is "acceleration" even for a rotation.
+        same_kind = file_motion.derivative == declared.derivative and (
+            function.assumed or file_motion.angular == declared.angular
         )
-        agree = alike and (function.assumed or math.isclose(of_file.factor, declared.factor, rel_tol=SAME))
+        agree = same_kind and (
+            function.assumed or math.isclose(file_motion.factor, declared.factor, rel_tol=UNIT_TOLERANCE)
+        )
     if not agree:
         problem = f"the campaign says {shown(declared.unit)} of this sensor, and the file {shown(unit)}"
         raise MeasurementError(problem, where, "correct the campaign, or leave the unit out of it")
@@ -154,7 +156,7 @@ def check_size(values: NDArray[Any], source: str) -> None:
         raise MeasurementError(problem, source, "check the units of the sensors")
 
 
-def dead_channels(names: Sequence[str], source: str) -> list[str]:
+def dead_channel_messages(names: Sequence[str], source: str) -> list[str]:
     """Return a message for each sensor without a signal."""
     return [
         f"{source}: {name} shows nothing: all its values are equal; this file gives no shape component of it"
@@ -163,7 +165,7 @@ def dead_channels(names: Sequence[str], source: str) -> list[str]:
 
 
 @contextmanager
-def in_file(source: str) -> Iterator[None]:
+def errors_in_file(source: str) -> Iterator[None]:
     """Name the file in the errors of an identification."""
     try:
         yield

@@ -1,4 +1,4 @@
-"""Sensors and forces of a campaign: which component of a mode shape each one shows."""
+"""Sensors and forces of a campaign: which component of a mode shape each one measures."""
 
 from __future__ import annotations
 
@@ -13,15 +13,23 @@ from numpy.typing import NDArray
 from pkmodes.core.base.errors import MeasurementError, nearest_name, shown
 from pkmodes.core.mechanism.directions import unit_direction
 from pkmodes.core.support.ordering import joined
-from pkmodes.modaltest.campaign.description import ForceTable, RecordTable, SensorTable, si_value
-from pkmodes.modaltest.campaign.motion import Motion, motion, motion_of_voltage
-from pkmodes.modaltest.campaign.mounts import DISPLACEMENT, ORIGIN, ROTATION, Mount, Platform, Vector, along
-from pkmodes.modaltest.signals.functions import WORDS, Function, FunctionKind, computed
+from pkmodes.modaltest.campaign.description import ForceTable, RecordTable, SensorTable, parse_quantity
+from pkmodes.modaltest.campaign.motion import Motion, motion_of_voltage, parse_motion
+from pkmodes.modaltest.campaign.mounts import (
+    DISPLACEMENT,
+    ORIGIN,
+    ROTATION,
+    Mount,
+    Platform,
+    Vector,
+    vector_along,
+)
+from pkmodes.modaltest.signals.functions import RESERVED_NAMES, Function, FunctionKind, derived_function
 
 #: Channel of a sensor that helps to find modes but appears in no shape.
-NONE = "none"
+NO_CHANNEL = "none"
 #: Kind of record with modes that another program has identified.
-IDENTIFIED = "modes"
+MODES_KIND = "modes"
 EXAMPLE_OF_AT = 'at = ["0 mm", "40 mm", "-5 mm"]'
 #: A degree of freedom of a universal file along a negative direction, perhaps with its number in the file.
 NEGATIVE = re.compile(r"[0-9]+:-R?[XYZ](?:#[0-9]+)?")
@@ -42,7 +50,7 @@ class Transducer:
     weights: Mapping[str, float]
     mount: Mount | None = field(default=None, kw_only=True)
 
-    def where_turned(self, R: NDArray[np.float64]) -> Self:
+    def rotated(self, R: NDArray[np.float64]) -> Self:
         """Return it at the rotation R of the platform, (3, 3)."""
         return self if self.mount is None else replace(self, weights=self.mount.weights(R))
 
@@ -62,7 +70,7 @@ class MotionSensor(Transducer):
     motion: Motion | None
 
 
-def sensors_of(
+def check_sensors(
     tables: Sequence[SensorTable],
     channel_units: Mapping[str, str],
     platform: Platform,
@@ -79,56 +87,62 @@ def sensors_of(
     sensors = []
     for i, table in enumerate(tables, start=1):
         where = f"{source}: sensor.{i}"
-        of = _motion(table, where)
-        place = _place(table, channel_units, platform, setups, where, angular=of is not None and of.angular)
-        if of is not None:
-            check_motion(of, place, channel_units, f"{where}.unit")
-        sensors.append(MotionSensor(place.name, place.setup, place.weights, of, mount=place.mount))
+        motion = _sensor_motion(table, where)
+        transducer = _transducer(
+            table, channel_units, platform, setups, where, angular=motion is not None and motion.angular
+        )
+        if motion is not None:
+            check_motion(motion, transducer, channel_units, f"{where}.unit")
+        sensors.append(
+            MotionSensor(
+                transducer.name, transducer.setup, transducer.weights, motion, mount=transducer.mount
+            )
+        )
     _check_names(sensors, f"{source}: sensor")
     return tuple(sensors)
 
 
-def forces_of(
+def check_forces(
     tables: Sequence[ForceTable],
     channel_units: Mapping[str, str],
     platform: Platform,
     setups: Collection[str],
     source: str,
 ) -> tuple[Transducer, ...]:
-    """Check the forces of a campaign: see `sensors_of`."""
+    """Check the forces of a campaign: see `check_sensors`."""
     forces = [
-        _place(table, channel_units, platform, setups, f"{source}: force.{i}")
+        _transducer(table, channel_units, platform, setups, f"{source}: force.{i}")
         for i, table in enumerate(tables, start=1)
     ]
     _check_names(forces, f"{source}: force")
     return tuple(forces)
 
 
-def names_in_files(table: RecordTable, sensors: Sequence[SensorTable], where: str) -> dict[str, str]:
+def check_names_in_files(table: RecordTable, sensors: Sequence[SensorTable], where: str) -> dict[str, str]:
     """Check the names by which the files of a record call time, frequency, force and the sensors.
 
     Raises MeasurementError if a name is none of these, a name in the files is used twice, or the record is one of
     identified modes.
     """
-    known_names = [*WORDS, *dict.fromkeys(sensor.name for sensor in sensors)]
+    known_names = [*RESERVED_NAMES, *dict.fromkeys(sensor.name for sensor in sensors)]
     for name in table.names:
         if name not in known_names:
             problem = f"expected time, frequency, force or a sensor of the campaign, found {shown(name)}"
             raise MeasurementError(problem, f"{where}.names", nearest_name(name, known_names))
-    if table.names and table.kind == IDENTIFIED:
+    if table.names and table.kind == MODES_KIND:
         problem = f"expected a record of signals with names, found the kind {shown(table.kind)}"
         raise MeasurementError(
             problem, f"{where}.names", 'for tables of modes: columns = { frequency = "f0" }'
         )
-    theirs = list(table.names.values())
-    twice = next((name for i, name in enumerate(theirs) if name in theirs[:i]), None)
-    if twice is not None:
-        problem = f"{shown(twice)} is given two names"
+    file_names = list(table.names.values())
+    duplicate = next((name for i, name in enumerate(file_names) if name in file_names[:i]), None)
+    if duplicate is not None:
+        problem = f"{shown(duplicate)} is given two names"
         raise MeasurementError(problem, f"{where}.names", "each column of the files is one signal")
     return table.names
 
 
-def _place(
+def _transducer(
     table: SensorTable | ForceTable,
     channel_units: Mapping[str, str],
     platform: Platform,
@@ -151,14 +165,16 @@ def _place(
     if (table.channel is None) == (table.direction is None):
         stated = "both" if table.channel is not None else "neither"
         problem = f"expected either a channel or a direction, found {stated}"
-        remedy = f'for example: channel = "{next(iter(channel_units), NONE)}", or direction = [0.6, 0.8, 0]'
+        remedy = (
+            f'for example: channel = "{next(iter(channel_units), NO_CHANNEL)}", or direction = [0.6, 0.8, 0]'
+        )
         raise MeasurementError(problem, where, remedy)
     if table.direction is not None:
         unit = _direction(table.direction, platform, f"{where}.direction", angular=angular)
-        at = _at(table, f"{where}.at")
+        position = _position(table, f"{where}.at")
         if platform.rotations:
-            mount = Mount(along(platform.directions, unit), True, at, angular, platform)
-            return _mounted(table, mount)
+            mount = Mount(vector_along(platform.directions, unit), True, position, angular, platform)
+            return _mounted_transducer(table, mount)
         weights = {
             f"{DISPLACEMENT}{name}": component
             for name, component in zip(platform.directions, unit, strict=True)
@@ -166,9 +182,9 @@ def _place(
         }
         return Transducer(table.name, table.setup, weights)
     channel, sign = str(table.channel), 1.0
-    if channel not in channel_units and channel != NONE and channel.startswith("-"):
+    if channel not in channel_units and channel != NO_CHANNEL and channel.startswith("-"):
         channel, sign = channel[1:].lstrip(), -1.0
-    if channel not in channel_units and channel != NONE:
+    if channel not in channel_units and channel != NO_CHANNEL:
         raise MeasurementError(
             f"unknown channel {shown(channel)}", f"{where}.channel", nearest_name(channel, channel_units)
         )
@@ -177,25 +193,27 @@ def _place(
         raise MeasurementError(
             problem, f"{where}.at", "leave it out, or give a direction or a channel of the platform"
         )
-    at = _at(table, f"{where}.at")
+    position = _position(table, f"{where}.at")
     if platform.rotations and channel in platform.components:
-        axis = along([channel[len(ROTATION) :]], [sign])
-        return _mounted(table, Mount(axis, False, at, channel.startswith(ROTATION), platform))
-    return Transducer(table.name, table.setup, {} if channel == NONE else {channel: sign})
+        axis = vector_along([channel[len(ROTATION) :]], [sign])
+        return _mounted_transducer(
+            table, Mount(axis, False, position, channel.startswith(ROTATION), platform)
+        )
+    return Transducer(table.name, table.setup, {} if channel == NO_CHANNEL else {channel: sign})
 
 
-def _mounted(table: SensorTable | ForceTable, mount: Mount) -> Transducer:
+def _mounted_transducer(table: SensorTable | ForceTable, mount: Mount) -> Transducer:
     return Transducer(table.name, table.setup, mount.weights(np.eye(3)), mount=mount)
 
 
-def _at(table: SensorTable | ForceTable, where: str) -> Vector:
+def _position(table: SensorTable | ForceTable, where: str) -> Vector:
     """Return the place on the platform [m], its origin by default."""
     if table.at is None:
         return ORIGIN
     if len(table.at) != len(ORIGIN):
         problem = f"expected three lengths, along x, y, z of the platform, found {len(table.at)}"
         raise MeasurementError(problem, where, f"for example: {EXAMPLE_OF_AT}")
-    x, y, z = (si_value(coordinate, "m", where) for coordinate in table.at)
+    x, y, z = (parse_quantity(coordinate, "m", where) for coordinate in table.at)
     return x, y, z
 
 
@@ -209,18 +227,18 @@ def _direction(vector: Sequence[float], platform: Platform, where: str, *, angul
             "give a channel, with a minus before it if against its direction; or the robot file",
         )
     if angular and platform.rotations and platform.rotations != platform.directions:
-        turns = joined([f"{ROTATION}{axis}" for axis in platform.rotations])
+        rotation_names = joined([f"{ROTATION}{axis}" for axis in platform.rotations])
         problem = "expected a channel of a sensor of rotation, found a direction along "
         problem += ", ".join(platform.directions)
         raise MeasurementError(
-            problem, where, f"the platform turns by {turns} only: give that as its channel"
+            problem, where, f"the platform turns by {rotation_names} only: give that as its channel"
         )
     return [
         float(component) for component in unit_direction(vector, platform.directions, where, MeasurementError)
     ]
 
 
-def _motion(table: SensorTable, where: str) -> Motion | None:
+def _sensor_motion(table: SensorTable, where: str) -> Motion | None:
     if table.sensitivity is not None:
         if table.unit != "V":
             problem = f'expected unit = "V" beside a sensitivity, found {shown(table.unit)}'
@@ -233,43 +251,45 @@ def _motion(table: SensorTable, where: str) -> Motion | None:
     if table.unit == "V":
         problem = "expected a sensitivity beside volts, found none"
         raise MeasurementError(problem, where, 'for example: sensitivity = "100 mV/g0"')
-    return motion(table.unit, f"{where}.unit")
+    return parse_motion(table.unit, f"{where}.unit")
 
 
-def check_motion(measured: Motion, place: Transducer, channel_units: Mapping[str, str], where: str) -> None:
+def check_motion(
+    measured: Motion, transducer: Transducer, channel_units: Mapping[str, str], where: str
+) -> None:
     """Refuse a linear motion for an angle, and an angular one for a length.
 
     Raises MeasurementError.
     """
-    for channel in place.weights if place.mount is None else place.mount.shows:
+    for channel in transducer.weights if transducer.mount is None else transducer.mount.sensed_components:
         unit = channel_units[channel]
         if unit and (unit == "rad") != measured.angular:
             kind = "an angular" if measured.angular else "a linear"
             remedy = f"{channel} is {'an angle' if unit == 'rad' else 'a length'}: give such a unit"
-            if measured.angular and place.mount is not None and place.mount.turns:
+            if measured.angular and transducer.mount is not None and transducer.mount.turns:
                 remedy = f"write unit = {shown(measured.unit)} in the campaign: its direction is then an axis"
             raise MeasurementError(f"{channel} cannot have {kind} motion", where, remedy)
 
 
-def _check_names(places: Sequence[Transducer], where: str) -> None:
-    for i, place in enumerate(places):
-        for earlier in places[:i]:
-            if place.name == earlier.name and (
-                place.setup == earlier.setup or None in (place.setup, earlier.setup)
+def _check_names(transducers: Sequence[Transducer], where: str) -> None:
+    for i, transducer in enumerate(transducers):
+        for earlier in transducers[:i]:
+            if transducer.name == earlier.name and (
+                transducer.setup == earlier.setup or None in (transducer.setup, earlier.setup)
             ):
-                problem = f"the name {shown(place.name)} occurs twice in one setup"
+                problem = f"the name {shown(transducer.name)} occurs twice in one setup"
                 raise MeasurementError(
                     problem, f"{where}.{i + 1}.name", "each column of the files is one sensor"
                 )
 
 
-def signed(function: Function) -> Function:
+def apply_sign(function: Function) -> Function:
     """Return a function along the positive directions of its degrees of freedom; a coherence has no sign."""
     negative = [end for end in (function.response, function.reference) if NEGATIVE.fullmatch(end)]
     has_sign = function.kind in (FunctionKind.FRF, FunctionKind.TIME)
-    return computed(function, np.negative) if has_sign and len(negative) == 1 else function
+    return derived_function(function, np.negative) if has_sign and len(negative) == 1 else function
 
 
-def unsigned(name: str) -> str:
+def without_sign(name: str) -> str:
     """Return the name of a degree of freedom without its sign."""
     return name.replace(":+", ":").replace(":-", ":")

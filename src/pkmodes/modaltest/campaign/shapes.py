@@ -13,13 +13,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.support.ordering import joined
-from pkmodes.modaltest.campaign.mounts import ROTATION, spread
+from pkmodes.modaltest.campaign.mounts import ROTATION, rms_distance
 from pkmodes.modaltest.campaign.sensors import Transducer
-from pkmodes.modaltest.identification.estimates import turned_real
+from pkmodes.modaltest.identification.estimates import rotate_to_real
 
 Array = NDArray[np.float64]
-#: A component is undetermined if its share in a motion that no sensor shows exceeds this.
-HIDDEN = 1e-6
+#: A component is undetermined if its share in a motion that no sensor measures exceeds this.
+MAX_HIDDEN_SHARE = 1e-6
 #: Reasons why a component is blank.
 UNDETERMINED = (
     "the measurements on the platform do not determine {}: left blank; "
@@ -29,7 +29,7 @@ UNCERTAIN = "the error of {} would be as large as the largest component: left bl
 
 
 @dataclass(frozen=True, eq=False)
-class Combined:
+class ChannelShape:
     """A shape by channel.
 
     - values: those that the sensors determine; other channels are left out
@@ -45,60 +45,62 @@ class Combined:
     uncertain: tuple[str, ...] = ()
 
 
-def combined(
-    shape: Mapping[str, complex], places: Mapping[str, Transducer], sigma: float = np.nan
-) -> Combined:
+def combine_sensors(
+    shape: Mapping[str, complex], sensors: Mapping[str, Transducer], sigma: float = np.nan
+) -> ChannelShape:
     """Return a shape by channel.
 
     - shape: by sensor
-    - places: the sensors, by the same names, at the pose of the shape; those without weights appear in no shape
+    - sensors: the sensors, by the same names, at the pose of the shape; those without weights appear in no shape
     - sigma: standard deviation of each sensor's component, relative to the largest
     """
-    used = [name for name in shape if places[name].weights]
-    order = dict.fromkeys(channel for name in used for channel in places[name].weights)
+    used = [name for name in shape if sensors[name].weights]
+    order = dict.fromkeys(channel for name in used for channel in sensors[name].weights)
     components: dict[str, complex] = {}
     gains: dict[str, float] = {}
-    for names in _together(used, places):
-        solved = _solved(names, shape, places)
+    for names in _independent_groups(used, sensors):
+        solved = _solve(names, shape, sensors)
         components |= solved[0]
         gains |= solved[1]
     values = {channel: components[channel] for channel in order if channel in components}
-    of_platform = {
-        name for sensor in used if (mount := places[sensor].mount) for name in mount.platform.components
+    platform_channels = {
+        name for sensor in used if (mount := sensors[sensor].mount) for name in mount.platform.components
     }
-    if not of_platform:
-        return Combined(values)
-    better, growth = _well_determined(values, gains, shape, sigma)
-    undetermined = tuple(name for name in order if name in of_platform - values.keys())
-    return Combined(better, growth, undetermined, tuple(name for name in values if name not in better))
+    if not platform_channels:
+        return ChannelShape(values)
+    well_determined, growth = _well_determined(values, gains, shape, sigma)
+    undetermined = tuple(name for name in order if name in platform_channels - values.keys())
+    return ChannelShape(
+        well_determined, growth, undetermined, tuple(name for name in values if name not in well_determined)
+    )
 
 
-def _together(used: Sequence[str], places: Mapping[str, Transducer]) -> list[list[str]]:
+def _independent_groups(used: Sequence[str], sensors: Mapping[str, Transducer]) -> list[list[str]]:
     """Return the sensors in groups that share no channel: of hundreds of sensors, most are in a group of one."""
     group_of: dict[str, list[str]] = {}
     for name in used:
-        groups = {id(group_of[c]): group_of[c] for c in places[name].weights if c in group_of}
+        groups = {id(group_of[c]): group_of[c] for c in sensors[name].weights if c in group_of}
         merged = [*(sensor for group in groups.values() for sensor in group), name]
-        for channel in {c for sensor in merged for c in places[sensor].weights}:
+        for channel in {c for sensor in merged for c in sensors[sensor].weights}:
             group_of[channel] = merged
     return list({id(group): group for group in group_of.values()}.values())
 
 
-def _solved(
-    names: Sequence[str], shape: Mapping[str, complex], places: Mapping[str, Transducer]
+def _solve(
+    names: Sequence[str], shape: Mapping[str, complex], sensors: Mapping[str, Transducer]
 ) -> tuple[dict[str, complex], dict[str, float]]:
     """Return the channels that sensors determine, and the rms error of each for an error of 1 at every sensor."""
-    channels = list(dict.fromkeys(channel for name in names for channel in places[name].weights))
-    A = np.array([[places[name].weights.get(channel, 0.0) for channel in channels] for name in names])
+    channels = list(dict.fromkeys(channel for name in names for channel in sensors[name].weights))
+    A = np.array([[sensors[name].weights.get(channel, 0.0) for channel in channels] for name in names])
     values = np.array([shape[name] for name in names])
     rows, columns = np.ones(len(names)), np.ones(len(channels))
-    if mounts := [mount for name in names if (mount := places[name].mount) is not None]:
-        length = spread(mounts)  # by which rotations of sensors and of channels become metres
+    if mounts := [mount for name in names if (mount := sensors[name].mount) is not None]:
+        length = rms_distance(mounts)  # by which rotations of sensors and of channels become metres
         rows = np.array([length if mount.angular else 1.0 for mount in mounts])
         columns = np.array([length if channel.startswith(ROTATION) else 1.0 for channel in channels])
     U, s, Vh = np.linalg.svd(A * rows[:, None] / columns)
-    rank = int((s > HIDDEN * s[0]).sum())
-    hidden = np.abs(Vh[rank:]).max(axis=0, initial=0.0) > HIDDEN
+    rank = int((s > MAX_HIDDEN_SHARE * s[0]).sum())
+    hidden = np.abs(Vh[rank:]).max(axis=0, initial=0.0) > MAX_HIDDEN_SHARE
     solution = Vh[:rank].T @ ((U[:, :rank].T @ (values * rows)) / s[:rank]) / columns
     gains = np.linalg.norm(Vh[:rank].T @ (U[:, :rank].T * rows / s[:rank, None]), axis=1) / columns
     determined = [i for i in range(len(channels)) if not hidden[i] and np.isfinite(solution[i])]
@@ -111,39 +113,41 @@ def _well_determined(
     values: dict[str, complex], gains: Mapping[str, float], shape: Mapping[str, complex], sigma: float
 ) -> tuple[dict[str, complex], float]:
     """Return the components with errors below the largest of them, and the growth of their errors."""
-    error, size = sigma * _largest(shape), _largest(values)
+    error, size = sigma * _largest_component(shape), _largest_component(values)
     while values and error * (worst := max(gains[name] for name in values)) >= size > 0.0:
         values = {name: value for name, value in values.items() if gains[name] < worst}
-        size = _largest(values)
-    return values, max(gains[name] for name in values) * _largest(shape) / size if size > 0.0 else 1.0
+        size = _largest_component(values)
+    return values, max(gains[name] for name in values) * _largest_component(
+        shape
+    ) / size if size > 0.0 else 1.0
 
 
-def _largest(shape: Mapping[str, complex]) -> float:
+def _largest_component(shape: Mapping[str, complex]) -> float:
     """Return the largest real part of a shape rotated to be as real as possible."""
-    whole = np.array(list(shape.values()))
-    turned = np.linalg.norm(turned_real(whole)) if len(whole) else 0.0
-    return float(np.linalg.norm(whole) / turned) if turned > 0.0 else 0.0
+    components = np.array(list(shape.values()))
+    rotated_norm = np.linalg.norm(rotate_to_real(components)) if len(components) else 0.0
+    return float(np.linalg.norm(components) / rotated_norm) if rotated_norm > 0.0 else 0.0
 
 
-def left_blank(where: str, sentence: str, modes: Sequence[tuple[float, Sequence[str]]]) -> list[str]:
+def blank_messages(where: str, sentence: str, modes: Sequence[tuple[float, Sequence[str]]]) -> list[str]:
     """Return messages about the components that are blank in modes, each given by its frequency [Hz]."""
     frequencies_of: dict[tuple[str, ...], list[str]] = {}
     for frequency, names in modes:
         frequencies_of.setdefault(tuple(names), []).append(f"{frequency:.4g}")
-    sentences = []
-    for names, those in frequencies_of.items():
+    messages = []
+    for names, frequencies in frequencies_of.items():
         in_modes = (
-            f" in the mode{'s' if len(those) > 1 else ''} at {', '.join(those)} Hz"
+            f" in the mode{'s' if len(frequencies) > 1 else ''} at {', '.join(frequencies)} Hz"
             if len(frequencies_of) > 1
             else ""
         )
-        sentences += [f"{where}: {sentence.format(joined(names, 'or') + in_modes)}"] if names else []
-    return sentences
+        messages += [f"{where}: {sentence.format(joined(names, 'or') + in_modes)}"] if names else []
+    return messages
 
 
-def turned_shape(shape: Mapping[str, complex]) -> dict[str, complex]:
+def rotate_shape(shape: Mapping[str, complex]) -> dict[str, complex]:
     """Return a shape rotated to be as real as possible, relative to its largest component; its real part is used."""
     if not shape:
         return {}
-    turned = turned_real(np.array(list(shape.values())))
-    return dict(zip(shape, turned.tolist(), strict=True))
+    rotated = rotate_to_real(np.array(list(shape.values())))
+    return dict(zip(shape, rotated.tolist(), strict=True))

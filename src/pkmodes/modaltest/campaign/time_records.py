@@ -16,10 +16,10 @@ from numpy.typing import ArrayLike, NDArray
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.core.base.numbers import plain
 from pkmodes.modaltest.campaign.campaign import Campaign, Record
-from pkmodes.modaltest.campaign.grouping import APART
-from pkmodes.modaltest.campaign.mode_estimates import FileFit, FileModes, modes_of_fit
-from pkmodes.modaltest.campaign.quotients import force_in
-from pkmodes.modaltest.campaign.sensor_faults import overloads, silent
+from pkmodes.modaltest.campaign.grouping import MAX_FREQUENCY_DIFFERENCE
+from pkmodes.modaltest.campaign.mode_estimates import FileFit, FileModes, modes_from_fit
+from pkmodes.modaltest.campaign.quotients import force_unit_factor
+from pkmodes.modaltest.campaign.sensor_faults import find_silent_sensors, overload_messages
 from pkmodes.modaltest.campaign.sensor_functions import (
     ACCELERATION,
     check_size,
@@ -29,16 +29,16 @@ from pkmodes.modaltest.campaign.sensor_functions import (
 )
 from pkmodes.modaltest.identification.estimates import Mode
 from pkmodes.modaltest.identification.level import levels
-from pkmodes.modaltest.signals.checks import FEWEST
+from pkmodes.modaltest.signals.checks import MIN_POINTS
 from pkmodes.modaltest.signals.functions import FunctionKind
-from pkmodes.modaltest.signals.reduction import reduced, reduction
+from pkmodes.modaltest.signals.reduction import reduce_signal, reduction_factor
 from pkmodes.modaltest.signals.sampling import Piece, even_pieces, stated_pieces
-from pkmodes.modaltest.signals.sensor_faults import stopped
+from pkmodes.modaltest.signals.sensor_faults import find_stop
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 #: Longest gap that is bridged by interpolation, in periods of the upper end of the band.
-BRIDGED = 0.1
+MAX_BRIDGED_PERIODS = 0.1
 #: Rates that differ by less, relative, are the same.
 SAME_RATE = 1e-3
 
@@ -54,9 +54,9 @@ class TimeSignals:
     - names: of the S sensors with a signal
     - derivatives: (S,); 0 for displacements, 1 for velocities, 2 for accelerations
     - names_in_file: names of all the campaign's sensors in the file
-    - gap: median of the times that are lost between the pieces [s]; 0 for a single piece
+    - gap: median length of the gaps between the pieces [s]; 0 for a single piece
     - starts: times of the first samples of the pieces [s]
-    - once_more: the same with as many further samples interpolated; None if none are
+    - reinterpolated: the same signals with as many further samples interpolated; None without gaps
     """
 
     source: str
@@ -70,15 +70,19 @@ class TimeSignals:
     messages: tuple[str, ...]
     gap: float = 0.0
     starts: tuple[float, ...] = ()
-    once_more: TimeSignals | None = None
+    reinterpolated: TimeSignals | None = None
 
-    def of(self, names: Sequence[str]) -> TimeSignals:
+    def select(self, names: Sequence[str]) -> TimeSignals:
         """Return the signals of some sensors."""
-        at = [self.names.index(name) for name in names]
-        pieces = tuple(piece[:, at] for piece in self.pieces)
-        once_more = None if self.once_more is None else self.once_more.of(names)
+        columns = [self.names.index(name) for name in names]
+        pieces = tuple(piece[:, columns] for piece in self.pieces)
+        reinterpolated = None if self.reinterpolated is None else self.reinterpolated.select(names)
         return replace(
-            self, pieces=pieces, names=tuple(names), derivatives=self.derivatives[at], once_more=once_more
+            self,
+            pieces=pieces,
+            names=tuple(names),
+            derivatives=self.derivatives[columns],
+            reinterpolated=reinterpolated,
         )
 
     def as_accelerations(self, s: ArrayLike) -> Complex:
@@ -100,69 +104,73 @@ def time_signals(
     functions = sensor_functions(
         path, FunctionKind.TIME, frozenset(sensors), record, signs=campaign.signs_of_file
     )
-    read, used = functions.read, functions.used
+    file, used = functions.file, functions.used
     time = used[0].abscissa
-    forces = [function for function in read.functions if function.force]
+    forces = [function for function in file.functions if function.force]
     if len(forces) > 1:
         problem = f"expected one force, found {len(forces)}"
-        raise MeasurementError(problem, read.source, "give one excitation in each file")
+        raise MeasurementError(problem, file.source, "give one excitation in each file")
     if forces and not np.array_equal(forces[0].abscissa, time):
         problem = f"the times of the force differ from those of {shown(used[0].response)}"
-        raise MeasurementError(problem, read.source, "sample all signals of a file together")
+        raise MeasurementError(problem, file.source, "sample all signals of a file together")
     names = [function.response for function in used]
     repeated = next((name for i, name in enumerate(names) if name in names[:i]), None)
     if repeated is not None:
-        refuse_repeated(repeated, f"the signal {shown(repeated)}", read.source)
+        refuse_repeated(repeated, f"the signal {shown(repeated)}", file.source)
     motions = [
-        motion_of(function, sensors[function.response], campaign.channels, read.source) for function in used
+        motion_of(function, sensors[function.response], campaign.channels, file.source) for function in used
     ]
-    pieces, gaps = _pieces(time, record, read.source)
-    fewer = 1 if highest is None else reduction(len(time), pieces[0].step, highest)
-    overloaded, blows = list[str](), bool(forces)
+    pieces, gaps = _pieces(time, record, file.source)
+    decimation = 1 if highest is None else reduction_factor(len(time), pieces[0].step, highest)
+    overloads, blows = list[str](), bool(forces)
     for force in forces:
-        overloaded += overloads(force.response, force.values.real, read.source, of_blows=blows)
+        overloads += overload_messages(force.response, force.values.real, file.source, of_blows=blows)
     rests: dict[int, slice] = {}
     columns, bridged_columns = list[list[Array]](), list[list[Array]]()
     bridged = any(piece.numbers is not None for piece in pieces)
-    for i, (function, of) in enumerate(zip(used, motions, strict=True)):
+    for i, (function, motion) in enumerate(zip(used, motions, strict=True)):
         values = function.values.real  # a long signal fills much of the memory: one at a time
-        check_size(of.factor * np.array([values.min(), values.max()]), read.source)
-        if (rest := stopped(values)) is not None:
+        check_size(motion.factor * np.array([values.min(), values.max()]), file.source)
+        if (rest := find_stop(values)) is not None:
             rests[i] = rest
-        overloaded += overloads(function.response, values, read.source, of_blows=blows)
-        filled = [piece.filled(values) for piece in pieces]
-        columns.append([of.factor * reduced(samples, fewer) for samples in filled])
+        overloads += overload_messages(function.response, values, file.source, of_blows=blows)
+        filled = [piece.fill_gaps(values) for piece in pieces]
+        columns.append([motion.factor * reduce_signal(samples, decimation) for samples in filled])
         if bridged:
-            again = (piece.once_more(samples) for piece, samples in zip(pieces, filled, strict=True))
-            bridged_columns.append([of.factor * reduced(samples, fewer) for samples in again])
-    still, of_still = silent(used, rests, time, read.source)
-    if len(still) == len(used):
+            refilled = (piece.reinterpolated(samples) for piece, samples in zip(pieces, filled, strict=True))
+            bridged_columns.append(
+                [motion.factor * reduce_signal(samples, decimation) for samples in refilled]
+            )
+    silent, silent_messages = find_silent_sensors(used, rests, time, file.source)
+    if len(silent) == len(used):
         problem = f"expected signals, found only constant ones: {', '.join(names)}"
-        raise MeasurementError(problem, read.source, "check the sensors and their cables")
-    moving = [i for i in range(len(used)) if i not in still]
+        raise MeasurementError(problem, file.source, "check the sensors and their cables")
+    moving = [i for i in range(len(used)) if i not in silent]
     if record.band[1] > 0.5 / pieces[0].step:
-        half = 0.5 / pieces[0].step
-        problem = f"expected a band below half the sampling rate, {half:.6g} Hz, found {record.band[1]:g} Hz"
-        raise MeasurementError(problem, read.source, "narrow the band of the record, or sample faster")
-    units = [1.0 if force.unit is None else force_in(force.unit) for force in forces]
-    acting = tuple(
-        piece.filled(np.asarray(force.values.real)) * unit
+        nyquist = 0.5 / pieces[0].step
+        problem = (
+            f"expected a band below half the sampling rate, {nyquist:.6g} Hz, found {record.band[1]:g} Hz"
+        )
+        raise MeasurementError(problem, file.source, "narrow the band of the record, or sample faster")
+    units = [1.0 if force.unit is None else force_unit_factor(force.unit) for force in forces]
+    force_pieces = tuple(
+        piece.fill_gaps(np.asarray(force.values.real)) * unit
         for force, unit in zip(forces, units, strict=True)
         for piece in pieces
     )
-    lost = [time[b.part.start] - time[a.part.stop - 1] - a.step for a, b in pairwise(pieces)]
+    gap_times = [time[b.samples.start] - time[a.samples.stop - 1] - a.step for a, b in pairwise(pieces)]
     signals = TimeSignals(
-        read.source,
-        pieces[0].step * fewer,
+        file.source,
+        pieces[0].step * decimation,
         tuple(np.stack(parts, axis=1) for parts in zip(*(columns[i] for i in moving), strict=True)),
-        acting,
+        force_pieces,
         forces[0].response if forces else "",
         tuple(names[i] for i in moving),
         np.array([motions[i].derivative for i in moving]),
         frozenset(names),
-        (*read.messages, *gaps, *of_still, *overloaded),
-        float(np.median(lost)) if lost else 0.0,
-        tuple(float(time[piece.part.start]) for piece in pieces),
+        (*file.messages, *gaps, *silent_messages, *overloads),
+        float(np.median(gap_times)) if gap_times else 0.0,
+        tuple(float(time[piece.samples.start]) for piece in pieces),
     )
     if not bridged:
         return signals
@@ -172,20 +180,20 @@ def time_signals(
             np.stack(parts, axis=1) for parts in zip(*(bridged_columns[i] for i in moving), strict=True)
         ),
         forces=tuple(
-            piece.once_more(force_samples)
-            for piece, force_samples in zip(pieces * len(forces), acting, strict=True)
+            piece.reinterpolated(force_samples)
+            for piece, force_samples in zip(pieces * len(forces), force_pieces, strict=True)
         ),
     )
-    return replace(signals, once_more=interpolated)
+    return replace(signals, reinterpolated=interpolated)
 
 
 def _pieces(time: Array, record: Record, source: str) -> tuple[tuple[Piece, ...], tuple[str, ...]]:
     """Return the even parts of a record, and messages about them; a stated rate prevails over uneven times."""
     rate = record.rate
     try:
-        pieces, messages = even_pieces(time, source, BRIDGED / record.band[1])
+        pieces, messages = even_pieces(time, source, MAX_BRIDGED_PERIODS / record.band[1])
     except MeasurementError:
-        if rate is None or time.size < FEWEST:
+        if rate is None or time.size < MIN_POINTS:
             raise
         pieces, messages = stated_pieces(time, rate, source)
         by_times = (time.size - 1) / float(time[-1] - time[0])
@@ -194,12 +202,15 @@ def _pieces(time: Array, record: Record, source: str) -> tuple[tuple[Piece, ...]
     by_times = 1.0 / pieces[0].step
     if rate is not None and abs(by_times / rate - 1.0) > SAME_RATE:
         even = f"{source}: its times are even and used, {by_times:.6g} Hz; the record states {rate:g} Hz"
-        lost = time.size * (rate / by_times - 1.0)
-        messages = (*messages, f"{even}: by that, {lost:.0f} samples are missing" if lost > 0.0 else even)
+        missing_samples = time.size * (rate / by_times - 1.0)
+        messages = (
+            *messages,
+            f"{even}: by that, {missing_samples:.0f} samples are missing" if missing_samples > 0.0 else even,
+        )
     return pieces, messages
 
 
-def with_bridges(
+def fit_with_bridges(
     find: Callable[[Sequence[TimeSignals]], tuple[FileFit, tuple[str, ...]]],
     recordings: Sequence[TimeSignals],
     source: str,
@@ -210,15 +221,20 @@ def with_bridges(
     modes.
     """
     fit, messages = find(recordings)
-    if not fit.estimate.modes or all(recording.once_more is None for recording in recordings):
+    if not fit.estimate.modes or all(recording.reinterpolated is None for recording in recordings):
         return fit, messages
-    bridged_modes = find([recording.once_more or recording for recording in recordings])[0].estimate.modes
+    bridged_modes = find([recording.reinterpolated or recording for recording in recordings])[
+        0
+    ].estimate.modes
     changes: list[float] = []
     for mode in fit.estimate.modes:
         counterpart = min(
             bridged_modes, key=lambda candidate: abs(candidate.frequency - mode.frequency), default=mode
         )
-        if counterpart is mode or abs(counterpart.frequency / mode.frequency - 1.0) > APART:
+        if (
+            counterpart is mode
+            or abs(counterpart.frequency / mode.frequency - 1.0) > MAX_FREQUENCY_DIFFERENCE
+        ):
             continue
         for name in ("frequency", "damping"):
             sigma = getattr(mode, f"sigma_{name}")
@@ -226,20 +242,20 @@ def with_bridges(
     if not changes:
         remark = "with as many further samples interpolated, no mode is found: none can be trusted"
         return fit, (*messages, f"{source}: {remark}")
-    moved = float(np.sqrt(np.mean(np.square(changes))))
+    rms_change = float(np.sqrt(np.mean(np.square(changes))))
 
-    def wider(mode: Mode) -> Mode:
+    def widen(mode: Mode) -> Mode:
         names = "sigma_frequency", "sigma_damping", "sigma_shape", "sigma_size"
-        return replace(mode, **{name: getattr(mode, name) * np.hypot(1.0, moved) for name in names})
+        return replace(mode, **{name: getattr(mode, name) * np.hypot(1.0, rms_change) for name in names})
 
     sentence = (
-        f"{source}: interpolating as many further samples moves the modes by {plain(moved, 2)} of their standard "
-        "deviations, rms: this is added in quadrature"
+        f"{source}: interpolating as many further samples moves the modes by {plain(rms_change, 2)} of their "
+        "standard deviations, rms: this is added in quadrature"
     )
-    return replace(fit, estimate=fit.estimate.changed(wider)), (*messages, sentence)
+    return replace(fit, estimate=fit.estimate.map_modes(widen)), (*messages, sentence)
 
 
-def with_levels(
+def modes_with_levels(
     fit: FileFit, messages: Sequence[str], signals: TimeSignals, exponential: float | None = None
 ) -> FileModes:
     """Return the modes of a file with their levels.
@@ -247,7 +263,7 @@ def with_levels(
     - fit: with shapes in accelerations of the file's sensors
     - exponential: time constant of a window that the responses have had [s]
     """
-    file_modes = modes_of_fit(fit, messages, signals.names_in_file)
+    file_modes = modes_from_fit(fit, messages, signals.names_in_file)
     modes = fit.estimate.modes
     if not modes:
         return file_modes
@@ -257,5 +273,5 @@ def with_levels(
     shapes = np.array(at_sensors) / signals.as_accelerations(poles)
     mode_levels = levels(signals.step, signals.pieces, poles, shapes, exponential)
     pairs = zip(file_modes.modes, mode_levels, strict=True)
-    with_levels = tuple(replace(mode, level=level.amplitude, shift=level.shift) for mode, level in pairs)
-    return replace(file_modes, modes=with_levels)
+    levelled_modes = tuple(replace(mode, level=level.amplitude, shift=level.shift) for mode, level in pairs)
+    return replace(file_modes, modes=levelled_modes)

@@ -28,11 +28,11 @@ Complex = NDArray[np.complex128]
 #: Highest damping ratio of an identifiable vibration mode of a machine: beyond it there is no peak.
 HIGHEST_DAMPING = 0.2
 #: Largest average distance between the poles of one mode: |difference| / sum of |Re|, plus 1 - MAC.  Two equal shapes
-#: reach it half a bandwidth apart, where two peaks cannot be told apart.
-ONE_MODE = 0.5
+#: reach it half a bandwidth apart, where two peaks are not resolved.
+MAX_CLUSTER_DISTANCE = 0.5
 #: Least share of the orders in which a mode must be found.  Low orders have no poles to spare for weak modes; whether
 #: a mode exceeds the noise is decided after the fit, so this need not be strict.
-SHARE = 0.3
+MIN_ORDER_SHARE = 0.3
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,50 +61,52 @@ def pole_clusters(by_order: Sequence[OrderPoles], low: float, high: float) -> li
     Reynders et al. 2012, sections 4 and 5.
     """
     usable = [usable_poles(model.poles, low, high) for model in by_order]
-    poles = np.concatenate([model.poles[use] for model, use in zip(by_order, usable, strict=True)])
-    shapes = np.concatenate([model.shapes[use] for model, use in zip(by_order, usable, strict=True)])
-    parts = np.concatenate([model.participation[use] for model, use in zip(by_order, usable, strict=True)])
-    order = np.repeat(np.arange(len(by_order)), [int(use.sum()) for use in usable])
+    poles = np.concatenate([model.poles[mask] for model, mask in zip(by_order, usable, strict=True)])
+    shapes = np.concatenate([model.shapes[mask] for model, mask in zip(by_order, usable, strict=True)])
+    participations = np.concatenate(
+        [model.participation[mask] for model, mask in zip(by_order, usable, strict=True)]
+    )
+    order_indices = np.repeat(np.arange(len(by_order)), [int(mask.sum()) for mask in usable])
     if not len(poles):
         return []
-    labels = _labels(poles, shapes, parts)
+    labels = _labels(poles, shapes, participations)
     clusters = []
     for label in range(1, int(labels.max()) + 1):
         members = np.flatnonzero(labels == label)
-        count = len(np.unique(order[members]))
-        if count >= math.ceil(SHARE * len(by_order)):
-            middle = complex(np.median(poles[members].real), np.median(poles[members].imag))
-            nearest = members[np.argmin(np.abs(poles[members] - middle))]
-            clusters.append(PoleCluster(middle, shapes[nearest], parts[nearest], count))
+        count = len(np.unique(order_indices[members]))
+        if count >= math.ceil(MIN_ORDER_SHARE * len(by_order)):
+            median = complex(np.median(poles[members].real), np.median(poles[members].imag))
+            nearest = members[np.argmin(np.abs(poles[members] - median))]
+            clusters.append(PoleCluster(median, shapes[nearest], participations[nearest], count))
     return sorted(clusters, key=lambda cluster: abs(cluster.pole))
 
 
 def usable_poles(poles: Complex, low: float, high: float) -> NDArray[np.bool_]:
     """Return which poles may be modes between two frequencies: positive damping below the highest."""
-    size = np.abs(poles)
-    frequency, damping = size / (2.0 * math.pi), -poles.real / np.where(size > 0.0, size, 1.0)
-    inside = (poles.imag > 0.0) & (frequency >= low) & (frequency <= high)
-    return np.asarray(inside & (damping > 0.0) & (damping < HIGHEST_DAMPING))
+    magnitude = np.abs(poles)
+    frequency, damping = magnitude / (2.0 * math.pi), -poles.real / np.where(magnitude > 0.0, magnitude, 1.0)
+    in_band = (poles.imag > 0.0) & (frequency >= low) & (frequency <= high)
+    return np.asarray(in_band & (damping > 0.0) & (damping < HIGHEST_DAMPING))
 
 
-def orders_with(by_order: Sequence[OrderPoles], pole: complex) -> int:
+def count_orders(by_order: Sequence[OrderPoles], pole: complex) -> int:
     """Return the number of orders that have a pole within the half bandwidth of a mode."""
     return sum(bool((np.abs(model.poles - pole) < abs(pole.real)).any()) for model in by_order)
 
 
-def _labels(poles: Complex, shapes: Complex, parts: Complex) -> NDArray[np.int32]:
+def _labels(poles: Complex, shapes: Complex, participations: Complex) -> NDArray[np.int32]:
     if len(poles) == 1:
         return np.ones(1, np.int32)
-    spread = np.abs(poles.real)
-    apart = np.abs(poles[:, None] - poles) / (spread[:, None] + spread)
-    distance = apart + 1.0 - _alike(shapes) * _alike(parts)
+    half_widths = np.abs(poles.real)
+    relative_distance = np.abs(poles[:, None] - poles) / (half_widths[:, None] + half_widths)
+    distance = relative_distance + 1.0 - _mac_matrix(shapes) * _mac_matrix(participations)
     np.fill_diagonal(distance, 0.0)
     tree = linkage(squareform(0.5 * (distance + distance.T), checks=False), "average")
-    return np.asarray(fcluster(tree, ONE_MODE, "distance"), dtype=np.int32)
+    return np.asarray(fcluster(tree, MAX_CLUSTER_DISTANCE, "distance"), dtype=np.int32)
 
 
-def _alike(vectors: Complex) -> Array:
+def _mac_matrix(vectors: Complex) -> Array:
     """Return the MAC of each pair of vectors."""
     sizes = np.linalg.norm(vectors, axis=1, keepdims=True)
-    units = vectors / np.where(sizes > 0.0, sizes, 1.0)
-    return np.asarray(np.abs(units.conj() @ units.T) ** 2)
+    unit_vectors = vectors / np.where(sizes > 0.0, sizes, 1.0)
+    return np.asarray(np.abs(unit_vectors.conj() @ unit_vectors.T) ** 2)

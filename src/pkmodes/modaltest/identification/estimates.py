@@ -82,7 +82,7 @@ class Estimate:
     - added: for each frequency at which the user requested a mode: the mode, or why there is none
     - tones: lines without bandwidth that were found without having been stated [Hz]
     - model_error: largest fraction of the functions at a peak that the modes do not explain and that is not noise
-    - left_out: frequencies of spurious modes, which only fit such an error [Hz]
+    - spurious_frequencies: frequencies of spurious modes, which only fit such an error [Hz]
     """
 
     modes: tuple[Mode, ...]
@@ -93,9 +93,9 @@ class Estimate:
     added: tuple[Mode | str, ...] = ()
     tones: tuple[float, ...] = ()
     model_error: float = 0.0
-    left_out: tuple[float, ...] = ()
+    spurious_frequencies: tuple[float, ...] = ()
 
-    def changed(self, change: Callable[[Mode], Mode]) -> Estimate:
+    def map_modes(self, change: Callable[[Mode], Mode]) -> Estimate:
         """Return it with `change` applied to each mode, including those the user requested."""
         added = tuple(
             candidate if isinstance(candidate, str) else change(candidate) for candidate in self.added
@@ -122,17 +122,17 @@ def collinearity(shape: Complex) -> float:
     return (math.hypot(xx - yy, 2.0 * xy) / total) ** 2 if total > 0.0 else math.nan
 
 
-def turned_real(shape: Complex) -> Complex:
+def rotate_to_real(shape: Complex) -> Complex:
     """Return a shape (S,) rotated to be as real as possible, relative to its largest real part, which becomes 1.
 
     NaN where undetermined.
     """
     finite = np.isfinite(shape)
     xx, yy, xy = _moments(shape[finite])
-    turned = shape * np.exp(-0.5j * math.atan2(2.0 * xy, xx - yy))
-    parts = turned.real[finite]
-    largest = parts[np.argmax(np.abs(parts))] if parts.size else 0.0
-    return np.asarray(turned / largest) if largest else np.asarray(turned)
+    rotated = shape * np.exp(-0.5j * math.atan2(2.0 * xy, xx - yy))
+    real_parts = rotated.real[finite]
+    largest = real_parts[np.argmax(np.abs(real_parts))] if real_parts.size else 0.0
+    return np.asarray(rotated / largest) if largest else np.asarray(rotated)
 
 
 def _moments(values: Complex) -> tuple[float, float, float]:

@@ -25,15 +25,15 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 #: Least force of a blow, relative to the highest of the file; weaker pulses in between are bounces.
-BLOW = 0.3
+MIN_BLOW_FORCE = 0.3
 #: A second pulse above this fraction of the blow is a double hit; the hammer's own ringing stays below it.
-BOUNCE = 0.05
+MAX_SECOND_PULSE = 0.05
 #: Number of standard deviations of its noise above which the force is a signal.
-NOISE = 8.0
+NOISE_SIGMAS = 8.0
 #: Samples kept before the force begins.
-LEAD = 4
+LEAD_SAMPLES = 4
 #: Largest gap between pulses of one contact [s].
-CONTACT = 0.003
+MAX_CONTACT_GAP = 0.003
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,7 +63,7 @@ def impact_estimate(
     *,
     hits: int = 1,
     exponential: float | None = None,
-    longest: int | None = None,
+    max_length: int | None = None,
 ) -> ImpactEstimate:
     """Return the functions of the blows in a file.
 
@@ -72,7 +72,7 @@ def impact_estimate(
     - responses: (N, S)
     - hits: number of blows
     - exponential: time constant of a window applied to the responses, from the first sample [s]
-    - longest: most samples used after each blow, so that the functions of several files have the same lines
+    - max_length: most samples used after each blow, so that the functions of several files have the same lines
 
     Raises MeasurementError if there are fewer blows.
 
@@ -81,32 +81,32 @@ def impact_estimate(
     Bendat and Piersol 2010, section 9.1.
     """
     pulses, sign = _pulses(force)
-    starts = _blows(pulses, step, hits)
-    length = min(_shortest(starts, len(force)), longest or len(force))
+    starts = _blow_starts(pulses, step, hits)
+    length = min(_shortest_interval(starts, len(force)), max_length or len(force))
     messages: list[str] = []
     X = np.empty((len(starts), length // 2 + 1), complex)
     Y = np.empty((*X.shape, responses.shape[1]), complex)
     impulse = variance = 0.0
     for i, start in enumerate(starts):
         piece = pulses[start : start + length]
-        contact = _contact(piece, step)
-        if _bounces(piece, step):
+        contact = _contact_mask(piece, step)
+        if _is_double_hit(piece, step):
             messages.append(f"blow {i + 1} at {plain(start * step, 3)} s is a double hit")
         impulse += float(piece[contact].sum())
-        variance += _noise(piece) ** 2 * float(contact.sum())
+        variance += _noise_sigma(piece) ** 2 * float(contact.sum())
         X[i] = np.fft.rfft(sign * np.where(contact, piece, 0.0))
-        level = np.exp(start * step / exponential) if exponential else 1.0
-        Y[i] = np.fft.rfft(responses[start : start + length], axis=0) * level
+        window_gain = np.exp(start * step / exponential) if exponential else 1.0
+        Y[i] = np.fft.rfft(responses[start : start + length], axis=0) * window_gain
     lines = np.asarray(np.fft.rfftfreq(length, step), dtype=float)
     return ImpactEstimate(lines, *h1(X, Y), len(starts), tuple(messages), float(np.sqrt(variance) / impulse))
 
 
-def samples_of_blows(step: float, force: Array, hits: int = 1) -> int:
+def shortest_blow_length(step: float, force: Array, hits: int = 1) -> int:
     """Return the least number of samples in a file from a blow to the next one, or to the end.
 
     Raises MeasurementError if there are fewer blows.
     """
-    return _shortest(_blows(_pulses(force)[0], step, hits), len(force))
+    return _shortest_interval(_blow_starts(_pulses(force)[0], step, hits), len(force))
 
 
 def _pulses(force: Array) -> tuple[Array, float]:
@@ -116,8 +116,8 @@ def _pulses(force: Array) -> tuple[Array, float]:
     return sign * pulses, sign
 
 
-def _shortest(starts: Sequence[int], end: int) -> int:
-    return min(after - start for start, after in pairwise([*starts, end]))
+def _shortest_interval(starts: Sequence[int], end: int) -> int:
+    return min(following - start for start, following in pairwise([*starts, end]))
 
 
 def h1(X: Complex, Y: Complex) -> tuple[Complex, Array | None]:
@@ -131,44 +131,46 @@ def h1(X: Complex, Y: Complex) -> tuple[Complex, Array | None]:
     return H[..., None], (np.abs(cross) ** 2 / np.where(power > 0.0, power, np.inf))[..., None]
 
 
-def without_window(poles: Complex, time_constant: float | None) -> Complex:
+def remove_window_damping(poles: Complex, time_constant: float | None) -> Complex:
     """Return poles without the damping of an exponential window, None for no window."""
     return np.asarray(poles + 1.0 / time_constant if time_constant else poles, dtype=complex)
 
 
-def _blows(pulses: Array, step: float, hits: int) -> list[int]:
+def _blow_starts(pulses: Array, step: float, hits: int) -> list[int]:
     """Return the first sample of each of the strongest blows."""
     order = np.argsort(-pulses, kind="stable")
-    apart = max(len(pulses) // (4 * hits), round(CONTACT / step), 1)
+    min_distance = max(len(pulses) // (4 * hits), round(MAX_CONTACT_GAP / step), 1)
     peaks: list[int] = []
     for i in order:
-        if len(peaks) == hits or pulses[i] < BLOW * pulses[order[0]]:
+        if len(peaks) == hits or pulses[i] < MIN_BLOW_FORCE * pulses[order[0]]:
             break
-        if all(abs(int(i) - peak) > apart for peak in peaks):
+        if all(abs(int(i) - peak) > min_distance for peak in peaks):
             peaks.append(int(i))
     if len(peaks) < hits or pulses[order[0]] <= 0.0:
         remedy = "state the number of blows in each file as hits"
         raise MeasurementError(f"expected {hits} blows, found {len(peaks)}", "the force", remedy)
     starts = []
     for peak in sorted(peaks):
-        before = np.flatnonzero(pulses[:peak] < 0.02 * pulses[peak])
-        starts.append(max((int(before[-1]) if before.size else 0) - LEAD, 0))
+        quiet = np.flatnonzero(pulses[:peak] < 0.02 * pulses[peak])
+        starts.append(max((int(quiet[-1]) if quiet.size else 0) - LEAD_SAMPLES, 0))
     return starts
 
 
-def _noise(piece: Array) -> float:
+def _noise_sigma(piece: Array) -> float:
     """Return the standard deviation of the force's noise, from its second half."""
     return 1.4826 * float(np.median(np.abs(piece[len(piece) // 2 :])))
 
 
-def _contact(piece: Array, step: float) -> NDArray[np.bool_]:
+def _contact_mask(piece: Array, step: float) -> NDArray[np.bool_]:
     """Return where the force is more than noise, with its flanks."""
-    strong = np.abs(piece) > max(0.01 * piece.max(), NOISE * _noise(piece))
-    width = max(round(0.3 * CONTACT / step), 2)
+    strong = np.abs(piece) > max(0.01 * piece.max(), NOISE_SIGMAS * _noise_sigma(piece))
+    width = max(round(0.3 * MAX_CONTACT_GAP / step), 2)
     return np.asarray(np.convolve(strong, np.ones(2 * width + 1), "same") > 0.5)
 
 
-def _bounces(piece: Array, step: float) -> bool:
+def _is_double_hit(piece: Array, step: float) -> bool:
     """Return whether the force comes back after the contact."""
-    strong = np.flatnonzero(piece > max(BOUNCE * piece.max(), NOISE * _noise(piece)))
-    return bool((np.diff(strong) > max(round(CONTACT / step), 2)).any())
+    strong_samples = np.flatnonzero(
+        piece > max(MAX_SECOND_PULSE * piece.max(), NOISE_SIGMAS * _noise_sigma(piece))
+    )
+    return bool((np.diff(strong_samples) > max(round(MAX_CONTACT_GAP / step), 2)).any())

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.modaltest.identification.frf_noise import (
-    LAGS,
+    MAX_LAG,
     coherence_variance,
     difference_variance,
     exponential_correlation,
@@ -19,12 +19,12 @@ from pkmodes.modaltest.identification.frf_noise import (
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-#: Fewest lines in which a mode can be told from noise.
-FEWEST_LINES = 24
+#: Fewest lines in which a mode can be distinguished from noise.
+MIN_LINES = 24
 #: Lines this close to a multiple of a tone are left out, in line spacings: a tone between two lines shows in both.
 TONE_REACH = 1.01
 #: Lines closer to a tone than this, in line spacings, contain all of it that a spectral window (Hann's) spreads.
-SPREAD = 2.1
+TONE_SPREAD = 2.1
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,19 +32,19 @@ class FrequencyLines:
     """Functions to be fitted.
 
     - frequencies: (F,) [Hz]
-    - place: on the grid of lines, (F,)
+    - grid_index: on the grid of lines, (F,)
     - H: (F, S, R); NaN where not measured
     - variance: of the noise, (F, S, R), as far as known beforehand
     - correlation: of the noise at lags of lines, if known
-    - stated: whether the variance is absolute, and not only right in its relative size
+    - has_absolute_variance: whether the variance is absolute, and not only right in its relative size
     """
 
     frequencies: Array
-    place: NDArray[np.int64]
+    grid_index: NDArray[np.int64]
     H: Complex
     variance: Array
     correlation: Complex | None
-    stated: bool
+    has_absolute_variance: bool
 
     @property
     def measured(self) -> NDArray[np.bool_]:
@@ -63,7 +63,7 @@ class FrequencyLines:
         return np.where(mean > 0.0, 1.0 / np.sqrt(np.where(mean > 0.0, mean, 1.0)), 0.0)
 
 
-def used_lines(
+def select_lines(
     f: Array,
     H: Complex,
     coherence: Array | None,
@@ -78,44 +78,46 @@ def used_lines(
     """
     measured = np.isfinite(H).all(axis=0)
     alive = measured & (np.abs(np.where(measured, H, 0.0)).max(axis=0, initial=0.0) > 0.0)
-    if len(f) < FEWEST_LINES:
-        problem = f"expected at least {FEWEST_LINES} lines, found {len(f)}"
+    if len(f) < MIN_LINES:
+        problem = f"expected at least {MIN_LINES} lines, found {len(f)}"
         raise MeasurementError(problem, "the band", "measure with a finer line spacing, or use a wider band")
     if not alive.any():
         raise MeasurementError("expected a function without gaps, found none", "the band", "check the files")
-    squares: Array = np.where(alive, (np.abs(np.where(alive, H, 0.0)) ** 2).mean(axis=0), np.nan)
-    scale = np.sqrt(np.array([np.nanmean(row) if np.isfinite(row).any() else 1.0 for row in squares]))
+    mean_squares: Array = np.where(alive, (np.abs(np.where(alive, H, 0.0)) ** 2).mean(axis=0), np.nan)
+    scale = np.sqrt(np.array([np.nanmean(row) if np.isfinite(row).any() else 1.0 for row in mean_squares]))
     step = float(np.median(np.diff(f)))
-    used = ~at_tones(f, tones, step)
+    used = ~tone_mask(f, tones, step)
     for tone in found_tones:
-        used &= np.abs(f - tone) > SPREAD * step
-    if used.sum() < FEWEST_LINES:
-        problem = f"expected at least {FEWEST_LINES} lines beside the tones, found {int(used.sum())}"
+        used &= np.abs(f - tone) > TONE_SPREAD * step
+    if used.sum() < MIN_LINES:
+        problem = f"expected at least {MIN_LINES} lines beside the tones, found {int(used.sum())}"
         raise MeasurementError(problem, "tones", "state only tones that the signals have")
     values = np.where(alive, H, np.nan)[used] / scale[:, None]
     variance = difference_variance(values)
-    stated = coherence is not None and averages is not None
+    absolute = coherence is not None and averages is not None
     if coherence is not None:
-        by_coherence = coherence_variance(values, coherence[used], averages or 2)
-        if not stated:  # the coherence shows how the variance changes over the lines, not its size
-            by_coherence = by_coherence * np.median(variance / np.maximum(by_coherence, 1e-300), axis=0)
-        variance = by_coherence
-        variance = _smoothed(np.maximum(variance, 1e-3 * difference_variance(values)))
-    correlation = None if exponential is None else exponential_correlation(step, exponential, LAGS * 4)
-    place = np.round((f[used] - f[0]) / step).astype(np.int64)
-    return FrequencyLines(f[used], place, values, variance, correlation, stated), scale
+        coherence_based = coherence_variance(values, coherence[used], averages or 2)
+        if not absolute:  # the coherence shows how the variance changes over the lines, not its size
+            coherence_based = coherence_based * np.median(
+                variance / np.maximum(coherence_based, 1e-300), axis=0
+            )
+        variance = coherence_based
+        variance = _moving_average(np.maximum(variance, 1e-3 * difference_variance(values)))
+    correlation = None if exponential is None else exponential_correlation(step, exponential, MAX_LAG * 4)
+    grid_index = np.round((f[used] - f[0]) / step).astype(np.int64)
+    return FrequencyLines(f[used], grid_index, values, variance, correlation, absolute), scale
 
 
-def at_tones(f: Array, tones: Sequence[float], step: float) -> NDArray[np.bool_]:
+def tone_mask(f: Array, tones: Sequence[float], step: float) -> NDArray[np.bool_]:
     """Return which lines are at a multiple of a tone."""
-    hit = np.zeros(len(f), bool)
+    mask = np.zeros(len(f), bool)
     for tone in tones:
         multiple = np.maximum(np.round(f / tone), 1.0)
-        hit |= np.abs(f - multiple * tone) < TONE_REACH * step
-    return hit
+        mask |= np.abs(f - multiple * tone) < TONE_REACH * step
+    return mask
 
 
-def _smoothed(variance: Array, width: int = 9) -> Array:
+def _moving_average(variance: Array, width: int = 9) -> Array:
     """Return a moving average over the lines: the coherence of few averages scatters."""
     kernel = np.ones(width)
     count = np.convolve(np.ones(len(variance)), kernel, "same")

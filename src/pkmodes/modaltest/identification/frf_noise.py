@@ -6,7 +6,7 @@ The H1 estimate of n averages has the variance
 
 per line (Bendat and Piersol, Random Data, 4th edition, 2010, section 9.1.4, with the n - 1 degrees of freedom that
 the estimated coherence leaves).  Without coherence, the third difference of neighbouring lines cancels what is smooth
-and leaves 20 times the variance; its median does not see narrow peaks.
+and leaves 20 times the variance; its median is not affected by narrow peaks.
 
 An exponential window exp(-t/tau) on a response that is as noisy at its end as at its beginning correlates the noise
 of neighbouring lines: their covariance is the Fourier transform of the window's square.
@@ -25,13 +25,13 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 #: Parts of the band in which the noise is estimated, as it may vary over the band like the force.
-PARTS = 12
+BAND_PARTS = 12
 #: Noise assumed for a function without any, relative to the mean square of a channel.
-NOISELESS = 1e-16
+NOISE_FLOOR = 1e-16
 #: Sum of squares of the coefficients 1, -3, 3, -1; and the median of |e|^2 for circular noise of unit variance.
-DIFFERENCE, MEDIAN = 20.0, math.log(2.0)
+DIFFERENCE_GAIN, MEDIAN_SQUARE = 20.0, math.log(2.0)
 #: Noise coloured by overlapping or tapered blocks is correlated over two lines; a few more lags show other causes.
-LAGS = 5
+MAX_LAG = 5
 
 
 def difference_variance(H: Complex) -> Array:
@@ -40,15 +40,17 @@ def difference_variance(H: Complex) -> Array:
     - H: F at least 8, (F, S, R)
     """
     F = len(H)
-    squares = np.abs(np.diff(H, 3, axis=0)) ** 2 / (DIFFERENCE * MEDIAN)
-    parts = max(1, min(PARTS, len(squares) // 16))
-    blocks = np.array_split(np.arange(len(squares)), parts)
+    squares = np.abs(np.diff(H, 3, axis=0)) ** 2 / (DIFFERENCE_GAIN * MEDIAN_SQUARE)
+    part_count = max(1, min(BAND_PARTS, len(squares) // 16))
+    blocks = np.array_split(np.arange(len(squares)), part_count)
     middles = np.array([block.mean() + 1.5 for block in blocks])
-    medians = np.stack([np.median(squares[block], axis=0) for block in blocks]).reshape(parts, -1)
+    medians = np.stack([np.median(squares[block], axis=0) for block in blocks]).reshape(part_count, -1)
     lines = np.arange(F)
-    over = np.stack([np.interp(lines, middles, column) for column in medians.T], axis=1).reshape(H.shape)
-    floor = NOISELESS * (np.abs(H) ** 2).mean(axis=0)
-    return np.asarray(np.where(np.isfinite(H), np.maximum(over, np.maximum(floor, 1e-300)), np.nan))
+    interpolated = np.stack([np.interp(lines, middles, column) for column in medians.T], axis=1).reshape(
+        H.shape
+    )
+    floor = NOISE_FLOOR * (np.abs(H) ** 2).mean(axis=0)
+    return np.asarray(np.where(np.isfinite(H), np.maximum(interpolated, np.maximum(floor, 1e-300)), np.nan))
 
 
 def coherence_variance(H: Complex, coherence: Array, averages: int) -> Array:
@@ -58,8 +60,8 @@ def coherence_variance(H: Complex, coherence: Array, averages: int) -> Array:
     ----------
     Bendat and Piersol 2010, section 9.1.4.
     """
-    gamma = np.clip(coherence, 1e-6, 1.0)
-    return np.asarray(np.abs(H) ** 2 * (1.0 - gamma) / (gamma * max(averages - 1, 1)))
+    gamma_squared = np.clip(coherence, 1e-6, 1.0)
+    return np.asarray(np.abs(H) ** 2 * (1.0 - gamma_squared) / (gamma_squared * max(averages - 1, 1)))
 
 
 def exponential_correlation(step: float, tau: float, lags: int) -> Complex:
@@ -95,51 +97,57 @@ def line_sigma(residual: Complex, fit: Complex) -> Array:
 
 
 def residual_correlation(
-    residuals: Sequence[Complex], places: Sequence[NDArray[np.int64]], spaces: Sequence[Complex]
+    residuals: Sequence[Complex], grid_indices: Sequence[NDArray[np.int64]], removed_spaces: Sequence[Complex]
 ) -> Complex:
-    """Return the correlation of the noise at lags 0 to `LAGS` of lines, from the residuals of several fits.
+    """Return the correlation of the noise at lags 0 to `MAX_LAG` of lines, from the residuals of several fits.
 
     A fit removes the part of the noise that its columns span, which leaves negative correlation in its residual even
     if the noise has none.  That part is as strong as the slowly varying part of the noise, by which the correction is
     scaled.
 
     - residuals: relative to the noise of each channel, each (F, C)
-    - places: of the lines on the grid, ascending, each (F,)
-    - spaces: orthonormal columns that each fit has removed, each (F, K)
+    - grid_indices: of the lines on the grid, ascending, each (F,)
+    - removed_spaces: orthonormal columns that each fit has removed, each (F, K)
     """
-    sums, taken, pairs = np.zeros(LAGS + 1, complex), np.zeros(LAGS + 1, complex), np.zeros(LAGS + 1)
-    for residual, place, space in zip(residuals, places, spaces, strict=True):
-        for lag in range(LAGS + 1):
-            later, same = _pairs(place, lag)
-            sums[lag] += (residual[later] * residual[same].conj()).sum()
-            taken[lag] += residual.shape[1] * (space[later] * space[same].conj()).sum()
-            pairs[lag] += residual.shape[1] * len(same)
+    sums, removed_sums, pairs = (
+        np.zeros(MAX_LAG + 1, complex),
+        np.zeros(MAX_LAG + 1, complex),
+        np.zeros(MAX_LAG + 1),
+    )
+    for residual, grid_index, removed_space in zip(residuals, grid_indices, removed_spaces, strict=True):
+        for lag in range(MAX_LAG + 1):
+            later, earlier = _line_pairs(grid_index, lag)
+            sums[lag] += (residual[later] * residual[earlier].conj()).sum()
+            removed_sums[lag] += (
+                residual.shape[1] * (removed_space[later] * removed_space[earlier].conj()).sum()
+            )
+            pairs[lag] += residual.shape[1] * len(earlier)
     if not len(residuals) or sums[0].real <= 0.0:
-        return np.array([1.0] + [0.0] * LAGS, complex)
-    raw, removed = sums / np.maximum(pairs, 1.0), taken / np.maximum(pairs, 1.0)
+        return np.array([1.0] + [0.0] * MAX_LAG, complex)
+    raw, removed = sums / np.maximum(pairs, 1.0), removed_sums / np.maximum(pairs, 1.0)
     correlation = raw / raw[0].real
     for _ in range(10):  # a contraction: each pass shrinks the change by the factor `removed`
-        slow = max(1.0 + 2.0 * float((_taper(LAGS) * correlation)[1:].real.sum()), 0.0)
-        estimate = raw + slow * removed * raw[0].real / (1.0 - slow * removed[0].real)
+        slow_power = max(1.0 + 2.0 * float((_taper(MAX_LAG) * correlation)[1:].real.sum()), 0.0)
+        estimate = raw + slow_power * removed * raw[0].real / (1.0 - slow_power * removed[0].real)
         correlation = estimate / estimate[0].real
-    return np.asarray(_taper(LAGS) * correlation, dtype=complex)
+    return np.asarray(_taper(MAX_LAG) * correlation, dtype=complex)
 
 
-def correlated(functions: Complex, place: NDArray[np.int64], correlation: Complex) -> Complex:
+def apply_correlation(functions: Complex, grid_index: NDArray[np.int64], correlation: Complex) -> Complex:
     """Return the correlation matrix of the lines (F, F) times functions (F, K)."""
     total = functions * correlation[0]
     for lag in range(1, len(correlation)):
-        later, same = _pairs(place, lag)
-        total[later] += correlation[lag] * functions[same]
-        total[same] += correlation[lag].conj() * functions[later]
+        later, earlier = _line_pairs(grid_index, lag)
+        total[later] += correlation[lag] * functions[earlier]
+        total[earlier] += correlation[lag].conj() * functions[later]
     return np.asarray(total)
 
 
-def _pairs(place: NDArray[np.int64], lag: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+def _line_pairs(grid_index: NDArray[np.int64], lag: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """Return the indices of the lines that have another one `lag` places before, and of those earlier lines."""
-    before = np.searchsorted(place, place - lag)
-    there = place[np.minimum(before, len(place) - 1)] == place - lag
-    return np.flatnonzero(there), before[there].astype(np.int64)
+    earlier = np.searchsorted(grid_index, grid_index - lag)
+    exists = grid_index[np.minimum(earlier, len(grid_index) - 1)] == grid_index - lag
+    return np.flatnonzero(exists), earlier[exists].astype(np.int64)
 
 
 def _taper(lags: int) -> Array:

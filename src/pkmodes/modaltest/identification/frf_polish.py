@@ -26,13 +26,13 @@ Complex = NDArray[np.complex128]
 
 #: Coefficients of the smooth part at each channel: a cubic leaves 1 % of the curvature of a mode that lies one window
 #: width outside the window.
-SMOOTH = 4
-#: Most steps: Gauss-Newton converges in a few or, for modes that the lines cannot tell apart, not at all.
-MOST_STEPS = 25
+SMOOTH_TERMS = 4
+#: Most steps: Gauss-Newton converges in a few or, for modes that the lines do not resolve, not at all.
+MAX_STEPS = 25
 #: Relative decrease of the cost that ends the iteration: far below what one line's noise contributes.
-CONVERGED = 1e-7
+CONVERGED_CHANGE = 1e-7
 #: Damping of the steps (Levenberg and Marquardt), relative to the diagonal: initial, and at which the fit gives up.
-FIRST_DAMPING, LAST_DAMPING = 1e-4, 1e8
+INITIAL_DAMPING, MAX_DAMPING = 1e-4, 1e8
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,7 +64,7 @@ class WindowFit(IdentifiedModes):
     converged: bool
 
 
-def window(frequencies: Array, H: Complex, weights: Array, sigma: Array) -> Window:
+def make_window(frequencies: Array, H: Complex, weights: Array, sigma: Array) -> Window:
     """Return lines ready for `polish`.
 
     - frequencies: (F,) [Hz]
@@ -73,63 +73,63 @@ def window(frequencies: Array, H: Complex, weights: Array, sigma: Array) -> Wind
     - sigma: relative noise of the lines, (F,)
     """
     middle, half = frequencies.mean(), 0.5 * float(np.ptp(frequencies))
-    powers = np.vander((frequencies - middle) / half, SMOOTH)
+    powers = np.vander((frequencies - middle) / half, SMOOTH_TERMS)
     smooth = np.linalg.qr(powers / sigma[:, None])[0].astype(complex)
-    used = np.where(np.isfinite(H).all(axis=0), weights, 0.0)
-    values = np.where(used > 0.0, H, 0.0) / sigma[:, None, None]
+    used_weights = np.where(np.isfinite(H).all(axis=0), weights, 0.0)
+    values = np.where(used_weights > 0.0, H, 0.0) / sigma[:, None, None]
     values = values - np.tensordot(smooth, np.tensordot(smooth.conj(), values, (0, 0)), 1)
     s = np.asarray(2j * math.pi * frequencies, dtype=complex)
-    return Window(s, sigma, smooth, np.asarray(values), used)
+    return Window(s, sigma, smooth, np.asarray(values), used_weights)
 
 
-def basis(at: Window, poles: Complex) -> Complex:
+def pole_basis(window: Window, poles: Complex) -> Complex:
     """Return 1/(j omega - lambda) and its derivative by lambda without their smooth part, (F, 2 N)."""
-    g = 1.0 / (at.s[:, None] - poles)
-    E = np.concatenate([g, g**2], axis=1) / at.sigma[:, None]
-    return np.asarray(E - at.smooth @ (at.smooth.conj().T @ E))
+    g = 1.0 / (window.s[:, None] - poles)
+    E = np.concatenate([g, g**2], axis=1) / window.sigma[:, None]
+    return np.asarray(E - window.smooth @ (window.smooth.conj().T @ E))
 
 
-def polish(at: Window, poles: Complex, participation: Complex) -> WindowFit:
+def polish(window: Window, poles: Complex, participation: Complex) -> WindowFit:
     """Fit modes from a starting point.
 
     - poles: (N,) [1/s]
     - participation: at any scale, (N, R)
     """
     N = len(poles)
-    total = float((at.weights * (np.abs(at.H) ** 2).sum(axis=0)).sum())
-    state = _scaled(poles, _shapes_given(at, poles, participation), participation)
-    E = basis(at, state[0])
-    cost, gradient, A = _normal(at, E, *state, total)
-    damping, converged = FIRST_DAMPING, False
-    for _ in range(MOST_STEPS):
+    total_energy = float((window.weights * (np.abs(window.H) ** 2).sum(axis=0)).sum())
+    state = _normalise(poles, _least_squares_shapes(window, poles, participation), participation)
+    E = pole_basis(window, state[0])
+    cost, gradient, A = _normal_equations(window, E, *state, total_energy)
+    damping, converged = INITIAL_DAMPING, False
+    for _ in range(MAX_STEPS):
         step = np.linalg.solve(A + np.diag(damping * A.diagonal().real + 1e-300), gradient)
-        trial = _moved(state, np.asarray(step, dtype=complex), N)
+        trial = _apply_step(state, np.asarray(step, dtype=complex), N)
         if (trial[0].real < 0.0).all() and (np.abs(step[:N]) < 3.0 * np.abs(state[0].real)).all():
-            trial = _scaled(*trial)
-            E = basis(at, trial[0])
-            new = _normal(at, E, *trial, total)
-            if new[0] <= cost:
-                converged = cost - new[0] <= CONVERGED * cost
-                state, (cost, gradient, A) = trial, new
+            trial = _normalise(*trial)
+            E = pole_basis(window, trial[0])
+            trial_equations = _normal_equations(window, E, *trial, total_energy)
+            if trial_equations[0] <= cost:
+                converged = cost - trial_equations[0] <= CONVERGED_CHANGE * cost
+                state, (cost, gradient, A) = trial, trial_equations
                 damping = max(damping / 10.0, 1e-12)
                 if converged:
                     break
                 continue
         damping *= 10.0
-        if damping > LAST_DAMPING:
+        if damping > MAX_DAMPING:
             converged = float(np.abs(gradient[:N]).max()) < np.inf
             break
     return WindowFit(*state, cost, converged)
 
 
-def columns(shapes: Complex, participation: Complex) -> tuple[NDArray[np.int64], Complex]:
+def derivative_columns(shapes: Complex, participation: Complex) -> tuple[NDArray[np.int64], Complex]:
     """Return the derivatives of the model by its parameters as products of a basis function and a channel vector.
 
     The parameters are the poles, the shapes (mode by mode), and the participations except the largest of each mode,
     which sets the scale.
 
     Returns, in this order:
-    - functions: of `basis`, (P,)
+    - functions: of `pole_basis`, (P,)
     - channels: (P, S, R)
     """
     (N, S), R = shapes.shape, participation.shape[1]
@@ -150,53 +150,53 @@ def columns(shapes: Complex, participation: Complex) -> tuple[NDArray[np.int64],
     return np.array(functions), np.array(channels)
 
 
-def _normal(
-    at: Window, E: Complex, poles: Complex, shapes: Complex, participation: Complex, total: float
+def _normal_equations(
+    window: Window, E: Complex, poles: Complex, shapes: Complex, participation: Complex, total_energy: float
 ) -> tuple[float, Complex, Complex]:
     """Return the cost, the right-hand side and the matrix of the normal equations."""
     N = len(poles)
     gram = E.conj().T @ E
-    X = np.tensordot(E.conj(), at.H, (0, 0))
+    X = np.tensordot(E.conj(), window.H, (0, 0))
     residues = shapes[:, :, None] * participation[:, None, :]
     remainder = X - np.tensordot(gram[:, :N], residues, 1)
-    explained = (residues.conj() * at.weights * (X[:N] + remainder[:N])).sum().real
-    functions, channels = columns(shapes, participation)
+    explained = (residues.conj() * window.weights * (X[:N] + remainder[:N])).sum().real
+    functions, channels = derivative_columns(shapes, participation)
     P = len(functions)
-    weighted = (channels.conj() * at.weights).reshape(P, -1)
+    weighted = (channels.conj() * window.weights).reshape(P, -1)
     gradient = (weighted * remainder[functions].reshape(P, -1)).sum(axis=1)
     A = (weighted @ channels.reshape(P, -1).T) * gram[np.ix_(functions, functions)]
-    idle = A.diagonal().real <= 0.0  # a sensor without data
-    A[idle, idle] = 1.0
-    return total - float(explained), gradient, A
+    unmeasured = A.diagonal().real <= 0.0  # a sensor without data
+    A[unmeasured, unmeasured] = 1.0
+    return total_energy - float(explained), gradient, A
 
 
-def _shapes_given(at: Window, poles: Complex, participation: Complex) -> Complex:
+def _least_squares_shapes(window: Window, poles: Complex, participation: Complex) -> Complex:
     """Return the least-squares shapes (N, S) for given poles and participations."""
-    E = basis(at, poles)[:, : len(poles)]
-    gram, X = E.conj().T @ E, np.tensordot(E.conj(), at.H, (0, 0))
-    shapes = np.empty((len(poles), at.H.shape[1]), complex)
-    for s, w in enumerate(at.weights):
+    E = pole_basis(window, poles)[:, : len(poles)]
+    gram, X = E.conj().T @ E, np.tensordot(E.conj(), window.H, (0, 0))
+    shapes = np.empty((len(poles), window.H.shape[1]), complex)
+    for s, w in enumerate(window.weights):
         matrix = gram * ((participation.conj() * w) @ participation.T)
-        right = (participation.conj() * w * X[:, s]).sum(axis=1)
+        right_side = (participation.conj() * w * X[:, s]).sum(axis=1)
         size = np.sqrt(np.maximum(matrix.diagonal().real, 1e-300))
-        solved = np.linalg.lstsq(matrix / (size[:, None] * size), right / size, rcond=1e-12)[0]
-        shapes[:, s] = solved / size
+        scaled_solution = np.linalg.lstsq(matrix / (size[:, None] * size), right_side / size, rcond=1e-12)[0]
+        shapes[:, s] = scaled_solution / size
     return shapes
 
 
-def _moved(
+def _apply_step(
     state: tuple[Complex, Complex, Complex], step: Complex, N: int
 ) -> tuple[Complex, Complex, Complex]:
     poles, shapes, participation = state
     S, R = shapes.shape[1], participation.shape[1]
-    further = participation.copy()
-    rest = step[N + N * S :].reshape(N, R - 1)
+    new_participation = participation.copy()
+    participation_step = step[N + N * S :].reshape(N, R - 1)
     for m, fixed in enumerate(np.abs(participation).argmax(axis=1)):
-        further[m, np.arange(R) != fixed] += rest[m]
-    return poles + step[:N], shapes + step[N : N + N * S].reshape(N, S), further
+        new_participation[m, np.arange(R) != fixed] += participation_step[m]
+    return poles + step[:N], shapes + step[N : N + N * S].reshape(N, S), new_participation
 
 
-def _scaled(poles: Complex, shapes: Complex, participation: Complex) -> tuple[Complex, Complex, Complex]:
+def _normalise(poles: Complex, shapes: Complex, participation: Complex) -> tuple[Complex, Complex, Complex]:
     """Return participations whose largest component is 1."""
     largest = np.take_along_axis(participation, np.abs(participation).argmax(axis=1)[:, None], 1)
     largest = np.where(largest == 0.0, 1.0, largest)

@@ -16,7 +16,7 @@ from scipy.signal import fftconvolve
 
 from pkmodes.modaltest.identification.clusters import HIGHEST_DAMPING
 from pkmodes.modaltest.identification.frf_lines import FrequencyLines
-from pkmodes.modaltest.identification.frf_noise import MEDIAN, PARTS, correlated
+from pkmodes.modaltest.identification.frf_noise import BAND_PARTS, MEDIAN_SQUARE, apply_correlation
 from pkmodes.modaltest.identification.modes import IdentifiedModes
 
 Array = NDArray[np.float64]
@@ -25,79 +25,82 @@ Complex = NDArray[np.complex128]
 #: Half bandwidths tried, in line spacings: a filter loses 0.5 dB for a mode between two of them.
 HALF_WIDTHS = (0.35, 0.7, 1.4, 2.8, 5.6, 11.0, 22.0)
 #: Lines of a filter on each side: in half bandwidths, and the fewest.
-REACH, FEWEST = 6, 20
+FILTER_REACH, MIN_FILTER_LINES = 6, 20
 #: Coefficients of the smooth part of each filter, as in the fit.
-SMOOTH = 3
+SMOOTH_TERMS = 3
 #: A residual below this fraction of the fit may be its model error: a nonlinearity, a window, a calibration.
-MODEL_ERROR = 0.05
+MODEL_ERROR_SHARE = 0.05
 
 
-def hidden(data: FrequencyLines, fit: Complex, least: float) -> Complex:
+def find_hidden_poles(data: FrequencyLines, fit: Complex, min_energy: float) -> Complex:
     """Return starting poles of modes in a residual, (N,) [1/s], the strongest of each neighbourhood.
 
     - fit: response of the modes so far, (F, S, R)
-    - least: least energy relative to noise
+    - min_energy: least energy relative to noise
     """
-    frequencies, place, measured = data.frequencies, data.place, data.measured
+    frequencies, grid_index, measured = data.frequencies, data.grid_index, data.measured
     residual, fit = (data.H - fit)[:, measured], fit[:, measured]
     correlation = np.ones(1, complex) if data.correlation is None else data.correlation
-    lines = int(place[-1]) + 1
+    lines = int(grid_index[-1]) + 1
     grid = np.zeros((lines, residual.shape[1]), complex)
-    grid[place] = residual / np.sqrt(_variance(residual) + (MODEL_ERROR * np.abs(fit)) ** 2)
-    step = float((frequencies[-1] - frequencies[0]) / max(place[-1] - place[0], 1))
+    grid[grid_index] = residual / np.sqrt(_noise_variance(residual) + (MODEL_ERROR_SHARE * np.abs(fit)) ** 2)
+    step = float((frequencies[-1] - frequencies[0]) / max(grid_index[-1] - grid_index[0], 1))
     energy, filters = np.zeros((len(HALF_WIDTHS), lines)), []
-    for i, half in enumerate(HALF_WIDTHS):
-        matched = _filter(half, lines)
-        filters.append(matched)
-        if len(matched) <= lines:
+    for i, half_width in enumerate(HALF_WIDTHS):
+        template = _matched_filter(half_width, lines)
+        filters.append(template)
+        if len(template) <= lines:
             noise = float(
-                (matched.conj() @ correlated(matched[:, None], np.arange(len(matched)), correlation)).real[0]
+                (
+                    template.conj()
+                    @ apply_correlation(template[:, None], np.arange(len(template)), correlation)
+                ).real[0]
             )
-            out = fftconvolve(grid, matched[::-1, None].conj(), "same", axes=0)
-            energy[i] = (np.abs(out) ** 2).sum(axis=1) / noise
-    at = frequencies[0] + step * np.arange(lines)
-    energy[np.array(HALF_WIDTHS)[:, None] * step > HIGHEST_DAMPING * at] = 0.0
+            filtered = fftconvolve(grid, template[::-1, None].conj(), "same", axes=0)
+            energy[i] = (np.abs(filtered) ** 2).sum(axis=1) / noise
+    grid_frequencies = frequencies[0] + step * np.arange(lines)
+    energy[np.array(HALF_WIDTHS)[:, None] * step > HIGHEST_DAMPING * grid_frequencies] = 0.0
     poles: list[complex] = []
-    while energy.max() > least:
+    while energy.max() > min_energy:
         row, line = divmod(int(energy.argmax()), lines)
-        half = HALF_WIDTHS[row]
-        poles.append(2.0 * math.pi * step * complex(-half, at[line] / step))
+        half_width = HALF_WIDTHS[row]
+        poles.append(2.0 * math.pi * step * complex(-half_width, grid_frequencies[line] / step))
         reach = len(filters[row]) // 2
         energy[:, max(line - reach, 0) : line + reach + 1] = 0.0
     return np.array(poles, complex)
 
 
-def with_poles(
+def append_poles(
     modes: IdentifiedModes, poles: Complex, frequencies: Array, remainder: Complex
 ) -> IdentifiedModes:
     """Return modes with further poles, whose shapes and participations are those of the remainder there."""
     remainder = np.nan_to_num(remainder)
     nearest = np.abs(frequencies - poles.imag[:, None] / (2.0 * math.pi)).argmin(axis=1)
     peaks = remainder[nearest] * -poles.real[:, None, None]
-    parts = np.linalg.svd(peaks)[2][:, 0]
+    participations = np.linalg.svd(peaks)[2][:, 0]
     return IdentifiedModes(
         np.concatenate([modes.poles, poles]),
-        np.concatenate([modes.shapes, np.einsum("nsr,nr->ns", peaks, parts.conj())]),
-        np.concatenate([modes.participation, parts]),
+        np.concatenate([modes.shapes, np.einsum("nsr,nr->ns", peaks, participations.conj())]),
+        np.concatenate([modes.participation, participations]),
     )
 
 
-def _filter(half: float, lines: int) -> Complex:
+def _matched_filter(half_width: float, lines: int) -> Complex:
     """Return a mode of a half bandwidth, in line spacings, without its smooth part, of unit length."""
-    reach = min(max(FEWEST, math.ceil(REACH * half)), max((lines - 1) // 2, 1))
+    reach = min(max(MIN_FILTER_LINES, math.ceil(FILTER_REACH * half_width)), max((lines - 1) // 2, 1))
     x = np.arange(-reach, reach + 1)
-    g = 1.0 / (half + 1j * x)
-    smooth = np.linalg.qr(np.vander(x / reach, SMOOTH))[0]
+    g = 1.0 / (half_width + 1j * x)
+    smooth = np.linalg.qr(np.vander(x / reach, SMOOTH_TERMS))[0]
     g = g - smooth @ (smooth.T @ g)
     return np.asarray(g / np.linalg.norm(g))
 
 
-def _variance(residual: Complex) -> Array:
+def _noise_variance(residual: Complex) -> Array:
     """Return the variance of the noise, (F, C), from medians over parts of the band, blind to peaks."""
     F = len(residual)
-    parts = max(1, min(PARTS, F // 48))
-    squares = np.abs(residual) ** 2 / MEDIAN
-    total = np.empty(residual.shape)
-    for block in np.array_split(np.arange(F), parts):
-        total[block] = np.median(squares[block], axis=0)
-    return np.asarray(np.maximum(total, 1e-300))
+    part_count = max(1, min(BAND_PARTS, F // 48))
+    squares = np.abs(residual) ** 2 / MEDIAN_SQUARE
+    variance = np.empty(residual.shape)
+    for block in np.array_split(np.arange(F), part_count):
+        variance[block] = np.median(squares[block], axis=0)
+    return np.asarray(np.maximum(variance, 1e-300))

@@ -1,10 +1,10 @@
 r"""Telling resonances from lines without bandwidth in frequency responses.
 
-Mains, fans and motors are not driven by the measured force: what they add is on one line, or on the few that a
-spectral window spreads it over.  A pole can be fitted to it as well, or several, with half bandwidths below the line
-spacing.  But a mode does not end there: its skirts fall with the distance only, r/(j omega - lambda), and where the
+Mains, fans and motors are not driven by the measured force: their contribution is on one line, or on the few over
+which a spectral window spreads it.  A pole can be fitted to it as well, or several, with half bandwidths below the
+line spacing.  But a mode extends further: its skirts fall with the distance only, r/(j omega - lambda), and where the
 peak of a lightly damped mode stands out of the noise its skirts do as well.  So the residue is estimated from the
-lines beyond alone.  For a tone it is nothing but noise, or not that of the peak.
+lines of the skirts alone.  For a tone this residue is noise, or differs from that of the peak.
 
 A tone in a record that has had no window has skirts as well, those of a pole without damping: the damping of a mode
 is more than its standard deviation.
@@ -20,120 +20,126 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.stats import gamma
 
-from pkmodes.modaltest.identification.frf_lines import SPREAD, FrequencyLines
-from pkmodes.modaltest.identification.frf_noise import MEDIAN
-from pkmodes.modaltest.identification.frf_polish import basis, polish, window
-from pkmodes.modaltest.identification.frf_refinement import without_others
+from pkmodes.modaltest.identification.frf_lines import TONE_SPREAD, FrequencyLines
+from pkmodes.modaltest.identification.frf_noise import MEDIAN_SQUARE
+from pkmodes.modaltest.identification.frf_polish import make_window, pole_basis, polish
+from pkmodes.modaltest.identification.frf_refinement import subtract_other_modes
 from pkmodes.modaltest.identification.modes import IdentifiedModes
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 #: Half bandwidth, in line spacings, below which a pole may be that of a tone.
-NARROW = 1.0
+NARROW_HALF_WIDTH = 1.0
 #: Poles closer to each other than this, in line spacings, may have been fitted to one tone.
-TOGETHER = 5.0
+MAX_CLUSTER_GAP = 5.0
 #: Lines used on each side.
-BEYOND = 24
+SIDE_LINES = 24
 #: Fewest lines from which skirts can be judged.
-FEWEST = 8
+MIN_LINES = 8
 #: Probability that noise alone produces skirts, and that it produces a line that is reported.
-FALSE_ALARM, NOISE = 1e-3, 1e-9
+FALSE_ALARM, TONE_FALSE_ALARM = 1e-3, 1e-9
 #: Largest relative difference between the residues of a mode's skirts and its peak: halfway from a mode to a tone.
-SHARE = 0.5
+MAX_RESIDUE_DIFFERENCE = 0.5
 #: Least ratio of a damping to its standard deviation.
-DAMPED = 2.0
+MIN_DAMPING_SIGMAS = 2.0
 
 
 @dataclass(frozen=True)
-class Line:
+class ToneLine:
     """A line without bandwidth.
 
     - frequency: [Hz]
-    - sure: whether it exceeds the noise by enough to be a tone, and no bump of the noise
+    - significant: whether it exceeds the noise by enough to be a tone, and no bump of the noise
     """
 
     frequency: float
-    sure: bool
+    significant: bool
 
 
-def without_bandwidth(data: FrequencyLines, modes: IdentifiedModes) -> list[Line]:
+def find_tone_lines(data: FrequencyLines, modes: IdentifiedModes) -> list[ToneLine]:
     """Return the lines without bandwidth among narrow modes."""
     step = data.step
-    places = modes.poles.imag / (2.0 * math.pi * step)
-    narrow = np.flatnonzero(modes.half_widths < NARROW * step)
-    narrow = narrow[np.argsort(places[narrow])]
-    lines: list[Line] = []
+    positions = modes.poles.imag / (2.0 * math.pi * step)
+    narrow = np.flatnonzero(modes.half_widths < NARROW_HALF_WIDTH * step)
+    narrow = narrow[np.argsort(positions[narrow])]
+    lines: list[ToneLine] = []
     if not len(narrow):
         return lines
     # Modes that may have been fitted to one tone are taken together.
-    for cluster in np.split(narrow, np.flatnonzero(np.diff(places[narrow]) > TOGETHER) + 1):
-        at, pole = _single(data, modes, cluster, step)
-        if len(at[0]) < FEWEST:  # all lines around it are left out already
-            lines.append(Line(float(modes.frequencies[cluster[0]]), sure=False))
-        elif pole is not None and not _resonance(*at, pole, step):
+    for cluster in np.split(narrow, np.flatnonzero(np.diff(positions[narrow]) > MAX_CLUSTER_GAP) + 1):
+        surroundings, pole = _fit_single_pole(data, modes, cluster, step)
+        if len(surroundings[0]) < MIN_LINES:  # all lines around it are left out already
+            lines.append(ToneLine(float(modes.frequencies[cluster[0]]), significant=False))
+        elif pole is not None and not _is_resonance(*surroundings, pole, step):
             frequency = pole.imag / (2.0 * math.pi)
-            lines.append(Line(frequency, _stands_out(*at, frequency, step)))
+            lines.append(ToneLine(frequency, _exceeds_noise(*surroundings, frequency, step)))
     return lines
 
 
-def distinct_tones(lines: Sequence[Line], step: float) -> tuple[float, ...]:
+def distinct_tones(lines: Sequence[ToneLine], step: float) -> tuple[float, ...]:
     """Return the frequencies of the tones [Hz]: of those found close together, in line spacings, the first."""
-    kept: list[float] = []
+    frequencies: list[float] = []
     for line in lines:
-        if line.sure and all(abs(line.frequency - frequency) > TOGETHER * step for frequency in kept):
-            kept.append(line.frequency)
-    return tuple(sorted(kept))
+        if line.significant and all(
+            abs(line.frequency - earlier) > MAX_CLUSTER_GAP * step for earlier in frequencies
+        ):
+            frequencies.append(line.frequency)
+    return tuple(sorted(frequencies))
 
 
-def _single(
+def _fit_single_pole(
     data: FrequencyLines, modes: IdentifiedModes, cluster: NDArray[np.int64], step: float
 ) -> tuple[tuple[Array, Complex], complex | None]:
     """Return the lines around a cluster without the other modes, and the one pole that fits them best."""
     centre = float(modes.poles[cluster].imag.mean()) / (2.0 * math.pi)
-    near = np.abs(data.frequencies - centre) < BEYOND * step
-    f = data.frequencies[near]
-    H = without_others(data, modes, cluster, near)
-    if len(cluster) == 1 or len(f) < FEWEST:
+    is_near = np.abs(data.frequencies - centre) < SIDE_LINES * step
+    f = data.frequencies[is_near]
+    H = subtract_other_modes(data, modes, cluster, is_near)
+    if len(cluster) == 1 or len(f) < MIN_LINES:
         return (f, H), complex(modes.poles[cluster[0]])
     variance = np.where(np.isfinite(H).all(axis=0), (np.abs(H) ** 2).mean(axis=0), np.inf)
-    at = window(f, H, 1.0 / variance, np.ones(len(f)))
+    window = make_window(f, H, 1.0 / variance, np.ones(len(f)))
     strongest = cluster[np.argmax(np.linalg.norm(modes.residues[cluster], axis=(1, 2)))]
-    fit = polish(at, modes.poles[[strongest]], modes.participation[[strongest]])
+    fit = polish(window, modes.poles[[strongest]], modes.participation[[strongest]])
     return (f, H), complex(fit.poles[0]) if np.isfinite(fit.cost) else None
 
 
-def _resonance(f: Array, H: Complex, pole: complex, step: float) -> bool:
+def _is_resonance(f: Array, H: Complex, pole: complex, step: float) -> bool:
     """Return whether a pole is that of a mode: its lines have its skirts, and damping."""
     measured = np.isfinite(H).all(axis=0)
     values = H[:, measured]
-    beyond = np.abs(f - pole.imag / (2.0 * math.pi)) > SPREAD * step
-    skirts, variance, factor = _residues(f[beyond], values[beyond], pole)
-    whole, rest, _ = _residues(f, values, pole)
-    energy = float((np.abs(skirts) ** 2 / (variance * factor)).sum())
-    if energy < gamma.isf(FALSE_ALARM, len(skirts)):
+    on_skirts = np.abs(f - pole.imag / (2.0 * math.pi)) > TONE_SPREAD * step
+    skirt_residues, skirt_variance, factor = _residues(f[on_skirts], values[on_skirts], pole)
+    residues, residual_variance, _ = _residues(f, values, pole)
+    energy = float((np.abs(skirt_residues) ** 2 / (skirt_variance * factor)).sum())
+    if energy < gamma.isf(FALSE_ALARM, len(skirt_residues)):
         return False
-    share = float(((whole.conj() * skirts).real / variance).sum() / (np.abs(whole) ** 2 / variance).sum())
-    damping = abs(pole.real) * math.sqrt(
-        2.0 * _information(f, pole) * float((np.abs(whole) ** 2 / rest).sum())
+    ratio = float(
+        ((residues.conj() * skirt_residues).real / skirt_variance).sum()
+        / (np.abs(residues) ** 2 / skirt_variance).sum()
     )
-    return abs(share - 1.0) < SHARE and damping > DAMPED
+    damping = abs(pole.real) * math.sqrt(
+        2.0 * _information(f, pole) * float((np.abs(residues) ** 2 / residual_variance).sum())
+    )
+    return abs(ratio - 1.0) < MAX_RESIDUE_DIFFERENCE and damping > MIN_DAMPING_SIGMAS
 
 
-def _stands_out(f: Array, H: Complex, frequency: float, step: float) -> bool:
+def _exceeds_noise(f: Array, H: Complex, frequency: float, step: float) -> bool:
     """Return whether one of the lines near a frequency is above the noise of the others."""
     values = H[:, np.isfinite(H).all(axis=0)]
-    near = np.abs(f - frequency) < SPREAD * step
-    noise = np.maximum(np.median(np.abs(values[~near]) ** 2, axis=0) / MEDIAN, 1e-300)
+    is_near = np.abs(f - frequency) < TONE_SPREAD * step
+    noise = np.maximum(np.median(np.abs(values[~is_near]) ** 2, axis=0) / MEDIAN_SQUARE, 1e-300)
     return bool(
-        (np.abs(values[near]) ** 2 / noise).sum(axis=1).max(initial=0.0) > gamma.isf(NOISE, len(noise))
+        (np.abs(values[is_near]) ** 2 / noise).sum(axis=1).max(initial=0.0)
+        > gamma.isf(TONE_FALSE_ALARM, len(noise))
     )
 
 
 def _information(f: Array, pole: complex) -> float:
     """Return the information of lines of unit noise on a pole of unit residue, with a free smooth part [s^2]."""
-    at = window(f, np.zeros((len(f), 1, 1), complex), np.ones((1, 1)), np.ones(len(f)))
-    g, slope = basis(at, np.array([pole])).T
+    window = make_window(f, np.zeros((len(f), 1, 1), complex), np.ones((1, 1)), np.ones(len(f)))
+    g, slope = pole_basis(window, np.array([pole])).T
     remainder = slope - g * (np.vdot(g, slope) / np.vdot(g, g))
     return float(np.vdot(remainder, remainder).real)
 
@@ -147,6 +153,6 @@ def _residues(f: Array, values: Complex, pole: complex) -> tuple[Complex, Array,
     remainder = values - smooth @ (smooth.T @ values)
     size = float(np.vdot(g, g).real)
     residues = (g.conj() @ remainder) / size
-    rest = remainder - np.outer(g, residues)
-    variance = (np.abs(rest) ** 2).sum(axis=0) / max(len(f) - 5, 1)
+    residual = remainder - np.outer(g, residues)
+    variance = (np.abs(residual) ** 2).sum(axis=0) / max(len(f) - 5, 1)
     return residues, np.maximum(variance, 1e-300), 1.0 / size

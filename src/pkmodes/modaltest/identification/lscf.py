@@ -31,7 +31,7 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 #: Fraction of the unit circle that the band covers: the rest keeps its two ends apart.
-COVERED = 0.9
+COVERED_SHARE = 0.9
 #: Regularisation relative to the mean of the diagonal: below the rounding of the sums of any measurement, above that
 #: of exact functions.
 RIDGE = 1e-13
@@ -58,55 +58,56 @@ def lscf(frequencies: Array, H: Complex, weights: Array, orders: Sequence[int]) 
     """
     S, R = H.shape[1:]
     low, high = float(frequencies[0]), float(frequencies[-1])
-    step = COVERED / (high - low)
-    largest = max(orders)
-    sums = _sums(frequencies - low, step, H, weights, largest)
-    return [_of_order(sums, n, S, R, step, low) for n in orders]
+    step = COVERED_SHARE / (high - low)
+    max_order = max(orders)
+    sums = _power_sums(frequencies - low, step, H, weights, max_order)
+    return [_poles_of_order(sums, n, S, R, step, low) for n in orders]
 
 
-def _sums(shifted: Array, step: float, H: Complex, weights: Array, largest: int) -> Complex:
+def _power_sums(shifted: Array, step: float, H: Complex, weights: Array, max_order: int) -> Complex:
     """Return the sums over the lines of w^2 z^k (1, H_r, conj(H_q) H_r), (2 n + 1, S, 1 + R + R R), k from -n."""
     F, S, R = H.shape
     z = np.exp(2j * math.pi * step * shifted)
-    up = z[:, None] ** np.arange(largest + 1)
-    powers = np.concatenate([up[:, :0:-1].conj(), up], axis=1)
+    positive_powers = z[:, None] ** np.arange(max_order + 1)
+    powers = np.concatenate([positive_powers[:, :0:-1].conj(), positive_powers], axis=1)
     squares = weights[:, :, None] ** 2
     products = (H[..., :, None].conj() * H[..., None, :]).reshape(F, S, R * R)
     data = np.concatenate([squares, squares * H, squares * products], axis=2)
-    return np.asarray((powers.T @ data.reshape(F, -1)).reshape(2 * largest + 1, S, -1))
+    return np.asarray((powers.T @ data.reshape(F, -1)).reshape(2 * max_order + 1, S, -1))
 
 
-def _of_order(sums: Complex, n: int, S: int, R: int, step: float, low: float) -> OrderPoles:
-    largest = len(sums) // 2
-    lags = sums[largest - n : largest + n + 1]
+def _poles_of_order(sums: Complex, n: int, S: int, R: int, step: float, low: float) -> OrderPoles:
+    max_order = len(sums) // 2
+    lags = sums[max_order - n : max_order + n + 1]
 
-    def matrix(column: Complex) -> Complex:
+    def toeplitz_matrix(column: Complex) -> Complex:
         return np.asarray(toeplitz(column[n::-1], column[n:]))  # entry (i, j) is the sum of z^(j - i)
 
     size = (n + 1) * R
     M = np.zeros((n + 1, R, n + 1, R), complex)
     numerators = np.empty((S, n + 1, size), complex)
     for o in range(S):
-        X = matrix(lags[:, o, 0])
+        X = toeplitz_matrix(lags[:, o, 0])
         X[np.diag_indices(n + 1)] += RIDGE * X[0, 0].real
-        Y = np.stack([matrix(lags[:, o, 1 + r]) for r in range(R)], axis=2).reshape(n + 1, size)
+        Y = np.stack([toeplitz_matrix(lags[:, o, 1 + r]) for r in range(R)], axis=2).reshape(n + 1, size)
         numerators[o] = np.linalg.solve(X, Y)  # the numerator is this times the denominator
         M -= (Y.conj().T @ numerators[o]).reshape(n + 1, R, n + 1, R)
     total = lags[:, :, 1 + R :].sum(axis=1)
     for q in range(R):
         for r in range(R):
-            M[:, q, :, r] += matrix(total[:, q * R + r])
+            M[:, q, :, r] += toeplitz_matrix(total[:, q * R + r])
     A = _denominator(M.reshape(size, size), n, R)
     inverse, vectors = _roots(A)
     z = 1.0 / inverse
-    angle = np.mod(np.angle(z) + math.pi * (1.0 - COVERED), 2.0 * math.pi) - math.pi * (1.0 - COVERED)
+    angle = np.mod(np.angle(z) + math.pi * (1.0 - COVERED_SHARE), 2.0 * math.pi) - math.pi * (
+        1.0 - COVERED_SHARE
+    )
     poles = (np.log(np.abs(z)) + 1j * angle) / step + 2j * math.pi * low
-    scaled = inverse[:, None] ** np.arange(
-        n, -1, -1
-    )  # z^i / z^n, (P, n + 1): roots inside the circle stay finite
+    # z^i / z^n, (P, n + 1), so that roots inside the circle stay finite.
+    scaled = inverse[:, None] ** np.arange(n, -1, -1)
     scaled /= np.abs(scaled).max(axis=1, keepdims=True)
-    inner = (numerators.reshape(S * (n + 1), size) @ A.reshape(size, R)).reshape(S, n + 1, R)
-    at_pole = np.einsum("pi,oir->por", scaled, inner)
+    products = (numerators.reshape(S * (n + 1), size) @ A.reshape(size, R)).reshape(S, n + 1, R)
+    at_pole = np.einsum("pi,oir->por", scaled, products)
     shapes = np.einsum("por,pr->po", at_pole, vectors)
     left_vectors = np.linalg.svd(np.einsum("pi,iqr->pqr", scaled, A))[0][:, :, -1]
     return OrderPoles(poles, shapes, left_vectors.conj(), n)
@@ -114,9 +115,9 @@ def _of_order(sums: Complex, n: int, S: int, R: int, step: float, low: float) ->
 
 def _denominator(M: Complex, n: int, R: int) -> Complex:
     """Return the coefficients A_i, (n + 1, R, R), with A_0 = 1, that make the sum of squares least."""
-    rest = M[R:, R:].copy()
-    rest[np.diag_indices(n * R)] += RIDGE * float(np.trace(M).real) / len(M)
-    coefficients = -np.linalg.solve(rest, M[R:, :R])
+    block = M[R:, R:].copy()
+    block[np.diag_indices(n * R)] += RIDGE * float(np.trace(M).real) / len(M)
+    coefficients = -np.linalg.solve(block, M[R:, :R])
     return np.concatenate([np.eye(R, dtype=complex)[None], coefficients.reshape(n, R, R)])
 
 

@@ -40,9 +40,9 @@ class IdentifiedModes:
         """Residues, (N, S, R)."""
         return np.asarray(self.shapes[:, :, None] * self.participation[:, None, :])
 
-    def only(self, kept: NDArray[np.bool_]) -> IdentifiedModes:
+    def select(self, mask: NDArray[np.bool_]) -> IdentifiedModes:
         """Return some of the modes."""
-        return IdentifiedModes(self.poles[kept], self.shapes[kept], self.participation[kept])
+        return IdentifiedModes(self.poles[mask], self.shapes[mask], self.participation[mask])
 
     def response(self, frequencies: Array) -> Complex:
         """Return the sum of the modes and their conjugates at frequencies [Hz], (F, S, R)."""

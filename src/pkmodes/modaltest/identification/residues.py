@@ -44,7 +44,7 @@ class Residues(IdentifiedModes):
 
 
 def lsfd(
-    frequencies: Array, H: Complex, weights: Array, poles: Complex, parts: Complex, power: int
+    frequencies: Array, H: Complex, weights: Array, poles: Complex, participations: Complex, power: int
 ) -> Residues:
     """Fit shapes and residual terms.
 
@@ -52,7 +52,7 @@ def lsfd(
     - H: columns that were not measured are NaN, (F, S, R)
     - weights: inverse standard deviations of the lines, (F, S)
     - poles: (N,) [1/s]
-    - parts: participations, at any scale, (N, R)
+    - participations: participations, at any scale, (N, R)
     - power: p
 
     References
@@ -62,56 +62,57 @@ def lsfd(
     (F, S, R), N = H.shape, len(poles)
     s: Complex = np.asarray(2j * math.pi * frequencies, dtype=complex)
     derivative: Complex = np.asarray(s**power, dtype=complex)
-    ahead, behind = (derivative[:, None] / (s[:, None] - p) for p in (poles, poles.conj()))
+    pole_terms, conjugate_terms = (derivative[:, None] / (s[:, None] - p) for p in (poles, poles.conj()))
     shapes = np.full((N, S), np.nan, complex)
     upper, lower = np.full((S, R), np.nan, complex), np.full((S, R), np.nan, complex)
     for o in range(S):
         measured = np.flatnonzero(np.isfinite(H[:, o]).all(axis=0))
         if not measured.size:
             continue
-        direct = ahead[:, None] * parts[:, measured].T
-        conjugate = behind[:, None] * parts[:, measured].T.conj()
-        shared = np.concatenate(
-            [direct + conjugate, 1j * (direct - conjugate)], axis=2
-        )  # of the real and imaginary parts
-        own_terms = np.zeros((F, measured.size, measured.size, 4), complex)
-        place = np.arange(measured.size)
-        own_terms[:, place, place] = _terms(derivative, s)[:, None]
+        direct = pole_terms[:, None] * participations[:, measured].T
+        conjugate = conjugate_terms[:, None] * participations[:, measured].T.conj()
+        # Columns of the real and imaginary parts of the shape.
+        shape_columns = np.concatenate([direct + conjugate, 1j * (direct - conjugate)], axis=2)
+        residual_columns = np.zeros((F, measured.size, measured.size, 4), complex)
+        index = np.arange(measured.size)
+        residual_columns[:, index, index] = _residual_columns(derivative, s)[:, None]
         A = (
-            np.concatenate([shared, own_terms.reshape(F, measured.size, -1)], axis=2)
+            np.concatenate([shape_columns, residual_columns.reshape(F, measured.size, -1)], axis=2)
             * weights[:, o, None, None]
         )
         solution = _least_squares(
             A.reshape(F * measured.size, -1), (H[:, o, measured] * weights[:, o, None]).ravel()
         )
         shapes[:, o] = solution[:N] + 1j * solution[N : 2 * N]
-        rest = solution[2 * N :].reshape(measured.size, 4)
-        upper[o, measured] = rest[:, 0] + 1j * rest[:, 1]
-        lower[o, measured] = rest[:, 2] + 1j * rest[:, 3]
-    return Residues(poles, shapes, parts, upper, lower, power)
+        residual_terms = solution[2 * N :].reshape(measured.size, 4)
+        upper[o, measured] = residual_terms[:, 0] + 1j * residual_terms[:, 1]
+        lower[o, measured] = residual_terms[:, 2] + 1j * residual_terms[:, 3]
+    return Residues(poles, shapes, participations, upper, lower, power)
 
 
-def with_residual_terms(
+def fit_residual_terms(
     frequencies: Array, H: Complex, weights: Array, modes: IdentifiedModes, power: int
 ) -> Residues:
     """Fit the residual terms alone, to known modes of the displacement; see `lsfd`."""
     s: Complex = np.asarray(2j * math.pi * frequencies, dtype=complex)
     derivative: Complex = np.asarray(s**power, dtype=complex)
     remainder = H - derivative[:, None, None] * modes.response(frequencies)
-    terms = _terms(derivative, s)[:, [0, 2]]
+    columns = _residual_columns(derivative, s)[:, [0, 2]]
     upper, lower = np.full(H.shape[1:], np.nan, complex), np.full(H.shape[1:], np.nan, complex)
     for o in range(H.shape[1]):
         measured = np.isfinite(H[:, o]).all(axis=0)
         if not measured.any():
             continue
-        A = terms * weights[:, o, None]
-        size = np.linalg.norm(A, axis=0)
-        solution = np.linalg.lstsq(A / size, remainder[:, o, measured] * weights[:, o, None], rcond=None)[0]
-        upper[o, measured], lower[o, measured] = solution / size[:, None]
+        A = columns * weights[:, o, None]
+        column_norms = np.linalg.norm(A, axis=0)
+        solution = np.linalg.lstsq(
+            A / column_norms, remainder[:, o, measured] * weights[:, o, None], rcond=None
+        )[0]
+        upper[o, measured], lower[o, measured] = solution / column_norms[:, None]
     return Residues(modes.poles, modes.shapes, modes.participation, upper, lower, power)
 
 
-def _terms(derivative: Complex, s: Complex) -> Complex:
+def _residual_columns(derivative: Complex, s: Complex) -> Complex:
     """Return the columns of the real and imaginary parts of U and D, (F, 4)."""
     upper, lower = derivative, derivative / s**2  # -1/omega^2 is 1/s^2
     return np.stack([upper, 1j * upper, lower, 1j * lower], axis=1)
@@ -119,8 +120,8 @@ def _terms(derivative: Complex, s: Complex) -> Complex:
 
 def _least_squares(A: NDArray[Any], b: NDArray[Any]) -> Array:
     """Return the real solution of complex equations."""
-    both = np.concatenate([A.real, A.imag])
-    size = np.linalg.norm(both, axis=0)
-    size = np.where(size > 0.0, size, 1.0)
-    solution = np.linalg.lstsq(both / size, np.concatenate([b.real, b.imag]), rcond=1e-12)[0]
-    return np.asarray(solution / size)
+    stacked = np.concatenate([A.real, A.imag])
+    column_norms = np.linalg.norm(stacked, axis=0)
+    column_norms = np.where(column_norms > 0.0, column_norms, 1.0)
+    solution = np.linalg.lstsq(stacked / column_norms, np.concatenate([b.real, b.imag]), rcond=1e-12)[0]
+    return np.asarray(solution / column_norms)

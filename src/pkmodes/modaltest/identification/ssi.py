@@ -40,7 +40,7 @@ class Subspace:
 
 
 @dataclass(frozen=True, eq=False)
-class Order:
+class OrderModes:
     """The modes of one model order n, before any choice among them.
 
     - values: eigenvalues lambda of the state matrix, (n,)
@@ -62,28 +62,28 @@ def hankel(correlations: Complex, blocks: int) -> Complex:
     - correlations: of S responses with r references, (2 q, S, r)
     - blocks: q
     """
-    at = np.arange(blocks + 1)[:, None] + np.arange(blocks)[None, :]
+    lag_index = np.arange(blocks + 1)[:, None] + np.arange(blocks)[None, :]
     _, S, r = correlations.shape
-    return np.asarray(correlations[at].transpose(0, 2, 1, 3).reshape((blocks + 1) * S, blocks * r))
+    return np.asarray(correlations[lag_index].transpose(0, 2, 1, 3).reshape((blocks + 1) * S, blocks * r))
 
 
-def subspace(correlations: Complex, blocks: int, largest: int) -> Subspace:
+def subspace(correlations: Complex, blocks: int, max_order: int) -> Subspace:
     """Return the range of the Hankel matrix.
 
     - correlations: (2 q, S, r)
     - blocks: q
-    - largest: largest model order
+    - max_order: largest model order
     """
     U, values, Vh = np.linalg.svd(hankel(correlations, blocks), full_matrices=False)
-    kept = min(largest, int((values > 1e-12 * values[0]).sum()))
-    root = np.sqrt(values[:kept])
-    return Subspace(U[:, :kept] * root, Vh[:kept].conj().T / root, correlations.shape[1])
+    rank = min(max_order, int((values > 1e-12 * values[0]).sum()))
+    root = np.sqrt(values[:rank])
+    return Subspace(U[:, :rank] * root, Vh[:rank].conj().T / root, correlations.shape[1])
 
 
-def order(of: Subspace, n: int) -> Order:
+def modes_of_order(space: Subspace, n: int) -> OrderModes:
     """Return the modes of model order n."""
-    observability, S = of.left[:, :n], of.sensors
+    observability, S = space.left[:, :n], space.sensors
     upper = np.linalg.pinv(observability[:-S])
     values, vectors = np.linalg.eig(upper @ observability[S:])
     rows = np.asarray(np.linalg.solve(vectors, upper), dtype=complex)
-    return Order(values, observability[:S] @ vectors, rows, of.right[:, :n] @ vectors)
+    return OrderModes(values, observability[:S] @ vectors, rows, space.right[:, :n] @ vectors)

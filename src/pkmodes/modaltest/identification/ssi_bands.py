@@ -25,13 +25,13 @@ from pkmodes.core.base.errors import MeasurementError
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 #: Ratio of the upper to the lower end of a part of the band.
-RATIO = 1.4
+PART_RATIO = 1.4
 #: Least width of a part in lines of the longest piece.
-LEAST_LINES = 100
+MIN_LINES = 100
 #: Width of a guard relative to the part.
-GUARD = 0.3
+GUARD_SHARE = 0.3
 #: Shortest piece of a record, in periods of the lower end of the band.
-FEWEST_PERIODS = 8.0
+MIN_PERIODS = 8.0
 
 
 @dataclass(frozen=True)
@@ -54,10 +54,10 @@ class BandPart:
 
     def window(self, frequencies: Array) -> Array:
         """Return w(f): 1 between the guards, and a squared cosine over each guard."""
-        below = (frequencies - self.start) / max(self.low - self.start, 1e-12)
-        above = (self.stop - frequencies) / max(self.stop - self.high, 1e-12)
-        inside = np.clip(np.minimum(below, above), 0.0, 1.0)
-        return np.asarray(np.sin(0.5 * math.pi * inside) ** 2)
+        lower_guard = (frequencies - self.start) / max(self.low - self.start, 1e-12)
+        upper_guard = (self.stop - frequencies) / max(self.stop - self.high, 1e-12)
+        position = np.clip(np.minimum(lower_guard, upper_guard), 0.0, 1.0)
+        return np.asarray(np.sin(0.5 * math.pi * position) ** 2)
 
     def pole(self, value: Complex) -> Complex:
         """Return poles [1/s] of eigenvalues of one step of the analytic signal."""
@@ -77,10 +77,10 @@ class SpectralLines:
     frequencies: Array
     values: Complex
 
-    def within(self, part: BandPart) -> SpectralLines:
+    def select(self, part: BandPart) -> SpectralLines:
         """Return the lines of a part of the band."""
-        inside = slice(*np.searchsorted(self.frequencies, [part.start, part.stop]))
-        return SpectralLines(self.frequencies[inside], self.values[inside])
+        line_range = slice(*np.searchsorted(self.frequencies, [part.start, part.stop]))
+        return SpectralLines(self.frequencies[line_range], self.values[line_range])
 
     @property
     def step(self) -> float:
@@ -88,39 +88,40 @@ class SpectralLines:
         return float(self.frequencies[1] - self.frequencies[0])
 
 
-def parts(low: float, high: float, nyquist: float, seconds: float) -> list[BandPart]:
+def split_band(low: float, high: float, nyquist: float, seconds: float) -> list[BandPart]:
     """Return the parts of a band [Hz] with guards that stay below the Nyquist frequency, for a length of record."""
-    least = min(LEAST_LINES / seconds, high - low)
+    min_width = min(MIN_LINES / seconds, high - low)
     ends = [low]
     while ends[-1] < high:
-        ends.append(max(RATIO * ends[-1], ends[-1] + least))
+        ends.append(max(PART_RATIO * ends[-1], ends[-1] + min_width))
     if len(ends) > 2 and high - ends[-2] < 0.5 * (ends[-1] - ends[-2]):
         del ends[-2]
     ends[-1] = high
     band_parts = []
     for a, b in pairwise(ends):
-        guard = GUARD * (b - a)
+        guard = GUARD_SHARE * (b - a)
         band_parts.append(BandPart(a, b, max(a - guard, 0.0), min(b + guard, nyquist)))
     return band_parts
 
 
-def lines(pieces: Sequence[Array], t_step: float, longest: int = 0) -> list[SpectralLines]:
+def spectral_lines(pieces: Sequence[Array], t_step: float, padded_length: int = 0) -> list[SpectralLines]:
     """Return spectral lines of pieces of a record, without their means.
 
     - pieces: each (N, S)
     - t_step: in s
-    - longest: samples to pad each piece to with zeros; 0: no padding, so that the lines of noise are independent
+    - padded_length: samples to which each piece is padded with zeros; 0: no padding, so that the lines of noise are
+      independent
     """
     total = sum(len(piece) for piece in pieces) * t_step
     spectra = []
     for piece in pieces:
-        n = longest or len(piece)
+        n = padded_length or len(piece)
         spectrum = np.fft.rfft(piece - piece.mean(axis=0), n, axis=0) * t_step / math.sqrt(0.5 * total)
         spectra.append(SpectralLines(np.asarray(np.fft.rfftfreq(n, t_step), float), spectrum))
     return spectra
 
 
-def powers(padded: Sequence[SpectralLines], part: BandPart) -> Complex:
+def zero_lag_correlations(padded: Sequence[SpectralLines], part: BandPart) -> Complex:
     """Return the correlations (S, S) of a part of the band at the lag 0, between all responses.
 
     Products of all pairs of responses at each line would not fit into memory with hundreds of sensors.
@@ -128,7 +129,7 @@ def powers(padded: Sequence[SpectralLines], part: BandPart) -> Complex:
     weighted = (
         (selected.values * (part.window(selected.frequencies) * selected.step)[:, None]).T
         @ selected.values.conj()
-        for selected in (piece.within(part) for piece in padded)
+        for selected in (piece.select(part) for piece in padded)
     )
     return np.asarray(sum(weighted))
 
@@ -143,7 +144,7 @@ def correlations(
     - lags: (K,)
     """
     total: Complex = np.zeros((), dtype=complex)
-    for selected in (piece.within(part) for piece in padded):
+    for selected in (piece.select(part) for piece in padded):
         weighted = selected.values * (part.window(selected.frequencies) * selected.step)[:, None]
         total = total + weighted[:, :, None] * (selected.values.conj() @ references)[:, None, :]
     turns = np.exp(2j * math.pi * np.outer(lags, (selected.frequencies - part.start) / part.rate))
@@ -155,7 +156,7 @@ class PreparedRecord:
     """A record prepared for identification: its sensors relative to their rms, its lines padded and not."""
 
     padded: list[SpectralLines]
-    plain: list[SpectralLines]
+    unpadded: list[SpectralLines]
     scales: Array
     seconds: float
 
@@ -171,7 +172,7 @@ def usable_pieces(t_step: float, pieces: list[Array], band: tuple[float, float])
             "band",
             "end it below",
         )
-    usable = [piece for piece in pieces if len(piece) * t_step * band[0] >= FEWEST_PERIODS]
+    usable = [piece for piece in pieces if len(piece) * t_step * band[0] >= MIN_PERIODS]
     if not usable:
         raise MeasurementError(
             f"a record without gaps is shorter than eight periods of {band[0]:g} Hz",
@@ -181,12 +182,17 @@ def usable_pieces(t_step: float, pieces: list[Array], band: tuple[float, float])
     return usable
 
 
-def prepared(t_step: float, pieces: list[Array]) -> PreparedRecord:
+def prepare_record(t_step: float, pieces: list[Array]) -> PreparedRecord:
     """Return pieces of a record without their means, relative to the rms of each sensor, as spectral lines."""
     total = sum(len(piece) for piece in pieces)
     centred = [piece - piece.mean(axis=0) for piece in pieces]
     scales = np.sqrt(sum(((piece**2).sum(axis=0) for piece in centred), np.zeros(pieces[0].shape[1])) / total)
     alive = np.where(scales > 0.0, scales, np.inf)
     scaled = [piece / alive for piece in centred]
-    longest = max(len(piece) for piece in scaled)
-    return PreparedRecord(lines(scaled, t_step, 2 * longest), lines(scaled, t_step), scales, longest * t_step)
+    max_length = max(len(piece) for piece in scaled)
+    return PreparedRecord(
+        spectral_lines(scaled, t_step, 2 * max_length),
+        spectral_lines(scaled, t_step),
+        scales,
+        max_length * t_step,
+    )

@@ -13,8 +13,8 @@ of the record, which resolves light damping (Sykulski et al., Biometrika 106(2),
 omega^4 / (omega + omega_d)^2 of an acceleration: without it, frequencies are off by twice the square of the damping
 ratio.  The inverse of the Fisher information is the covariance of the estimate.
 
-What the same force makes of other modes adds to a peak coherently: |r / s + c|^2 has an odd part Im(1 / s) besides.
-It would shift the frequency, and is fitted too; in noise, with a prior of its size.
+The response of other modes to the same force adds to a peak coherently: |r / s + c|^2 has an odd part Im(1 / s)
+besides.  It would shift the frequency, and is fitted too; in noise, with a prior of its size.
 
 Decays and sweeps are not random: their I follows P smoothly.  The peak is then that of an infinite record, and the
 mean square of I / P - 1, times the number of lines over which it is correlated, replaces the exponential
@@ -32,15 +32,15 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 #: Variance of I / P below which the response is a transient: it is 1 for noise.
-TRANSIENT = 0.25
+MAX_TRANSIENT_SCATTER = 0.25
 #: Largest odd part of a peak relative to the even one.
-ODD = 2.0
+MAX_ODD_PART = 2.0
 #: Prior standard deviation of the odd part if the response is to noise, which mostly drives several modes.
-LIKELY_ODD = 0.2
+ODD_PART_PRIOR = 0.2
 #: Most iterations, and the change of the log-likelihood that ends them.
-MOST_STEPS, ENOUGH = 40, 1e-4
+MAX_STEPS, CONVERGED_CHANGE = 40, 1e-4
 #: Least decay rate, relative to the inverse of the record length.
-LEAST_RATE = 1e-2
+MIN_RATE = 1e-2
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,7 +82,7 @@ def fit_peaks(powers: Powers, frequencies: Sequence[float], rates: Sequence[floa
     - frequencies, rates: where to start [Hz], [1/s]
     """
     fit = _fit(powers, frequencies, rates, False)
-    if fit.scatter < TRANSIENT:
+    if fit.scatter < MAX_TRANSIENT_SCATTER:
         fit = _fit(powers, fit.frequencies.tolist(), fit.rates.tolist(), True)
     return fit
 
@@ -97,51 +97,62 @@ def _fit(powers: Powers, frequencies: Sequence[float], rates: Sequence[float], t
         math.log(power[np.argsort(np.abs(powers.frequencies - f))[:3]].mean() + 1e-300) for f in frequencies
     ]
     p = np.array([*frequencies, *np.log(rates), *heights, level - 0.7, 0.0, *([0.0] * m)])
-    low = np.array([ends[0]] * m + [math.log(LEAST_RATE / powers.seconds.max())] * m + [level - 40.0] * m)
+    low = np.array([ends[0]] * m + [math.log(MIN_RATE / powers.seconds.max())] * m + [level - 40.0] * m)
     high = np.array([ends[1]] * m + [math.log(2.0 * math.pi * half)] * m + [level + 40.0] * m)
-    odd = [ODD] * m
-    low = np.concatenate([low, [level - 40.0, -5.0], [-limit for limit in odd]])
-    high = np.concatenate([high, [level + 40.0, 5.0], odd])
+    odd_limits = [MAX_ODD_PART] * m
+    low = np.concatenate([low, [level - 40.0, -5.0], [-limit for limit in odd_limits]])
+    high = np.concatenate([high, [level + 40.0, 5.0], odd_limits])
     p = np.clip(p, low, high)
     density, slopes = _density(p, m, powers, x, transient)
     prior = np.zeros(len(p))
-    prior[3 * m + 2 :] = 0.0 if transient else LIKELY_ODD**-2
-    value, damp = _likelihood(power, density) - 0.5 * float(prior @ p**2), 1e-3
-    for _ in range(MOST_STEPS):
+    prior[3 * m + 2 :] = 0.0 if transient else ODD_PART_PRIOR**-2
+    value, damping = _likelihood(power, density) - 0.5 * float(prior @ p**2), 1e-3
+    for _ in range(MAX_STEPS):
         gradient = slopes.T @ (power / density - 1.0) - prior * p
         fisher = slopes.T @ slopes + np.diag(prior)
         scale = np.diag(fisher) + 1e-9
-        step = np.linalg.solve(fisher + np.diag(damp * scale + 1e-9), gradient)
+        step = np.linalg.solve(fisher + np.diag(damping * scale + 1e-9), gradient)
         step[:m] = np.clip(step[:m], -0.3 * half, 0.3 * half)
         step[m:] = np.clip(step[m:], -1.5, 1.5)
         trial = np.clip(p + step, low, high)
         new_density, new_slopes = _density(trial, m, powers, x, transient)
-        new = _likelihood(power, new_density) - 0.5 * float(prior @ trial**2)
-        if new > value:
-            done = new - value < ENOUGH
-            p, density, slopes, value, damp = trial, new_density, new_slopes, new, max(damp / 5.0, 1e-6)
-            if done:
+        new_value = _likelihood(power, new_density) - 0.5 * float(prior @ trial**2)
+        if new_value > value:
+            converged = new_value - value < CONVERGED_CHANGE
+            p, density, slopes, value, damping = (
+                trial,
+                new_density,
+                new_slopes,
+                new_value,
+                max(damping / 5.0, 1e-6),
+            )
+            if converged:
                 break
-        elif damp > 1e4:
+        elif damping > 1e4:
             break
         else:
-            damp *= 10.0
+            damping *= 10.0
     relative = power / density
     scatter = 0.5 * float(np.mean(np.diff(relative) ** 2)) if len(relative) > 1 else 1.0
     fisher = slopes.T @ slopes + np.diag(prior)
     covariance = np.linalg.pinv(fisher + 1e-9 * np.diag(np.diag(fisher) + 1e-12), hermitian=True)
-    covariance *= _correlated(relative - 1.0) if transient else 1.0
-    both = np.arange(m)[:, None] + np.array([0, m])
+    covariance *= _correlated_square(relative - 1.0) if transient else 1.0
+    parameter_pairs = np.arange(m)[:, None] + np.array([0, m])
     return PeakFit(
-        p[:m], np.exp(p[m : 2 * m]), covariance[both[:, :, None], both[:, None, :]], value, scatter, density
+        p[:m],
+        np.exp(p[m : 2 * m]),
+        covariance[parameter_pairs[:, :, None], parameter_pairs[:, None, :]],
+        value,
+        scatter,
+        density,
     )
 
 
-def _correlated(misfit: Array) -> float:
+def _correlated_square(misfit: Array) -> float:
     """Return the mean square of a misfit times the number of lines over which it is correlated."""
     products = np.correlate(misfit, misfit, "full")[len(misfit) - 1 :] / len(misfit)
-    negative = np.flatnonzero(products <= 0.0)
-    reach = int(negative[0]) if negative.size else len(products)
+    non_positive = np.flatnonzero(products <= 0.0)
+    reach = int(non_positive[0]) if non_positive.size else len(products)
     return float(products[0] + 2.0 * products[1:reach].sum())
 
 
@@ -155,24 +166,24 @@ def _density(p: Array, m: int, powers: Powers, x: Array, transient: bool) -> tup
     total, slopes = background.copy(), np.empty((len(x), len(p)))
     slopes[:, 3 * m], slopes[:, 3 * m + 1] = background, background * x
     for j in range(m):
-        away = 2.0 * math.pi * (powers.frequencies - p[j])
+        detuning = 2.0 * math.pi * (powers.frequencies - p[j])
         rate, height = math.exp(p[m + j]), math.exp(p[2 * m + j])
-        s = rate + 1j * away
+        s = rate + 1j * detuning
         if transient:
-            peak, by_s = rate / s, -rate / s**2
+            peak, slope_by_s = rate / s, -rate / s**2
         else:
             T = powers.seconds
-            gone = np.exp(-s * T)
-            peak = rate * (1.0 / s - (1.0 - gone) / (s**2 * T))
-            by_s = rate * (-1.0 / s**2 - gone / s**2 + 2.0 * (1.0 - gone) / (s**3 * T))
+            end_decay = np.exp(-s * T)
+            peak = rate * (1.0 / s - (1.0 - end_decay) / (s**2 * T))
+            slope_by_s = rate * (-1.0 / s**2 - end_decay / s**2 + 2.0 * (1.0 - end_decay) / (s**3 * T))
         factor = height * (powers.frequencies / p[j]) ** 4 * (2.0 * p[j] / (powers.frequencies + p[j])) ** 2
         slopes[:, 3 * m + 2 + j] = factor * -peak.imag
         skew = 1.0 + 1j * p[3 * m + 2 + j]
-        peak, by_s = skew * peak, skew * by_s
-        by_frequency = -2.0 / p[j] - 2.0 / (powers.frequencies + p[j])
+        peak, slope_by_s = skew * peak, skew * slope_by_s
+        slope_by_frequency = -2.0 / p[j] - 2.0 / (powers.frequencies + p[j])
         total += factor * peak.real
         slopes[:, 2 * m + j] = factor * peak.real
-        slopes[:, m + j] = factor * (peak.real + by_s.real * rate)
-        slopes[:, j] = factor * ((by_s * -2j * math.pi).real + by_frequency * peak.real)
+        slopes[:, m + j] = factor * (peak.real + slope_by_s.real * rate)
+        slopes[:, j] = factor * ((slope_by_s * -2j * math.pi).real + slope_by_frequency * peak.real)
     total = np.maximum(total, 1e-6 * powers.values.max() + 1e-300)  # the odd part may exceed the even one
     return total, slopes / total[:, None]

@@ -15,131 +15,141 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.modaltest.identification.asked import (
-    NOTHING,
-    REACH,
-    RequestedModes,
-    replaced,
-    struck,
-    within_reach,
-)
-from pkmodes.modaltest.identification.clusters import PoleCluster, orders_with, pole_clusters, usable_poles
+from pkmodes.modaltest.identification.clusters import PoleCluster, count_orders, pole_clusters, usable_poles
 from pkmodes.modaltest.identification.lscf import OrderPoles
-from pkmodes.modaltest.identification.ssi import Order, order, subspace
+from pkmodes.modaltest.identification.requested_modes import (
+    MAX_SHIFT,
+    NO_EDITS,
+    RequestedModes,
+    index_to_replace,
+    near_request,
+    struck_mask,
+)
+from pkmodes.modaltest.identification.ssi import OrderModes, modes_of_order, subspace
 from pkmodes.modaltest.identification.ssi_bands import (
     BandPart,
     PreparedRecord,
     SpectralLines,
     correlations,
-    powers,
+    zero_lag_correlations,
 )
-from pkmodes.modaltest.identification.ssi_selection import Refined, refined, start
+from pkmodes.modaltest.identification.ssi_selection import RefinedMode, refine, starting_mode
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 #: Model orders of a part of the band.
 ORDERS = tuple(range(1, 15))
 #: Block rows, and the first lag, in samples of the analytic signal.
-BLOCKS, FIRST = 20, 1
+BLOCKS, FIRST_LAG = 20, 1
 #: Model orders tried for a shape: the one with the least standard deviation is taken.
-SHAPES = 4
+SHAPE_TRIALS = 4
 #: Most references, combinations of the responses.
-REFERENCES = 6
+MAX_REFERENCES = 6
 #: Log-likelihood ratio above which a peak is more than a bump of noise: as in `ssi_selection`, but for about ten
 #: places instead of about a hundred.
 SIGNIFICANT = 9.0
 #: Fits that end closer than this fraction of their half bandwidth are the same.
-SAME = 0.1
+SAME_FIT_DISTANCE = 0.1
 
 
 @dataclass(frozen=True, eq=False)
 class PartMode:
     """A mode, the part of the band in which it was found, and its subspace identification."""
 
-    mode: Refined
+    mode: RefinedMode
     part: BandPart
-    orders: tuple[Order, ...]
+    orders: tuple[OrderModes, ...]
     references: Array
     order_count: int
 
 
 #: Requested modes, by the frequency that the user gives [Hz]; or why there is none.
-Wanted = dict[float, PartMode | str]
+RequestOutcomes = dict[float, PartMode | str]
 
 
 def modes_of_part(
     record: PreparedRecord,
     part: BandPart,
     poles: list[list[Complex]],
-    edits: RequestedModes = NOTHING,
-) -> tuple[list[PartMode], Wanted]:
+    edits: RequestedModes = NO_EDITS,
+) -> tuple[list[PartMode], RequestOutcomes]:
     """Return the modes of a part of the band, and those requested in it; add its poles to those of each order."""
-    power = powers(record.padded, part)
+    power = zero_lag_correlations(record.padded, part)
     levels = np.sqrt(np.maximum(np.diag(power).real, 1e-300))
     _, directions = np.linalg.eigh((power / np.outer(levels, levels)).real)
-    references = directions[:, ::-1][:, :REFERENCES] / levels[:, None]
+    references = directions[:, ::-1][:, :MAX_REFERENCES] / levels[:, None]
     blocks = min(BLOCKS, int(0.25 * part.rate * record.seconds))
-    lags = np.arange(FIRST, FIRST + 2 * blocks)
-    range_of = subspace(
+    lags = np.arange(FIRST_LAG, FIRST_LAG + 2 * blocks)
+    space = subspace(
         correlations(record.padded, part, references, lags) / levels[:, None], blocks, ORDERS[-1]
     )
-    orders = [order(range_of, n) for n in ORDERS if n <= range_of.left.shape[1]]
+    orders = [modes_of_order(space, n) for n in ORDERS if n <= space.left.shape[1]]
     by_order = []
     for k, model in enumerate(orders):
         s = part.pole(model.values)
         by_order.append(
             OrderPoles(s, (model.shapes * levels[:, None]).T, np.ones((len(s), 1), complex), ORDERS[k])
         )
-        inside = (s.imag >= 2 * math.pi * part.low) & (s.imag < 2 * math.pi * part.high)
-        poles[k].append(s[inside & (s.real < 0.0)])
-    margin = 0.5 * (part.low - part.start), 0.5 * (part.stop - part.high)
-    chosen = pole_clusters(by_order, part.low - margin[0], part.high + margin[1])
+        in_part = (s.imag >= 2 * math.pi * part.low) & (s.imag < 2 * math.pi * part.high)
+        poles[k].append(s[in_part & (s.real < 0.0)])
+    margins = 0.5 * (part.low - part.start), 0.5 * (part.stop - part.high)
+    clusters = pole_clusters(by_order, part.low - margins[0], part.high + margins[1])
 
-    def part_mode(mode: Refined, pole: complex, count: int) -> PartMode:
-        away = [np.abs(model.poles - pole).min() for model in by_order]
-        nearest = tuple(_rescaled(orders[k], levels) for k in np.argsort(away)[:SHAPES])
+    def part_mode(mode: RefinedMode, pole: complex, count: int) -> PartMode:
+        distances = [np.abs(model.poles - pole).min() for model in by_order]
+        nearest = tuple(_rescale(orders[k], levels) for k in np.argsort(distances)[:SHAPE_TRIALS])
         return PartMode(mode, part, nearest, references, count)
 
-    selected = _selected(record, part, chosen)
+    selected = _select_modes(record, part, clusters)
     modes = [mode for mode, _ in selected]
-    requested: Wanted = {}
+    requested: RequestOutcomes = {}
     for frequency in edits.add:
         if part.low <= frequency <= part.high:
-            outcome = added(by_order, modes, edits, record.plain, (part.start, part.stop), frequency)
+            outcome = fit_requested(
+                by_order, modes, edits, record.unpadded, (part.start, part.stop), frequency
+            )
             if isinstance(outcome, str):
                 requested[frequency] = outcome
             else:
-                requested[frequency] = part_mode(outcome, outcome.pole, orders_with(by_order, outcome.pole))
+                requested[frequency] = part_mode(outcome, outcome.pole, count_orders(by_order, outcome.pole))
     return [part_mode(mode, candidate.pole, candidate.order_count) for mode, candidate in selected], requested
 
 
-def _rescaled(of: Order, levels: Array) -> Order:
+def _rescale(order_modes: OrderModes, levels: Array) -> OrderModes:
     """Return an order with its responses in the scale of the lines."""
-    blocks = of.rows.shape[1] // len(levels)
-    return Order(of.values, of.shapes * levels[:, None], of.rows / np.tile(levels, blocks), of.columns)
+    blocks = order_modes.rows.shape[1] // len(levels)
+    return OrderModes(
+        order_modes.values,
+        order_modes.shapes * levels[:, None],
+        order_modes.rows / np.tile(levels, blocks),
+        order_modes.columns,
+    )
 
 
-def _selected(
-    record: PreparedRecord, part: BandPart, chosen: Sequence[PoleCluster]
-) -> list[tuple[Refined, PoleCluster]]:
+def _select_modes(
+    record: PreparedRecord, part: BandPart, clusters: Sequence[PoleCluster]
+) -> list[tuple[RefinedMode, PoleCluster]]:
     """Return the candidates that are modes: the strongest are tried first, then each is fitted beside the others."""
     ends = part.start, part.stop
-    strength = [_strength(record, candidate) for candidate in chosen]
-    kept: list[tuple[Refined, PoleCluster]] = []
+    strength = [_strength(record, candidate) for candidate in clusters]
+    accepted: list[tuple[RefinedMode, PoleCluster]] = []
     for k in np.argsort(strength)[::-1]:
-        candidate = chosen[k]
-        mode = refined(
-            start(candidate.pole, candidate.shape), [kept_mode for kept_mode, _ in kept], record.plain, ends
+        candidate = clusters[k]
+        mode = refine(
+            starting_mode(candidate.pole, candidate.shape),
+            [neighbour for neighbour, _ in accepted],
+            record.unpadded,
+            ends,
         )
         if mode is not None:
-            kept.append((mode, candidate))
+            accepted.append((mode, candidate))
     # the least certain first: a second description of a mode is dropped before the mode is fitted beside it
-    for pair in sorted(kept, key=lambda pair: pair[0].gain):
-        kept.remove(pair)
-        again = refined(pair[0], [kept_mode for kept_mode, _ in kept], record.plain, ends)
-        if again is not None:
-            kept.append((again, pair[1]))
-    return kept
+    for pair in sorted(accepted, key=lambda pair: pair[0].log_likelihood_ratio):
+        accepted.remove(pair)
+        refitted = refine(pair[0], [neighbour for neighbour, _ in accepted], record.unpadded, ends)
+        if refitted is not None:
+            accepted.append((refitted, pair[1]))
+    return accepted
 
 
 def _strength(record: PreparedRecord, candidate: PoleCluster) -> float:
@@ -148,22 +158,22 @@ def _strength(record: PreparedRecord, candidate: PoleCluster) -> float:
         candidate.pole.imag / (2 * math.pi),
         max(-candidate.pole.real / (2 * math.pi), 1.0 / record.seconds),
     )
-    along = candidate.shape.conj() / np.linalg.norm(candidate.shape)
-    powers = []
-    for piece in record.plain:
-        inside = slice(*np.searchsorted(piece.frequencies, [f - width, f + width]))
-        powers.append((np.abs(piece.values[inside] @ along) ** 2).sum() * piece.step)
-    return float(sum(powers)) / width
+    weights = candidate.shape.conj() / np.linalg.norm(candidate.shape)
+    zero_lag_correlations = []
+    for piece in record.unpadded:
+        line_range = slice(*np.searchsorted(piece.frequencies, [f - width, f + width]))
+        zero_lag_correlations.append((np.abs(piece.values[line_range] @ weights) ** 2).sum() * piece.step)
+    return float(sum(zero_lag_correlations)) / width
 
 
-def added(
+def fit_requested(
     by_order: Sequence[OrderPoles],
-    modes: Sequence[Refined],
+    modes: Sequence[RefinedMode],
     edits: RequestedModes,
     lines: Sequence[SpectralLines],
     ends: tuple[float, float],
     target: float,
-) -> Refined | str:
+) -> RefinedMode | str:
     """Return the mode fitted from a frequency [Hz], or why there is none.
 
     - modes: those found; those struck out, and the one that it replaces, are not fitted beside it
@@ -171,22 +181,27 @@ def added(
     - ends: of the lines that may be used [Hz]
     """
     f = np.array([mode.undamped for mode in modes])
-    gone, before = struck(f, edits), replaced(f, edits, target)
-    neighbours = [mode for i, mode in enumerate(modes) if not gone[i] and i != before]
-    near = [
-        start(complex(model.poles[k]), model.shapes[k])
+    struck, replaced_index = struck_mask(f, edits), index_to_replace(f, edits, target)
+    neighbours = [mode for i, mode in enumerate(modes) if not struck[i] and i != replaced_index]
+    candidates = [
+        starting_mode(complex(model.poles[k]), model.shapes[k])
         for model in by_order
-        for k in np.flatnonzero(usable_poles(model.poles, (1.0 - REACH) * target, (1.0 + REACH) * target))
+        for k in np.flatnonzero(
+            usable_poles(model.poles, (1.0 - MAX_SHIFT) * target, (1.0 + MAX_SHIFT) * target)
+        )
     ]
-    if not near:
+    if not candidates:
         return "no model order has a pole within 3 % of it"
-    fits: list[Refined] = []
-    for candidate in near:
-        mode = refined(candidate, neighbours, lines, ends, SIGNIFICANT)
-        if mode is not None and within_reach(mode.undamped, target):
+    fits: list[RefinedMode] = []
+    for candidate in candidates:
+        mode = refine(candidate, neighbours, lines, ends, SIGNIFICANT)
+        if mode is not None and near_request(mode.undamped, target):
             fits.append(mode)
     if not fits:
         return "no fit to the spectra converges within 3 % of it to a peak above the noise"
     first = min(fits, key=lambda fit: abs(fit.frequency - target))
-    same = SAME * first.rate / (2.0 * math.pi)
-    return max((fit for fit in fits if abs(fit.frequency - first.frequency) < same), key=lambda fit: fit.gain)
+    max_distance = SAME_FIT_DISTANCE * first.rate / (2.0 * math.pi)
+    return max(
+        (fit for fit in fits if abs(fit.frequency - first.frequency) < max_distance),
+        key=lambda fit: fit.log_likelihood_ratio,
+    )

@@ -26,38 +26,38 @@ Complex = NDArray[np.complex128]
 #: places.
 SIGNIFICANT = 12.0
 #: Half range of a fit: in half bandwidths, and the least in lines.
-HALF_WIDTHS, LEAST_LINES = 10.0, 24.0
+HALF_WIDTHS, MIN_LINES = 10.0, 24.0
 #: Largest factor by which a modal filter may reduce a mode relative to noise; neighbours beyond it are fitted in the
 #: power.
-AMPLIFIED = 4.0
+MAX_AMPLIFICATION = 4.0
 #: Modes farther away, up to this ratio of frequencies, are removed too if that costs no more than this factor: what
 #: they add around a peak is coherent with it and shifts it.
-AMPLIFIED_FAR, FAR = 1.5, 3.0
+MAX_FAR_AMPLIFICATION, MAX_FREQUENCY_RATIO = 1.5, 3.0
 #: Decay rate times record length below which a line has no visible bandwidth.
-UNRESOLVED = 1.5
+MIN_RESOLVED_DECAYS = 1.5
 #: Largest shift of a candidate by a fit, in sums of both half bandwidths, and largest factor on its bandwidth.
-SHIFT, WIDENED = 0.75, 4.0
+MAX_SHIFT, MAX_WIDENING = 0.75, 4.0
 #: Half bandwidths of a peak that must be visible on either side.
-SEEN = 1.2
+VISIBLE_HALF_WIDTHS = 1.2
 #: Highest damping ratio of a mode with a peak.
 HIGHEST_DAMPING = 0.2
 
 
 @dataclass(frozen=True, eq=False)
-class Refined:
+class RefinedMode:
     """A mode.
 
     - frequency, rate: of the damped vibration [Hz], rate of decay [1/s]
     - covariance: of frequency and logarithm of the rate, (2, 2)
     - shape: in the scale of the lines, (S,)
-    - gain: logarithm of the ratio of likelihoods
+    - log_likelihood_ratio: logarithm of the ratio of likelihoods
     """
 
     frequency: float
     rate: float
     covariance: Array
     shape: Complex
-    gain: float
+    log_likelihood_ratio: float
 
     @property
     def pole(self) -> complex:
@@ -70,87 +70,98 @@ class Refined:
         return abs(self.pole) / (2.0 * math.pi)
 
 
-def start(pole: complex, shape: Complex) -> Refined:
+def starting_mode(pole: complex, shape: Complex) -> RefinedMode:
     """Return a candidate at a pole, before any fit."""
-    return Refined(pole.imag / (2.0 * math.pi), -pole.real, np.zeros((2, 2)), shape, math.inf)
+    return RefinedMode(pole.imag / (2.0 * math.pi), -pole.real, np.zeros((2, 2)), shape, math.inf)
 
 
-def refined(
-    mode: Refined,
-    neighbours: Sequence[Refined],
+def refine(
+    mode: RefinedMode,
+    neighbours: Sequence[RefinedMode],
     lines: Sequence[SpectralLines],
     ends: tuple[float, float],
-    least: float = SIGNIFICANT,
-) -> Refined | None:
+    min_ratio: float = SIGNIFICANT,
+) -> RefinedMode | None:
     """Return a mode refined beside its neighbours, None if no peak of its own remains.
 
     - lines: of pieces without padding
     - ends: of the lines that may be used [Hz]
-    - least: least log-likelihood ratio
+    - min_ratio: least log-likelihood ratio
     """
     seconds = max(1.0 / piece.step for piece in lines)
-    half = max(HALF_WIDTHS * mode.rate / (2.0 * math.pi), LEAST_LINES / seconds)
-    low, high = max(mode.frequency - half, ends[0]), min(mode.frequency + half, ends[1])
-    reach = [
-        neighbour for neighbour in neighbours if low - 0.5 * half < neighbour.frequency < high + 0.5 * half
+    half_range = max(HALF_WIDTHS * mode.rate / (2.0 * math.pi), MIN_LINES / seconds)
+    low, high = max(mode.frequency - half_range, ends[0]), min(mode.frequency + half_range, ends[1])
+    nearby = [
+        neighbour
+        for neighbour in neighbours
+        if low - 0.5 * half_range < neighbour.frequency < high + 0.5 * half_range
     ]
     far = [
         neighbour
         for neighbour in neighbours
-        if neighbour not in reach and 1 / FAR < neighbour.frequency / mode.frequency < FAR
+        if neighbour not in nearby
+        and 1 / MAX_FREQUENCY_RATIO < neighbour.frequency / mode.frequency < MAX_FREQUENCY_RATIO
     ]
-    row, beside = _filter(mode, reach, far)
-    beside = [neighbour for neighbour in beside if low < neighbour.frequency < high]
+    row, not_filtered = _modal_filter(mode, nearby, far)
+    not_filtered = [neighbour for neighbour in not_filtered if low < neighbour.frequency < high]
     powers = _powers(lines, row, low, high)
     if len(powers.values) < 12:
         return None
-    near = (
-        [neighbour.frequency for neighbour in beside],
-        [max(neighbour.rate, 0.5 / seconds) for neighbour in beside],
+    neighbour_starts = (
+        [neighbour.frequency for neighbour in not_filtered],
+        [max(neighbour.rate, 0.5 / seconds) for neighbour in not_filtered],
     )
-    without = fit_peaks(powers, *near)
-    fit = fit_peaks(powers, [mode.frequency, *near[0]], [max(mode.rate, 0.5 / seconds), *near[1]])
-    gain = fit.likelihood - without.likelihood
-    return _accepted(mode, fit, gain, reach, seconds, (low, high)) if gain >= least else None
+    background = fit_peaks(powers, *neighbour_starts)
+    fit = fit_peaks(
+        powers, [mode.frequency, *neighbour_starts[0]], [max(mode.rate, 0.5 / seconds), *neighbour_starts[1]]
+    )
+    log_likelihood_ratio = fit.likelihood - background.likelihood
+    return (
+        _accept(mode, fit, log_likelihood_ratio, nearby, seconds, (low, high))
+        if log_likelihood_ratio >= min_ratio
+        else None
+    )
 
 
-def _accepted(
-    mode: Refined,
+def _accept(
+    mode: RefinedMode,
     fit: PeakFit,
-    gain: float,
-    reach: Sequence[Refined],
+    log_likelihood_ratio: float,
+    nearby: Sequence[RefinedMode],
     seconds: float,
     ends: tuple[float, float],
-) -> Refined | None:
+) -> RefinedMode | None:
     f, rate = float(fit.frequencies[0]), float(fit.rates[0])
-    inside = ends[0] < f < ends[1] and rate < HIGHEST_DAMPING * 2.0 * math.pi * f
-    if rate * seconds < UNRESOLVED or not inside:
+    in_range = ends[0] < f < ends[1] and rate < HIGHEST_DAMPING * 2.0 * math.pi * f
+    if rate * seconds < MIN_RESOLVED_DECAYS or not in_range:
         return None
     # a fit that moved to another peak than the candidate's has the wrong shape
-    if abs(f - mode.frequency) > SHIFT * (rate + mode.rate) / (2.0 * math.pi) + 1.0 / seconds:
+    if abs(f - mode.frequency) > MAX_SHIFT * (rate + mode.rate) / (2.0 * math.pi) + 1.0 / seconds:
         return None
     width = rate / (2.0 * math.pi)
-    visible = ends[0] < f - SEEN * width and f + SEEN * width < ends[1]
-    if rate > WIDENED * (mode.rate + 5.0 / seconds) or not visible:
+    visible = ends[0] < f - VISIBLE_HALF_WIDTHS * width and f + VISIBLE_HALF_WIDTHS * width < ends[1]
+    if rate > MAX_WIDENING * (mode.rate + 5.0 / seconds) or not visible:
         return None
-    for neighbour in reach:
-        apart = 2.0 * math.pi * abs(f - neighbour.frequency) / (rate + neighbour.rate)
-        if apart < 0.5 and complex_mac(mode.shape, neighbour.shape) > 0.9:
+    for neighbour in nearby:
+        distance = 2.0 * math.pi * abs(f - neighbour.frequency) / (rate + neighbour.rate)
+        if distance < 0.5 and complex_mac(mode.shape, neighbour.shape) > 0.9:
             return None
-    return Refined(f, rate, fit.covariance[0], mode.shape, gain)
+    return RefinedMode(f, rate, fit.covariance[0], mode.shape, log_likelihood_ratio)
 
 
-def _filter(mode: Refined, reach: Sequence[Refined], far: Sequence[Refined]) -> tuple[Complex, list[Refined]]:
+def _modal_filter(
+    mode: RefinedMode, nearby: Sequence[RefinedMode], far: Sequence[RefinedMode]
+) -> tuple[Complex, list[RefinedMode]]:
     """Return the filter of a mode (S,), and the neighbours that it does not remove."""
-    removed: list[Refined] = []
-    remaining: list[Refined] = []
+    removed: list[RefinedMode] = []
+    remaining: list[RefinedMode] = []
     row = mode.shape.conj() / np.vdot(mode.shape, mode.shape).real
-    for group, limit in ((reach, AMPLIFIED), (far, AMPLIFIED_FAR)):
+    for group, limit in ((nearby, MAX_AMPLIFICATION), (far, MAX_FAR_AMPLIFICATION)):
         for neighbour in sorted(group, key=lambda neighbour: abs(neighbour.frequency - mode.frequency)):
-            tried = [mode.shape, *(removed_mode.shape for removed_mode in removed), neighbour.shape]
-            inverse = np.linalg.pinv(np.column_stack(tried))[0]
-            amplified = float(np.linalg.norm(inverse) * np.linalg.norm(mode.shape))
-            if len(tried) <= len(mode.shape) and amplified < limit:
+            shapes = [mode.shape, *(removed_mode.shape for removed_mode in removed), neighbour.shape]
+            inverse = np.linalg.pinv(np.column_stack(shapes))[0]
+            amplification = float(np.linalg.norm(inverse) * np.linalg.norm(mode.shape))
+            if len(shapes) <= len(mode.shape) and amplification < limit:
                 removed.append(neighbour)
                 row = inverse
             else:
@@ -162,8 +173,8 @@ def _powers(lines: Sequence[SpectralLines], row: Complex, low: float, high: floa
     """Return the power that passes a filter, between two frequencies."""
     frequencies, values, seconds = [], [], []
     for piece in lines:
-        inside = slice(*np.searchsorted(piece.frequencies, [max(low, 0.5 * piece.step), high]))
-        frequencies.append(piece.frequencies[inside])
-        values.append(np.abs(piece.values[inside] @ row) ** 2 * piece.step)
+        line_range = slice(*np.searchsorted(piece.frequencies, [max(low, 0.5 * piece.step), high]))
+        frequencies.append(piece.frequencies[line_range])
+        values.append(np.abs(piece.values[line_range] @ row) ** 2 * piece.step)
         seconds.append(np.full(len(frequencies[-1]), 1.0 / piece.step))
     return Powers(np.concatenate(frequencies), np.concatenate(values), np.concatenate(seconds))

@@ -25,25 +25,25 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 #: Least power of a line relative to the median of its surroundings, and the half width of these in lines.
-STANDS_OUT, SURROUNDINGS = 40.0, 40
+MIN_PEAK_RATIO, SURROUNDING_LINES = 40.0, 40
 #: Segments, and least share of a tone's power that has constant complex amplitude.
-SEGMENTS, CONSTANT = 12, 0.85
+SEGMENTS, MIN_CONSTANT_SHARE = 12, 0.85
 #: A stated tone is searched within this fraction of its frequency, plus this many lines.
-NEAR, NEAR_LINES = 0.003, 2.0
+SEARCH_SHARE, SEARCH_LINES = 0.003, 2.0
 #: Number of times that a tone is fitted and subtracted, as the first leaves a remainder if its frequency drifts; and
 #: that each line is tried.
 PASSES = 2
 #: Largest distance from a multiple of the step, in steps, that the arithmetic of unit conversion leaves.
-OFF_STEP = 0.01
+STEP_TOLERANCE = 0.01
 #: Differences, relative to the range, that are arithmetic too.
-ARITHMETIC = 1e-9
+ARITHMETIC_TOLERANCE = 1e-9
 #: Largest power besides strong tones, relative to that of the rounding, for which there is nothing but rounding.
-ALONE = 1.25
+MAX_POWER_RATIO = 1.25
 #: Rounding of any arithmetic, relative to the mean square of the record: no instrument has a range of 140 dB.
-RANGE = 1e-14
+ARITHMETIC_ROUNDING = 1e-14
 #: Least power of a line at a strong tone, relative to that of the rounding; lines that it may affect on either side;
 #: and largest share of all lines that strong tones may affect.
-STRONG, REACH, SHARE = 100.0, 40, 0.25
+STRONG_TONE_POWER, AFFECTED_LINES, MAX_AFFECTED_SHARE = 100.0, 40, 0.25
 
 
 @dataclass(frozen=True)
@@ -51,19 +51,19 @@ class Tone:
     """A line without bandwidth.
 
     - frequency: in Hz
-    - sentence: message about it
+    - message: message about it
     """
 
     frequency: float
-    sentence: str
+    message: str
 
 
-def no_bandwidth(frequency: float) -> str:
+def tone_message(frequency: float) -> str:
     """Return a message about a tone that was found."""
     return f"{frequency:.4g} Hz is a line without bandwidth: a tone, not a mode"
 
 
-def around(band: tuple[float, float]) -> tuple[float, float]:
+def search_band(band: tuple[float, float]) -> tuple[float, float]:
     """Return where tones are looked for: the band and a little more [Hz]."""
     return 0.9 * band[0], 1.05 * band[1]
 
@@ -84,46 +84,46 @@ def find_tones(
     power = (np.abs(np.fft.rfft(signal * np.hanning(len(signal))[:, None], axis=0)) ** 2).sum(axis=1)
     f = np.asarray(np.fft.rfftfreq(len(signal), t_step), float)
     tones = [
-        Tone(at, f"{at:.4g} Hz is given as a tone or is a multiple of one: not a mode")
-        for at in _stated(f, power, band, stated_tones, seconds)
+        Tone(frequency, f"{frequency:.4g} Hz is given as a tone or is a multiple of one: not a mode")
+        for frequency in _stated_frequencies(f, power, band, stated_tones, seconds)
     ]
-    peaks = _peaks(power, *np.searchsorted(f, around(band)))
+    peaks = _peaks(power, *np.searchsorted(f, search_band(band)))
     for k in PASSES * peaks:  # again, as a tone found later may have hidden this one
         if any(abs(f[k] - tone.frequency) * seconds < 4.0 for tone in tones):
             continue
-        at = _refined(signal, t_step, float(f[k]))
-        if _constant_share(signal, t_step, at) > CONSTANT:
-            signal = signal - _sinusoid(signal, t_step, at)
-            tones.append(Tone(at, no_bandwidth(at)))
+        frequency = _refine_frequency(signal, t_step, float(f[k]))
+        if _constant_share(signal, t_step, frequency) > MIN_CONSTANT_SHARE:
+            signal = signal - _sinusoid(signal, t_step, frequency)
+            tones.append(Tone(frequency, tone_message(frequency)))
     return sorted(tones, key=lambda tone: tone.frequency)
 
 
-def without_tones(
+def subtract_tones(
     t_step: float, pieces: Sequence[Array], tones: Sequence[Tone], band: tuple[float, float]
 ) -> list[Array]:
     """Return the pieces of a record (N, S) without tones [Hz]."""
     cleaned = [np.array(piece, float) for piece in pieces]
-    inside = [tone for tone in tones if 0.5 * band[0] < tone.frequency < 2.0 * band[1]]
+    nearby_tones = [tone for tone in tones if 0.5 * band[0] < tone.frequency < 2.0 * band[1]]
     for piece in cleaned:
-        for tone in inside:
+        for tone in nearby_tones:
             for _ in range(PASSES):
-                at = _refined(piece, t_step, tone.frequency)
-                piece -= _sinusoid(piece, t_step, at)
+                frequency = _refine_frequency(piece, t_step, tone.frequency)
+                piece -= _sinusoid(piece, t_step, frequency)
     return cleaned
 
 
-def _stated(
+def _stated_frequencies(
     f: Array, power: Array, band: tuple[float, float], stated_tones: Sequence[float], seconds: float
 ) -> list[float]:
     """Return the frequencies of the stated tones and their multiples in the band."""
     frequencies = []
     for tone in stated_tones:
         for multiple in range(1, int(1.05 * band[1] / tone) + 1):
-            at = multiple * tone
-            reach = min(NEAR * at, 0.5) + NEAR_LINES / seconds
-            near = slice(*np.searchsorted(f, [at - reach, at + reach]))
-            if at > 0.9 * band[0] and power[near].size:
-                frequencies.append(float(f[near][np.argmax(power[near])]))
+            frequency = multiple * tone
+            reach = min(SEARCH_SHARE * frequency, 0.5) + SEARCH_LINES / seconds
+            line_range = slice(*np.searchsorted(f, [frequency - reach, frequency + reach]))
+            if frequency > 0.9 * band[0] and power[line_range].size:
+                frequencies.append(float(f[line_range][np.argmax(power[line_range])]))
     return frequencies
 
 
@@ -132,26 +132,26 @@ def _peaks(power: Array, low: int, high: int) -> list[int]:
     peaks = []
     for k in range(max(low, 2), min(high, len(power) - 2)):
         if power[k] == power[k - 2 : k + 3].max():
-            around = np.median(power[max(k - SURROUNDINGS, 0) : k + SURROUNDINGS + 1])
-            if power[k] > STANDS_OUT * around:
+            background = np.median(power[max(k - SURROUNDING_LINES, 0) : k + SURROUNDING_LINES + 1])
+            if power[k] > MIN_PEAK_RATIO * background:
                 peaks.append(k)
     return sorted(peaks, key=lambda k: -power[k])
 
 
-def _refined(signal: Array, t_step: float, near: float) -> float:
+def _refine_frequency(signal: Array, t_step: float, start: float) -> float:
     """Return the frequency within a line whose sinusoid has the most power, by a search around its maximum."""
     t = (np.arange(len(signal)) - 0.5 * (len(signal) - 1)) * t_step
     seconds = len(signal) * t_step
     window = np.hanning(len(signal))
     # lines of a narrow band: the signal is averaged in blocks after a shift to zero frequency
-    shifted = signal * (window * np.exp(-2j * math.pi * near * t))[:, None]
+    shifted = signal * (window * np.exp(-2j * math.pi * start * t))[:, None]
     block = max(len(signal) // 256, 1)
     rows = len(signal) // block * block
-    short = shifted[:rows].reshape(-1, block, signal.shape[1]).sum(axis=1)
-    at = t[:rows].reshape(-1, block).mean(axis=1)
+    block_sums = shifted[:rows].reshape(-1, block, signal.shape[1]).sum(axis=1)
+    block_times = t[:rows].reshape(-1, block).mean(axis=1)
     offsets = np.linspace(-1.5, 1.5, 121) / seconds
-    power = (np.abs(np.exp(-2j * math.pi * np.outer(offsets, at)) @ short) ** 2).sum(axis=1)
-    return near + float(offsets[np.argmax(power)])
+    power = (np.abs(np.exp(-2j * math.pi * np.outer(offsets, block_times)) @ block_sums) ** 2).sum(axis=1)
+    return start + float(offsets[np.argmax(power)])
 
 
 def _sinusoid(signal: Array, t_step: float, frequency: float) -> Array:
@@ -171,51 +171,59 @@ def _constant_share(signal: Array, t_step: float, frequency: float) -> float:
     return float((np.abs(amplitudes.mean(axis=0)) ** 2).sum() / (np.abs(amplitudes) ** 2).mean(axis=0).sum())
 
 
-def step_of(signal: Array) -> float:
+def quantization_step(signal: Array) -> float:
     """Return the step of which all differences in a signal, (N,), are multiples; 0 if there is none."""
     levels = np.unique(signal)
-    apart = np.diff(levels)
-    apart = apart[apart > ARITHMETIC * (levels[-1] - levels[0])]
-    if not apart.size:
+    differences = np.diff(levels)
+    differences = differences[differences > ARITHMETIC_TOLERANCE * (levels[-1] - levels[0])]
+    if not differences.size:
         return 0.0
-    step = float(apart.min())
+    step = float(differences.min())
     steps = (levels - levels[0]) / step
-    return step if np.abs(steps - np.rint(steps)).max() < OFF_STEP else 0.0
+    return step if np.abs(steps - np.rint(steps)).max() < STEP_TOLERANCE else 0.0
 
 
-def tones_alone(
+def find_only_tones(
     t_step: float,
     pieces: Sequence[Array],
-    without_tones: Sequence[Array],
+    remainders: Sequence[Array],
     tones: Sequence[Tone],
     band: tuple[float, float],
 ) -> list[Tone] | None:
     """Return the strong tones of a record that is otherwise only the rounding of its numbers; None for any other.
 
     - t_step: in s
-    - pieces, without_tones: the record, and its remainder without its tones, each (N, S)
+    - pieces, remainders: the record, and its remainder without its tones, each (N, S)
     - tones: those that were found in and near the band
     - band: in Hz
     """
-    longest = max(range(len(pieces)), key=lambda i: len(pieces[i]))
-    live = pieces[longest].std(axis=0) > 0.0
-    whole = pieces[longest][:, live]
-    before, after = _powers(whole), _powers(without_tones[longest][:, live])
-    f = np.arange(len(after)) / (t_step * len(whole))
-    of_steps = np.array([step_of(column) ** 2 / 12.0 for column in whole.T])
+    piece_index = max(range(len(pieces)), key=lambda i: len(pieces[i]))
+    live = pieces[piece_index].std(axis=0) > 0.0
+    signals = pieces[piece_index][:, live]
+    power, remaining_power = _powers(signals), _powers(remainders[piece_index][:, live])
+    f = np.arange(len(remaining_power)) / (t_step * len(signals))
+    step_rounding = np.array([quantization_step(column) ** 2 / 12.0 for column in signals.T])
     # The rounding of the arithmetic is so small that nothing else is below it in the band; the share of the rounding
     # of steps that lies in the band is unknown.
-    low, high = around(band)
-    inside = (f > low) & (f < high)
-    for floor, counted in ((of_steps, np.full(len(f), True)), (RANGE * whole.var(axis=0), inside)):
-        strong, far = [], counted.copy()
+    low, high = search_band(band)
+    in_band = (f > low) & (f < high)
+    for floor, counted in (
+        (step_rounding, np.full(len(f), True)),
+        (ARITHMETIC_ROUNDING * signals.var(axis=0), in_band),
+    ):
+        strong, unaffected = [], counted.copy()
         for tone in tones:
             k = int(np.argmin(np.abs(f - tone.frequency)))
-            if (before[max(k - 1, 0) : k + 2] > STRONG * floor).any():
+            if (power[max(k - 1, 0) : k + 2] > STRONG_TONE_POWER * floor).any():
                 strong.append(tone)
-                far[max(k - REACH, 0) : k + REACH + 1] = False
-        few = far.sum() >= (1.0 - SHARE) * counted.sum()
-        if strong and few and (floor > 0.0).all() and (after[far].sum(axis=0) <= ALONE * floor).all():
+                unaffected[max(k - AFFECTED_LINES, 0) : k + AFFECTED_LINES + 1] = False
+        few_affected = unaffected.sum() >= (1.0 - MAX_AFFECTED_SHARE) * counted.sum()
+        if (
+            strong
+            and few_affected
+            and (floor > 0.0).all()
+            and (remaining_power[unaffected].sum(axis=0) <= MAX_POWER_RATIO * floor).all()
+        ):
             return strong
     return None
 

@@ -25,34 +25,34 @@ from pkmodes.core.base.errors import MeasurementError, nearest_name, shown
 from pkmodes.core.support.ordering import listed
 from pkmodes.loop.measured.csv_format import WORKBOOKS
 from pkmodes.loop.measured.formats import Format
-from pkmodes.modaltest.signals.arrays import functions_of
+from pkmodes.modaltest.signals.arrays import find_functions
 from pkmodes.modaltest.signals.functions import Array, SignalFile, SignalRequest
-from pkmodes.modaltest.signals.sampling import as_sampled
-from pkmodes.modaltest.signals.table import TABLE, tabulated
+from pkmodes.modaltest.signals.sampling import restore_even_times
+from pkmodes.modaltest.signals.table import TABLE, parse_table
 from pkmodes.modaltest.signals.table_text import check_text
 from pkmodes.modaltest.signals.tar_files import tar_files
 from pkmodes.modaltest.signals.variables import FileVariable
-from pkmodes.modaltest.signals.zip_files import opened_zip
+from pkmodes.modaltest.signals.zip_files import open_zip
 
 T = TypeVar("T")
 #: A time and three accelerations.
 Row = tuple[float, float, float, float]
 #: Most bytes of an unpacked record: a base, plus this multiple of its file's size; and in all.  A table of measured
 #: numbers compresses to no less than a tenth of its size.
-ROOM, EXPANDED, LARGEST = 16_000_000, 20, 500_000_000
+BASE_SIZE, MAX_EXPANSION, MAX_UNPACKED_SIZE = 16_000_000, 20, 500_000_000
 #: Bytes unpacked at a time, each of which may become 32,000; and the window to which a file may refer back.
-BLOCK, WINDOW = 128, 1 << 23
+BLOCK_SIZE, MAX_WINDOW = 128, 1 << 23
 #: Most files in an archive, and measurements in a file.
-MOST_FILES = 20_000
+MAX_FILES = 20_000
 #: Bytes of samples read at once, and what separates two samples.
-PART, ROW_END = 1 << 16, re.compile(rb"(\])\s*,\s*(?=\[)")
+PART_SIZE, ROW_END = 1 << 16, re.compile(rb"(\])\s*,\s*(?=\[)")
 ZSTANDARD, GZIP, ZIP = b"\x28\xb5\x2f\xfd", b"\x1f\x8b", WORKBOOKS[0]
 #: The first byte of files from Shake&Tune before version 5.1: pickles, which run code when they are read.
 PICKLE = b"\x80"
 #: The columns of samples, and the unit in which Klipper measures accelerations.
 COLUMNS, UNIT = ("time", "accel_x", "accel_y", "accel_z"), "mm/s^2"
 #: A file found only in workbooks, which are archives too.
-OF_WORKBOOKS = "[Content_Types].xml"
+WORKBOOK_MEMBER = "[Content_Types].xml"
 INCOMPLETE = "the file is damaged or incomplete: copy it again"
 UNPACK = "unpack it, and name its files in the record"
 
@@ -77,52 +77,52 @@ def read_shake_and_tune(path: Path, request: SignalRequest) -> SignalFile:
     """
     source = fspath(path)
     names: dict[str, None] = {}
-    kept = bytearray()
-    for number, line in enumerate(_lines(_unpacked(path, source)), start=1):
+    requested_line = bytearray()
+    for number, line in enumerate(_split_lines(_unpack_zstandard(path, source)), start=1):
         if number == 1 and line.startswith(PICKLE):
             problem = "expected measurements in JSON, found a Python pickle, as Shake&Tune wrote it "
             problem += "before version 5.1"
             remedy = f"write each as a table {','.join(COLUMNS)}, or measure again with a newer version"
             raise MeasurementError(problem, source, remedy)
-        name = _decoded(line, NamedMeasurement, f"{source}: line {number}").name
-        if len(names) == MOST_FILES:
+        name = _decode(line, NamedMeasurement, f"{source}: line {number}").name
+        if len(names) == MAX_FILES:
             raise MeasurementError(
-                f"expected at most {MOST_FILES:,} measurements, found more", source, INCOMPLETE
+                f"expected at most {MAX_FILES:,} measurements, found more", source, INCOMPLETE
             )
         if name == request.member or names.keys() <= {name}:
-            kept = line
+            requested_line = line
         names[name] = None
         del line
-    chosen = _chosen(names, request.member, source, "measurement")
-    where = f"{source}/{chosen}"
-    parts = list(_samples(_decoded(kept, Measurement, where).samples, where))
-    del kept
+    selected = _select_name(names, request.member, source, "measurement")
+    where = f"{source}/{selected}"
+    parts = list(_sample_parts(_decode(requested_line, Measurement, where).samples, where))
+    del requested_line
     samples = np.concatenate([np.empty((0, len(COLUMNS))), *parts])
 
     def variable(name: str, values: Array) -> FileVariable:
         return FileVariable(name, "an array", values.shape, lambda: values)
 
     variables = [variable(name, values) for name, values in zip(COLUMNS, samples.T, strict=True)]
-    variables[0] = variable(COLUMNS[0], as_sampled(samples[:, 0]))
-    read = functions_of(variables, where, replace(request, member=""), "Shake&Tune")
-    return replace(read, functions=tuple(replace(function, unit=UNIT) for function in read.functions))
+    variables[0] = variable(COLUMNS[0], restore_even_times(samples[:, 0]))
+    file = find_functions(variables, where, replace(request, member=""), "Shake&Tune")
+    return replace(file, functions=tuple(replace(function, unit=UNIT) for function in file.functions))
 
 
-def _samples(raw_samples: msgspec.Raw, where: str) -> Iterator[Array]:
+def _sample_parts(raw_samples: msgspec.Raw, where: str) -> Iterator[Array]:
     """Yield parts of the samples, (n, 4): as Python objects, all of them would take five times the text's memory."""
     text = memoryview(raw_samples)
     if bytes(text[:1]) != b"[":
         raise MeasurementError("expected a measurement of Shake&Tune: no list of samples", where, INCOMPLETE)
     start, end = 1, len(text) - 1
     while start < end:
-        after = ROW_END.search(text, min(start + PART, end), end)
-        stop = after.end(1) if after else end
-        rows = _decoded(b"[%b]" % bytes(text[start:stop]), list[Row], where)
+        separator = ROW_END.search(text, min(start + PART_SIZE, end), end)
+        stop = separator.end(1) if separator else end
+        rows = _decode(b"[%b]" % bytes(text[start:stop]), list[Row], where)
         yield np.array(rows, np.float64).reshape(-1, len(COLUMNS))
-        start = after.end() if after else end
+        start = separator.end() if separator else end
 
 
-def _decoded(line: bytes | bytearray, kind: type[T], where: str) -> T:
+def _decode(line: bytes | bytearray, kind: type[T], where: str) -> T:
     try:
         return msgspec.json.decode(line, type=kind)
     except RecursionError:
@@ -132,7 +132,7 @@ def _decoded(line: bytes | bytearray, kind: type[T], where: str) -> T:
         raise MeasurementError(f"expected a measurement of Shake&Tune: {error}", where, INCOMPLETE) from None
 
 
-def _lines(parts: Iterable[bytes]) -> Iterator[bytearray]:
+def _split_lines(parts: Iterable[bytes]) -> Iterator[bytearray]:
     """Yield the lines of a text that are not blank."""
     line = bytearray()
     for part in parts:
@@ -147,18 +147,18 @@ def _lines(parts: Iterable[bytes]) -> Iterator[bytearray]:
         yield line
 
 
-def _unpacked(path: Path, source: str) -> Iterator[bytes]:
+def _unpack_zstandard(path: Path, source: str) -> Iterator[bytes]:
     """Yield the content of a file of one or several Zstandard frames, part by part."""
     try:
         import zstandard
     except ImportError:
         problem = "expected signals, found a file compressed by Zstandard, which needs the library zstandard"
         raise MeasurementError(problem, source, "install it with pip install 'pkmodes[zstd]'") from None
-    unpacking, total, limit = zstandard.ZstdDecompressor(max_window_size=WINDOW), 0, _most_unpacked(path)
+    unpacking, total, limit = zstandard.ZstdDecompressor(max_window_size=MAX_WINDOW), 0, _max_unpacked(path)
     frame = unpacking.decompressobj()
     with path.open("rb") as file:
         unread = b""
-        while unread or (unread := file.read(BLOCK)):
+        while unread or (unread := file.read(BLOCK_SIZE)):
             if frame.eof:
                 frame = unpacking.decompressobj()
             try:
@@ -178,20 +178,20 @@ def read_archive(path: Path, request: SignalRequest) -> SignalFile:
 
     Raises MeasurementError if it is damaged, or has no such table.
     """
-    source, limit = fspath(path), _most_unpacked(path)
+    source, limit = fspath(path), _max_unpacked(path)
     try:
         with path.open("rb") as file:
-            zipped = file.read(len(ZIP)) == ZIP
-        with opened_zip(path) if zipped else nullcontext() as archive:
-            files = _of_zip(archive, limit, source) if archive else _of_tar(path, limit, source)
-            if OF_WORKBOOKS in files:
+            is_zip = file.read(len(ZIP)) == ZIP
+        with open_zip(path) if is_zip else nullcontext() as archive:
+            files = _zip_loaders(archive, limit, source) if archive else _tar_loaders(path, limit, source)
+            if WORKBOOK_MEMBER in files:
                 check_text(ZIP, source)
             tables = {name: load for name, load in files.items() if _is_table(name)}
             if not tables:
                 problem = f"expected an archive of tables, found {listed([*map(shown, files)], 4) or 'nothing'} in it"
                 raise MeasurementError(problem, source, UNPACK)
-            chosen = _chosen(tables, request.member, source, "table")
-            content = [tables[chosen]()]
+            selected = _select_name(tables, request.member, source, "table")
+            content = [tables[selected]()]
     except MeasurementError:
         raise
     except Exception as error:  # damage and passwords make readers raise errors of many types
@@ -199,16 +199,16 @@ def read_archive(path: Path, request: SignalRequest) -> SignalFile:
             raise
         reason = (str(error) or type(error).__name__).splitlines()[0].rstrip(":")
         raise MeasurementError(f"cannot read the archive: {reason}", source, UNPACK) from None
-    return tabulated(content.pop(), f"{source}/{chosen}", request)  # which may then release it
+    return parse_table(content.pop(), f"{source}/{selected}", request)  # which may then release it
 
 
 def _is_table(name: str) -> bool:
     """Return whether a file in an archive is a table, and not one of those that macOS adds beside each file."""
-    place = PurePosixPath(name)
-    return place.suffix.lower() in TABLE.suffixes and not place.name.startswith(".")
+    path = PurePosixPath(name)
+    return path.suffix.lower() in TABLE.suffixes and not path.name.startswith(".")
 
 
-def _of_zip(archive: zipfile.ZipFile, limit: int, source: str) -> dict[str, Callable[[], bytes]]:
+def _zip_loaders(archive: zipfile.ZipFile, limit: int, source: str) -> dict[str, Callable[[], bytes]]:
     """Return a function for each file of an archive, by name, that reads it if it has at most `limit` bytes."""
 
     def load(entry: zipfile.ZipInfo) -> bytes:
@@ -219,7 +219,7 @@ def _of_zip(archive: zipfile.ZipFile, limit: int, source: str) -> dict[str, Call
     return {entry.filename: partial(load, entry) for entry in archive.infolist() if not entry.is_dir()}
 
 
-def _of_tar(path: Path, limit: int, source: str) -> dict[str, Callable[[], bytes]]:
+def _tar_loaders(path: Path, limit: int, source: str) -> dict[str, Callable[[], bytes]]:
     """Return a function for each file of an archive, by name, that reads it if it has at most `limit` bytes."""
 
     def load(number: int) -> bytes:
@@ -232,17 +232,18 @@ def _of_tar(path: Path, limit: int, source: str) -> dict[str, Callable[[], bytes
     total = 0
     for number, entry in enumerate(tar_files(path)):
         total += entry.size
-        _check_size(total, LARGEST, source)  # before looking for the next one, which unpacks this one
+        # Checked before the next file is looked for, which unpacks this one.
+        _check_size(total, MAX_UNPACKED_SIZE, source)
         loaders[entry.name] = partial(load, number)
-        if number == MOST_FILES:
-            problem = f"expected an archive of at most {MOST_FILES:,} files, found more"
+        if number == MAX_FILES:
+            problem = f"expected an archive of at most {MAX_FILES:,} files, found more"
             raise MeasurementError(problem, source, UNPACK)
     return loaders
 
 
-def _most_unpacked(path: Path) -> int:
+def _max_unpacked(path: Path) -> int:
     """Return the largest allowed size of an unpacked record in a file [bytes]."""
-    return min(LARGEST, ROOM + EXPANDED * path.stat().st_size)
+    return min(MAX_UNPACKED_SIZE, BASE_SIZE + MAX_EXPANSION * path.stat().st_size)
 
 
 def _check_size(size: int, limit: int, source: str, remedy: str = UNPACK) -> None:
@@ -251,7 +252,7 @@ def _check_size(size: int, limit: int, source: str, remedy: str = UNPACK) -> Non
         raise MeasurementError(problem, source, remedy)
 
 
-def _chosen(names: Mapping[str, object], requested_name: str, source: str, record_kind: str) -> str:
+def _select_name(names: Mapping[str, object], requested_name: str, source: str, record_kind: str) -> str:
     """Return the requested name; the only one if none is requested."""
     if requested_name in names:
         return requested_name

@@ -2,7 +2,7 @@
 
 A vector is a signal under its name; a column of a matrix ``NAME`` one under ``NAME_1``, ``NAME_2``, ..., and of
 functions with several references ``NAME_1__2`` (frequencies x sensors x references).  Fields of structs,
-``STRUCT.FIELD``, are called by the field alone where only one is called so.  Signals may be several measurements
+``STRUCT.FIELD``, go by the name of the field alone if it is unique.  Signals may be several measurements
 (times x sensors x measurements, with forces times x measurements), of which one is read.
 """
 
@@ -18,10 +18,10 @@ import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.core.support.ordering import listed
-from pkmodes.modaltest.signals.checks import FEWEST, check_abscissa, check_finite, within
+from pkmodes.modaltest.signals.checks import MIN_POINTS, band_slice, check_abscissa, check_finite
 from pkmodes.modaltest.signals.functions import (
     FORCE,
-    MOST_NAMES,
+    MAX_NAMES,
     Array,
     Complex,
     Function,
@@ -32,13 +32,13 @@ from pkmodes.modaltest.signals.functions import (
 )
 from pkmodes.modaltest.signals.sampling import counts_samples, even_times
 from pkmodes.modaltest.signals.variables import (
-    EXPANDED,
-    MOST_VALUES,
+    BASE_SIZE,
+    MAX_EXPANSION,
+    MAX_VALUES,
     REMEDY,
-    ROOM,
     FileVariable,
     Values,
-    loaded,
+    load_or_refuse,
 )
 
 REFERENCE = "__"
@@ -49,8 +49,11 @@ RATES = ("fs", "rate", "sampling_rate", "sample_rate")
 #: Names that a record may replace: these two are variables, all others signals.
 ABSCISSAS = ("time", "frequency")
 #: Rates that differ by less, relative, are the same.
-SAME = 1e-6
-NAMES = 'state in the record which it is, names = { time = "NAME" } or { frequency = "NAME" }, or give the rate there'
+RATE_TOLERANCE = 1e-6
+GIVE_NAMES = (
+    'state in the record which it is, names = { time = "NAME" } or { frequency = "NAME" }, or give '
+    "the rate there"
+)
 
 
 class _Signal(NamedTuple):
@@ -71,7 +74,7 @@ class _Signal(NamedTuple):
     measurement: int | None = None
 
 
-def functions_of(
+def find_functions(
     variables: Sequence[FileVariable],
     source: str,
     request: SignalRequest,
@@ -85,34 +88,38 @@ def functions_of(
 
     Raises MeasurementError if there are no times, frequencies or rate, or arrays do not belong together.
     """
-    by_name = _by_name(variables, request, source)
-    named, kind = _abscissa_name(by_name, request, source)
-    rate_of = _first(RATES, [name for name, variable in by_name.items() if variable.size == 1])
-    rate_variable = None if rate_of is None else by_name[rate_of]
-    count = None if named is None else by_name[named].size
-    signals, skipped = _all_signals(by_name, named or rate_of, kind, count, request, source)
-    rate = _rate(rate_variable, request, source) if named is None else None
-    if named is None and (rate is None or not signals):
+    by_name = _variables_by_name(variables, request, source)
+    abscissa_name, kind = _abscissa_name(by_name, request, source)
+    rate_name = _first_present(RATES, [name for name, variable in by_name.items() if variable.size == 1])
+    rate_variable = None if rate_name is None else by_name[rate_name]
+    count = None if abscissa_name is None else by_name[abscissa_name].size
+    signals, skipped = _find_signals(by_name, abscissa_name or rate_name, kind, count, request, source)
+    rate = _rate(rate_variable, request, source) if abscissa_name is None else None
+    if abscissa_name is None and (rate is None or not signals):
         labels = [f"{name} ({skipped[name]})" if name in skipped else name for name in by_name]
-        text = f"expected times, frequencies or a sampling rate, found {listed(labels, MOST_NAMES) or 'no variables'}"
-        raise MeasurementError(text, source, f"{NAMES}; or {REMEDY}")
-    signals = _called(signals, request, source)
-    forced = FORCE if kind is FunctionKind.TIME else None
+        text = f"expected times, frequencies or a sampling rate, found {listed(labels, MAX_NAMES) or 'no variables'}"
+        raise MeasurementError(text, source, f"{GIVE_NAMES}; or {REMEDY}")
+    signals = _rename_signals(signals, request, source)
+    force_name = FORCE if kind is FunctionKind.TIME else None
     requested = [
-        signal for signal in signals if signal.name == forced or request.wants(signal.response, signal.name)
+        signal
+        for signal in signals
+        if signal.name == force_name or request.wants(signal.response, signal.name)
     ]
     if requested or all(signal.measurement is None for signal in signals):
-        requested, source = _of_measurement(requested, request, source)
-    names = dict.fromkeys([*([named] if named else []), *(signal.variable for signal in requested)])
-    _check_room([by_name[name] for name in names], size, source)
-    load = cache(lambda name: loaded(by_name[name].load, source, file_kind))
+        requested, source = _select_measurement(requested, request, source)
+    names = dict.fromkeys(
+        [*([abscissa_name] if abscissa_name else []), *(signal.variable for signal in requested)]
+    )
+    _check_size([by_name[name] for name in names], size, source)
+    load = cache(lambda name: load_or_refuse(by_name[name].load, source, file_kind))
     messages = [
         f"{source}: {name}: skipped: {description} holds no signals" for name, description in skipped.items()
     ]
-    abscissa = None if named is None else _abscissa(load(named), f"{source}: {named}")
+    abscissa = None if abscissa_name is None else _abscissa(load(abscissa_name), f"{source}: {abscissa_name}")
     if abscissa is not None and kind is FunctionKind.TIME and counts_samples(abscissa):
         rate = _rate(rate_variable, request, source)
-        messages += [] if rate is None else [f"{source}: {named} counts samples, of {rate:g} Hz"]
+        messages += [] if rate is None else [f"{source}: {abscissa_name} counts samples, of {rate:g} Hz"]
     if rate is not None:
         abscissa = even_times((requested or signals)[0].length, rate)
     assert abscissa is not None
@@ -123,7 +130,7 @@ def functions_of(
     return SignalFile(source, functions, (), tuple(messages))
 
 
-def _by_name(
+def _variables_by_name(
     variables: Sequence[FileVariable], request: SignalRequest, source: str
 ) -> dict[str, FileVariable]:
     """Return variables by name; a field of a struct goes by its own name alone if no other field has that name."""
@@ -135,7 +142,7 @@ def _by_name(
         if name in by_name:
             raise MeasurementError("expected each name once, found it again", f"{source}: {name}", REMEDY)
         by_name[name] = variable._replace(name=name)
-    own_names = _naming(request, of_abscissa=True).own_names(by_name, source)
+    own_names = _limit_names(request, of_abscissa=True).own_names(by_name, source)
     by_name = {
         own_names.get(name, name): variable._replace(name=own_names.get(name, name))
         for name, variable in by_name.items()
@@ -144,7 +151,7 @@ def _by_name(
     return by_name
 
 
-def _all_signals(
+def _find_signals(
     variables: Mapping[str, FileVariable],
     abscissa: str | None,
     kind: FunctionKind,
@@ -159,14 +166,16 @@ def _all_signals(
     """
     # Of arrays of times, sensors and measurements: the number of measurements, if they agree.
     counts = {v.shape[2] for v in variables.values() if v.shape is not None and len(v.shape) == 3}
-    blows = counts.pop() if kind is FunctionKind.TIME and len(counts) == 1 else None
+    measurement_count = counts.pop() if kind is FunctionKind.TIME and len(counts) == 1 else None
     forces = {FORCE, request.names.get(FORCE, "").lower()}
     signals: list[_Signal] = []
     skipped: dict[str, str] = {}
     for name, variable in variables.items():
         if name == abscissa or (name == FORCE and kind is not FunctionKind.TIME):
             continue
-        in_variable = _signals(variable, kind, count, blows if name.lower() in forces else None)
+        in_variable = _signals_of_variable(
+            variable, kind, count, measurement_count if name.lower() in forces else None
+        )
         if not in_variable:
             skipped[name] = variable.description
         names = [signal.name for signal in in_variable]
@@ -178,22 +187,21 @@ def _all_signals(
     return signals, skipped
 
 
-def _check_room(variables: Sequence[FileVariable], size: int | None, source: str) -> None:
+def _check_size(variables: Sequence[FileVariable], size: int | None, source: str) -> None:
     """Refuse arrays that are too large, or much larger than the file of this size [bytes]."""
     total = sum(variable.size for variable in variables)
-    if total > MOST_VALUES:
-        text = f"cannot read the arrays: they have {total:,} values, more than {MOST_VALUES:,}"
+    if total > MAX_VALUES:
+        text = f"cannot read the arrays: they have {total:,} values, more than {MAX_VALUES:,}"
         raise MeasurementError(text, source, "split the record, or give a binary universal file")
     bytes_of_all = sum(variable.size * variable.itemsize for variable in variables)
-    if size is not None and bytes_of_all > ROOM + EXPANDED * size:
+    if size is not None and bytes_of_all > BASE_SIZE + MAX_EXPANSION * size:
         text = f"cannot read the arrays: they have {bytes_of_all:,} bytes, and the file {size:,}"
-        remedy = (
-            f"save the signals that were measured: compressed, they have more than 1/{EXPANDED} of their size"
-        )
+        smallest = f"1/{MAX_EXPANSION} of their size"
+        remedy = f"save the signals that were measured: compressed, they have more than {smallest}"
         raise MeasurementError(text, source, remedy)
 
 
-def _naming(request: SignalRequest, *, of_abscissa: bool) -> SignalRequest:
+def _limit_names(request: SignalRequest, *, of_abscissa: bool) -> SignalRequest:
     """Return a request with the names of abscissas only, or of signals only."""
     names = {
         own_name: name for own_name, name in request.names.items() if (own_name in ABSCISSAS) is of_abscissa
@@ -201,9 +209,9 @@ def _naming(request: SignalRequest, *, of_abscissa: bool) -> SignalRequest:
     return replace(request, names=names)
 
 
-def _called(signals: Sequence[_Signal], request: SignalRequest, source: str) -> list[_Signal]:
+def _rename_signals(signals: Sequence[_Signal], request: SignalRequest, source: str) -> list[_Signal]:
     """Return signals by their names here, without those that give way to others."""
-    own_names = _naming(request, of_abscissa=False).own_names(
+    own_names = _limit_names(request, of_abscissa=False).own_names(
         dict.fromkeys(s.response for s in signals), source
     )
     renamed = []
@@ -216,7 +224,7 @@ def _called(signals: Sequence[_Signal], request: SignalRequest, source: str) -> 
     return renamed
 
 
-def _of_measurement(
+def _select_measurement(
     signals: Sequence[_Signal], request: SignalRequest, source: str
 ) -> tuple[list[_Signal], str]:
     """Return the signals of the requested measurement, or of the only one, and its name for messages."""
@@ -232,28 +240,28 @@ def _of_measurement(
         example = ", ".join(shown(f"{file}/{name}") for name in names[:2])
         problem = f"expected one measurement, found {len(names)}"
         raise MeasurementError(problem, source, f"name each that is meant: files = [{example}]")
-    chosen = request.member or names[0]
-    if chosen not in names:
-        problem = f"expected a measurement from {names[0]} to {names[-1]}, found {shown(chosen)}"
+    selected = request.member or names[0]
+    if selected not in names:
+        problem = f"expected a measurement from {names[0]} to {names[-1]}, found {shown(selected)}"
         raise MeasurementError(problem, source, "correct the number after the name of the file")
-    number = numbers[names.index(chosen)]
-    place = f"{source}/{chosen}" if request.member else source
-    return [signal for signal in signals if signal.measurement in (None, number)], place
+    number = numbers[names.index(selected)]
+    where = f"{source}/{selected}" if request.member else source
+    return [signal for signal in signals if signal.measurement in (None, number)], where
 
 
-def _signals(
-    variable: FileVariable, kind: FunctionKind, count: int | None, blows: int | None = None
+def _signals_of_variable(
+    variable: FileVariable, kind: FunctionKind, count: int | None, measurement_count: int | None = None
 ) -> list[_Signal]:
     """Return the signals in a variable.
 
     - count: of the times or frequencies, if known
-    - blows: if it is the force: number of measurements in the file
+    - measurement_count: if it is the force: number of measurements in the file
     """
     shape, lengths = variable.shape or (), variable.lengths
-    if not lengths or max(lengths) < FEWEST:
+    if not lengths or max(lengths) < MIN_POINTS:
         return []
     spectral = kind is not FunctionKind.TIME
-    if len(lengths) == 2 and lengths[1] == blows:
+    if len(lengths) == 2 and lengths[1] == measurement_count:
         shape = (lengths[0], 1, lengths[1])  # times x measurements
     of_measurements = not spectral and len(shape) == 3
     if len(lengths) == 1 and not of_measurements:
@@ -264,23 +272,23 @@ def _signals(
         return []
     axis = sizes.index((sizes[0] if of_measurements else max(sizes)) if count is None else count)
 
-    def picked(at: tuple[int, ...]) -> Callable[[Values], Values]:
+    def picker(index: tuple[int, ...]) -> Callable[[Values], Values]:
         def pick(values: Values) -> Values:
             table: Any = np.moveaxis(values.reshape(sizes, order="F"), axis, 0)
-            column: Values = table[(slice(None), *at)]
+            column: Values = table[(slice(None), *index)]
             return column
 
         return pick
 
     signals = []
-    single = of_measurements and blows is not None and sizes[1 if axis == 0 else 0] == 1
-    for at in np.ndindex(*(n for i, n in enumerate(sizes) if i != axis)):
-        response, *references = f"{variable.name}_{at[0] + 1}", *(str(i + 1) for i in at[1:])
+    is_single = of_measurements and measurement_count is not None and sizes[1 if axis == 0 else 0] == 1
+    for index in np.ndindex(*(n for i, n in enumerate(sizes) if i != axis)):
+        response, *references = f"{variable.name}_{index[0] + 1}", *(str(i + 1) for i in index[1:])
         if of_measurements:
-            response, references = variable.name if single else response, []
+            response, references = variable.name if is_single else response, []
         name = REFERENCE.join([response, *references])
-        measurement = at[1] if of_measurements else None
-        pick, length = picked(at), sizes[axis]
+        measurement = index[1] if of_measurements else None
+        pick, length = picker(index), sizes[axis]
         signals.append(_Signal(name, response, "".join(references), variable.name, pick, length, measurement))
     return signals
 
@@ -294,28 +302,28 @@ def _abscissa_name(
         for name, variable in by_name.items()
         if len(variable.lengths) == 1 and name not in (request.sensors or ())
     ]
-    time, frequency = _first(TIMES, vectors), _first(FREQUENCIES, vectors)
+    time, frequency = _first_present(TIMES, vectors), _first_present(FREQUENCIES, vectors)
     if time is not None and frequency is not None:
         declared = [name in request.names for name in ABSCISSAS]
-        places = [names.index(name.lower()) for names, name in ((TIMES, time), (FREQUENCIES, frequency))]
-        if declared[0] is declared[1] and places[0] == places[1]:
+        ranks = [names.index(name.lower()) for names, name in ((TIMES, time), (FREQUENCIES, frequency))]
+        if declared[0] is declared[1] and ranks[0] == ranks[1]:
             text = f"expected a vector {time} or {frequency}, found both"
             raise MeasurementError(text, source, "leave one of them out")
-        of_time = declared[0] if declared[0] is not declared[1] else places[0] < places[1]
-        time, frequency = (time, None) if of_time else (None, frequency)
+        is_time = declared[0] if declared[0] is not declared[1] else ranks[0] < ranks[1]
+        time, frequency = (time, None) if is_time else (None, frequency)
     return time or frequency, FunctionKind.TIME if frequency is None else FunctionKind.FRF
 
 
-def _first(names: Sequence[str], present_names: Sequence[str]) -> str | None:
+def _first_present(names: Sequence[str], present_names: Sequence[str]) -> str | None:
     """Return the first of some names that a file has, in any case; but T and F are usually something else."""
     for name in names:
-        alike = [
+        matches = [
             candidate
             for candidate in present_names
             if candidate == name or (len(name) > 1 and candidate.lower() == name)
         ]
-        if alike:
-            return name if name in alike else alike[0]
+        if matches:
+            return name if name in matches else matches[0]
     return None
 
 
@@ -323,11 +331,11 @@ def _rate(variable: FileVariable | None, request: SignalRequest, source: str) ->
     """Return the sampling rate [Hz] of the record or of the file."""
     if variable is None:
         return request.rate
-    rate = float(np.real(loaded(variable.load, source, "signal")[0]))
+    rate = float(np.real(load_or_refuse(variable.load, source, "signal")[0]))
     if not (np.isfinite(rate) and rate > 0.0):
         where = f"{source}: {variable.name}"
         raise MeasurementError(f"expected a sampling rate above 0, found {rate:g}", where, REMEDY)
-    if request.rate is not None and abs(rate - request.rate) > SAME * rate:
+    if request.rate is not None and abs(rate - request.rate) > RATE_TOLERANCE * rate:
         text = f"the campaign says a rate of {request.rate:g} Hz, and the file {rate:g} Hz"
         where = f"{source}: {variable.name}"
         raise MeasurementError(text, where, "correct the campaign, or leave the rate out of it")
@@ -355,16 +363,16 @@ def _function(
     where = f"{source}: {signal.name}"
     length = max(variable.lengths) if len(variable.lengths) == 1 else None
     vector = None
-    if length is None or variable.again is None:
+    if length is None or variable.reload is None:
         vector = signal.pick(load(signal.variable))
         length = vector.size
     if length != abscissa.size:
         problem = f"expected {abscissa.size} values, one for each time or frequency, found {length}"
         raise MeasurementError(problem, where, "save vectors of one length, or remove this one")
-    inside = within(abscissa, None if kind is FunctionKind.TIME else request.band)
+    in_band = band_slice(abscissa, None if kind is FunctionKind.TIME else request.band)
     is_complex = vector is not None and vector.dtype.kind == "c"
     if vector is not None and vector.dtype.kind not in "iu":
-        check_finite(vector[inside], where, inside.start)
+        check_finite(vector[in_band], where, in_band.start)
         if kind is not FunctionKind.TIME and not (finite := np.isfinite(vector)).all():
             vector = np.where(finite, vector, np.nan)
     if kind is FunctionKind.TIME and is_complex:
@@ -378,11 +386,11 @@ def _function(
     precision = np.complex128 if is_complex else np.float64
     if vector is not None and vector.dtype == precision:
         return Function(kind, signal.response, signal.reference, abscissa, vector, None, None, force)
-    stored = variable.again if vector is None else partial(np.asarray, vector)
+    stored = variable.reload if vector is None else partial(np.asarray, vector)
     assert stored is not None
-    load_again = partial(_in_double_precision, stored, precision)
+    load_stored = partial(_in_double_precision, stored, precision)
     return StoredFunction(
-        kind, signal.response, signal.reference, abscissa, None, None, force, load=load_again
+        kind, signal.response, signal.reference, abscissa, None, None, force, load=load_stored
     )
 
 

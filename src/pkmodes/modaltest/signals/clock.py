@@ -21,7 +21,7 @@ def is_clock(text: str) -> bool:
     return _microseconds(text) is not None
 
 
-def seconds_of(texts: Iterable[str]) -> tuple[Array, int | None]:
+def parse_times(texts: Iterable[str]) -> tuple[Array, int | None]:
     """Return times since the first one.
 
     - texts: such as ``2024-05-03 10:00:00.005`` or ``10:00:00.005``; a time of day may pass midnight

@@ -20,10 +20,10 @@ from numpy.typing import NDArray
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.modaltest.signals.checks import check_abscissa, check_finite
 from pkmodes.modaltest.signals.functions import Array, Complex
-from pkmodes.modaltest.signals.scanning import INCOMPLETE, Binary, Scanner, read_numbers, text_of
+from pkmodes.modaltest.signals.scanning import INCOMPLETE, BinaryLayout, Scanner, decode_line, read_numbers
 
 #: Fewest lines of the header.
-LINES = 11
+MIN_HEADER_LINES = 11
 #: Suffixes of the names of degrees of freedom by the number of their direction.
 DIRECTIONS = {
     factor * number: f":{sign}{name}"
@@ -33,10 +33,10 @@ DIRECTIONS = {
 #: Ordinate data types: whether the values are complex, and of double precision.
 ORDINATES = {2: (False, False), 4: (False, True), 5: (True, False), 6: (True, True)}
 #: Columns in which the fields of a line begin and end.
-DOFS = ((0, 5), (20, 30), (41, 51), (51, 55), (66, 76), (76, 80))
-FORM = ((0, 10), (10, 20), (20, 30), (30, 43), (43, 56))
+DOF_COLUMNS = ((0, 5), (20, 30), (41, 51), (51, 55), (66, 76), (76, 80))
+FORM_COLUMNS = ((0, 10), (10, 20), (20, 30), (30, 43), (43, 56))
 #: Points converted at once.
-CHUNK = 1_000_000
+CHUNK_POINTS = 1_000_000
 
 T = TypeVar("T")
 
@@ -75,7 +75,7 @@ class Header:
     denominator: Axis
 
 
-def read_header(scanner: Scanner, lines: int = LINES) -> Header:
+def read_header(scanner: Scanner, lines: int = MIN_HEADER_LINES) -> Header:
     """Read the header of a dataset 58.
 
     - scanner: at the line after the number of the dataset
@@ -83,11 +83,11 @@ def read_header(scanner: Scanner, lines: int = LINES) -> Header:
 
     Raises MeasurementError if a required field is missing or wrong.
     """
-    if not LINES <= lines <= 100:
-        scanner.refuse(f"expected {LINES} header lines, found {lines} declared")
+    if not MIN_HEADER_LINES <= lines <= 100:
+        scanner.refuse(f"expected {MIN_HEADER_LINES} header lines, found {lines} declared")
     header = [scanner.line(f"line {number + 1} of the header") for number in range(lines)]
-    function, _, *dofs = _fields(scanner, header[5], "the degrees of freedom", DOFS, int)
-    form = _fields(scanner, header[6], "the form of the data", FORM, float, split=True)
+    function, _, *dofs = _fields(scanner, header[5], "the degrees of freedom", DOF_COLUMNS, int)
+    form = _fields(scanner, header[6], "the form of the data", FORM_COLUMNS, float, split=True)
     ordinate, count, spacing = (int(number) if number.is_integer() else -1 for number in form[:3])
     start, step = form[3:]
     if ordinate not in ORDINATES:
@@ -105,7 +105,7 @@ def read_header(scanner: Scanner, lines: int = LINES) -> Header:
     axes = []
     for line in header[7:10]:
         (data_type,) = _fields(scanner, line, "the data type of an axis", ((0, 10),), int)
-        axes.append(Axis(data_type, text_of(line)[47:].strip()))
+        axes.append(Axis(data_type, decode_line(line)[47:].strip()))
     response, reference = (dofs[0], dofs[1]), (dofs[2], dofs[3])
     return Header(function, response, reference, is_complex, double, spacing == 1, count, start, step, *axes)
 
@@ -116,7 +116,7 @@ def dof_name(dof: tuple[int, int]) -> str:
     return f"{node}{DIRECTIONS.get(direction, '')}"
 
 
-def rotates(dof: tuple[int, int]) -> bool:
+def is_rotation(dof: tuple[int, int]) -> bool:
     """Return whether a degree of freedom is an angle."""
     return abs(dof[1]) > 3
 
@@ -126,7 +126,7 @@ def _fields(
     line: bytes,
     subject: str,
     columns: Sequence[tuple[int, int]],
-    read: Callable[[str], T],
+    parse: Callable[[str], T],
     split: bool = False,
 ) -> list[T]:
     """Return the fields in given columns of a line, or between blanks if it is not in columns.
@@ -140,7 +140,7 @@ def _fields(
     fields: list[T] = []
     for row_cells in cells:
         try:
-            fields = [read(cell) for cell in row_cells]
+            fields = [parse(cell) for cell in row_cells]
         except ValueError:
             continue
         if len(fields) == len(columns):
@@ -151,7 +151,7 @@ def _fields(
 
 
 @dataclass(frozen=True)
-class Stored:
+class StoredPoints:
     """Points of a binary dataset in its file: their place, and their type with a field ``y`` and perhaps ``x``."""
 
     path: Path
@@ -179,8 +179,8 @@ class Stored:
 
         Raises MeasurementError if the file has changed.
         """
-        for first in range(0, self.count, CHUNK):
-            count, offset = min(CHUNK, self.count - first), self.offset + first * self.dtype.itemsize
+        for first in range(0, self.count, CHUNK_POINTS):
+            count, offset = min(CHUNK_POINTS, self.count - first), self.offset + first * self.dtype.itemsize
             try:
                 points = np.fromfile(self.path, self.dtype, count, offset=offset)
             except OSError as error:
@@ -205,23 +205,23 @@ class Points:
     header: Header
     where: str
     abscissa: Array | None
-    values: Array | Complex | Stored
+    values: Array | Complex | StoredPoints
 
-    def check_finite(self, inside: slice) -> None:
+    def check_finite(self, points: slice) -> None:
         """Refuse non-finite values in a range of points.
 
         Raises MeasurementError with the number of the first one.
         """
-        chunks = self.values.chunks("y") if isinstance(self.values, Stored) else [self.values]
+        chunks = self.values.chunks("y") if isinstance(self.values, StoredPoints) else [self.values]
         start = 0
         for chunk in chunks:
-            first = max(inside.start - start, 0)
-            part = chunk[first : max(inside.stop - start, 0)]
+            first = max(points.start - start, 0)
+            part = chunk[first : max(points.stop - start, 0)]
             check_finite(part, f"{self.where}, in the data", start + first)
             start += chunk.size
 
 
-def read_points(scanner: Scanner, binary: Binary | None, path: Path) -> Points:
+def read_points(scanner: Scanner, binary: BinaryLayout | None, path: Path) -> Points:
     """Read a dataset 58 to its end, and check its structure and abscissa.
 
     - scanner: at the line after the number of the dataset
@@ -232,27 +232,27 @@ def read_points(scanner: Scanner, binary: Binary | None, path: Path) -> Points:
     """
     if binary is None:
         header = read_header(scanner)
-        numbers_each = (0 if header.even else 1) + (2 if header.complex else 1)
-        values = read_numbers(scanner, header.count * numbers_each)
+        numbers_per_point = (0 if header.even else 1) + (2 if header.complex else 1)
+        values = read_numbers(scanner, header.count * numbers_per_point)
         abscissa: Array | None = None
         if not header.even:
-            table = values.reshape(header.count, numbers_each)
+            table = values.reshape(header.count, numbers_per_point)
             abscissa, values = table[:, 0].copy(), table[:, 1:].ravel()
             check_abscissa(abscissa, scanner.where)
         numbers = values.view(np.complex128) if header.complex else values
         return Points(header, scanner.where, abscissa, numbers)
     header = read_header(scanner, binary.lines)
-    point = _type(header, binary, scanner)
-    offset = scanner.skip_bytes(header.count * point.itemsize)
+    point_type = _point_type(header, binary, scanner)
+    offset = scanner.skip_bytes(header.count * point_type.itemsize)
     scanner.close()
-    stored = Stored(path, offset, header.count, point, f"{scanner.where}, in the data")
+    stored = StoredPoints(path, offset, header.count, point_type, f"{scanner.where}, in the data")
     abscissa = None if header.even else np.real(stored.read("x"))
     if abscissa is not None:
         check_abscissa(abscissa, scanner.where)
     return Points(header, scanner.where, abscissa, stored)
 
 
-def _type(header: Header, binary: Binary, scanner: Scanner) -> np.dtype[Any]:
+def _point_type(header: Header, binary: BinaryLayout, scanner: Scanner) -> np.dtype[Any]:
     """Return the type of a point, which must fill the bytes that the dataset declares.
 
     pyuff always declares the bytes of one number for each point.  Such a dataset has the length that its header
@@ -263,8 +263,8 @@ def _type(header: Header, binary: Binary, scanner: Scanner) -> np.dtype[Any]:
     types = [np.dtype([values])]
     if not header.even:
         types = [np.dtype([("x", f"{binary.order}f{x_size}"), values]) for x_size in (size, 4)]
-    fitting = [point_type for point_type in types if header.count * point_type.itemsize == binary.bytes]
-    if not fitting and binary.bytes != header.count * size:
+    matching = [point_type for point_type in types if header.count * point_type.itemsize == binary.bytes]
+    if not matching and binary.bytes != header.count * size:
         problem = f"expected {header.count * types[0].itemsize} bytes for {header.count} points"
         scanner.refuse(f"{problem}, found {binary.bytes} declared")
-    return (fitting or types)[0]
+    return (matching or types)[0]

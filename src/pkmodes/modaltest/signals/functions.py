@@ -14,9 +14,9 @@ from pkmodes.core.support.ordering import listed
 
 #: The signal in time besides sensors, and the names that a file may replace: see `SignalRequest.names`.
 FORCE = "force"
-WORDS = ("time", "frequency", FORCE)
+RESERVED_NAMES = ("time", "frequency", FORCE)
 #: Most names in a file that an error shows.
-MOST_NAMES = 12
+MAX_NAMES = 12
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -41,8 +41,8 @@ class Function:
     - reference: name of the excitation, likewise; empty where there is none, or it has no name
     - abscissa: strictly ascending, (n,): time [s], or frequency [Hz]
     - values: complex128 for a frequency response, float64 otherwise, (n,)
-    - unit: of the values, of a frequency response that of its numerator; None where the file does not say
-    - reference_unit: of the denominator of a frequency response; None where the file does not say
+    - unit: of the values, of a frequency response that of its numerator; None where the file does not state it
+    - reference_unit: of the denominator of a frequency response; None where the file does not state it
     - force: whether this is the excitation, in time
     - assumed: whether the file states the kind of its values but no unit: ``unit`` is then that of SI
     """
@@ -77,14 +77,14 @@ class StoredFunction(Function):
         raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
 
 
-def computed(
+def derived_function(
     function: Function,
-    of: Callable[[Array | Complex], Array | Complex],
+    compute: Callable[[Array | Complex], Array | Complex],
     units: Sequence[str | None] | None = None,
 ) -> Function:
     """Return a function whose values are computed from those of another, at each access.
 
-    - of: computes the values from those of `function`
+    - compute: computes the values from those of `function`
     - units: its unit and that of its denominator, if they differ
     """
     unit, reference_unit = units or (function.unit, function.reference_unit)
@@ -97,7 +97,7 @@ def computed(
         reference_unit,
         function.force,
         function.assumed,
-        load=lambda: of(function.values),
+        load=lambda: compute(function.values),
     )
 
 
@@ -106,7 +106,7 @@ class ModeShape:
     """An identified mode.
 
     - frequency: undamped natural frequency [Hz]
-    - damping: ratio of critical damping; None where the file does not say
+    - damping: ratio of critical damping; None where the file does not state it
     - shape: components by degree of freedom, ``12:+X`` or ``12:+RX``
     """
 
@@ -144,7 +144,7 @@ class SignalRequest:
     - columns: names of the columns of a table, instead of its header; it may have none
     - band: frequencies [Hz] outside of which functions of frequency may have gaps, NaN; by default they may have none
     - member: record in a file that holds several; "" for the only one
-    - names: names in the file of ``time``, ``frequency``, ``force`` and sensors, by these names
+    - names: names that the file uses for ``time``, ``frequency``, ``force`` and sensors, by these names
     - force: whether signals in time need a force
     """
 
@@ -161,7 +161,7 @@ class SignalRequest:
         return self.sensors is None or not self.sensors.isdisjoint(names)
 
     def own_names(self, names_in_file: Collection[str], where: str) -> dict[str, str]:
-        """Return the names used here for those in a file, "" for those that give way to another one.
+        """Return the names used here for those in a file, "" for those that another one replaces.
 
         They follow `names`; otherwise a name that differs from a sensor's or ``force`` only in case is taken for it,
         if there is just one.
@@ -171,33 +171,41 @@ class SignalRequest:
         Raises MeasurementError if the file lacks a name that `names` gives, other than of a sensor.
         """
         own_names: dict[str, str] = {}
-        for name, theirs in self.names.items():
-            place = _alike(theirs, names_in_file)
-            if place is not None:
-                own_names[place] = name
-            elif name in WORDS:
+        for name, requested_name in self.names.items():
+            match = _matching_name(requested_name, names_in_file)
+            if match is not None:
+                own_names[match] = name
+            elif name in RESERVED_NAMES:
                 listing = (
-                    listed([shown(candidate) for candidate in names_in_file if candidate], MOST_NAMES)
+                    listed([shown(candidate) for candidate in names_in_file if candidate], MAX_NAMES)
                     or "none"
                 )
-                problem = f"expected {shown(theirs)}, which the record names as its {name}, found {listing}"
-                raise MeasurementError(
-                    problem, where, nearest_name(theirs, names_in_file, "correct the names of the record")
+                problem = (
+                    f"expected {shown(requested_name)}, which the record names as its {name}, found {listing}"
                 )
-        meant = set(own_names.values())
-        own_names |= {name: "" for name in names_in_file if name in meant and name not in own_names}
+                raise MeasurementError(
+                    problem,
+                    where,
+                    nearest_name(requested_name, names_in_file, "correct the names of the record"),
+                )
+        assigned = set(own_names.values())
+        own_names |= {name: "" for name in names_in_file if name in assigned and name not in own_names}
         for name in (*sorted(self.sensors or ()), FORCE):
-            free = [
+            candidates = [
                 candidate
                 for candidate in names_in_file
                 if candidate not in own_names and not (self.sensors and candidate in self.sensors)
             ]
-            if name not in names_in_file and name not in meant and (place := _alike(name, free)) is not None:
-                own_names[place] = name
+            if (
+                name not in names_in_file
+                and name not in assigned
+                and (match := _matching_name(name, candidates)) is not None
+            ):
+                own_names[match] = name
         return own_names
 
 
-def _alike(name: str, names_in_file: Collection[str]) -> str | None:
+def _matching_name(name: str, names_in_file: Collection[str]) -> str | None:
     """Return the name equal to this one, or the only one that differs from it only in case."""
-    alike = {candidate for candidate in names_in_file if candidate.casefold() == name.casefold()}
-    return name if name in names_in_file else alike.pop() if len(alike) == 1 else None
+    matches = {candidate for candidate in names_in_file if candidate.casefold() == name.casefold()}
+    return name if name in names_in_file else matches.pop() if len(matches) == 1 else None

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.modaltest.signals.checks import FEWEST, check_abscissa, check_coherence, within
-from pkmodes.modaltest.signals.dataset58 import Axis, Header, Points, Stored, dof_name, rotates
+from pkmodes.modaltest.signals.checks import MIN_POINTS, band_slice, check_abscissa, check_coherence
+from pkmodes.modaltest.signals.dataset58 import Axis, Header, Points, StoredPoints, dof_name, is_rotation
 from pkmodes.modaltest.signals.functions import (
     Array,
     Complex,
@@ -18,7 +18,14 @@ from pkmodes.modaltest.signals.functions import (
     SignalRequest,
     StoredFunction,
 )
-from pkmodes.modaltest.signals.units import NO_UNIT, FileUnits, hertz_in, quotient, seconds_in, unit_text
+from pkmodes.modaltest.signals.units import (
+    NO_UNIT,
+    FileUnits,
+    hertz_in,
+    quotient_units,
+    seconds_in,
+    unit_text,
+)
 
 #: Function types that can be read.
 KINDS = {
@@ -30,7 +37,7 @@ KINDS = {
     9: FunctionKind.SPECTRUM,
 }
 #: Function types that cannot be read, where a reason can be given.
-OTHERS = {
+UNREADABLE_TYPES = {
     0: "general, which does not say what it is",
     5: "a transmissibility, whose poles are not those of the structure: the force must be measured",
     7: "an auto correlation",
@@ -40,17 +47,17 @@ OTHERS = {
     12: "a spectrum without averages",
 }
 #: Specific data types: of an ordinate, and of an abscissa, for which 0 and 1 state nothing.
-FORCE = 13
-TIMES, FREQUENCIES = (0, 1, 17), (0, 1, 18)
+FORCE_TYPE = 13
+TIME_TYPES, FREQUENCY_TYPES = (0, 1, 17), (0, 1, 18)
 
 
 @dataclass
-class Abscissas:
+class SharedAbscissas:
     """Even abscissas in s or Hz by start, step and number of points: functions share them."""
 
     shared: dict[tuple[float, float, int], Array] = field(default_factory=dict)
 
-    def of(self, points: Points, factor: float) -> Array:
+    def abscissa(self, points: Points, factor: float) -> Array:
         """Return the abscissa of a dataset, times a factor.
 
         Raises MeasurementError if an even one does not ascend, since its start is too large for its step.
@@ -71,7 +78,7 @@ class Abscissas:
         return self.shared[key]
 
 
-def converted(values: Array | Complex, kind: FunctionKind) -> Array | Complex:
+def convert_values(values: Array | Complex, kind: FunctionKind) -> Array | Complex:
     """Return values in the form of their kind: NaN for gaps, the magnitude of a cross spectrum, a real coherence."""
     if kind is not FunctionKind.TIME and not (finite := np.isfinite(values)).all():
         values = np.where(finite, values, np.nan)
@@ -80,8 +87,8 @@ def converted(values: Array | Complex, kind: FunctionKind) -> Array | Complex:
     return np.abs(values) if kind is FunctionKind.SPECTRUM else np.real(values).copy()
 
 
-def function_of(
-    points: Points, units: FileUnits, abscissas: Abscissas, request: SignalRequest
+def to_function(
+    points: Points, units: FileUnits, abscissas: SharedAbscissas, request: SignalRequest
 ) -> Function | str | None:
     """Return the function in a dataset 58.
 
@@ -97,10 +104,10 @@ def function_of(
     kind = KINDS.get(header.function)
     if kind is None:
         kinds = "none of time, frequency response, coherence and power spectrum"
-        return f"function type {header.function} is {OTHERS.get(header.function, kinds)}"
-    if header.abscissa.data_type not in (TIMES if kind is FunctionKind.TIME else FREQUENCIES):
+        return f"function type {header.function} is {UNREADABLE_TYPES.get(header.function, kinds)}"
+    if header.abscissa.data_type not in (TIME_TYPES if kind is FunctionKind.TIME else FREQUENCY_TYPES):
         return f"data type {header.abscissa.data_type} of its abscissa is not that of a {kind} function"
-    of_force = header.ordinate.data_type == FORCE
+    of_force = header.ordinate.data_type == FORCE_TYPE
     if of_force and kind is FunctionKind.SPECTRUM:
         return "it is the spectrum of a force"
     response = dof_name(header.response)
@@ -108,15 +115,15 @@ def function_of(
     if not (force or request.wants(response)):
         return None
     factor = (seconds_in if kind is FunctionKind.TIME else hertz_in)(header.abscissa.label) or 1.0
-    abscissa = abscissas.of(points, factor)
-    points.check_finite(within(abscissa, None if kind is FunctionKind.TIME else request.band))
-    _check(points, kind)
+    abscissa = abscissas.abscissa(points, factor)
+    points.check_finite(band_slice(abscissa, None if kind is FunctionKind.TIME else request.band))
+    _check_kind(points, kind)
     unit, reference_unit = _units(header, kind, units)
     assumed = not units.stated and header.ordinate.label.lower() in NO_UNIT
     # An auto spectrum states its own sensor as its reference, which is no excitation.
-    own_sensor = kind is FunctionKind.SPECTRUM and header.reference == header.response
-    unnamed = kind is FunctionKind.TIME or own_sensor or header.reference == (0, 0)
-    common: dict[str, Any] = {
+    is_auto_spectrum = kind is FunctionKind.SPECTRUM and header.reference == header.response
+    unnamed = kind is FunctionKind.TIME or is_auto_spectrum or header.reference == (0, 0)
+    fields: dict[str, Any] = {
         "kind": kind,
         "response": response,
         "reference": "" if unnamed else dof_name(header.reference),
@@ -127,12 +134,12 @@ def function_of(
         "assumed": assumed,
     }
     values = points.values
-    if isinstance(values, Stored):
-        return StoredFunction(load=lambda: converted(values.read("y"), kind), **common)
-    return Function(values=converted(values, kind), **common)
+    if isinstance(values, StoredPoints):
+        return StoredFunction(load=lambda: convert_values(values.read("y"), kind), **fields)
+    return Function(values=convert_values(values, kind), **fields)
 
 
-def _check(points: Points, kind: FunctionKind) -> None:
+def _check_kind(points: Points, kind: FunctionKind) -> None:
     """Refuse data that do not suit the kind of function."""
     header, remedy = points.header, "export it again as what it is"
     if kind is FunctionKind.FRF and not header.complex:
@@ -142,12 +149,12 @@ def _check(points: Points, kind: FunctionKind) -> None:
         raise MeasurementError(
             "expected real values of a time signal, found complex ones", points.where, remedy
         )
-    if header.count < FEWEST:
-        problem = f"expected at least {FEWEST} points, found {header.count}"
+    if header.count < MIN_POINTS:
+        problem = f"expected at least {MIN_POINTS} points, found {header.count}"
         raise MeasurementError(problem, points.where, "export the whole measurement")
     if kind is FunctionKind.COHERENCE:
-        values = points.values.read("y") if isinstance(points.values, Stored) else points.values
-        check_coherence(converted(values, kind), points.where)
+        values = points.values.read("y") if isinstance(points.values, StoredPoints) else points.values
+        check_coherence(convert_values(values, kind), points.where)
 
 
 def _units(header: Header, kind: FunctionKind, units: FileUnits) -> tuple[str | None, str | None]:
@@ -156,18 +163,18 @@ def _units(header: Header, kind: FunctionKind, units: FileUnits) -> tuple[str | 
     A label states the unit of the numbers; the units of the file apply to functions without one.
     """
 
-    def of_axis(axis: Axis, dof: tuple[int, int]) -> str | None:
+    def axis_unit(axis: Axis, dof: tuple[int, int]) -> str | None:
         if axis.label.lower() not in NO_UNIT:
             return unit_text(axis.label)
-        return units.of_data(axis.data_type, rotates(dof))
+        return units.unit_of(axis.data_type, is_rotation(dof))
 
     if kind is FunctionKind.COHERENCE:
         return None, None
     if kind is FunctionKind.SPECTRUM:
         return unit_text(header.ordinate.label), None
-    unit = of_axis(header.ordinate, header.response)
+    unit = axis_unit(header.ordinate, header.response)
     if kind is FunctionKind.TIME:
         return unit, None
-    reference = of_axis(header.denominator, header.reference)
-    both = quotient(header.ordinate.label)
-    return (both[0], both[1]) if both[1] is not None else (unit, reference)
+    reference = axis_unit(header.denominator, header.reference)
+    quotient = quotient_units(header.ordinate.label)
+    return (quotient[0], quotient[1]) if quotient[1] is not None else (unit, reference)

@@ -17,24 +17,24 @@ import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.modaltest.signals.variables import (
-    EXPANDED,
-    LONGEST_NAME,
-    ROOM,
+    BASE_SIZE,
+    MAX_EXPANSION,
+    MAX_NAME_LENGTH,
     FileVariable,
     Values,
-    at_most,
-    loaded,
-    no_numbers,
+    collect_variables,
+    load_or_refuse,
+    refuse_values,
 )
 
 #: Deepest nesting of structs, and most links that are followed to an object.
-DEEPEST, MOST_LINKS = 8, 64
+MAX_DEPTH, MAX_LINKS = 8, 64
 #: Most bytes in the name of a class.
-LONGEST_CLASS = 64
+MAX_CLASS_LENGTH = 64
 #: Number of the HDF5 filter that expands each byte to a thousand at most.
 DEFLATE = 1
 #: The parts of complex numbers, and classes that are not numeric.
-PARTS, NO_NUMBERS = ("real", "imag"), ("char", "cell", "logical", "variable of another type")
+COMPLEX_PARTS, NON_NUMERIC = ("real", "imag"), ("char", "cell", "logical", "variable of another type")
 
 
 @contextmanager
@@ -49,9 +49,11 @@ def hdf5_variables(path: Path, source: str) -> Iterator[Sequence[FileVariable]]:
         problem = "expected a MATLAB file of version 7 or older, found version 7.3, which needs h5py"
         remedy = "install it with pip install 'pkmodes[hdf5]', or save the file with save -v7"
         raise MeasurementError(problem, source, remedy) from None
-    limit = ROOM + EXPANDED * path.stat().st_size
-    with loaded(lambda: h5py.File(path, "r"), source, "MATLAB") as file:
-        yield loaded(lambda: at_most(_variables(file, "", limit, {_address(file)})), source, "MATLAB")
+    limit = BASE_SIZE + MAX_EXPANSION * path.stat().st_size
+    with load_or_refuse(lambda: h5py.File(path, "r"), source, "MATLAB") as file:
+        yield load_or_refuse(
+            lambda: collect_variables(_variables(file, "", limit, {_address(file)})), source, "MATLAB"
+        )
 
 
 def _address(item: Any) -> int:
@@ -70,25 +72,27 @@ def _variables(group: Any, prefix: str, limit: int, visited: set[int]) -> Iterat
     from h5py import Dataset, Group
 
     for name in group:
-        if name.startswith("#"):  # what MATLAB stores for itself
+        if name.startswith("#"):  # variables that MATLAB stores for itself
             continue
-        full = f"{prefix}{name}"
-        if len(full) > LONGEST_NAME:
-            raise ValueError(f"expected names of at most {LONGEST_NAME} letters, found one of {len(full):,}")
-        item = _followed(group, name, [MOST_LINKS])
+        full_name = f"{prefix}{name}"
+        if len(full_name) > MAX_NAME_LENGTH:
+            raise ValueError(
+                f"expected names of at most {MAX_NAME_LENGTH} letters, found one of {len(full_name):,}"
+            )
+        item = _follow_link(group, name, [MAX_LINKS])
         if isinstance(item, Group):
             address = _address(item)
-            if prefix.count(".") < DEEPEST and address not in visited:
+            if prefix.count(".") < MAX_DEPTH and address not in visited:
                 visited.add(address)
-                yield from _variables(item, f"{full}.", limit, visited)
+                yield from _variables(item, f"{full_name}.", limit, visited)
         elif isinstance(item, Dataset):
-            yield _variable(item, full, limit)
+            yield _variable(item, full_name, limit)
         else:
             description = "a link that leads to nothing in the file" if item is None else "a type of numbers"
-            yield FileVariable(full, description, None, partial(no_numbers, full))
+            yield FileVariable(full_name, description, None, partial(refuse_values, full_name))
 
 
-def _followed(group: Any, name: str, remaining_links: list[int]) -> Any:
+def _follow_link(group: Any, name: str, remaining_links: list[int]) -> Any:
     """Return the target of a link; None if it has none, or leads to another file.
 
     - remaining_links: number of links that may still be followed
@@ -108,39 +112,43 @@ def _followed(group: Any, name: str, remaining_links: list[int]) -> Any:
     for part in (part for part in link.path.split("/") if part not in ("", ".")):
         if remaining_links[0] <= 0 or not isinstance(item, Group):
             return None
-        item = _followed(item, part, remaining_links)
+        item = _follow_link(item, part, remaining_links)
     return item
 
 
 def _variable(item: Any, name: str, limit: int) -> FileVariable:
     """Return the variable of a dataset."""
-    of = _class(item)
+    class_name = _class_name(item)
     try:
         dtype = item.dtype
     except TypeError:  # a type unknown to NumPy
-        of, dtype = "variable of another type", np.dtype("V")
+        class_name, dtype = "variable of another type", np.dtype("V")
     if item.is_virtual or item.external:
         description = "an array whose values are in another file"
-        return FileVariable(name, description, None, partial(no_numbers, name))
+        return FileVariable(name, description, None, partial(refuse_values, name))
     # Real numbers, or complex ones as MATLAB stores them.
-    parts = [dtype[part] for part in PARTS] if dtype.names == PARTS else [dtype]
-    if of in NO_NUMBERS or item.shape is None or not all(part.kind in "iuf" for part in parts):
-        return FileVariable(name, f"a {of}", None, partial(no_numbers, name))
+    parts = [dtype[part] for part in COMPLEX_PARTS] if dtype.names == COMPLEX_PARTS else [dtype]
+    if class_name in NON_NUMERIC or item.shape is None or not all(part.kind in "iuf" for part in parts):
+        return FileVariable(name, f"a {class_name}", None, partial(refuse_values, name))
     shape = tuple(map(int, item.shape[::-1]))  # MATLAB stores columns one after the other
     description = f"an array of {' x '.join(map(str, shape))} values"
     size = 16 if dtype.names else dtype.itemsize
     return FileVariable(name, description, shape, partial(_values, item, limit), size)
 
 
-def _class(item: Any) -> str:
+def _class_name(item: Any) -> str:
     """Return the class of a variable as written by MATLAB, "double" by default."""
     if "MATLAB_class" not in item.attrs:
         return "double"
     attribute = item.attrs.get_id("MATLAB_class")
-    if attribute.shape != () or attribute.dtype.kind not in "SO" or attribute.dtype.itemsize > LONGEST_CLASS:
+    if (
+        attribute.shape != ()
+        or attribute.dtype.kind not in "SO"
+        or attribute.dtype.itemsize > MAX_CLASS_LENGTH
+    ):
         return "double"
     text = item.attrs["MATLAB_class"]
-    return (text.decode("utf-8", "replace") if isinstance(text, bytes) else str(text))[:LONGEST_CLASS]
+    return (text.decode("utf-8", "replace") if isinstance(text, bytes) else str(text))[:MAX_CLASS_LENGTH]
 
 
 def _values(item: Any, limit: int) -> Values:

@@ -9,18 +9,18 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from pkmodes.loop.measured.formats import Format
-from pkmodes.modaltest.signals.arrays import functions_of
+from pkmodes.modaltest.signals.arrays import find_functions
 from pkmodes.modaltest.signals.functions import SignalFile, SignalRequest
 from pkmodes.modaltest.signals.hdf5_arrays import hdf5_variables
-from pkmodes.modaltest.signals.matlab_arrays import DamagedError, variables
-from pkmodes.modaltest.signals.variables import MOST_VARIABLES, FileVariable, at_most, loaded
+from pkmodes.modaltest.signals.matlab_arrays import DamagedError, read_variables
+from pkmodes.modaltest.signals.variables import MAX_VARIABLES, FileVariable, collect_variables, load_or_refuse
 
 HDF5 = b"\x89HDF\r\n\x1a\n"
 #: Non-numeric classes of variables in version 4, in words.
-TEXTS = {"char": "text", "sparse": "a sparse matrix"}
+NON_NUMERIC = {"char": "text", "sparse": "a sparse matrix"}
 #: Variables of version 4: bytes of the header; upper bound of the type; and bytes of a value by the tens of the type.
-HEAD_OF_4, TYPES_OF_4, BYTES_OF_4 = 20, 10_000, {0: 8, 1: 4, 2: 4, 3: 2, 4: 2, 5: 1}
-WHAT = "MATLAB"
+HEADER_SIZE_4, TYPE_LIMIT_4, VALUE_SIZES_4 = 20, 10_000, {0: 8, 1: 4, 2: 4, 3: 2, 4: 2, 5: 1}
+FILE_KIND = "MATLAB"
 
 
 def read_matlab(path: Path, request: SignalRequest) -> SignalFile:
@@ -33,18 +33,20 @@ def read_matlab(path: Path, request: SignalRequest) -> SignalFile:
     with path.open("rb") as file:
         head = file.read(1024)
     if HDF5 in head or head.startswith(b"MATLAB 7.3"):
-        with hdf5_variables(path, source) as opened:
-            return functions_of(opened, source, request, WHAT, path.stat().st_size)
+        with hdf5_variables(path, source) as variables:
+            return find_functions(variables, source, request, FILE_KIND, path.stat().st_size)
     length = path.stat().st_size
     with path.open("rb") as file:
         if b"\0" in head[:4]:  # version 4 has no text at its beginning
-            opened = loaded(lambda: _of_version_4(file, path), source, WHAT)
+            variables = load_or_refuse(lambda: _variables_of_version_4(file, path), source, FILE_KIND)
         else:
-            opened = loaded(lambda: at_most(variables(file, length)), source, WHAT)
-        return functions_of(opened, source, request, WHAT, length)
+            variables = load_or_refuse(
+                lambda: collect_variables(read_variables(file, length)), source, FILE_KIND
+            )
+        return find_functions(variables, source, request, FILE_KIND, length)
 
 
-def _of_version_4(file: BinaryIO, path: Path) -> list[FileVariable]:
+def _variables_of_version_4(file: BinaryIO, path: Path) -> list[FileVariable]:
     """Return the variables of a file of version 4, which has matrices only."""
     from scipy.io import loadmat, whosmat
 
@@ -54,9 +56,11 @@ def _of_version_4(file: BinaryIO, path: Path) -> list[FileVariable]:
         return loadmat(path, appendmat=False, variable_names=[name])[name].ravel(order="F")
 
     matrices = []
-    for name, shape, of in whosmat(path, appendmat=False):
-        numeric = of not in TEXTS
-        description = f"an array of {' x '.join(map(str, shape))} values" if numeric else TEXTS[of]
+    for name, shape, class_name in whosmat(path, appendmat=False):
+        numeric = class_name not in NON_NUMERIC
+        description = (
+            f"an array of {' x '.join(map(str, shape))} values" if numeric else NON_NUMERIC[class_name]
+        )
         matrices.append(
             FileVariable(name, description, tuple(shape) if numeric else None, partial(values, name))
         )
@@ -65,22 +69,22 @@ def _of_version_4(file: BinaryIO, path: Path) -> list[FileVariable]:
 
 def _check_sizes(file: BinaryIO, length: int) -> None:
     """Refuse a file of version 4 that ends before its variables: SciPy would allocate the sizes that they state."""
-    at, count = 0, 0
-    while at < length:
+    offset, count = 0, 0
+    while offset < length:
         count += 1
-        if count > MOST_VARIABLES:
-            raise DamagedError(f"expected at most {MOST_VARIABLES:,} variables, found more")
-        file.seek(at)
-        head = file.read(HEAD_OF_4)
-        order = "<" if int.from_bytes(head[:4], "little") < TYPES_OF_4 else ">"
-        if len(head) < HEAD_OF_4:
+        if count > MAX_VARIABLES:
+            raise DamagedError(f"expected at most {MAX_VARIABLES:,} variables, found more")
+        file.seek(offset)
+        head = file.read(HEADER_SIZE_4)
+        order = "<" if int.from_bytes(head[:4], "little") < TYPE_LIMIT_4 else ">"
+        if len(head) < HEADER_SIZE_4:
             raise DamagedError("expected the header of a variable")
         kind, rows, columns, is_complex, name = struct.unpack(f"{order}5i", head)
-        bytes_each = BYTES_OF_4.get(kind // 10 % 10)
-        if not 0 <= kind < TYPES_OF_4 or bytes_each is None or min(rows, columns, name) < 0:
+        bytes_per_value = VALUE_SIZES_4.get(kind // 10 % 10)
+        if not 0 <= kind < TYPE_LIMIT_4 or bytes_per_value is None or min(rows, columns, name) < 0:
             raise DamagedError("expected the header of a variable")
-        at += HEAD_OF_4 + name + rows * columns * bytes_each * (2 if is_complex else 1)
-        if at > length:
+        offset += HEADER_SIZE_4 + name + rows * columns * bytes_per_value * (2 if is_complex else 1)
+        if offset > length:
             raise DamagedError(f"expected a variable of {rows} x {columns} values, found the end of the file")
 
 

@@ -19,17 +19,17 @@ import numpy as np
 from numpy.lib import format as npy
 
 from pkmodes.loop.measured.formats import Format
-from pkmodes.modaltest.signals.arrays import functions_of
+from pkmodes.modaltest.signals.arrays import find_functions
 from pkmodes.modaltest.signals.functions import SignalFile, SignalRequest
-from pkmodes.modaltest.signals.variables import FileVariable, at_most, loaded
-from pkmodes.modaltest.signals.zip_files import opened_zip
+from pkmodes.modaltest.signals.variables import FileVariable, collect_variables, load_or_refuse
+from pkmodes.modaltest.signals.zip_files import open_zip
 
 NPY, NPZ = b"\x93NUMPY", b"PK\x03\x04"
-WHAT, DATA = "NumPy", "data"
+FILE_KIND, SINGLE_ARRAY = "NumPy", "data"
 #: Bytes at the beginning of an array, in which its header is.
-HEADER = 1 << 14
+HEADER_SIZE = 1 << 14
 #: Most bytes of an array with fields, which is read as a whole.
-LARGEST = 2_000_000_000
+MAX_FIELDS_SIZE = 2_000_000_000
 
 
 def read_numpy(path: Path, request: SignalRequest) -> SignalFile:
@@ -41,33 +41,39 @@ def read_numpy(path: Path, request: SignalRequest) -> SignalFile:
     with path.open("rb") as file:
         single = file.read(len(NPY)) == NPY
     if single:
-        array: Any = loaded(lambda: np.load(path, mmap_mode="r", allow_pickle=False), source, WHAT)
+        array: Any = load_or_refuse(
+            lambda: np.load(path, mmap_mode="r", allow_pickle=False), source, FILE_KIND
+        )
         variables = []
         for field, kind in _fields(array.dtype):
             part: Any = reduce(getitem, field, array)
             variables.append(
-                _variable(".".join(field) or DATA, part.shape, kind.base, partial(np.asarray, part))
+                _variable(".".join(field) or SINGLE_ARRAY, part.shape, kind.base, partial(np.asarray, part))
             )
-        return functions_of(variables, source, request, WHAT)
-    with loaded(lambda: opened_zip(path), source, WHAT) as archive:
+        return find_functions(variables, source, request, FILE_KIND)
+    with load_or_refuse(lambda: open_zip(path), source, FILE_KIND) as archive:
         names = archive.namelist()
-        variables = loaded(
-            lambda: at_most(variable for name in names for variable in _members(archive, name)), source, WHAT
+        variables = load_or_refuse(
+            lambda: collect_variables(
+                variable for name in names for variable in _member_variables(archive, name)
+            ),
+            source,
+            FILE_KIND,
         )
-        return functions_of(variables, source, request, WHAT, path.stat().st_size)
+        return find_functions(variables, source, request, FILE_KIND, path.stat().st_size)
 
 
-def _members(archive: zipfile.ZipFile, name: str) -> list[FileVariable]:
+def _member_variables(archive: zipfile.ZipFile, name: str) -> list[FileVariable]:
     """Return an array of an archive, or those that are its fields; only its header is read."""
     with archive.open(name) as file:
-        beginning = io.BytesIO(file.read(HEADER))
+        beginning = io.BytesIO(file.read(HEADER_SIZE))
     version = npy.read_magic(beginning)
     header = npy.read_array_header_1_0 if version == (1, 0) else npy.read_array_header_2_0
     shape, _, dtype = header(beginning)
 
     def load(field: tuple[str, ...]) -> Any:
-        if math.prod(shape) * dtype.itemsize > LARGEST:
-            raise ValueError(f"the array {name} has more than {LARGEST / 1e9:g} GB")
+        if math.prod(shape) * dtype.itemsize > MAX_FIELDS_SIZE:
+            raise ValueError(f"the array {name} has more than {MAX_FIELDS_SIZE / 1e9:g} GB")
         with archive.open(name) as file:
             array: Any = npy.read_array(file, allow_pickle=False)
         return reduce(getitem, field, array)

@@ -25,11 +25,11 @@ FORMATS: dict[str, Format[Reader]] = {
     for file_format in (UNIVERSAL_FILE, MATLAB, NUMPY, WAV, SHAKE_AND_TUNE, ARCHIVE, TABLE)
 }
 #: Formats that hold several records, each with a name.
-SEVERAL = (SHAKE_AND_TUNE, ARCHIVE, MATLAB, NUMPY)
+MULTI_RECORD_FORMATS = (SHAKE_AND_TUNE, ARCHIVE, MATLAB, NUMPY)
 #: Number of first bytes by which a format is recognised.
-HEAD = 4096
+HEAD_SIZE = 4096
 EVERYTHING = SignalRequest()
-WHAT, REMEDY = "the signals", "give a universal file, a MATLAB, NumPy or WAV file, or a table in text"
+CONTENT, REMEDY = "the signals", "give a universal file, a MATLAB, NumPy or WAV file, or a table in text"
 
 
 def format_of(path: Path, head: bytes) -> Format[Reader] | None:
@@ -54,21 +54,21 @@ def read_signals(path: str | PathLike[str], request: SignalRequest = EVERYTHING)
 
     Raises MeasurementError if the file cannot be read, is incomplete or invalid, with the place in it.
     """
-    place, member = _within(Path(path))
-    source = fspath(place)
+    file_path, member = _split_member(Path(path))
+    source = fspath(file_path)
     try:
-        check_regular(place, source, WHAT, REMEDY)
-        with place.open("rb") as file:
-            head = file.read(HEAD)
+        check_regular(file_path, source, CONTENT, REMEDY)
+        with file_path.open("rb") as file:
+            head = file.read(HEAD_SIZE)
     except (OSError, ValueError) as error:  # ValueError: a path with a null character
-        raise unreadable(error, source, WHAT) from None
+        raise unreadable(error, source, CONTENT) from None
     if not head:
         raise MeasurementError("expected measured signals, found an empty file", source, REMEDY)
-    file_format = format_of(place, head)
+    file_format = format_of(file_path, head)
     if file_format is None:
         problem = "expected a file of measured signals, found another kind of content"
         raise MeasurementError(problem, source, REMEDY)
-    if member and file_format not in SEVERAL:
+    if member and file_format not in MULTI_RECORD_FORMATS:
         problem = "expected an archive or a file of Shake&Tune, MATLAB or NumPy, "
         problem += f"found another file ({file_format.name})"
         raise MeasurementError(problem, source, f"leave {shown(member)} out of its name")
@@ -78,16 +78,16 @@ def read_signals(path: str | PathLike[str], request: SignalRequest = EVERYTHING)
             problem, source, "leave names out: a universal file says which signal is the force"
         )
     try:
-        return file_format.read(place, replace(request, member=member))
+        return file_format.read(file_path, replace(request, member=member))
     except OSError as error:
-        raise unreadable(error, source, WHAT) from None
+        raise unreadable(error, source, CONTENT) from None
 
 
-def _within(path: Path) -> tuple[Path, str]:
+def _split_member(path: Path) -> tuple[Path, str]:
     """Return the file of a path, and the record that the path names in it; "" for the file alone."""
     try:
         parents = () if path.exists() else path.parents
         file = next((parent for parent in parents if parent.is_file()), None)
-    except OSError:  # such as a name that is too long; opening it says why
+    except OSError:  # such as a name that is too long; opening it reports the reason
         file = None
     return (path, "") if file is None else (file, path.relative_to(file).as_posix())

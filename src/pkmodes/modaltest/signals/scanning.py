@@ -22,24 +22,24 @@ from pkmodes.modaltest.signals.functions import Array
 
 DELIMITER = b"    -1"
 #: Longest line of text, far above the 80 columns of the format: longer ones are binary data.
-LONGEST_LINE = 4096
+MAX_LINE_LENGTH = 4096
 INCOMPLETE = "the file is damaged or incomplete: copy or export it again"
 #: A number; Fortran leaves out the E of an exponent with three digits, and writes D for double precision.
 NUMBER = re.compile(rb"[+-]?(?:\d+\.?\d*|\.\d+)(?:[EeDd][+-]?\d+|[+-]\d{3}(?![\d.]))?")
 #: Bytes in numbers and between them.
 NUMERALS = b"0123456789+-.eEdD \t\r\n"
-#: What programs write for a missing value.
+#: Texts that programs write for a missing value.
 NOT_A_NUMBER = re.compile(
     rb"[+-]?(?:nan(?:\(ind\))?|inf(?:inity)?|1\.#(?:qnan|snan|ind|inf)\d*)", re.IGNORECASE
 )
 NUMBER_OR_GAP = re.compile(rb"nan|" + NUMBER.pattern)
 EXPONENT = re.compile(rb"(?<=[\d.])[Dd](?=[+-]?\d)|(?<=[\d.])(?=[+-]\d{3}$)")
 #: Lines converted at once.
-CHUNK = 20_000
+CHUNK_LINES = 20_000
 
 
 @dataclass(frozen=True)
-class Binary:
+class BinaryLayout:
     """Declarations in the first line of a binary dataset: its byte order, header lines and bytes."""
 
     order: str
@@ -53,7 +53,7 @@ class Dataset:
 
     number: int
     where: str
-    binary: Binary | None
+    binary: BinaryLayout | None
 
 
 class Scanner:
@@ -83,12 +83,12 @@ class Scanner:
             start = self.file.tell() - len(line)
             self.where = f"{self.source}: dataset {count} at byte {start}"
             if not is_delimiter(line):
-                problem = f"expected a line -1 that opens a dataset, found {shown(text_of(line).strip())}"
+                problem = f"expected a line -1 that opens a dataset, found {shown(decode_line(line).strip())}"
                 self.refuse(problem)
             line = self.line("the number of a dataset")
             number, flag, rest = line[:6].strip(), line[6:7], line[7:]
             if not number.isdigit() or flag not in (b"", b" ", b"b", b"\r", b"\n"):
-                self.refuse(f"expected the number of a dataset, found {shown(text_of(line).strip())}")
+                self.refuse(f"expected the number of a dataset, found {shown(decode_line(line).strip())}")
             name = f"{count} ({number.decode()}{flag.decode().strip()})"
             self.where = f"{self.source}: dataset {name} at byte {start}"
             yield Dataset(int(number), self.where, self._binary(rest) if flag == b"b" else None)
@@ -110,7 +110,7 @@ class Scanner:
         while not is_delimiter(self.line("a line -1 that closes the dataset")):
             pass
 
-    def skip_binary(self, binary: Binary) -> None:
+    def skip_binary(self, binary: BinaryLayout) -> None:
         """Skip a binary dataset up to and including the line that closes it."""
         for number in range(binary.lines):
             self.line(f"line {number + 1} of the header")
@@ -123,16 +123,18 @@ class Scanner:
         if not line.strip():
             line = self.line("a line -1 that closes the dataset")
         if not is_delimiter(line):
-            self.refuse(f"expected a line -1 after the declared data, found {shown(text_of(line).strip())}")
+            self.refuse(
+                f"expected a line -1 after the declared data, found {shown(decode_line(line).strip())}"
+            )
 
     def skip_bytes(self, count: int) -> int:
         """Skip a block of data; return where it begins."""
-        self.check_left(count)
+        self.check_remaining(count)
         start = self.file.tell()
         self.file.seek(count, 1)
         return start
 
-    def check_left(self, count: int) -> None:
+    def check_remaining(self, count: int) -> None:
         """Refuse a dataset that declares more bytes than the file has."""
         if count > self.remaining:
             self.refuse(f"expected {count} bytes of data, found {self.remaining} to the end of the file")
@@ -142,23 +144,23 @@ class Scanner:
         raise MeasurementError(what, self.where, remedy)
 
     def _next_line(self) -> bytes | None:
-        line = self.file.readline(LONGEST_LINE)
-        if len(line) == LONGEST_LINE:
+        line = self.file.readline(MAX_LINE_LENGTH)
+        if len(line) == MAX_LINE_LENGTH:
             self.refuse("expected lines of text, found binary data")
         return line or None
 
-    def _binary(self, rest: bytes) -> Binary:
+    def _binary(self, rest: bytes) -> BinaryLayout:
         fields = rest.split()
         if len(fields) < 4 or not all(field.isdigit() for field in fields[:4]):
             problem = "expected the byte order, the format and the numbers of lines and bytes after 58b"
-            self.refuse(f"{problem}, found {shown(text_of(rest).strip())}")
+            self.refuse(f"{problem}, found {shown(decode_line(rest).strip())}")
         order, form, lines, size = map(int, fields[:4])
         if order not in (1, 2):
             self.refuse(f"expected byte order 1 (little endian) or 2 (big endian), found {order}")
         if form != 2:
             remedy = "export the file with IEEE numbers, or as text"
             self.refuse(f"expected numbers of format 2 (IEEE 754), found format {form}", remedy)
-        return Binary("<" if order == 1 else ">", lines, size)
+        return BinaryLayout("<" if order == 1 else ">", lines, size)
 
 
 def is_delimiter(line: bytes) -> bool:
@@ -166,7 +168,7 @@ def is_delimiter(line: bytes) -> bool:
     return line.startswith(DELIMITER) and line.rstrip() == DELIMITER
 
 
-def text_of(line: bytes) -> str:
+def decode_line(line: bytes) -> str:
     """Return a line as text: UTF-8, or Latin-1, which most old measuring systems write."""
     try:
         return line.decode("utf-8")
@@ -174,19 +176,19 @@ def text_of(line: bytes) -> str:
         return line.decode("latin-1")
 
 
-def begins_with_a_dataset(head: bytes) -> bool:
+def is_universal_file(head: bytes) -> bool:
     """Return whether a file begins with the opening of a dataset."""
     lines = head.lstrip(b"\r\n").splitlines()
     return len(lines) > 1 and is_delimiter(lines[0]) and lines[1][:6].strip().isdigit()
 
 
-def numbers_in(text: bytes) -> Array | None:
+def parse_numbers(text: bytes) -> Array | None:
     """Return the numbers in a text, NaN for missing values; None if it contains anything else.
 
     - text: numbers, separated by blanks or in adjacent columns
     """
-    gaps = bool(text.translate(None, NUMERALS))
-    if gaps:
+    has_missing = bool(text.translate(None, NUMERALS))
+    if has_missing:
         text = NOT_A_NUMBER.sub(b" nan ", text)
         if text.replace(b" nan ", b"").translate(None, NUMERALS):
             return None
@@ -194,15 +196,14 @@ def numbers_in(text: bytes) -> Array | None:
         return np.empty(0)
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter(
-                "error", DeprecationWarning
-            )  # which NumPy before 2.3 raises instead of an error
+            # NumPy before 2.3 raises this warning instead of an error.
+            warnings.simplefilter("error", DeprecationWarning)
             return np.fromstring(text, sep=" ")
     except (ValueError, DeprecationWarning):
         pass
     if NUMBER.sub(b"", text.replace(b" nan ", b" ")).strip():
         return None
-    numerals = NUMBER_OR_GAP.findall(text) if gaps else NUMBER.findall(text)
+    numerals = NUMBER_OR_GAP.findall(text) if has_missing else NUMBER.findall(text)
     return np.array([float(EXPONENT.sub(b"E", number)) for number in numerals])
 
 
@@ -222,15 +223,15 @@ def read_numbers(scanner: Scanner, count: int) -> Array:
     values, filled, closed = np.empty(count), 0, False
     while not closed:
         lines: list[bytes] = []
-        while len(lines) < CHUNK and not closed:
+        while len(lines) < CHUNK_LINES and not closed:
             line = scanner.line("more values, or a line -1 that closes the dataset")
             closed = is_delimiter(line)
             if not closed:
                 lines.append(line)
-        numbers = numbers_in(b"".join(lines))
+        numbers = parse_numbers(b"".join(lines))
         if numbers is None:
-            bad = next((line for line in lines if numbers_in(line) is None), lines[0])
-            scanner.refuse(f"expected numbers, found {shown(text_of(bad).strip())}")
+            bad_line = next((line for line in lines if parse_numbers(line) is None), lines[0])
+            scanner.refuse(f"expected numbers, found {shown(decode_line(bad_line).strip())}")
         if filled + numbers.size > count:
             scanner.refuse(f"expected {count} values as declared, found more")
         values[filled : filled + numbers.size] = numbers

@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.loop.measured.formats import Format
-from pkmodes.modaltest.signals.checks import FEWEST, outside_coherence
-from pkmodes.modaltest.signals.clock import is_clock, seconds_of
+from pkmodes.modaltest.signals.checks import MIN_POINTS, find_invalid_coherence
+from pkmodes.modaltest.signals.clock import is_clock, parse_times
 from pkmodes.modaltest.signals.functions import (
     Array,
     Complex,
@@ -27,25 +27,25 @@ from pkmodes.modaltest.signals.functions import (
     SignalRequest,
     StoredFunction,
 )
-from pkmodes.modaltest.signals.sampling import as_sampled, counts_samples, even_times
-from pkmodes.modaltest.signals.table_columns import FunctionColumn, TableLayout, layout_of
-from pkmodes.modaltest.signals.table_programs import framed
+from pkmodes.modaltest.signals.sampling import counts_samples, even_times, restore_even_times
+from pkmodes.modaltest.signals.table_columns import FunctionColumn, TableLayout, find_layout
+from pkmodes.modaltest.signals.table_programs import remove_frame
 from pkmodes.modaltest.signals.table_rates import (
-    counted,
-    counter_in,
-    rates_in,
+    find_counter,
+    find_rates,
     same_rate,
+    sample_positions,
     stated_rate,
 )
 from pkmodes.modaltest.signals.table_text import TableText, check_text, split_table
-from pkmodes.modaltest.signals.units import hertz_in, quotient, radians_in, seconds_in, unit_text
+from pkmodes.modaltest.signals.units import hertz_in, quotient_units, radians_in, seconds_in, unit_text
 
 #: Most bytes of a table: larger ones would not fit into memory as text and as numbers.
-LARGEST_FILE = 1_000_000_000
+MAX_FILE_SIZE = 1_000_000_000
 #: Phases without a unit are radians up to the first (from -pi to pi, or up to 2 pi), and degrees from the second.
-RADIANS, DEGREES = 2.0 * np.pi, 40.0
-#: First bytes by which binary data are told from text.
-HEAD = 4096
+MAX_RADIANS, MIN_DEGREES = 2.0 * np.pi, 40.0
+#: Number of first bytes by which binary data are distinguished from text.
+HEAD_SIZE = 4096
 #: Statement of lost samples in any comment; other wordings are looked for only in lines beginning with ``##``.
 LOST_SAMPLES = re.compile(
     r"\b(?:skipped|lost|missed|missing|dropped)[ _]samples?[ \t]*[:=][ \t]*0*[1-9]", re.IGNORECASE
@@ -55,7 +55,7 @@ NONE_LOST = re.compile(r"\b(?:no|none|without|never)\b", re.IGNORECASE)
 NUMBERS = re.compile(r"\d+(?:\.\d+)?")
 STATEMENT = re.compile(r"#\s*(unit|quantity|drives)\s*:(.*)", re.IGNORECASE)
 #: Most lines about lost samples that are reported, and most letters of each.
-MOST_LOSSES, LONGEST_LOSS = 20, 500
+MAX_LOSSES, MAX_LOSS_LENGTH = 20, 500
 #: A column: whole numbers may have a smaller type than double precision.
 Numbers = NDArray[Any]
 
@@ -66,18 +66,18 @@ def read_table(path: Path, request: SignalRequest) -> SignalFile:
     Raises MeasurementError if it has no header, or its columns cannot be read, with line and column.
     """
     source = fspath(path)
-    if path.stat().st_size > LARGEST_FILE:
+    if path.stat().st_size > MAX_FILE_SIZE:
         remedy = "give a binary universal file, or split the table"
         raise MeasurementError("cannot read the table: it is larger than 1 GB", source, remedy)
     with path.open("rb") as file:
-        check_text(file.read(HEAD), source)  # before gigabytes of something else are read
+        check_text(file.read(HEAD_SIZE), source)  # before gigabytes of something else are read
         file.seek(0)
-        return tabulated(file.read(), source, request)
+        return parse_table(file.read(), source, request)
 
 
-def tabulated(content: bytes, source: str, request: SignalRequest) -> SignalFile:
+def parse_table(content: bytes, source: str, request: SignalRequest) -> SignalFile:
     """Return the signals in the content of a table: see `read_table`."""
-    frame = framed(content, source)
+    frame = remove_frame(content, source)
     del content
     text = split_table(frame.content, source, request.columns)
     frame_rate, losses = frame.rate, frame.losses
@@ -86,29 +86,28 @@ def tabulated(content: bytes, source: str, request: SignalRequest) -> SignalFile
     if request.rate is None:
         request = replace(request, rate=frame_rate)
     elif frame_rate not in (None, request.rate):
-        remarks = [_other_rate(frame_rate, request.rate)]
-    rated = bool(rates_in(text.comments))
-    layout = layout_of(text.names, f"{source}: line {text.header_line}", request, rated=rated)
-    places = [place for column in layout.columns for place in column.places]
+        remarks = [_rate_message(frame_rate, request.rate)]
+    has_rate = bool(find_rates(text.comments))
+    layout = find_layout(text.names, f"{source}: line {text.header_line}", request, has_rate=has_rate)
+    column_indices = [index for column in layout.columns for index in column.indices]
     if layout.kind is FunctionKind.FRF and layout.abscissa is not None and text.may_have_gaps:
         factor = _factor(layout, text)
         text = text.without_gaps(
-            layout.abscissa, places, lambda number: _counts(factor * number, request.band)
+            layout.abscissa, column_indices, lambda number: _needs_values(factor * number, request.band)
         )
-    read_places = ([] if layout.abscissa is None else [layout.abscissa]) + places
-    if (
-        not read_places
-    ):  # still checked, so that a damaged table is not mistaken for one without these sensors
-        read_places = [0]
+    read_columns = ([] if layout.abscissa is None else [layout.abscissa]) + column_indices
+    # The first column is still checked, so that a damaged table is not mistaken for one without these sensors.
+    if not read_columns:
+        read_columns = [0]
     clock = layout.abscissa is not None and is_clock(text.cell(layout.abscissa))
-    of_numbers = places if clock and places else read_places
-    numbers: dict[int, Numbers] = dict(zip(of_numbers, text.columns(of_numbers), strict=True))
+    numeric_columns = column_indices if clock and column_indices else read_columns
+    numbers: dict[int, Numbers] = dict(zip(numeric_columns, text.columns(numeric_columns), strict=True))
     if clock:
         assert layout.abscissa is not None
-        numbers[layout.abscissa] = _clock(layout.abscissa, text)
-    rows = numbers[read_places[0]].size
-    if rows < FEWEST:
-        problem = f"expected at least {FEWEST} rows, found {rows}"
+        numbers[layout.abscissa] = _clock_times(layout.abscissa, text)
+    rows = numbers[read_columns[0]].size
+    if rows < MIN_POINTS:
+        problem = f"expected at least {MIN_POINTS} rows, found {rows}"
         raise MeasurementError(problem, source, "export the whole measurement")
     may_count = not (clock or layout.label) and layout.kind is FunctionKind.TIME
     rate = None
@@ -122,10 +121,10 @@ def tabulated(content: bytes, source: str, request: SignalRequest) -> SignalFile
         if column.kind is FunctionKind.COHERENCE:
             _check_coherence(column, numbers, text)
     channels = {f"{column.response}/{column.reference}".removesuffix("/") for column in layout.columns}
-    stated = _stated(text.comments, channels)
-    functions = tuple(_function(column, numbers, abscissa, stated, source) for column in layout.columns)
-    messages = tuple(f"{source}: {remark}" for remark in (*remarks, *_losses(text.comments), *losses))
-    return SignalFile(source, functions, (), messages, stated)
+    statements = _find_statements(text.comments, channels)
+    functions = tuple(_function(column, numbers, abscissa, statements, source) for column in layout.columns)
+    messages = tuple(f"{source}: {remark}" for remark in (*remarks, *_loss_messages(text.comments), *losses))
+    return SignalFile(source, functions, (), messages, statements)
 
 
 def _rate(
@@ -136,9 +135,9 @@ def _rate(
         rate, notes = stated_rate(text.comments, text.source)
         remarks += notes
         return rate
-    contradicting = [rate for rate, _ in rates_in(text.comments) if not same_rate(rate, request.rate)]
+    contradicting = [rate for rate, _ in find_rates(text.comments) if not same_rate(rate, request.rate)]
     if contradicting and request.rate != frame_rate:
-        remarks.append(_other_rate(contradicting[0], request.rate))
+        remarks.append(_rate_message(contradicting[0], request.rate))
     return request.rate
 
 
@@ -147,19 +146,19 @@ def _times_by_rate(rate: float, layout: TableLayout, rows: int, text: TableText,
     if layout.abscissa is not None:
         remarks.append(f"its column {shown(text.names[layout.abscissa])} counts samples, of {rate:g} Hz")
         return even_times(rows, rate)
-    place = counter_in(text.names, [place for column in layout.columns for place in column.places])
-    if place is None:
+    index = find_counter(text.names, [index for column in layout.columns for index in column.indices])
+    if index is None:
         return even_times(rows, rate)
     try:
-        (numbers,) = text.columns([place])
+        (numbers,) = text.columns([index])
     except MeasurementError:  # no column of the campaign: it may hold anything
         return even_times(rows, rate)
-    after = counted(np.asarray(numbers, np.float64))
-    if after is None or after[-1] == rows - 1:
+    positions = sample_positions(np.asarray(numbers, np.float64))
+    if positions is None or positions[-1] == rows - 1:
         return even_times(rows, rate)
-    missing = after[-1] - rows + 1
-    remarks.append(f"its column {shown(text.names[place])} shows that {missing:.0f} samples are missing")
-    return after / rate
+    missing = positions[-1] - rows + 1
+    remarks.append(f"its column {shown(text.names[index])} shows that {missing:.0f} samples are missing")
+    return positions / rate
 
 
 def _abscissa(layout: TableLayout, numbers: dict[int, Numbers], text: TableText) -> Array:
@@ -169,10 +168,10 @@ def _abscissa(layout: TableLayout, numbers: dict[int, Numbers], text: TableText)
     abscissa = np.asarray(numbers[layout.abscissa], np.float64)
     abscissa *= _factor(layout, text)  # in place: a long table fills much of the memory
     if layout.kind is FunctionKind.TIME:
-        abscissa = as_sampled(abscissa)
-    late = np.flatnonzero(abscissa[1:] <= abscissa[:-1])
-    if late.size:
-        row = int(late[0]) + 1
+        abscissa = restore_even_times(abscissa)
+    descending = np.flatnonzero(abscissa[1:] <= abscissa[:-1])
+    if descending.size:
+        row = int(descending[0]) + 1
         problem = f"expected ascending values, found {abscissa[row]:.10g} after {abscissa[row - 1]:.10g}"
         where = f"{text.source}: line {text.line_of(row)}, column {name}"
         raise MeasurementError(problem, where, "sort the rows, and give each value once, with enough digits")
@@ -194,41 +193,45 @@ def _factor(layout: TableLayout, text: TableText) -> float:
     return factor
 
 
-def _counts(frequency: float, band: tuple[float, float] | None) -> bool:
+def _needs_values(frequency: float, band: tuple[float, float] | None) -> bool:
     """Return whether a line must have values: in the band or, without a band, above 0 Hz."""
     return frequency > 0.0 if band is None else band[0] <= frequency <= band[1]
 
 
-def _other_rate(stated: float | None, requested: float) -> str:
+def _rate_message(stated: float | None, requested: float) -> str:
     return f"the file states a rate of {stated:g} Hz; that of the record, {requested:g} Hz, is used"
 
 
-def _clock(place: int, text: TableText) -> Array:
+def _clock_times(column: int, text: TableText) -> Array:
     """Return the seconds since the first time of a column of times of day."""
-    times, bad = seconds_of(text.texts(place))
-    if bad is not None:
-        cell = next(islice(text.texts(place), bad, None))
+    times, bad_row = parse_times(text.texts(column))
+    if bad_row is not None:
+        cell = next(islice(text.texts(column), bad_row, None))
         problem = f"expected a time, found {shown(cell) or 'nothing'}"
-        where = f"{text.source}: line {text.line_of(bad)}, column {text.names[place]}"
+        where = f"{text.source}: line {text.line_of(bad_row)}, column {text.names[column]}"
         raise MeasurementError(problem, where, "write each time as 2024-05-03 10:00:00.005, or in seconds")
     return times
 
 
 def _check_coherence(column: FunctionColumn, numbers: dict[int, Numbers], text: TableText) -> None:
     """Refuse a coherence outside 0 to 1, with its line."""
-    (place,) = column.places
-    fault = outside_coherence(numbers[place])
+    (index,) = column.indices
+    fault = find_invalid_coherence(numbers[index])
     if fault is not None:
         row, problem, remedy = fault
-        where = f"{text.source}: line {text.line_of(row)}, column {text.names[place]}"
+        where = f"{text.source}: line {text.line_of(row)}, column {text.names[index]}"
         raise MeasurementError(problem, where, remedy)
 
 
 def _function(
-    column: FunctionColumn, numbers: dict[int, Numbers], abscissa: Array, stated: dict[str, str], source: str
+    column: FunctionColumn,
+    numbers: dict[int, Numbers],
+    abscissa: Array,
+    statements: dict[str, str],
+    source: str,
 ) -> Function:
     """Return a function, whose values are computed from the numbers of the table at each access."""
-    parts = [numbers[place] for place in column.places]
+    parts = [numbers[index] for index in column.indices]
     unit, reference_unit = unit_text(column.unit), None
     load: Callable[[], Array | Complex] = partial(np.asarray, parts[0], np.float64)
     if column.kind is FunctionKind.FRF:
@@ -238,7 +241,7 @@ def _function(
                 _polar, parts[0], parts[1], _phase_factor(column, parts[1], source), column.decibels
             )
         channel = f"{column.response}/{column.reference}".removesuffix("/")
-        unit, reference_unit = quotient(column.unit or stated.get(f"unit {channel}", ""))
+        unit, reference_unit = quotient_units(column.unit or statements.get(f"unit {channel}", ""))
     if column.kind is FunctionKind.COHERENCE:
         unit = None
     return StoredFunction(
@@ -263,10 +266,10 @@ def _phase_factor(column: FunctionColumn, phase: Numbers, source: str) -> float:
     """Return the factor of a phase to radians; without a unit, it is in degrees if it is too large for radians."""
     label, largest = column.labels[1], float(max(phase.max(initial=0), -float(phase.min(initial=0))))
     where = f"{source}: phase of {column.response}"
-    if not label and RADIANS < largest < DEGREES:
+    if not label and MAX_RADIANS < largest < MIN_DEGREES:
         problem = f"expected the unit of the phase, found none, and phases up to {largest:.4g}"
         raise MeasurementError(problem, where, "write it in the header: [deg] or [rad]")
-    factor = radians_in(label or ("rad" if largest <= RADIANS else "deg"))
+    factor = radians_in(label or ("rad" if largest <= MAX_RADIANS else "deg"))
     if factor is None:
         raise MeasurementError(f"expected a unit of angle, found {shown(label)}", where, "write deg or rad")
     return factor
@@ -274,11 +277,11 @@ def _phase_factor(column: FunctionColumn, phase: Numbers, source: str) -> float:
 
 def _polar(magnitude: Numbers, phase: Numbers, factor: float, decibels: bool) -> Complex:
     """Return a frequency response from magnitude and phase."""
-    size = 10.0 ** (magnitude / 20.0) if decibels else magnitude
-    return np.asarray(size * np.exp(1j * factor * phase))
+    amplitude = 10.0 ** (magnitude / 20.0) if decibels else magnitude
+    return np.asarray(amplitude * np.exp(1j * factor * phase))
 
 
-def _stated(comments: Iterable[str], channels: Set[str]) -> dict[str, str]:
+def _find_statements(comments: Iterable[str], channels: Set[str]) -> dict[str, str]:
     """Return statements in comments as written by pkmodes: quantity, drives, and the unit of each channel."""
     statements = {}
     for match in (STATEMENT.fullmatch(text.rstrip(" ,;\t")) for text in comments):
@@ -295,14 +298,14 @@ def _stated(comments: Iterable[str], channels: Set[str]) -> dict[str, str]:
     return statements
 
 
-def _losses(comments: Iterable[str]) -> list[str]:
+def _loss_messages(comments: Iterable[str]) -> list[str]:
     """Return the comments that state lost or overloaded samples, unless they state that there are none."""
     losses, omitted = list[str](), 0
     for text in comments:
         if not (_states_losses(text) if text.startswith("##") else LOST_SAMPLES.search(text)):
             continue
-        if len(losses) < MOST_LOSSES:
-            losses.append(f"the file states: {text.lstrip('# ').strip()[:LONGEST_LOSS]}")
+        if len(losses) < MAX_LOSSES:
+            losses.append(f"the file states: {text.lstrip('# ').strip()[:MAX_LOSS_LENGTH]}")
         else:
             omitted += 1
     return [*losses, f"{omitted} more lines of it state such losses"] if omitted else losses
@@ -325,8 +328,8 @@ def looks_like_text(head: bytes) -> bool:
         text = head.decode("utf-8-sig", "strict" if len(head) < 4000 else "ignore")
     except UnicodeDecodeError:
         text = head.decode("latin-1")
-    strange = sum(not (character.isprintable() or character in "\t\r\n") for character in text)
-    return strange == 0 and any(character.isalpha() for character in text)
+    unprintable = sum(not (character.isprintable() or character in "\t\r\n") for character in text)
+    return unprintable == 0 and any(character.isalpha() for character in text)
 
 
 TABLE = Format("table", (".csv", ".tsv", ".txt", ".dat", ".lvm"), looks_like_text, read_table)

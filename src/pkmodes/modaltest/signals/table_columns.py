@@ -14,22 +14,22 @@ from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.core.robot.columns import parted
 from pkmodes.core.support.ordering import listed
 from pkmodes.loop.measured.meanings import worded
-from pkmodes.modaltest.signals.functions import FORCE, MOST_NAMES, FunctionKind, SignalRequest
+from pkmodes.modaltest.signals.functions import FORCE, MAX_NAMES, FunctionKind, SignalRequest
 from pkmodes.modaltest.signals.units import hertz_in, seconds_in, unit_text
 
 TIME = "time"
 FREQUENCIES = ("frequency", "freq")
 #: Other names for times and frequencies, used if no column has one of those above.
-ALSO_TIMES, ALSO_FREQUENCIES = ("t", "timestamp", "datetime", "clock"), ("f", "frequencies")
+OTHER_TIMES, OTHER_FREQUENCIES = ("t", "timestamp", "datetime", "clock"), ("f", "frequencies")
 REAL, IMAGINARY, MAGNITUDE, PHASE, COHERENCE, POWER = "re:", "im:", "mag:", "phase:", "coh:", "psd_"
 #: The two parts of a frequency response, by pairs of prefixes.
-PARTS = ((REAL, IMAGINARY), (MAGNITUDE, PHASE))
+RESPONSE_PARTS = ((REAL, IMAGINARY), (MAGNITUDE, PHASE))
 #: A name of a function of frequency: its kind, its sensor, and a reference.
 SPECTRAL = re.compile(r"(re:|im:|mag:|phase:|coh:|psd_)([^/]*)(.*)", re.IGNORECASE)
 BODE = re.compile(r"(?:(?P<mag>mag(?:nitude)?|ampl(?:itude)?)|phase)[ _]?(?P<name>.*)", re.IGNORECASE)
 POWERS = ("psd_x", "psd_y", "psd_z")
 IN_PARENTHESES = re.compile(r"(.*?)\s*\(([^()]*(?:\([^()]*\)[^()]*)*)\)")
-AFTER_LOW_LINE = re.compile(r"(.*)_([A-Za-z]+)")
+AFTER_UNDERSCORE = re.compile(r"(.*)_([A-Za-z]+)")
 DECIBELS = "db"
 
 
@@ -37,7 +37,7 @@ DECIBELS = "db"
 class FunctionColumn:
     """A function in a table.
 
-    - places: of its one or two columns
+    - indices: of its one or two columns
     - labels: of their units
     - polar: whether the two are magnitude and phase
     """
@@ -45,7 +45,7 @@ class FunctionColumn:
     kind: FunctionKind
     response: str
     reference: str
-    places: tuple[int, ...]
+    indices: tuple[int, ...]
     labels: tuple[str, ...]
     force: bool = False
     polar: bool = False
@@ -71,43 +71,43 @@ class TableLayout:
     columns: tuple[FunctionColumn, ...]
 
 
-def layout_of(
-    cells: Sequence[str], where: str, request: SignalRequest, *, rated: bool = False
+def find_layout(
+    cells: Sequence[str], where: str, request: SignalRequest, *, has_rate: bool = False
 ) -> TableLayout:
     """Return the layout of a table's columns.
 
     - cells: of the header, with units
     - where: the line of the header, for messages
     - request: the request for the file
-    - rated: whether the file states a rate, which stands in for times
+    - has_rate: whether the file states a rate, which stands in for times
 
     Raises MeasurementError if there is no time or frequency, or more than one; if a requested column is repeated or
     lacks its other part.
     """
-    heads = _own_heads([_head(cell, request) for cell in cells], where, request)
-    times = _named(heads, (TIME,), seconds_in)
-    frequencies = _named(heads, FREQUENCIES, hertz_in)
+    heads = _rename_heads([_head(cell, request) for cell in cells], where, request)
+    times = _columns_named(heads, (TIME,), seconds_in)
+    frequencies = _columns_named(heads, FREQUENCIES, hertz_in)
     if not times and not frequencies and request.rate is None:
-        free = [
+        unclaimed = [
             ("", "") if request.sensors and name in request.sensors else (name, label)
             for name, label in heads
         ]
-        times = _named(free, ALSO_TIMES, seconds_in)
-        frequencies = {} if times else _named(free, ALSO_FREQUENCIES, hertz_in)
+        times = _columns_named(unclaimed, OTHER_TIMES, seconds_in)
+        frequencies = {} if times else _columns_named(unclaimed, OTHER_FREQUENCIES, hertz_in)
     abscissas = times | frequencies
     if len(abscissas) > 1:
         problem = f"expected one column of times or frequencies, found {len(abscissas)}"
         raise MeasurementError(problem, where, "leave one of them out")
-    if not abscissas and request.rate is None and not rated:
+    if not abscissas and request.rate is None and not has_rate:
         problem = (
-            f"expected a column of times or frequencies, found {listed([*map(shown, cells)], MOST_NAMES)}"
+            f"expected a column of times or frequencies, found {listed([*map(shown, cells)], MAX_NAMES)}"
         )
         remedy = 'state in the record which it is, names = { time = "NAME" } or { frequency = "NAME" }'
         raise MeasurementError(problem, where, f'{remedy}, or give the rate there, rate = "3200 Hz"')
     names = {i: name for i, (name, _) in enumerate(heads) if i not in abscissas and name}
     labels = [label for _, label in heads]
     if frequencies:
-        columns = _spectral(names, labels, where, request)
+        columns = _spectral_columns(names, labels, where, request)
     else:
         columns = [
             FunctionColumn(FunctionKind.TIME, name, "", (i,), (labels[i],), name == FORCE)
@@ -115,8 +115,10 @@ def layout_of(
             if name == FORCE or request.wants(name)
         ]
     _refuse_repeated(columns, cells, where)
-    place, label = next(iter(abscissas.items()), (None, ""))
-    return TableLayout(place, label, FunctionKind.FRF if frequencies else FunctionKind.TIME, tuple(columns))
+    abscissa, label = next(iter(abscissas.items()), (None, ""))
+    return TableLayout(
+        abscissa, label, FunctionKind.FRF if frequencies else FunctionKind.TIME, tuple(columns)
+    )
 
 
 def _head(cell: str, request: SignalRequest) -> tuple[str, str]:
@@ -127,77 +129,83 @@ def _head(cell: str, request: SignalRequest) -> tuple[str, str]:
         name, label = (match[1], match[2]) if has_unit else (cell, None)
     if label is None and unit_text(worded(cell)[1]) is not None:
         name, label = worded(cell)
-    whole = cell in (request.sensors or ()) or cell in request.names.values()
-    return (cell if whole else name), label or ""
+    is_name = cell in (request.sensors or ()) or cell in request.names.values()
+    return (cell if is_name else name), label or ""
 
 
-def _own_heads(heads: Sequence[tuple[str, str]], where: str, request: SignalRequest) -> list[tuple[str, str]]:
+def _rename_heads(
+    heads: Sequence[tuple[str, str]], where: str, request: SignalRequest
+) -> list[tuple[str, str]]:
     """Return the names used here, "" for columns that are not read, and the labels of their units."""
-    split = [SPECTRAL.fullmatch(name) for name, _ in heads]
-    plain_names = [match[2].strip() if match else name for (name, _), match in zip(heads, split, strict=True)]
+    matches = [SPECTRAL.fullmatch(name) for name, _ in heads]
+    plain_names = [
+        match[2].strip() if match else name for (name, _), match in zip(heads, matches, strict=True)
+    ]
     own_names = request.own_names(dict.fromkeys(plain_names), where)
     renamed = []
-    for (name, label), match, plain in zip(heads, split, plain_names, strict=True):
-        after = AFTER_LOW_LINE.fullmatch(name)
+    for (name, label), match, plain in zip(heads, matches, plain_names, strict=True):
+        parts = AFTER_UNDERSCORE.fullmatch(name)
         if (
             not label
             and own_names.get(plain) in (TIME, FREQUENCIES[0])
-            and after
-            and (seconds_in(after[2]) is not None or hertz_in(after[2]) is not None)
+            and parts
+            and (seconds_in(parts[2]) is not None or hertz_in(parts[2]) is not None)
         ):
-            label = after[2]
-        called = own_names.get(plain, plain)
-        renamed.append((f"{match[1].lower()}{called}{match[3]}" if match else called, label))
+            label = parts[2]
+        new_name = own_names.get(plain, plain)
+        renamed.append((f"{match[1].lower()}{new_name}{match[3]}" if match else new_name, label))
     return renamed
 
 
-def _named(
+def _columns_named(
     heads: Sequence[tuple[str, str]], names: Sequence[str], factor_in: Callable[[str], float | None]
 ) -> dict[int, str]:
     """Return the columns with one of some names, and the label of their unit, perhaps after an underscore."""
     labelled = {}
     for i, (name, label) in enumerate(heads):
-        split = AFTER_LOW_LINE.fullmatch(name)
+        parts = AFTER_UNDERSCORE.fullmatch(name)
         if name.lower() in names:
             labelled[i] = label
-        elif split and split[1].lower() in names and factor_in(split[2]) is not None:
-            labelled[i] = split[2]
+        elif parts and parts[1].lower() in names and factor_in(parts[2]) is not None:
+            labelled[i] = parts[2]
     return labelled
 
 
-def _spectral(
+def _spectral_columns(
     names: Mapping[int, str], labels: Sequence[str], where: str, request: SignalRequest
 ) -> list[FunctionColumn]:
     """Return the columns of a table of functions of frequency."""
-    columns = _bode(names, labels, request)
-    taken = {place for column in columns for place in column.places}
-    plain = request.sensors is not None or not any(
+    columns = _bode_columns(names, labels, request)
+    used = {index for column in columns for index in column.indices}
+    takes_plain_names = request.sensors is not None or not any(
         name.startswith((REAL, MAGNITUDE, COHERENCE, POWER)) for name in names.values()
     )
-    places: dict[str, list[int]] = {}
+    indices_by_name: dict[str, list[int]] = {}
     for i, name in names.items():
-        places.setdefault(name, []).append(i)
+        indices_by_name.setdefault(name, []).append(i)
     for i, name in names.items():
-        if i in taken:
+        if i in used:
             continue
         channel = name.partition(":")[2]
         response, _, reference = (part.strip() for part in channel.partition("/"))
-        parts = next((parts for parts in PARTS if name.startswith(parts)), None)
+        parts = next((parts for parts in RESPONSE_PARTS if name.startswith(parts)), None)
         if parts is not None:
             if not request.wants(response):
                 continue
-            pair = [places.get(f"{part}{channel}", []) for part in parts]
+            pair = [indices_by_name.get(f"{part}{channel}", []) for part in parts]
             if [len(candidates) for candidates in pair] != [1, 1]:
                 problem = (
                     f"expected one column {shown(parts[0] + channel)} and one {shown(parts[1] + channel)}"
                 )
                 raise MeasurementError(problem, where, "give both parts of each frequency response once")
             if name.startswith(parts[0]):
-                both = (pair[0][0], pair[1][0])
-                of_both = (labels[both[0]], labels[both[1]])
+                pair_indices = (pair[0][0], pair[1][0])
+                pair_labels = (labels[pair_indices[0]], labels[pair_indices[1]])
                 polar = parts[0] == MAGNITUDE
                 columns.append(
-                    FunctionColumn(FunctionKind.FRF, response, reference, both, of_both, polar=polar)
+                    FunctionColumn(
+                        FunctionKind.FRF, response, reference, pair_indices, pair_labels, polar=polar
+                    )
                 )
         elif name.startswith(COHERENCE):
             if request.wants(response):
@@ -208,12 +216,14 @@ def _spectral(
             power = name[len(POWER) :]
             if request.wants(name, power):
                 columns.append(FunctionColumn(FunctionKind.SPECTRUM, power, "", (i,), (labels[i],)))
-        elif plain and request.wants(name):
+        elif takes_plain_names and request.wants(name):
             columns.append(FunctionColumn(FunctionKind.SPECTRUM, name, "", (i,), (labels[i],)))
     return columns
 
 
-def _bode(names: Mapping[int, str], labels: Sequence[str], request: SignalRequest) -> list[FunctionColumn]:
+def _bode_columns(
+    names: Mapping[int, str], labels: Sequence[str], request: SignalRequest
+) -> list[FunctionColumn]:
     """Return the frequency responses in columns such as ``Mag1 (dB)`` and ``Phase1 (deg)``.
 
     The sensor is named by the column of the magnitude, or by what follows the word in it.
@@ -224,8 +234,8 @@ def _bode(names: Mapping[int, str], labels: Sequence[str], request: SignalReques
         if (match := BODE.fullmatch(name)) is not None and ":" not in name:
             (magnitudes if match["mag"] else phases)[match["name"].lower()] = i, match["name"]
     columns = []
-    for key, (i, short) in magnitudes.items():
-        requested = [candidate for candidate in (names[i], short) if candidate and request.wants(candidate)]
+    for key, (i, suffix) in magnitudes.items():
+        requested = [candidate for candidate in (names[i], suffix) if candidate and request.wants(candidate)]
         if key in phases and requested:
             j, _ = phases[key]
             columns.append(
@@ -240,6 +250,6 @@ def _refuse_repeated(columns: Sequence[FunctionColumn], cells: Sequence[str], wh
     for column in columns:
         first = by_function.setdefault((column.kind, column.response, column.reference), column)
         if first is not column:
-            name = shown(cells[column.places[0]])
-            problem = f"the column {name} is repeated, first as column {first.places[0] + 1}"
-            raise MeasurementError(problem, f"{where}, column {column.places[0] + 1}", "remove one of them")
+            name = shown(cells[column.indices[0]])
+            problem = f"the column {name} is repeated, first as column {first.indices[0] + 1}"
+            raise MeasurementError(problem, f"{where}, column {column.indices[0] + 1}", "remove one of them")

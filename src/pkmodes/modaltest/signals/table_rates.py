@@ -40,19 +40,19 @@ HERTZ |= {"samples/s": 1.0, "samples/sec": 1.0, "samples per s": 1.0, "samples p
 #: Words before a rate that is not that of the file.
 LIMIT = re.compile(r"\b(?:max|maximum|min|minimum)\W*$", re.IGNORECASE)
 #: Rates that differ by less, relative, are the same.
-SAME = 1e-6
+RATE_TOLERANCE = 1e-6
 #: Most statements that are read.
-MOST = 20
+MAX_STATEMENTS = 20
 #: Names of columns that count samples, in lower case.
 COUNTERS = frozenset(
     {"sample", "samples", "count", "counter", "index", "n", "no", "no.", "nr", "nr.", "number"}
 )
 COUNTERS |= {"sample number", "sample_number", "sample no", "sample_no", "sample index", "sample_index"}
 #: Least share of the steps of a counter that are one sample.
-MOSTLY = 0.9
+MIN_UNIT_STEP_SHARE = 0.9
 
 
-def rates_in(comments: Iterable[str]) -> list[tuple[float, str]]:
+def find_rates(comments: Iterable[str]) -> list[tuple[float, str]]:
     """Return the sampling rates [Hz] stated in comments, each with its wording."""
     rates = []
     for comment in comments:
@@ -62,7 +62,7 @@ def rates_in(comments: Iterable[str]) -> list[tuple[float, str]]:
             rate = float(match["number"]) * HERTZ.get(unit, math.nan)
             if rate > 0.0 and not LIMIT.search(text[: match.start()]):
                 rates.append((rate, match[0].strip(" \t,;|([")))
-        if len(rates) >= MOST:
+        if len(rates) >= MAX_STATEMENTS:
             break
     return rates
 
@@ -72,7 +72,7 @@ def stated_rate(comments: Iterable[str], source: str) -> tuple[float | None, lis
 
     Raises MeasurementError if they contradict each other.
     """
-    rates = rates_in(comments)
+    rates = find_rates(comments)
     if not rates:
         return None, []
     rate, comment = rates[0]
@@ -87,23 +87,23 @@ def stated_rate(comments: Iterable[str], source: str) -> tuple[float | None, lis
 
 def same_rate(first: float, second: float) -> bool:
     """Return whether two rates are the same but for rounding."""
-    return math.isclose(first, second, rel_tol=SAME)
+    return math.isclose(first, second, rel_tol=RATE_TOLERANCE)
 
 
-def counter_in(names: Sequence[str], taken: Sequence[int]) -> int | None:
+def find_counter(names: Sequence[str], used: Sequence[int]) -> int | None:
     """Return the column that counts samples by its name, None unless there is exactly one besides those taken."""
-    counters = [i for i, name in enumerate(names) if i not in taken and name.strip().lower() in COUNTERS]
+    counters = [i for i, name in enumerate(names) if i not in used and name.strip().lower() in COUNTERS]
     return counters[0] if len(counters) == 1 else None
 
 
-def counted(numbers: Array) -> Array | None:
+def sample_positions(numbers: Array) -> Array | None:
     """Return the position of each sample after the first, from its number; None if the numbers are something else.
 
     - numbers: of samples, ascending, (n,); some may be missing
     """
     steps = np.diff(numbers)
-    usual = float(np.median(steps)) if steps.size else 0.0
-    if not usual > 0.0 or float(np.mean(steps == usual)) < MOSTLY:
+    usual_step = float(np.median(steps)) if steps.size else 0.0
+    if not usual_step > 0.0 or float(np.mean(steps == usual_step)) < MIN_UNIT_STEP_SHARE:
         return None
-    after = (numbers - numbers[0]) / usual
-    return after if np.all(steps > 0.0) and np.array_equal(after, np.round(after)) else None
+    positions = (numbers - numbers[0]) / usual_step
+    return positions if np.all(steps > 0.0) and np.array_equal(positions, np.round(positions)) else None

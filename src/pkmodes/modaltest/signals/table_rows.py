@@ -6,11 +6,11 @@ import io
 import re
 from itertools import islice
 
-from pkmodes.modaltest.signals.scanning import text_of
-from pkmodes.modaltest.signals.table_parts import in_parts
+from pkmodes.modaltest.signals.scanning import decode_line
+from pkmodes.modaltest.signals.table_parts import change_parts
 
 #: First lines by which it is decided whether rows end with a separator.
-FIRST = 20
+EXAMINED_ROWS = 20
 
 
 def is_row(line: bytes) -> bool:
@@ -18,14 +18,16 @@ def is_row(line: bytes) -> bool:
     return bool(line.strip()) and not line.lstrip().startswith(b"#")
 
 
-def without_ends(
+def remove_trailing_separators(
     names: tuple[str, ...], body: bytes, separator: str, count: int
 ) -> tuple[tuple[str, ...], bytes]:
     """Return the names and the rows of a table without separators after the last cell.
 
     - count: of the columns, 0 if only the names and the rows show it
     """
-    rows = [text_of(line).split(separator) for line in islice(io.BytesIO(body), FIRST) if is_row(line)]
+    rows = [
+        decode_line(line).split(separator) for line in islice(io.BytesIO(body), EXAMINED_ROWS) if is_row(line)
+    ]
     width = count or max((len(row) for row in rows), default=len(names))
     while len(names) > width and not names[-1]:
         names = names[:-1]
@@ -36,4 +38,4 @@ def without_ends(
         rf"^((?:{cell}{separator}){{{len(names) - 1}}}{cell})(?:{separator}[ \t]*)+(?=\r?$)".encode(),
         re.MULTILINE,
     )
-    return names, in_parts(body, lambda part: longer.sub(rb"\1", part))
+    return names, change_parts(body, lambda part: longer.sub(rb"\1", part))

@@ -19,9 +19,15 @@ from pkmodes.loop.measured.cells import NUMBER, number_in, separator_of
 from pkmodes.loop.measured.csv_format import WORKBOOKS
 from pkmodes.modaltest.signals.clock import is_clock
 from pkmodes.modaltest.signals.functions import Array
-from pkmodes.modaltest.signals.scanning import text_of
-from pkmodes.modaltest.signals.table_parts import check_lines, in_parts, joined_parts, narrow, parts_of
-from pkmodes.modaltest.signals.table_rows import is_row, without_ends
+from pkmodes.modaltest.signals.scanning import decode_line
+from pkmodes.modaltest.signals.table_parts import (
+    change_parts,
+    check_lines,
+    join_parts,
+    split_parts,
+    to_smallest_type,
+)
+from pkmodes.modaltest.signals.table_rows import is_row, remove_trailing_separators
 from pkmodes.modaltest.signals.units import unit_text
 
 #: Separator of cells if there is no other; such a table is read as one with tabs.
@@ -34,9 +40,9 @@ GAP = re.compile(rb"[nN][aA][nN]|[iI][nN][fF]|[;,\t] *[;,\t\r\n]|^ *[;,\t]|[;,\t
 MISSING = re.compile(r"[+-]?(?:nan|inf|infinity)|", re.IGNORECASE)
 REMEDY = "start with a row of names: time and the sensors, or frequency with re: and im: columns, or psd_x"
 #: Most columns of a table, and most letters of a column's name.
-MOST_COLUMNS, LONGEST_NAME = 10_000, 1000
+MAX_COLUMNS, MAX_NAME_LENGTH = 10_000, 1000
 #: Characters of the empty lines of separators that spreadsheet programs leave at the end.
-EMPTY = b" \t,;\r\n"
+EMPTY_CHARACTERS = b" \t,;\r\n"
 COMMENT_LINES = re.compile(rb"^[ \t]*#.*\n?", re.MULTILINE)
 BLANK_LINES = re.compile(rb"^[ \t\r]*\n", re.MULTILINE)
 
@@ -69,49 +75,49 @@ class TableText:
             if number != self.header_line:
                 yield text
         for match in COMMENT_LINES.finditer(self.body) if b"#" in self.body else ():
-            yield text_of(match[0]).strip()
+            yield decode_line(match[0]).strip()
 
-    def columns(self, places: Sequence[int]) -> list[NDArray[Any]]:
+    def columns(self, indices: Sequence[int]) -> list[NDArray[Any]]:
         """Read some columns.
 
         Returns arrays, each (rows,), in double precision, or in a smaller type that holds the same whole numbers.
         Raises MeasurementError if a cell is not a finite number or a row has too few or too many cells, with line and
         column.
         """
-        columns: list[list[NDArray[Any]]] = [[] for _ in places]
-        for start, end in parts_of(self.body):
+        columns: list[list[NDArray[Any]]] = [[] for _ in indices]
+        for start, end in split_parts(self.body):
             part = self.body[start:end]
-            if (inside := INSIDE_LINES.search(part)) is not None:
-                line = self.first_line + self.body.count(b"\n", 0, start + inside.start())
+            if (carriage_return := INSIDE_LINES.search(part)) is not None:
+                line = self.first_line + self.body.count(b"\n", 0, start + carriage_return.start())
                 problem = "expected the end of the line, found a carriage return inside it"
                 raise MeasurementError(problem, f"{self.source}: line {line}", "export the table again")
-            numbers = self._numbers(part, places)
+            numbers = self._numbers(part, indices)
             if numbers is None:
-                raise self._first_problem(places)
+                raise self._first_problem(indices)
             for column, values in zip(columns, numbers, strict=True):
-                column.append(narrow(values))
+                column.append(to_smallest_type(values))
             del numbers
         if not columns or not sum(part.size for part in columns[0]):
             raise MeasurementError("expected rows, found only a header", self.source, "add the rows")
-        return [joined_parts(columns.pop(0)) for _ in places]
+        return [join_parts(columns.pop(0)) for _ in indices]
 
-    def _numbers(self, part: bytes, places: Sequence[int]) -> Array | None:
+    def _numbers(self, part: bytes, indices: Sequence[int]) -> Array | None:
         """Return columns of some of the lines, (columns, rows); None if a cell or a row is invalid."""
         if b"#" in part:
             part = COMMENT_LINES.sub(b"", part)
         rows = BLANK_LINES.sub(b"", part).replace(b'"', b"")
         if not rows.strip():
-            return np.empty((len(places), 0))
+            return np.empty((len(indices), 0))
         characters = np.frombuffer(rows if rows.endswith(b"\n") else rows + b"\n", np.uint8)
         separators = np.flatnonzero(characters == ord(self.separator))
-        before = np.searchsorted(separators, np.flatnonzero(characters == ord("\n")))
-        if not np.all(np.diff(before, prepend=0) == len(self.names) - 1):
+        separators_before = np.searchsorted(separators, np.flatnonzero(characters == ord("\n")))
+        if not np.all(np.diff(separators_before, prepend=0) == len(self.names) - 1):
             return None  # a row has more or fewer cells than the header
         if self.separator != ",":
             rows = rows.replace(b",", b".")
         lines = io.TextIOWrapper(io.BytesIO(rows), "latin-1")
         try:
-            numbers = np.loadtxt(lines, delimiter=self.separator, comments=None, usecols=places, ndmin=2).T
+            numbers = np.loadtxt(lines, delimiter=self.separator, comments=None, usecols=indices, ndmin=2).T
         except ValueError:
             return None
         return np.ascontiguousarray(numbers) if np.all(np.isfinite(numbers)) else None
@@ -130,28 +136,27 @@ class TableText:
         return GAP.search(self.body) is not None
 
     def without_gaps(
-        self, abscissa: int, places: Sequence[int], counts: Callable[[float], bool]
+        self, abscissa: int, indices: Sequence[int], needs_values: Callable[[float], bool]
     ) -> TableText:
-        """Return the table without the rows that lack a requested value and do not count.
+        """Return the table without the rows that lack a requested value and need none.
 
-        - counts: whether a row counts, by the number in the column `abscissa`
+        - needs_values: whether a row must have all values, by the number in the column `abscissa`
         """
 
-        def without(part: bytes) -> bytes:
+        def remove_rows(part: bytes) -> bytes:
             if GAP.search(part) is None:
                 return part
-            return b"".join(
-                line if keeps(line) else b"\n" for line in io.BytesIO(part)
-            )  # keeps the line numbers
+            # Blank lines keep the line numbers.
+            return b"".join(line if is_kept(line) else b"\n" for line in io.BytesIO(part))
 
-        def keeps(line: bytes) -> bool:
+        def is_kept(line: bytes) -> bool:
             cells = self._cells(self._row(line)) if is_row(line) else []
-            if len(cells) != len(self.names) or not any(MISSING.fullmatch(cells[i]) for i in places):
+            if len(cells) != len(self.names) or not any(MISSING.fullmatch(cells[i]) for i in indices):
                 return True
-            at = number_in(cells[abscissa].replace(",", "."), None)
-            return at is None or counts(at)
+            value = number_in(cells[abscissa].replace(",", "."), None)
+            return value is None or needs_values(value)
 
-        return replace(self, body=in_parts(self.body, without))
+        return replace(self, body=change_parts(self.body, remove_rows))
 
     def without_first_row(self) -> TableText:
         """Return the table without its first row."""
@@ -176,12 +181,12 @@ class TableText:
 
     def _row(self, line: bytes) -> str:
         """Return a row without its line end and quotes."""
-        return text_of(line.removesuffix(b"\n")).replace('"', "")
+        return decode_line(line.removesuffix(b"\n")).replace('"', "")
 
     def _cells(self, line: str) -> list[str]:
         return [cell.strip() for cell in line.split(self.separator)]
 
-    def _first_problem(self, places: Sequence[int]) -> MeasurementError:
+    def _first_problem(self, indices: Sequence[int]) -> MeasurementError:
         """Return the error for the first row that cannot be read."""
         for number, line in self._rows():
             cells = self._cells(line)
@@ -193,7 +198,7 @@ class TableText:
                 problem = f"expected {len(self.names)} cells, found {len(cells)}"
                 remedy = "give each row as many cells as the header; do not separate decimals by commas there"
                 return MeasurementError(problem, f"{self.source}: line {number}", remedy)
-            for column in places:
+            for column in indices:
                 cell = cells[column] if self.separator == "," else cells[column].replace(",", ".")
                 if NUMBER.fullmatch(cell) is None or not np.isfinite(float(cell)):
                     problem = f"expected a finite number, found {shown(cells[column]) if cell else 'nothing'}"
@@ -226,7 +231,7 @@ def split_table(content: bytes, source: str, columns: Sequence[str] = ()) -> Tab
     content = content.removeprefix(b"\xef\xbb\xbf")
     if b"\n" not in content:
         content = content.replace(b"\r", b"\n")
-    last = content.find(b"\n", len(content.rstrip(EMPTY)))
+    last = content.find(b"\n", len(content.rstrip(EMPTY_CHARACTERS)))
     content = content if last < 0 else content[: last + 1]
     check_lines(content, source)
     start, number, line = _first_line(content)
@@ -237,21 +242,19 @@ def split_table(content: bytes, source: str, columns: Sequence[str] = ()) -> Tab
         start, number = content.find(b"\n", start) + 1 or len(content), number + 1
     else:
         comments = _comments(content[:start])
-        names_line, header = _header_among(comments, line, source, number, columns)
-    separator, names = _separated(header, _first_row(content, start))
-    if len(names) > MOST_COLUMNS or max(map(len, names)) > LONGEST_NAME:
-        problem = (
-            f"expected the names of at most {MOST_COLUMNS:,} columns, each of at most {LONGEST_NAME} letters"
-        )
+        names_line, header = _find_header(comments, line, source, number, columns)
+    separator, names = _split_header(header, _first_row(content, start))
+    if len(names) > MAX_COLUMNS or max(map(len, names)) > MAX_NAME_LENGTH:
+        problem = f"expected the names of at most {MAX_COLUMNS:,} columns, each of at most {MAX_NAME_LENGTH} letters"
         found_names = f"{len(names):,} names, the longest of {max(map(len, names)):,}"
         raise MeasurementError(f"{problem}, found {found_names}", f"{source}: line {names_line}", REMEDY)
     head = content[:start]
     if separator == " ":
         separator = "\t"
-        body = in_parts(content, lambda part: BLANKS.sub(b"\t", AROUND_LINES.sub(b"", part)), start)
+        body = change_parts(content, lambda part: BLANKS.sub(b"\t", AROUND_LINES.sub(b"", part)), start)
     else:
         body = content[start:]
-    names, body = without_ends(names, body, separator, len(columns))
+    names, body = remove_trailing_separators(names, body, separator, len(columns))
     if columns:
         if len(columns) != len(names):
             problem = f"expected the names of {len(names)} columns, found {len(columns)}"
@@ -259,7 +262,7 @@ def split_table(content: bytes, source: str, columns: Sequence[str] = ()) -> Tab
                 problem, f"{source}: line {names_line}", "name each column of the table, in order"
             )
         names = tuple(columns)
-    return _with_units(TableText(source, separator, names, names_line, head, body, number))
+    return _add_units(TableText(source, separator, names, names_line, head, body, number))
 
 
 def _first_line(content: bytes) -> tuple[int, int, str]:
@@ -268,7 +271,7 @@ def _first_line(content: bytes) -> tuple[int, int, str]:
     while start < len(content):
         end = content.find(b"\n", start) + 1 or len(content)
         if is_row(content[start:end]):
-            return start, number, text_of(content[start:end]).strip("\r\n")
+            return start, number, decode_line(content[start:end]).strip("\r\n")
         start, number = end, number + 1
     return start, number, ""
 
@@ -277,15 +280,15 @@ def _comments(head: bytes) -> Iterator[tuple[int, str]]:
     """Yield the comments before a table, with the numbers of their lines."""
     for number, line in enumerate(io.BytesIO(head), start=1):
         if line.lstrip().startswith(b"#"):
-            yield number, text_of(line).strip()
+            yield number, decode_line(line).strip()
 
 
-def _with_units(table: TableText) -> TableText:
+def _add_units(table: TableText) -> TableText:
     """Return a table with the units from the row below its names added to them, if there is such a row."""
     row = _first_row(table.body)
     cells = [cell.strip().strip('"').strip() for cell in row.split(table.separator)]
     units = [cell[1:-1].strip() if cell[:1] + cell[-1:] in ("[]", "()") else cell for cell in cells]
-    if not any(units) or max(map(len, units)) > LONGEST_NAME or len(units) != len(table.names):
+    if not any(units) or max(map(len, units)) > MAX_NAME_LENGTH or len(units) != len(table.names):
         return table
     if not all(not unit or unit == "-" or unit_text(unit) for unit in units):
         return table  # numbers, or anything else
@@ -301,12 +304,12 @@ def _first_row(content: bytes, start: int = 0) -> str:
     for _ in range(1000):
         end = content.find(b"\n", start) + 1 or len(content)
         if is_row(content[start:end]):
-            return text_of(content[start:end]).strip("\r\n")
+            return decode_line(content[start:end]).strip("\r\n")
         start = end
     return ""
 
 
-def _separated(header: str, row: str) -> tuple[str, tuple[str, ...]]:
+def _split_header(header: str, row: str) -> tuple[str, tuple[str, ...]]:
     """Return the separator of the cells, a blank if there is no other, and the cells of the header."""
     separator = separator_of(header)
     words = header.split()
@@ -315,24 +318,23 @@ def _separated(header: str, row: str) -> tuple[str, tuple[str, ...]]:
     return separator, tuple(cell.strip().strip('"').strip() for cell in header.split(separator))
 
 
-def _header_among(
+def _find_header(
     comments: Iterable[tuple[int, str]], row: str, source: str, number: int, columns: Sequence[str]
 ) -> tuple[int, str]:
     """Return the last comment that has as many cells as the first row, without its ``#``; else the row itself."""
-    last = None
+    header = None
     for line, text in comments:
         names = text.lstrip("# \t")
         separator = separator_of(names)
-        of_blanks = separator not in names and len(names.split()) == len(row.split()) > 1
+        matches_by_blanks = separator not in names and len(names.split()) == len(row.split()) > 1
         cells, row_cells = names.split(separator), row.split(separator)
-        as_many = of_blanks or len(cells) == len(row_cells)
-        as_many |= (
-            len(cells) == len(row.rstrip(f"{separator} \t").split(separator)) > 1
-        )  # the row may end with a separator
-        if not text.startswith("##") and as_many:
-            last = line, names
-    if last is not None:
-        return last
+        matches = matches_by_blanks or len(cells) == len(row_cells)
+        # The row may end with a separator.
+        matches |= len(cells) == len(row.rstrip(f"{separator} \t").split(separator)) > 1
+        if not text.startswith("##") and matches:
+            header = line, names
+    if header is not None:
+        return header
     if columns:
         return number, row
     problem = f"expected the names of the columns, found {shown(row)}"

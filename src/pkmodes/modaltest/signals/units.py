@@ -49,11 +49,11 @@ class FileUnits:
     stated: bool = False
 
     @staticmethod
-    def of(length: float, force: float) -> FileUnits:
+    def from_factors(length: float, force: float) -> FileUnits:
         """Return the units from their numbers in one metre and one newton."""
-        return FileUnits(_named(length, LENGTHS), _named(force, FORCES_BY_FACTOR), True)
+        return FileUnits(_name_of_factor(length, LENGTHS), _name_of_factor(force, FORCES_BY_FACTOR), True)
 
-    def of_data(self, data_type: int, rotation: bool) -> str | None:
+    def unit_of(self, data_type: int, rotation: bool) -> str | None:
         """Return the unit of a quantity without a label, by its specific data type in datasets 55 and 58."""
         length = "rad" if rotation else self.length
         if data_type in (9, 13):
@@ -79,7 +79,7 @@ def unit_text(label: str) -> str | None:
     return text
 
 
-def quotient(label: str) -> tuple[str | None, str | None]:
+def quotient_units(label: str) -> tuple[str | None, str | None]:
     """Return the units of numerator and denominator from the label of a frequency response.
 
     ``(m/s^2)/N`` and ``(1/N)*(m/s^2)`` have both, ``m/s^2`` only the first.
@@ -118,7 +118,7 @@ def _factor_to(unit: str, label: str) -> float | None:
     return float(factor) if {name: Decimal(str(p)) for name, p in powers.items()} == {unit: 1} else None
 
 
-def _named(factor: float, names_by_factor: Mapping[float, str]) -> str | None:
+def _name_of_factor(factor: float, names_by_factor: Mapping[float, str]) -> str | None:
     return next(
         (
             name

@@ -15,14 +15,14 @@ T = TypeVar("T")
 #: Numbers of any type, as stored in files.
 Values = NDArray[Any]
 #: Most values read from a file, in all.
-MOST_VALUES = 100_000_000
+MAX_VALUES = 100_000_000
 #: Most bytes of unpacked arrays: a base, and this multiple of the file's size.  Measured signals of double precision
 #: compress to no less than a tenth of their size, except for constant channels.
-ROOM, EXPANDED = 64_000_000, 20
+BASE_SIZE, MAX_EXPANSION = 64_000_000, 20
 #: Most variables of a file, including the fields of its structs.
-MOST_VARIABLES = 20_000
+MAX_VARIABLES = 20_000
 #: Most letters of a name; MATLAB allows 63, and names of fields include those of all enclosing structs.
-LONGEST_NAME = 1024
+MAX_NAME_LENGTH = 1024
 REMEDY = "save time or frequency, or fs, and a vector for each sensor or a matrix with a column for each"
 
 
@@ -33,7 +33,7 @@ class FileVariable(NamedTuple):
     - shape: of an array of numbers
     - load: returns the values of an array, columns one after the other, while the file is open.  Raises `ValueError`.
     - itemsize: bytes of a loaded value
-    - again: for whole numbers: returns the values again after the file was closed
+    - reload: for whole numbers: returns the values again after the file was closed
     """
 
     name: str
@@ -41,7 +41,7 @@ class FileVariable(NamedTuple):
     shape: tuple[int, ...] | None
     load: Callable[[], Values]
     itemsize: int = 8
-    again: Callable[[], Values] | None = None
+    reload: Callable[[], Values] | None = None
 
     @property
     def size(self) -> int:
@@ -54,7 +54,7 @@ class FileVariable(NamedTuple):
         return tuple(length for length in self.shape or () if length != 1)
 
 
-def no_numbers(name: str) -> NoReturn:
+def refuse_values(name: str) -> NoReturn:
     """Raise the error of a variable that is not an array of numbers.
 
     Raises ValueError.
@@ -62,18 +62,18 @@ def no_numbers(name: str) -> NoReturn:
     raise ValueError(f"{name} is not an array of numbers")
 
 
-def at_most(variables: Iterable[FileVariable]) -> list[FileVariable]:
+def collect_variables(variables: Iterable[FileVariable]) -> list[FileVariable]:
     """Return the variables of a file.
 
     Raises ValueError if there are more than any measurement has.
     """
-    kept = list(islice(variables, MOST_VARIABLES + 1))
-    if len(kept) > MOST_VARIABLES:
-        raise ValueError(f"expected at most {MOST_VARIABLES:,} variables, found more")
-    return kept
+    collected = list(islice(variables, MAX_VARIABLES + 1))
+    if len(collected) > MAX_VARIABLES:
+        raise ValueError(f"expected at most {MAX_VARIABLES:,} variables, found more")
+    return collected
 
 
-def loaded(load: Callable[[], T], source: str, file_kind: str) -> T:
+def load_or_refuse(load: Callable[[], T], source: str, file_kind: str) -> T:
     """Return the result of `load`, turning any failure into the error of an unreadable file.
 
     Raises MeasurementError if it cannot be read.

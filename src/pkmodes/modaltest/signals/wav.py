@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.loop.measured.formats import Format
-from pkmodes.modaltest.signals.checks import FEWEST, check_finite
+from pkmodes.modaltest.signals.checks import MIN_POINTS, check_finite
 from pkmodes.modaltest.signals.functions import (
     FORCE,
     Array,
@@ -27,25 +27,25 @@ from pkmodes.modaltest.signals.functions import (
     SignalFile,
     SignalRequest,
 )
-from pkmodes.modaltest.signals.variables import MOST_VALUES, loaded
+from pkmodes.modaltest.signals.variables import MAX_VALUES, load_or_refuse
 
 RIFF, WAVE = (b"RIFF", b"RIFX"), b"WAVE"
 #: Bytes of the header of the file, of the header of a chunk, and of the number format.
-HEAD, CHUNK, FORM = 12, 8, 16
+HEADER_SIZE, CHUNK_HEADER_SIZE, FORMAT_SIZE = 12, 8, 16
 #: Codes of number formats: integers, floating point, and either of them with more channels.
 INTEGERS, FLOATING, EXTENDED = 1, 3, 0xFFFE
 BITS = {INTEGERS: (8, 16, 24, 32), FLOATING: (32, 64), EXTENDED: (8, 16, 24, 32, 64)}
-MOST_CHANNELS = 1024
+MAX_CHANNELS = 1024
 INCOMPLETE = "open it in a sound editor and export it again, as WAV with 16, 24 or 32 bits (PCM)"
 
 
-class _Form(NamedTuple):
+class _SampleFormat(NamedTuple):
     """The number format of a file: code, channels, sampling rate [Hz], bytes of a sample and bits."""
 
     code: int
     channels: int
     rate: int
-    bytes_each: int
+    bytes_per_sample: int
     bits: int
 
 
@@ -56,24 +56,28 @@ def read_wav(path: Path, request: SignalRequest) -> SignalFile:
     """
     source = fspath(path)
     with path.open("rb") as file:
-        form = _checked(file, path.stat().st_size, source)
-    samples = loaded(lambda: _samples(path), source, "WAV")
+        form = _check_chunks(file, path.stat().st_size, source)
+    samples = load_or_refuse(lambda: _samples(path), source, "WAV")
     signals = dict(zip(map(str, range(1, form.channels + 1)), samples.T, strict=True))  # as stored
     own_names = request.own_names(signals, source)
     messages = [f"{source}: its numbers are parts of full scale: sizes are known but for a factor"]
-    rest = [name for name in signals if name not in (request.sensors or signals) and name not in own_names]
-    if request.force and FORCE not in own_names.values() and len(rest) == 1:
-        own_names[rest[0]] = FORCE
-        messages.append(f"{source}: channel {rest[0]}, which belongs to no sensor, is taken as the force")
+    unclaimed = [
+        name for name in signals if name not in (request.sensors or signals) and name not in own_names
+    ]
+    if request.force and FORCE not in own_names.values() and len(unclaimed) == 1:
+        own_names[unclaimed[0]] = FORCE
+        messages.append(
+            f"{source}: channel {unclaimed[0]}, which belongs to no sensor, is taken as the force"
+        )
     time = np.arange(len(samples)) / form.rate
     functions = []
     for name, stored in signals.items():
-        called = own_names.get(name, name)
-        if called and (called == FORCE or request.wants(called)):
-            values = _parts_of_full_scale(stored)
+        new_name = own_names.get(name, name)
+        if new_name and (new_name == FORCE or request.wants(new_name)):
+            values = _relative_to_full_scale(stored)
             check_finite(values, f"{source}: channel {name}")
             functions.append(
-                Function(FunctionKind.TIME, called, "", time, values, None, None, called == FORCE)
+                Function(FunctionKind.TIME, new_name, "", time, values, None, None, new_name == FORCE)
             )
     return SignalFile(source, tuple(functions), (), tuple(messages))
 
@@ -88,7 +92,7 @@ def _samples(path: Path) -> NDArray[Any]:
     return numbers.reshape(len(numbers), -1)
 
 
-def _parts_of_full_scale(stored: NDArray[Any]) -> Array:
+def _relative_to_full_scale(stored: NDArray[Any]) -> Array:
     """Return the samples of a channel relative to full scale; unsigned eight-bit samples are centred first."""
     values: Array = stored.astype(np.float64)
     if stored.dtype.kind != "f":
@@ -98,27 +102,29 @@ def _parts_of_full_scale(stored: NDArray[Any]) -> Array:
     return values
 
 
-def _checked(file: BinaryIO, length: int, source: str) -> _Form:
+def _check_chunks(file: BinaryIO, length: int, source: str) -> _SampleFormat:
     """Check all chunks of a file and return its number format.
 
     Raises MeasurementError if a chunk is longer than the file, or the numbers are in an unsupported format.
     """
-    order = "<" if file.read(HEAD).startswith(RIFF[0]) else ">"
-    form, data, at = None, list[int](), HEAD
-    while at + CHUNK <= length:
-        file.seek(at)
-        name, size = struct.unpack(f"{order}4sI", file.read(CHUNK))
-        if size > length - at - CHUNK:
-            words = shown(name.decode("latin-1").strip())
-            message = f"expected {size} bytes of the chunk {words}, "
-            message += f"found {length - at - CHUNK} to the end of the file"
+    order = "<" if file.read(HEADER_SIZE).startswith(RIFF[0]) else ">"
+    form, data, offset = None, list[int](), HEADER_SIZE
+    while offset + CHUNK_HEADER_SIZE <= length:
+        file.seek(offset)
+        name, size = struct.unpack(f"{order}4sI", file.read(CHUNK_HEADER_SIZE))
+        if size > length - offset - CHUNK_HEADER_SIZE:
+            chunk_name = shown(name.decode("latin-1").strip())
+            message = f"expected {size} bytes of the chunk {chunk_name}, "
+            message += f"found {length - offset - CHUNK_HEADER_SIZE} to the end of the file"
             raise MeasurementError(message, source, INCOMPLETE)
-        if name == b"fmt " and size >= FORM:
-            code, channels, rate, _, bytes_each, bits = struct.unpack(f"{order}HHIIHH", file.read(FORM))
-            form = _Form(code, channels, rate, bytes_each, bits)
+        if name == b"fmt " and size >= FORMAT_SIZE:
+            code, channels, rate, _, bytes_each, bits = struct.unpack(
+                f"{order}HHIIHH", file.read(FORMAT_SIZE)
+            )
+            form = _SampleFormat(code, channels, rate, bytes_each, bits)
         elif name == b"data":
             data.append(size)
-        at += CHUNK + size + size % 2
+        offset += CHUNK_HEADER_SIZE + size + size % 2
     if form is None or len(data) != 1:
         message = "expected one chunk of samples and one with their format"
         raise MeasurementError(message, source, INCOMPLETE)
@@ -127,24 +133,27 @@ def _checked(file: BinaryIO, length: int, source: str) -> _Form:
     return form
 
 
-def _problem(form: _Form, size: int) -> str | None:
+def _problem(form: _SampleFormat, size: int) -> str | None:
     """Return the problem with `size` bytes of samples in a format, None if there is none."""
     if form.bits not in BITS.get(form.code, ()):
         return f"expected plain numbers of 8 to 64 bits, found {form.bits} bits of type {form.code}"
-    if not 1 <= form.channels <= MOST_CHANNELS or form.bytes_each != form.channels * form.bits // 8:
-        return f"expected 1 to {MOST_CHANNELS} channels, found {form.channels} in {form.bytes_each} bytes a sample"
+    if not 1 <= form.channels <= MAX_CHANNELS or form.bytes_per_sample != form.channels * form.bits // 8:
+        counts = f"{form.channels} in {form.bytes_per_sample} bytes a sample"
+        return f"expected 1 to {MAX_CHANNELS} channels, found {counts}"
     if not form.rate:
         return "expected a sampling rate above 0, found 0"
-    if size < FEWEST * form.bytes_each or size % form.bytes_each:
-        return f"expected whole samples of {form.bytes_each} bytes, at least {FEWEST}, found {size} bytes"
-    if size // form.bytes_each * form.channels > MOST_VALUES:
-        return f"expected at most {MOST_VALUES:,} values, found {size // form.bytes_each * form.channels:,}"
+    if size < MIN_POINTS * form.bytes_per_sample or size % form.bytes_per_sample:
+        return f"expected whole samples of {form.bytes_per_sample} bytes, at least {MIN_POINTS}, found {size} bytes"
+    if size // form.bytes_per_sample * form.channels > MAX_VALUES:
+        return (
+            f"expected at most {MAX_VALUES:,} values, found {size // form.bytes_per_sample * form.channels:,}"
+        )
     return None
 
 
 def is_wav(head: bytes) -> bool:
     """Return whether a file is a sound file."""
-    return head.startswith(RIFF) and head[8:HEAD] == WAVE
+    return head.startswith(RIFF) and head[8:HEADER_SIZE] == WAVE
 
 
 WAV = Format("WAV", (".wav",), is_wav, read_wav)

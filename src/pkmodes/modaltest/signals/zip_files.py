@@ -7,27 +7,29 @@ import zipfile
 from pathlib import Path
 
 #: Most bytes of the central directory: an entry has 46 and its name, and takes ten times as much memory.
-LARGEST_DIRECTORY = 1_000_000
+MAX_DIRECTORY_SIZE = 1_000_000
 #: First bytes of the last record of an archive, and of that of an archive with more entries; their sizes, and the
 #: longest comment after the first.
-END, END_64 = b"PK\x05\x06", b"PK\x06\x06"
-SIZE, SIZE_64, COMMENT = 22, 56 + 20, 1 << 16
+END_MARK, END_64_MARK = b"PK\x05\x06", b"PK\x06\x06"
+END_SIZE, END_64_SIZE, MAX_COMMENT_SIZE = 22, 56 + 20, 1 << 16
 
 
-def opened_zip(path: Path) -> zipfile.ZipFile:
+def open_zip(path: Path) -> zipfile.ZipFile:
     """Open an archive.
 
     Raises zipfile.BadZipFile if it is no zip archive, or has very many files.
     """
     length = path.stat().st_size
     with path.open("rb") as file:
-        file.seek(max(0, length - SIZE - COMMENT - SIZE_64))
+        file.seek(max(0, length - END_SIZE - MAX_COMMENT_SIZE - END_64_SIZE))
         tail = file.read()
-    at = tail.rfind(END)
-    size = struct.unpack_from("<I", tail, at + 12)[0] if 0 <= at <= len(tail) - SIZE else 0
-    at_64 = tail.rfind(END_64, 0, max(at, 0))
-    if 0 <= at_64 <= len(tail) - SIZE_64 and size == 0xFFFFFFFF:
-        size = struct.unpack_from("<Q", tail, at_64 + 40)[0]
-    if LARGEST_DIRECTORY < size <= length:  # a larger one is damage, which the reader reports
+    end_offset = tail.rfind(END_MARK)
+    size = (
+        struct.unpack_from("<I", tail, end_offset + 12)[0] if 0 <= end_offset <= len(tail) - END_SIZE else 0
+    )
+    end_64_offset = tail.rfind(END_64_MARK, 0, max(end_offset, 0))
+    if 0 <= end_64_offset <= len(tail) - END_64_SIZE and size == 0xFFFFFFFF:
+        size = struct.unpack_from("<Q", tail, end_64_offset + 40)[0]
+    if MAX_DIRECTORY_SIZE < size <= length:  # a larger one is damage, which the reader reports
         raise zipfile.BadZipFile(f"expected an archive of a few files, found {size:,} bytes of their names")
     return zipfile.ZipFile(path)

@@ -10,7 +10,7 @@ import numpy as np
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.support.ordering import listed
 from pkmodes.modaltest.campaign.campaign import Campaign
-from pkmodes.modaltest.campaign.identify import COMPLEX
+from pkmodes.modaltest.campaign.identify import MIN_COLLINEARITY
 from pkmodes.modaltest.campaign.results import Identification, IdentifiedMode, RecordResult
 from pkmodes.pages.plots import identified_modes
 from pkmodes.pages.report.blocks import Block, Cell, Column, Picture, Section, Summary
@@ -142,8 +142,8 @@ def _attention(identified: Identification) -> list[tuple[str, list[str]]]:
             [f"{result.record.pose} ({f:.4g} Hz)" for result in identified.records for f in result.struck],
         ),
         (
-            f"Complex shapes (modal phase collinearity below {COMPLEX:g}):",
-            _modes_with(identified, lambda mode, _: mode.complexity < COMPLEX),
+            f"Complex shapes (modal phase collinearity below {MIN_COLLINEARITY:g}):",
+            _modes_with(identified, lambda mode, _: mode.complexity < MIN_COLLINEARITY),
         ),
         (
             "Found in only some of the files:",
