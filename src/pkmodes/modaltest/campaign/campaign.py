@@ -17,9 +17,26 @@ from pkmodes.loop.measured.rules import PRINTABLE, is_label
 from pkmodes.loop.updating.channels import channels
 from pkmodes.loop.updating.load_cases import settable
 from pkmodes.modaltest.campaign.boards import Clock, read_clocks
-from pkmodes.modaltest.campaign.description import CampaignTable, EditTable, RecordTable, parse_band, parse_fraction, parse_frequency, parse_quantity, parse_uncertain, read_description
+from pkmodes.modaltest.campaign.description import (
+    CampaignTable,
+    EditTable,
+    RecordTable,
+    parse_band,
+    parse_fraction,
+    parse_frequency,
+    parse_quantity,
+    parse_uncertain,
+    read_description,
+)
 from pkmodes.modaltest.campaign.mounts import Platform
-from pkmodes.modaltest.campaign.sensors import NO_CHANNEL, MotionSensor, Transducer, check_forces, check_names_in_files, check_sensors
+from pkmodes.modaltest.campaign.sensors import (
+    NO_CHANNEL,
+    MotionSensor,
+    Transducer,
+    check_forces,
+    check_names_in_files,
+    check_sensors,
+)
 from pkmodes.modaltest.identification.requested_modes import NO_EDITS, RequestedModes
 
 #: Value of `repeatability` other than a share: estimate it from poses that were measured twice.
@@ -141,15 +158,24 @@ def check_campaign(table: CampaignTable, source: str) -> Campaign:
     """Check the tables of a campaign file; `source` is its path."""
     folder = Path(source).parent
     if (table.robot is None) == (table.channels is None):
-        problem = "expected either a robot or channels, found " + ("both" if table.robot is not None else "neither")
-        raise MeasurementError(problem, source, 'write robot = "robot.toml", or channels = ["floor_1"] for a structure')
+        problem = "expected either a robot or channels, found " + (
+            "both" if table.robot is not None else "neither"
+        )
+        raise MeasurementError(
+            problem, source, 'write robot = "robot.toml", or channels = ["floor_1"] for a structure'
+        )
     model = None if table.robot is None else Model(read_robot(folder / table.robot))
     _check_channels(table.channels or [], source)
     channel_units = dict.fromkeys(table.channels or (), "") if model is None else channels(model.mechanism)
     if not table.record:
-        raise MeasurementError("expected records, found none", f"{source}: record", "add [[record]] for each pose")
+        raise MeasurementError(
+            "expected records, found none", f"{source}: record", "add [[record]] for each pose"
+        )
     band = parse_band(table.band, f"{source}: band")
-    records = tuple(_record(record, i, table, model, folder, band, f"{source}: record.{i}") for i, record in enumerate(table.record, start=1))
+    records = tuple(
+        _record(record, i, table, model, folder, band, f"{source}: record.{i}")
+        for i, record in enumerate(table.record, start=1)
+    )
     _check_labels(records, source)
     setups = {name for record in records for name in record.setups}
 
@@ -160,7 +186,11 @@ def check_campaign(table: CampaignTable, source: str) -> Campaign:
         source=source,
         model=model,
         channels=channel_units,
-        repeatability=(None if table.repeatability == REVISITS else parse_fraction(table.repeatability, f"{source}: repeatability")),
+        repeatability=(
+            None
+            if table.repeatability == REVISITS
+            else parse_fraction(table.repeatability, f"{source}: repeatability")
+        ),
         tones=tuple(parse_frequency(text, f"{source}: tones") for text in table.tones),
         sensors=check_sensors(table.sensor, channel_units, _platform(model), setups, source),
         forces=check_forces(table.force, channel_units, _platform(model), setups, source),
@@ -184,18 +214,36 @@ def _check_channels(names: list[str], source: str) -> None:
             raise MeasurementError(f"{shown(name)} is given twice", f"{source}: channels", "give each once")
 
 
-def _record(record_table: RecordTable, number: int, table: CampaignTable, model: Model | None, folder: Path, band: tuple[float, float], where: str) -> Record:
+def _record(
+    record_table: RecordTable,
+    number: int,
+    table: CampaignTable,
+    model: Model | None,
+    folder: Path,
+    band: tuple[float, float],
+    where: str,
+) -> Record:
     files = record_table.files if isinstance(record_table.files, dict) else {"": record_table.files}
     if not files or not all(files.values()):
-        raise MeasurementError("expected files, found none", f"{where}.files", 'for example: files = ["p1.uff"]')
-    repeated = [name for name, count in Counter(name for listed in files.values() for name in listed).items() if count > 1]
+        raise MeasurementError(
+            "expected files, found none", f"{where}.files", 'for example: files = ["p1.uff"]'
+        )
+    repeated = [
+        name
+        for name, count in Counter(name for listed in files.values() for name in listed).items()
+        if count > 1
+    ]
     if repeated:
         problem = f"the file {shown(repeated[0])} is given twice"
-        raise MeasurementError(problem, f"{where}.files", "a repeat is another measurement: give each file once")
+        raise MeasurementError(
+            problem, f"{where}.files", "a repeat is another measurement: give each file once"
+        )
     if not record_table.pose.strip():
         raise MeasurementError("expected a label, found none", f"{where}.pose", 'for example: pose = "P1"')
     if not is_label(record_table.pose):
-        raise MeasurementError(f"expected a label, found {shown(record_table.pose)}", f"{where}.pose", PRINTABLE)
+        raise MeasurementError(
+            f"expected a label, found {shown(record_table.pose)}", f"{where}.pose", PRINTABLE
+        )
     if record_table.pose.lstrip().startswith("#"):
         problem = f"expected a label that does not begin with #, found {shown(record_table.pose)}"
         raise MeasurementError(problem, f"{where}.pose", "its rows would be comments of the measurement file")
@@ -206,7 +254,9 @@ def _record(record_table: RecordTable, number: int, table: CampaignTable, model:
     for name, flag in (("invert", record_table.invert), ("conjugate", record_table.conjugate)):
         if flag and record_table.kind != FRF_KIND:
             problem = f"expected the kind {FRF_KIND} with {name}, found {shown(record_table.kind)}"
-            raise MeasurementError(problem, f"{where}.{name}", "leave it out: it is for frequency responses only")
+            raise MeasurementError(
+                problem, f"{where}.{name}", "leave it out: it is for frequency responses only"
+            )
     point, point_sigma = _point(record_table, model, where)
     return Record(
         number=number,
@@ -219,9 +269,13 @@ def _record(record_table: RecordTable, number: int, table: CampaignTable, model:
         band=band if record_table.band is None else parse_band(record_table.band, f"{where}.band"),
         drives=record_table.drives or table.drives or (FREE if model is None else model.robot.drives),
         averages=record_table.averages,
-        exponential=None if record_table.exponential is None else _parse_time(record_table.exponential, f"{where}.exponential"),
+        exponential=None
+        if record_table.exponential is None
+        else _parse_time(record_table.exponential, f"{where}.exponential"),
         hits=record_table.hits,
-        rate=None if record_table.rate is None else parse_frequency(record_table.rate, f"{where}.rate", "3200 Hz"),
+        rate=None
+        if record_table.rate is None
+        else parse_frequency(record_table.rate, f"{where}.rate", "3200 Hz"),
         columns=record_table.columns if isinstance(record_table.columns, dict) else {},
         header=tuple(record_table.columns) if isinstance(record_table.columns, list) else (),
         names=check_names_in_files(record_table, table.sensor, where),
@@ -234,11 +288,15 @@ def _record(record_table: RecordTable, number: int, table: CampaignTable, model:
 def _parse_time(text: str, where: str) -> float:
     value = parse_quantity(text, "s", where)
     if value <= 0.0:
-        raise MeasurementError(f"expected a time above 0, found {shown(text)}", where, 'for example: "0.35 s"')
+        raise MeasurementError(
+            f"expected a time above 0, found {shown(text)}", where, 'for example: "0.35 s"'
+        )
     return value
 
 
-def _point(record_table: RecordTable, model: Model | None, where: str) -> tuple[dict[str, float], dict[str, float]]:
+def _point(
+    record_table: RecordTable, model: Model | None, where: str
+) -> tuple[dict[str, float], dict[str, float]]:
     """Return the pose and its standard deviations; empty for a structure that is not a robot."""
     if model is None:
         if record_table.at:
@@ -248,12 +306,17 @@ def _point(record_table: RecordTable, model: Model | None, where: str) -> tuple[
     units = {component.name: component.unit for component in model.mechanism.pose}
     for name in record_table.at:
         if name not in units:
-            raise MeasurementError(f"unknown component {shown(name)}", f"{where}.at", nearest_name(name, units))
+            raise MeasurementError(
+                f"unknown component {shown(name)}", f"{where}.at", nearest_name(name, units)
+            )
     missing = [name for name in units if name not in record_table.at]
     if missing:
         problem = f"expected {', '.join(units)}, found no {', '.join(missing)}"
         raise MeasurementError(problem, f"{where}.at", 'for example: at = { x = "600 mm", ... }')
-    values_and_sigmas = {name: parse_uncertain(record_table.at[name], unit, f"{where}.at.{name}") for name, unit in units.items()}
+    values_and_sigmas = {
+        name: parse_uncertain(record_table.at[name], unit, f"{where}.at.{name}")
+        for name, unit in units.items()
+    }
     point = {name: value for name, (value, _) in values_and_sigmas.items()}
     try:
         model.checked(list(point.values()), "raise")
@@ -273,7 +336,11 @@ def _settings(record_table: RecordTable, model: Model | None, where: str) -> dic
     for path, value in record_table.settings.items():
         if path not in settable_units:
             problem = f"unknown parameter path {shown(path)}"
-            raise MeasurementError(problem, f"{where}.set", nearest_name(path, settable_units, "see docs/reference/parameter-paths.md"))
+            raise MeasurementError(
+                problem,
+                f"{where}.set",
+                nearest_name(path, settable_units, "see docs/reference/parameter-paths.md"),
+            )
         values[path] = parse_quantity(value, settable_units[path], f"{where}.set.{path}")
     try:
         model.robot.with_values(values)
@@ -292,7 +359,9 @@ def _check_labels(records: tuple[Record, ...], source: str) -> None:
             raise MeasurementError(problem, f"{source}: record.{record.number}.pose", remedy)
 
 
-def _edits(tables: Sequence[EditTable], records: tuple[Record, ...], source: str) -> dict[str, RequestedModes]:
+def _edits(
+    tables: Sequence[EditTable], records: tuple[Record, ...], source: str
+) -> dict[str, RequestedModes]:
     labels = [record.pose for record in records]
     edits: dict[str, RequestedModes] = {}
     for i, edit in enumerate(tables, start=1):
