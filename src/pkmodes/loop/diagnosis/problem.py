@@ -160,8 +160,8 @@ class Candidate:
 
 def reached_bounds(p: Parameter, value: float, size: float = 0.0) -> list[float]:
     """Return the physical bounds that a value has reached, up to a thousandth of the largest number of this kind."""
-    near = 1e-3 * max(abs(p.value), abs(value), size)
-    return [bound for bound in (p.lower, p.upper) if np.isfinite(bound) and abs(value - bound) <= near]
+    tolerance = 1e-3 * max(abs(p.value), abs(value), size)
+    return [bound for bound in (p.lower, p.upper) if np.isfinite(bound) and abs(value - bound) <= tolerance]
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from pkmodes.core.model import Model
 from pkmodes.core.robot.layout import Slot
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.support.threads import one_blas_thread
-from pkmodes.loop.diagnosis.fit.hypothesis import parallel
+from pkmodes.loop.diagnosis.fit.hypothesis import parallel_parameters
 from pkmodes.loop.diagnosis.problem import Candidate, Parameter, Structure
 from pkmodes.loop.diagnosis.search.additions import Progress
 from pkmodes.loop.diagnosis.states.changes import Trusted, with_known
@@ -156,7 +156,7 @@ def exchanged(structure: RobotStructure) -> Iterator[Candidate]:
     values = np.array([p.value for p in structure.parameters])
     rates = structure.predict(values, [places[candidate.parameters[0]] for candidate in single]).rates
     used = np.array([in_use(robot, candidate) for candidate in single])
-    same = {single[i].name for i in np.flatnonzero(parallel(rates)[:, used].any(axis=1))}
+    same = {single[i].name for i in np.flatnonzero(parallel_parameters(rates)[:, used].any(axis=1))}
     for candidate in structure.candidates:
         if not in_use(robot, candidate) and candidate.name not in same:
             yield replace(of_one_machine(candidate), odds=EXCHANGED)

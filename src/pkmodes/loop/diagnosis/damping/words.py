@@ -101,7 +101,7 @@ def factor_hundred_note(*, above: bool) -> str:
 
 
 def uninformative_note(lines: Sequence[int]) -> str:
-    """Return the note on rows whose damping says nothing about the losses."""
+    """Return the note on rows whose damping contains no information about the losses."""
     return (
         f"{_of_lines(lines)} is not used: it is 0 without a standard deviation, or the measurements set the "
         "losses there"

@@ -26,7 +26,7 @@ from pkmodes.loop.diagnosis.problem import Array, Candidate, Parameter, Structur
 from pkmodes.loop.measured.measurements import Measurements
 
 #: If there are more than twice this many setups, start values are determined from this many.
-SCOUTED = 12
+SCOUT_SETUPS = 12
 
 
 class Fitter:
@@ -82,9 +82,9 @@ class Fitter:
     def scout(self) -> Fitter:
         """The same fitter at some of the setups if there are many: enough to find start values."""
         count = len(self.data.labels)
-        if count <= 2 * SCOUTED:
+        if count <= 2 * SCOUT_SETUPS:
             return self
-        return self.at([int((k + 0.5) * count / SCOUTED) for k in range(SCOUTED)])
+        return self.at([int((k + 0.5) * count / SCOUT_SETUPS) for k in range(SCOUT_SETUPS)])
 
     def at(self, setups: list[int]) -> Fitter:
         """Return the fitter of some of the setups."""
@@ -102,11 +102,11 @@ class Fitter:
         values = np.array([start for _, start in trials])
         used = [self.used(hypothesis) for hypothesis, _ in trials]
         for evaluation in self.observations.evaluate_many(self.structure, values, [()] * len(trials), used):
-            white = evaluation.residual / noise.stated
+            white = evaluation.residual / noise.stated_sigma
             sums[evaluation.set_index] = float(white @ white)
         return sums
 
-    def unfitted(self, values: Array, used: NDArray[np.bool_]) -> tuple[Pairing, Array, Array, float]:
+    def evaluate(self, values: Array, used: NDArray[np.bool_]) -> tuple[Pairing, Array, Array, float]:
         """Evaluate given values without any fit, including the errors of uncertain positions.
 
         Returns, in this order:
@@ -136,10 +136,13 @@ class Fitter:
             prediction = self.structure.predict(values, ())
             if not np.isfinite(prediction.eigenvalues).all():
                 return None
-            before, pairing = pairing, self.observations.pairer.pair(prediction, used, compare=False)
+            previous_pairing, pairing = (
+                pairing,
+                self.observations.pairer.pair(prediction, used, compare=False),
+            )
             if (
-                before is not None
-                and np.array_equal(before.partner, pairing.partner)
+                previous_pairing is not None
+                and np.array_equal(previous_pairing.partner, pairing.partner)
                 and not hypothesis.scatter
             ):
                 break
@@ -151,22 +154,22 @@ class Fitter:
                 tau = self.observations.noise.shared_error(
                     residual, self._motion(values, pairing, used), used
                 )
-        return self._finished(hypothesis, values, free, used, tau, converged)
+        return self._fit_result(hypothesis, values, free, used, tau, converged)
 
-    def roughly(self, starts: Sequence[tuple[Hypothesis, Array]]) -> list[Descent]:
+    def rough_descents(self, starts: Sequence[tuple[Hypothesis, Array]]) -> list[Descent]:
         """Take a few steps from all starts in lockstep.
 
         Shared errors and position errors are neglected.
         """
         lockstep = Lockstep(self.structure, (self.lower, self.upper), self.observations, self.priors)
-        return lockstep.descended(
+        return lockstep.descend(
             [(values, self._free(h), self.used(h)) for h, values in starts], self.criteria.fits.rough_steps
         )
 
     def rough_fit(self, hypothesis: Hypothesis, descent: Descent) -> Fit | None:
         """Return the result of a descent as a fit; None if the structure cannot be evaluated."""
-        at = descent.at
-        if at is None:
+        evaluation = descent.evaluation
+        if evaluation is None:
             return None
         used = self.used(hypothesis)
         return Fit(
@@ -175,21 +178,21 @@ class Fitter:
             free=descent.free,
             log_determinant=self.observations.noise.whitening(None, used, 0.0).log_determinant,
             scatter=0.0,
-            prediction=at.prediction,
-            pairing=self.observations.pairer.pair(at.prediction, used),
-            residual=at.residual,
-            white=at.white,
-            jacobian=at.jacobian,
+            prediction=evaluation.prediction,
+            pairing=self.observations.pairer.pair(evaluation.prediction, used),
+            residual=evaluation.residual,
+            white=evaluation.white,
+            jacobian=evaluation.jacobian,
             at_bound=self._at_bound(hypothesis, descent.values),
-            converged=descent.arrived,
+            converged=descent.converged,
         )
 
     def _free(self, hypothesis: Hypothesis) -> tuple[int, ...]:
         """Return the indices of the fitted parameters: nuisances, then those of the causes, which may share some."""
-        added = (i for cause in hypothesis.causes for i in self.indices(cause))
-        return tuple(dict.fromkeys([*self.nuisances, *added]))
+        cause_indices = (i for cause in hypothesis.causes for i in self.indices(cause))
+        return tuple(dict.fromkeys([*self.nuisances, *cause_indices]))
 
-    def _finished(
+    def _fit_result(
         self,
         hypothesis: Hypothesis,
         values: Array,
@@ -226,13 +229,13 @@ class Fitter:
             converged=converged,
         )
 
-    def evaluated(self, hypothesis: Hypothesis, values: Array, scatter: float) -> Fit | None:
+    def fit_at_values(self, hypothesis: Hypothesis, values: Array, scatter: float) -> Fit | None:
         """Return given values as a fit of a hypothesis; None if the structure cannot be evaluated.
 
         - scatter: standard deviation of the error that the modes of a setup share
         """
         free, used = self._free(hypothesis), self.used(hypothesis)
-        return self._finished(hypothesis, values, free, used, scatter, True)
+        return self._fit_result(hypothesis, values, free, used, scatter, True)
 
     def difference(self, a: Fit, b: Fit) -> float:
         """Return the squared difference of the predictions and priors of two fits, whitened as for the first."""
@@ -240,11 +243,11 @@ class Fitter:
         whitening = self.observations.noise.whitening(
             self._motion(a.values, a.pairing, used), self.used(a.hypothesis), a.scatter
         )
-        between = whitening.whitened(
+        data_difference = whitening.whitened(
             np.where(self.observations.data_mask(used), a.residual - b.residual, 0.0)
         )
-        priors = self.priors.residual(a.values) - self.priors.residual(b.values)
-        return float(between @ between + priors @ priors)
+        prior_difference = self.priors.residual(a.values) - self.priors.residual(b.values)
+        return float(data_difference @ data_difference + prior_difference @ prior_difference)
 
     def whitening(self, fit: Fit) -> Whitening:
         """Return the square root of the covariance of the data at a fit."""
@@ -269,8 +272,8 @@ class Fitter:
         observations, quantity = self.observations, self.observations.other_quantities[name]
         rows = self.used(fit.hypothesis) & quantity.known & (quantity.stated == stated)
         squares = (observations.by_row(name, fit.white) ** 2).sum(axis=1)
-        taken = observations.by_row(name, fit.leverage).sum(axis=1)
-        return Misfit(float(squares[rows].sum()), float(quantity.count[rows].sum() - taken[rows].sum()))
+        leverage = observations.by_row(name, fit.leverage).sum(axis=1)
+        return Misfit(float(squares[rows].sum()), float(quantity.count[rows].sum() - leverage[rows].sum()))
 
     def worst_rows(self, fit: Fit) -> tuple[NDArray[np.intp], Array]:
         """Return the rows, those with the largest frequency residuals first, and all residuals in sigma, (R,)."""
@@ -287,15 +290,15 @@ class Fitter:
     ) -> tuple[Array, bool]:
         """Return the least-squares values for a given pairing, and whether the solver converged."""
 
-        def residual(full: Array) -> Array:
-            prediction = self.structure.predict(full, ())
+        def residual(all_values: Array) -> Array:
+            prediction = self.structure.predict(all_values, ())
             unwhitened = self.observations.residual(prediction, pairing.within(prediction), used)
-            return np.concatenate([whitening.whitened(unwhitened), self.priors.residual(full)])
+            return np.concatenate([whitening.whitened(unwhitened), self.priors.residual(all_values)])
 
-        def rates(full: Array) -> Array:
-            prediction = self.structure.predict(full, free, shape_rates=self.observations.shape_rates)
+        def rates(all_values: Array) -> Array:
+            prediction = self.structure.predict(all_values, free, shape_rates=self.observations.shape_rates)
             unwhitened = self.observations.rates(prediction, pairing.within(prediction), used)
-            return np.vstack([-whitening.whitened(unwhitened), self.priors.rates(full, free)])
+            return np.vstack([-whitening.whitened(unwhitened), self.priors.rates(all_values, free)])
 
         bounds = self.lower[list(free)], self.upper[list(free)]
         return bounded_least_squares(residual, rates, values, free, bounds, self.criteria.fits.steps)

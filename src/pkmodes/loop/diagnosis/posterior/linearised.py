@@ -13,7 +13,7 @@ from functools import cached_property
 
 import numpy as np
 
-from pkmodes.loop.diagnosis.fit.cross_validation import deleted
+from pkmodes.loop.diagnosis.fit.cross_validation import deleted_residual
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit, orthonormal
 from pkmodes.loop.diagnosis.posterior.marginal import (
@@ -95,7 +95,7 @@ def linearised(fitter: Fitter, fit: Fit, plausible: Mapping[int, float]) -> Line
     while len(aside) < max(1, len(observations.log_frequencies) // fitter.criteria.search.rows_per_outlier):
         row = int(np.argmax(np.abs(white[frequencies])))
         indices = observations.data_indices(np.array([row]))
-        if white[indices] @ deleted(basis[indices], white[indices]) <= 2.0 * _price(fitter, row):
+        if white[indices] @ deleted_residual(basis[indices], white[indices]) <= 2.0 * _price(fitter, row):
             break
         aside.add(row)
         white, basis = np.array(white), np.array(basis)
@@ -139,7 +139,7 @@ def _price(fitter: Fitter, row: int) -> float:
 
 def _log_occam_factor_of_values(fitter: Fitter, fit: Fit) -> float:
     """Return the logarithm of the Occam factor of the uncertain values, up to a constant for the same data."""
-    width = fitter.priors.width(fitter.declared)[fitter.priors.rows(fitter.nuisances)]
+    width = fitter.priors.sigmas_in_units(fitter.declared)[fitter.priors.rows(fitter.nuisances)]
     scaled = fit.jacobian[:, : len(width)] * width
     return -0.5 * float(np.linalg.slogdet(scaled.T @ scaled)[1])
 
@@ -151,7 +151,7 @@ def _log_occam_factor_of_cause(
     index = list(fitter.indices(cause))
     away, covariance = fit.values[index] - fitter.declared[index], fit.covariance_of(index)
     if cause.sigma is not None:
-        width = fitter.priors.width(fit.values)[fitter.priors.rows(index)]
+        width = fitter.priors.sigmas_in_units(fit.values)[fitter.priors.rows(index)]
         return 0.5 * float(np.linalg.slogdet(covariance / np.outer(width, width))[1])
     limits, sigma = np.array([plausible.get(i, np.inf) for i in index]), np.sqrt(np.diagonal(covariance))
     if (np.abs(away) > BEYOND * limits).any():

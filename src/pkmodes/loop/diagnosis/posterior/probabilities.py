@@ -86,7 +86,7 @@ def probabilities(
     ranked = sorted(
         (
             (capped_deviance(fitter, fit), k, fit)
-            for k, fit in enumerate(search.store.tried())
+            for k, fit in enumerate(search.store.all_fits())
             if not fit.at_bound and len(fit.causes) <= 2
         ),
         key=lambda entry: entry[:2],
@@ -120,7 +120,7 @@ def _beside(search: Search, plausible: Mapping[int, float], base: Linearised, pr
     - plausible: largest plausible deviations of parameters of candidates
     - prior: logarithm of the prior of each
     """
-    fitted = {_names(fit) for fit in search.store.tried()}
+    fitted = {_names(fit) for fit in search.store.all_fits()}
     scores = search.scores(base.fit)
     directions = zip(
         (entry for entry in scores.by_candidate if entry.visible), scores.directions, strict=True
@@ -162,7 +162,10 @@ def _log_occam_factors(search: Search, scores: Sequence[Score], plausible: Mappi
     largest = np.maximum([max(limits, default=SIGNAL) for limits in signals], BEYOND_SIGNAL * signal)
     degrees = np.array([max(len(limits), 1) for limits in signals])
     signs = np.array([one_sided(fitter, entry.candidate) != 0 for entry in scores])
-    prices, width = log_occam_factor(signal, degrees, largest, signs), fitter.priors.width(fitter.declared)
+    prices, width = (
+        log_occam_factor(signal, degrees, largest, signs),
+        fitter.priors.sigmas_in_units(fitter.declared),
+    )
     for k, entry in enumerate(scores):
         if entry.candidate.sigma is not None:
             rows = fitter.priors.rows(fitter.indices(entry.candidate))

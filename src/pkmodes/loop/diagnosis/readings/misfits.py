@@ -49,7 +49,7 @@ class WiringMisfit:
     def of(cls, fitter: Fitter, used: NDArray[np.bool_], residual: Array) -> WiringMisfit:
         """Return the misfit of unwhitened residuals of all data, (R + R C,), of which some rows count."""
         observations = fitter.observations
-        shapes, white = observations.shapes, residual / observations.noise.stated
+        shapes, white = observations.shapes, residual / observations.noise.stated_sigma
         shaped = used & shapes.known
         masks = shaped & shapes.stated, shaped & ~shapes.stated
         by_row = (observations.by_row(SHAPE, white) ** 2).sum(axis=1)
@@ -101,7 +101,7 @@ def at_prediction(
     for batch in (wirings[start : start + batch_size] for start in range(0, len(wirings), batch_size)):
         rows, tiled = fitter.observations.tiled(len(batch)), np.tile(used, len(batch))
         order = [[fitter.structure.channels.index(name) for name in w.channels] for w in batch]
-        rows.pairer.moves = np.concatenate([motion[:, columns] for columns in order])
+        rows.pairer.motion = np.concatenate([motion[:, columns] for columns in order])
         # The modes once for each wiring, with its channels in the columns of the file.
         shapes = np.tile(prediction.shapes, (len(batch), 1, 1, 1))
         for rewired, columns, wiring in zip(shapes, order, batch, strict=True):

@@ -132,7 +132,7 @@ class Additions:
             for entry in scores.by_candidate
             if entry.visible and (entry.gain >= enough or one_sided(self.fitter, entry.candidate))
         ]
-        return self.store.finished(
+        return self.store.complete(
             self.refitted([x for x in promising if self._testable(fit, x[1].candidate)])
         )
 
@@ -174,7 +174,7 @@ class Additions:
                         absent[pair] = promise
         count = len(promised) if self.few else c.search.pairs
         best = {pair: promised[pair] for pair in sorted(promised, key=lambda pair: promised[pair][0])[:count]}
-        return store.finished(self.refitted([(fit, entry) for _, fit, entry in {**absent, **best}.values()]))
+        return store.complete(self.refitted([(fit, entry) for _, fit, entry in {**absent, **best}.values()]))
 
     @property
     def few(self) -> bool:
@@ -184,7 +184,7 @@ class Additions:
 
     def _testable(self, fit: Fit, candidate: Candidate) -> bool:
         """Return whether a cause may be added, and data are left to test it: otherwise it would fit anything."""
-        free = sum(self.fitter.priors.of(i) is None for i in self.fitter.indices(candidate))
+        free = sum(self.fitter.priors.row_of(i) is None for i in self.fitter.indices(candidate))
         return fit.hypothesis.allows(candidate) and self.store.degrees(fit) > free
 
     def refitted(self, additions: Sequence[tuple[Fit, Score]]) -> list[Fit]:
@@ -192,8 +192,8 @@ class Additions:
         store, fitted, seeded, new = self.store, [], [], []
         for fit, entry in additions:
             hypothesis = fit.hypothesis.adding(entry.candidate)
-            seed = store.seed(hypothesis)
-            if store.known(hypothesis):
+            seed = store.start_values(hypothesis)
+            if store.is_fitted(hypothesis):
                 fitted.append(store.fit(hypothesis))
                 continue
             self._progress(f"refitting with {' and '.join(c.name for c in hypothesis.causes)}")
@@ -202,4 +202,4 @@ class Additions:
             else:
                 seeded.append((hypothesis, [seed]))
         begun = zip((hypothesis for _, _, hypothesis in new), starts(self.fitter, new), strict=True)
-        return [fit for fit in fitted if fit is not None] + store.roughly([*seeded, *begun])
+        return [fit for fit in fitted if fit is not None] + store.rough_fits([*seeded, *begun])

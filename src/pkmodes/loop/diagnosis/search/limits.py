@@ -21,7 +21,7 @@ from scipy import stats
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.fit.profile import (
-    NOTHING,
+    MIN_SINGULAR_VALUE,
     End,
     ModelRequest,
     ProfilePoint,
@@ -111,7 +111,7 @@ def bounds(
     for entry, (point, gain) in zip(beside, least, strict=True):
         ratio = 1.0
         if not noise:  # chi2 per degree of freedom that the candidate leaves
-            free = sum(fitter.priors.of(i) is None for i in entry.free if i not in fit.free)
+            free = sum(fitter.priors.row_of(i) is None for i in entry.free if i not in fit.free)
             ratio = max(1.0, point.squares / max(store.degrees(fit) - free, 1))
         for i in fitter.indices(entry.candidate):
             for sign in (1, -1):
@@ -180,7 +180,7 @@ def _beside(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> list[_
         step = np.zeros_like(fit.values)
         length = np.linalg.norm(jacobian, axis=0)
         scale = 1.0 / np.where(length > 0.0, length, 1.0)
-        step[list(free)] = -np.linalg.lstsq(jacobian * scale, white, rcond=NOTHING)[0] * scale
+        step[list(free)] = -np.linalg.lstsq(jacobian * scale, white, rcond=MIN_SINGULAR_VALUE)[0] * scale
         residual = white + jacobian @ step[list(free)]
         gain = float(white @ white - residual @ residual)
         p = fitter.parameters[index[0]]
@@ -207,13 +207,13 @@ def _least(
     starts = []
     for k in worthwhile:
         hypothesis = fit.hypothesis.adding(beside[k].candidate)
-        previous = store.fit(hypothesis) if store.known(hypothesis) else None
+        previous = store.fit(hypothesis) if store.is_fitted(hypothesis) else None
         if previous is not None:
             values[k] = previous.values
         else:
             start = np.clip(fit.values + beside[k].step, fitter.lower, fitter.upper)
             starts.append((k, hypothesis, start))
-    descents = fitter.roughly([(hypothesis, start) for _, hypothesis, start in starts])
+    descents = fitter.rough_descents([(hypothesis, start) for _, hypothesis, start in starts])
     values |= {k: descent.values for (k, _, _), descent in zip(starts, descents, strict=True)}
     points = profiles.points(
         [ModelRequest(values[k], beside[k].free, beside[k].without_prior) for k in worthwhile]
@@ -236,7 +236,7 @@ def _side(
 
 def _suffices(fitter: Fitter, side: Side, beside: _Beside, end: End) -> bool:
     """Return whether the end of the linear model is accurate: a small change of a declared value, or no change."""
-    column = side.least.jacobian[:, side.free.index(side.index)]
+    column = side.minimum.jacobian[:, side.free.index(side.index)]
     if not column[: fitter.prior_rows.start].any():
         return True
     p = fitter.parameters[side.index]
@@ -250,12 +250,12 @@ def _bound(fitter: Fitter, fit: Fit, beside: _Beside, i: int, ends: Sequence[tup
     size = max(end.size for _, end in ends) if bounded else None
     moved, farther = np.zeros((2, len(fit.values)))
     nuisances = [k for k in fit.free if k != i]
-    held = np.array([fitter.priors.of(k) is not None for k in nuisances], dtype=bool)
+    held = np.array([fitter.priors.row_of(k) is not None for k in nuisances], dtype=bool)
     for _, end in ends:
         part = 1.0
         if beside.without_prior:  # the prior of the candidate limits its effect
-            row = fitter.priors.of(i)
-            width = np.inf if row is None else ONE_SIDED * fitter.priors.width(fit.values)[row]
+            row = fitter.priors.row_of(i)
+            width = np.inf if row is None else ONE_SIDED * fitter.priors.sigmas_in_units(fit.values)[row]
             part = float(1.0 / np.hypot(1.0, end.size / width))
         by = part * np.abs(end.values - fit.values)[nuisances]
         at_end = held | (end.bounded and end.reached)

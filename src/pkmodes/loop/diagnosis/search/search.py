@@ -129,7 +129,7 @@ class Search:
         """Return fits with other causes in one place, best first; that cause is the last one in all of them."""
         causes, store = fit.causes, self.store
         hypothesis = fit.hypothesis.without(place)
-        base = store.fit(hypothesis, store.undone(fit, hypothesis))
+        base = store.fit(hypothesis, store.values_without(fit, hypothesis))
         rivals = {causes[place].name: replace(fit, hypothesis=hypothesis.adding(causes[place]))}
         if base is not None:
             candidates = [*self.candidates]
@@ -178,8 +178,10 @@ class Search:
         rows, h = store.fitter.worst_rows(fit)[0].tolist(), fit.hypothesis
         counts = [count for count in (1, 2, 4, 8) if count <= int(c.search.misled * len(rows))]
         fewer = [replace(h, excluded=h.excluded | set(rows[:count])) for count in counts]
-        starts += [rough.values for rough in store.fitter.roughly([(less, fit.values) for less in fewer])]
-        fits = [store.again(h, values) for values in starts]
+        starts += [
+            rough.values for rough in store.fitter.rough_descents([(less, fit.values) for less in fewer])
+        ]
+        fits = [store.refit(h, values) for values in starts]
         best = min((f for f in fits if f is not None), key=lambda f: f.deviance, default=fit)
         better = best.deviance < fit.deviance - c.search.worth and store.p_value(best) > c.gate.surely
         return best if better else None
@@ -212,7 +214,7 @@ class Search:
         smaller += [replace(h, scatter=False)] if h.scatter else []
         smaller += [h.without(place) for place in range(len(h.causes))]
         for hypothesis in smaller:
-            less = store.fit(hypothesis, store.undone(fit, hypothesis))
+            less = store.fit(hypothesis, store.values_without(fit, hypothesis))
             if (
                 less is not None
                 and store.criterion(less) < store.criterion(fit) + self.criteria.search.worth

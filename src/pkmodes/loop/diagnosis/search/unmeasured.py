@@ -49,7 +49,7 @@ def seen(fitter: Fitter, fit: Fit) -> Seen:
 def _visible(fitter: Fitter, fit: Fit) -> NDArray[np.bool_]:
     """Return a mask of the modes that move the sensors enough; all if no sensor is known."""
     pairer = fitter.observations.pairer
-    shapes, moves = fit.prediction.shapes[..., pairer.columns], pairer.moves
+    shapes, moves = fit.prediction.shapes[..., pairer.columns], pairer.motion
     if not shapes.shape[-1]:
         return np.ones(shapes.shape[:2], dtype=bool)
     peaks = np.sqrt(np.mean((shapes / np.where(moves > 0.0, moves, np.inf)[:, None]) ** 2, axis=-1))

@@ -276,10 +276,10 @@ class DiagnosisBuilder:
 
     def corrected(self, fit: Fit, bounded: CandidateLimits) -> tuple[Corrected, ...]:
         """Return all fitted parameters with their declared values, priors, and unseen influences."""
-        width, corrected = self.fitter.priors.width(fit.values), []
+        width, corrected = self.fitter.priors.sigmas_in_units(fit.values), []
         plausible = plausible_sizes(self.fitter, fit, fit.causes)
         for i, v in zip(fit.free, fitted_values(self.fitter, fit, fit.free), strict=True):
-            p, row = self.fitter.parameters[i], self.fitter.priors.of(i)
+            p, row = self.fitter.parameters[i], self.fitter.priors.row_of(i)
             corrected.append(
                 Corrected(
                     name=v.name,

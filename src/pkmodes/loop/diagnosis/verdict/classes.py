@@ -45,7 +45,7 @@ def survivors(search: Search, rivals: Sequence[Fit]) -> list[Fit]:
     surviving = [
         fitting[i]
         for i in order
-        if total[i] <= total.min() + c.search.survives and store.predicts(fitting[i])
+        if total[i] <= total.min() + c.search.survives and store.improves_prediction(fitting[i])
     ]
     # If predictions are equal, additional parameters are not penalised: they must not exclude a general rival.
     alike = {
@@ -100,7 +100,7 @@ def other_pairs(search: Search, final: Fit, grouped: Sequence[Sequence[Sequence[
     store, c, h = search.store, search.criteria, final.hypothesis
     pairs = [
         fit
-        for fit in store.tried()
+        for fit in store.all_fits()
         if len(fit.causes) == len(final.causes) == c.search.most_causes
         and (fit.hypothesis.excluded, fit.hypothesis.scatter) == (h.excluded, h.scatter)
     ]

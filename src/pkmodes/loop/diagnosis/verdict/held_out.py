@@ -113,7 +113,7 @@ def p_held_out(setups: AllSetups, fitter: Fitter, hypothesis: Hypothesis, final:
     """
     held = setups.is_held & fitter.used(hypothesis)
     rows, count = fitter.observations.mask_of_stated(held)
-    there = fitter.evaluated(hypothesis, final.values, final.scatter)
+    there = fitter.fit_at_values(hypothesis, final.values, final.scatter)
     if there is None:
         return 0.0
     data = slice(0, len(rows))

@@ -30,7 +30,7 @@ def joint_alone(setups: AllSetups, search: Search, fit: Fit) -> JointAlone | Non
         return None
     apart = Search(FitStore(fitter), search.candidates)
     hypothesis = replace(fit.hypothesis, causes=fit.causes[:-1])
-    base = apart.store.fit(hypothesis, search.store.undone(fit, hypothesis))
+    base = apart.store.fit(hypothesis, search.store.values_without(fit, hypothesis))
     if base is None:
         return None
     sigmas = dict(zip(cause.parameters, cause.sigma or (), strict=False))

@@ -87,7 +87,7 @@ def _stated_errors(store: FitStore, fit: Fit, adequate: bool) -> Iterator[str]:
 
 
 def _nuisances(fitter: Fitter, fit: Fit) -> Iterator[str]:
-    away = fitter.priors.away(fit.values)
+    away = fitter.priors.distances(fit.values)
     for i, far in zip(fitter.priors.index, away, strict=True):
         p = fitter.parameters[i]
         free = i in fit.free

@@ -211,7 +211,7 @@ def not_specific(e: Evidence) -> str:
     store = e.store
     fits = [
         fit
-        for fit in store.tried()
+        for fit in store.all_fits()
         if len(fit.causes) == 1
         and not (fit.hypothesis.remote or fit.at_bound)
         and fit.causes != e.final.causes
@@ -244,7 +244,7 @@ def not_settled(e: Evidence) -> Says | str:
         return Says.naming(text, [*causes, *pointed])
     if e.claim.kept:
         return ""
-    lone = [cause for place, cause in enumerate(causes) if not e.store.predicts(e.final, place)]
+    lone = [cause for place, cause in enumerate(causes) if not e.store.improves_prediction(e.final, place)]
     if not lone:
         return f"{e.explains} the residual, but the comparison with other causes settles on none"
     who = f"{names(lone)} " if len(lone) < len(causes) else ""

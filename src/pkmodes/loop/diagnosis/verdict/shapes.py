@@ -65,7 +65,7 @@ def better_by_shape(store: FitStore, fit: Fit) -> Fit | None:
     excluded = len(fit.hypothesis.excluded)
     tried = [
         option
-        for option in store.tried()
+        for option in store.all_fits()
         if len(option.causes) <= len(fit.causes) and len(option.hypothesis.excluded) == excluded
     ]
     best = min(tried, key=squares, default=fit)

@@ -175,7 +175,9 @@ def modal_changes(fitter: Fitter, plain: Fit) -> Array:
     modes = int(plain.pairing.partner.max(initial=0)) + 1 + ABOVE
     changed = _changed(plain.prediction, modes, fitter.criteria.pairing.mixed)
     observations = fitter.observations
-    return np.asarray(observations.rates(changed, plain.pairing, used) / observations.noise.stated[:, None])
+    return np.asarray(
+        observations.rates(changed, plain.pairing, used) / observations.noise.stated_sigma[:, None]
+    )
 
 
 def _changed(prediction: Prediction, modes: int, least: float) -> Prediction:

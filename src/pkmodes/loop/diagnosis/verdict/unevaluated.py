@@ -40,11 +40,11 @@ def _tried(store: FitStore, reported: Fit) -> Iterator[Fit]:
     yield reported
     for candidate in fitter.structure.candidates:
         hypothesis = Hypothesis((candidate,))
-        if not store.known(hypothesis) or hypothesis == reported.hypothesis:
+        if not store.is_fitted(hypothesis) or hypothesis == reported.hypothesis:
             continue
         fit = store.fit(hypothesis)
         if fit is None and (plain := store.fit(Hypothesis())) is not None:
-            fit = fitter.rough_fit(hypothesis, fitter.roughly([(hypothesis, plain.values)])[0])
+            fit = fitter.rough_fit(hypothesis, fitter.rough_descents([(hypothesis, plain.values)])[0])
         if fit is not None:
             yield fit
 
@@ -85,7 +85,7 @@ def _stopped(fitter: Fitter, fit: Fit) -> str:
         middle = 0.5 * (good + bad)
         good, bad = (middle, bad) if _evaluable(fitter, at(middle)) else (good, middle)
     # The fit may converge before that: a long step of a linear model is inaccurate.
-    there = fitter.rough_fit(fit.hypothesis, fitter.roughly([(fit.hypothesis, at(good))])[0])
+    there = fitter.rough_fit(fit.hypothesis, fitter.rough_descents([(fit.hypothesis, at(good))])[0])
     if there is None or _onward(fitter, there)[1] <= fitter.criteria.search.survives:
         return ""
     before, after = at(good), at(bad)

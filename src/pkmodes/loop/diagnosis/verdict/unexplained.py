@@ -236,7 +236,7 @@ def _pointed(gate: Gate) -> Candidate:
 
 def _without_errors(store: FitStore) -> list[Fit]:
     """Return the explanations tried without errors of the measurement and without remote causes."""
-    fits = store.tried()
+    fits = store.all_fits()
     return [fit for fit in fits if (h := fit.hypothesis).causes and not (h.remote or h.excluded or h.scatter)]
 
 

@@ -66,7 +66,10 @@ def rests_on_one_row(search: Search, final: Fit) -> str:
                 continue
             with_cause = replace(h, excluded=h.excluded | {row})
             without = replace(with_cause, causes=tuple(kept for kept in h.causes if kept != cause))
-            here, less = store.fit(with_cause, final.values), store.fit(without, store.undone(final, without))
+            here, less = (
+                store.fit(with_cause, final.values),
+                store.fit(without, store.values_without(final, without)),
+            )
             if here is None or less is None:
                 continue
             gone = float(stats.chi2.sf(max(less.deviance - here.deviance, 0.0), len(index))) > c.claim.claimed
@@ -94,7 +97,7 @@ def shows_once(search: Search, final: Fit, cause: Candidate, row: int) -> bool:
     if not search.criteria.claim.once or len(fitter.data.labels) > 1:
         return False
     less = replace(final.hypothesis, causes=tuple(kept for kept in final.causes if kept != cause))
-    without = fitter.evaluated(less, store.undone(final, less), final.scatter)
+    without = fitter.fit_at_values(less, store.values_without(final, less), final.scatter)
     if without is None:
         return False
     rows, used = fitter.observations.frequency_rows, fitter.used(final.hypothesis)
