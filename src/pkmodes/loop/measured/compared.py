@@ -31,7 +31,7 @@ from pkmodes.loop.measured.significance import (
 )
 from pkmodes.loop.measured.strain_energy import StrainEnergyChange, strain_energy_changes
 from pkmodes.loop.measured.trust import (
-    LEAST_MAC,
+    MIN_MAC,
     cautions_of,
     close_to_another,
     notes_on_poses,
@@ -180,7 +180,7 @@ def _compare_shapes(
             and mode is not None
             and well_separated
             and mac_of_pair is not None
-            and mac_of_pair >= LEAST_MAC
+            and mac_of_pair >= MIN_MAC
         ):
             usable.setdefault(int(first.pose[i]), []).append((int(first.lines[i]), mode))
     energies = []

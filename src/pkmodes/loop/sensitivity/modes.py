@@ -35,9 +35,9 @@ def groups(eigenvalues: Array, close: float, magnitude: Array) -> Index:
 
     Returns (..., m): the same number for the members of a group, ascending from 0.
     """
-    apart = separate(eigenvalues, close, magnitude)
+    is_separate = separate(eigenvalues, close, magnitude)
     first = np.zeros((*eigenvalues.shape[:-1], 1), dtype=np.intp)
-    return np.concatenate([first, np.cumsum(apart, axis=-1)], axis=-1)
+    return np.concatenate([first, np.cumsum(is_separate, axis=-1)], axis=-1)
 
 
 def separate(eigenvalues: Array, close: float, magnitude: Array) -> NDArray[np.bool_]:
@@ -60,17 +60,17 @@ def branches(change: Array, shapes: Array, group: Index) -> Array:
     rates = np.empty(change.shape[:2])
     for number in np.unique(group):
         members = np.flatnonzero(group == number)
-        rates[:, members] = np.linalg.eigvalsh(_symmetric(_inside(change, shapes, members)))
+        rates[:, members] = np.linalg.eigvalsh(_symmetric(_projected_change(change, shapes, members)))
     return rates
 
 
-def _inside(change: Array, shapes: Array, members: Index) -> Array:
+def _projected_change(change: Array, shapes: Array, members: Index) -> Array:
     """Compute Phi^T (dK - lambda dM) Phi over a group of r modes, (T, r, r)."""
     return np.asarray(np.einsum("tin,jn->tij", change[:, members], shapes[members]))
 
 
-def _symmetric(inside: Array) -> Array:
-    return 0.5 * (inside + np.swapaxes(inside, 1, 2))
+def _symmetric(matrices: Array) -> Array:
+    return 0.5 * (matrices + np.swapaxes(matrices, 1, 2))
 
 
 def mode_derivatives(
@@ -107,8 +107,8 @@ def mode_derivatives(
     )
     for number in np.flatnonzero(sizes > 1):
         members = np.flatnonzero(group == number)
-        inside = _inside(change, shapes, members)
-        d_eigenvalues[:, members] = np.linalg.eigvalsh(_symmetric(inside))
+        projected = _projected_change(change, shapes, members)
+        d_eigenvalues[:, members] = np.linalg.eigvalsh(_symmetric(projected))
         scale = 1.0 / np.sqrt(np.abs(np.diagonal(K)) + magnitude[members].max() * np.diagonal(M))
         momenta = shapes[members] @ M
         border = momenta * scale
@@ -119,10 +119,10 @@ def mode_derivatives(
             system[: len(scale), : len(scale)] = (K - eigenvalues[i] * M) * scale[:, None] * scale
             system[: len(scale), len(scale) :] = border.T
             system[len(scale) :, : len(scale)] = border
-            right = np.zeros((size, len(change)))
-            right[: len(scale)] = (inside[:, k] @ momenta - change[:, i]).T * scale[:, None]
-            outside = np.linalg.solve(system, right)[: len(scale)].T * scale
-            d_shapes[:, i] = outside - 0.5 * norm[:, i, None] * shapes[i]
+            right_sides = np.zeros((size, len(change)))
+            right_sides[: len(scale)] = (projected[:, k] @ momenta - change[:, i]).T * scale[:, None]
+            particular = np.linalg.solve(system, right_sides)[: len(scale)].T * scale
+            d_shapes[:, i] = particular - 0.5 * norm[:, i, None] * shapes[i]
     return d_eigenvalues, d_shapes
 
 
@@ -136,9 +136,9 @@ def _of_simple(
     border = momenta * scale
     border /= np.linalg.norm(border, axis=1, keepdims=True)
     k, n = shapes.shape
-    system, right = np.zeros((k, n + 1, n + 1)), np.zeros((k, n + 1, len(change)))
+    system, right_sides = np.zeros((k, n + 1, n + 1)), np.zeros((k, n + 1, len(change)))
     system[:, :n, :n] = (K - eigenvalues[:, None, None] * M) * scale[:, :, None] * scale[:, None]
     system[:, :n, n] = system[:, n, :n] = border
-    right[:, :n] = np.moveaxis((rates[..., None] * momenta - change) * scale, 0, -1)
-    outside = np.moveaxis(np.linalg.solve(system, right)[:, :n], -1, 0) * scale
-    return rates, outside - 0.5 * norm[..., None] * shapes
+    right_sides[:, :n] = np.moveaxis((rates[..., None] * momenta - change) * scale, 0, -1)
+    particular = np.moveaxis(np.linalg.solve(system, right_sides)[:, :n], -1, 0) * scale
+    return rates, particular - 0.5 * norm[..., None] * shapes

@@ -22,7 +22,7 @@ from pkmodes.core.robot.usable import USABLE, read_usable
 from pkmodes.core.support.ordering import joined
 from pkmodes.loop.diagnosis.arguments import check_measurements
 from pkmodes.loop.diagnosis.problem import Candidate, Loss, Parameter
-from pkmodes.loop.measured.columns import Stated, joined_with
+from pkmodes.loop.measured.columns import Stated, merge_stated
 from pkmodes.loop.measured.header import OTHER_MACHINE, SPREAD, owners
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.measured.rules import SHAPE
@@ -118,7 +118,7 @@ class MeasuredRobot:
         cause_names = {cause.name for cause in causes}
         # A prior of the measurements says nothing about a candidate that is not among those chosen.
         stated = {n: prior for n, prior in self.data.priors.items() if candidates is None or n in cause_names}
-        causes = _with_priors(self.robot, parameters, causes, joined_with(stated, priors or {}, "priors"))
+        causes = _with_priors(self.robot, parameters, causes, merge_stated(stated, priors or {}, "priors"))
         return ExtensibleRobot(self.robot, self.data.points, parameters, causes, moves, self.loads, losses)
 
 

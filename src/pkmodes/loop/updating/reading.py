@@ -16,7 +16,7 @@ from pkmodes.core.mechanism.registry import Mechanism, mechanism, names
 from pkmodes.core.model import Model
 from pkmodes.core.robot.columns import parted
 from pkmodes.core.robot.robot import Robot
-from pkmodes.loop.measured.columns import joined_with
+from pkmodes.loop.measured.columns import merge_stated
 from pkmodes.loop.measured.csv_format import read_text, states_in
 from pkmodes.loop.measured.csv_rows import read_lines
 from pkmodes.loop.measured.measurements import Measurements
@@ -84,8 +84,8 @@ def read(
     )
     return replace(
         _within(band, data),
-        priors=joined_with(data.priors, priors, "priors"),
-        usable=joined_with(data.usable, usable, "usable"),
+        priors=merge_stated(data.priors, priors, "priors"),
+        usable=merge_stated(data.usable, usable, "usable"),
     )
 
 

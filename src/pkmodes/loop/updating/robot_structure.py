@@ -23,7 +23,7 @@ from pkmodes.core.system.motors import motor_springs_among
 from pkmodes.loop.diagnosis.problem import Batch, Candidate, Loss, Parameter, Prediction, Sensor
 from pkmodes.loop.sensitivity.locked import locked_joints
 from pkmodes.loop.sensitivity.matrices import POSE
-from pkmodes.loop.sensitivity.paths import ParameterPath, moved
+from pkmodes.loop.sensitivity.paths import ParameterPath, change_quantities
 from pkmodes.loop.updating import frame
 from pkmodes.loop.updating.candidates import EFFECTS
 from pkmodes.loop.updating.channels import channels, sensors
@@ -309,7 +309,7 @@ class RobotStructure:
         ]
         cases = self.loads.cases
         robots = [
-            moved(case.robot, [(free_paths[name], step) for name, step in changed])
+            change_quantities(case.robot, [(free_paths[name], step) for name, step in changed])
             for case, free_paths in zip(cases, self._free_paths, strict=True)
         ]
         systems = [case.system(robot) for case, robot in zip(cases, robots, strict=True)]

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from pkmodes.core.mechanism.stepped import STEP
 from pkmodes.core.support.expansion import modal_expansion
 from pkmodes.loop.diagnosis.problem import Prediction
-from pkmodes.loop.sensitivity.locked import released
+from pkmodes.loop.sensitivity.locked import released_changes
 from pkmodes.loop.sensitivity.matrices import MatrixDerivatives
 from pkmodes.loop.sensitivity.paths import ParameterPath
 from pkmodes.loop.updating.predictions import Moves
@@ -160,7 +160,7 @@ class TermRates:
     def _released(self, rates: _Rates, joints: Index, weights: Array) -> _Rates:
         """Return rates with those of compliances of locked joints, (r,): each deflects under its force."""
         modes, matrices = self.modes, self.modes.matrices
-        force, change, norm = released(
+        force, change, norm = released_changes(
             (matrices.M, matrices.K),
             matrices.free,
             joints,

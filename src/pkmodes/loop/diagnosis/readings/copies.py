@@ -11,7 +11,7 @@ from pkmodes.core.support.mac import mac
 from pkmodes.loop.diagnosis.criteria import ReadingCriteria
 from pkmodes.loop.diagnosis.match.stage import MatchStage
 from pkmodes.loop.diagnosis.problem import Array
-from pkmodes.loop.measured.amplitude import DIFFER
+from pkmodes.loop.measured.amplitude import MIN_LEVEL_RATIO
 from pkmodes.loop.measured.measurements import Measurements
 
 #: Positions nearer than this are the same [m].
@@ -44,7 +44,9 @@ def same_place(stage: MatchStage, c: ReadingCriteria) -> Iterator[str]:
     for place, (i, end) in enumerate(zip(order, ends, strict=True)):
         rest = order[place + 1 : end]
         rest = rest[conditions[rest] == conditions[i]]
-        rest = rest[~(np.abs(np.log(data.level[rest] / data.level[i])) > np.log(DIFFER))]  # reported apart
+        rest = rest[
+            ~(np.abs(np.log(data.level[rest] / data.level[i])) > np.log(MIN_LEVEL_RATIO))
+        ]  # reported apart
         apart = np.linalg.norm(data.points[rest] - data.points[i], axis=1)
         for k in rest[apart <= NEAR]:
             first, second = sorted((int(i), int(k)))
