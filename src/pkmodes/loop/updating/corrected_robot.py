@@ -1,4 +1,4 @@
-"""The robot file as a diagnosis corrects it."""
+"""The robot file corrected by a diagnosis."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ from pkmodes.loop.updating.saved_term import robot_with_term, term_to_save
 def corrections(robot: Robot, diagnosis: Diagnosis) -> Mapping[str, Correction]:
     """Return the changes of the robot file after a diagnosis: refitted values, causes, and their uncertainty.
 
-    The standard deviations include what candidates that the data do not show could have done to the values.  Losses
-    that the damping shows are among the changes; they change no other value.
+    The standard deviations include the possible effect of candidates that the data cannot detect.  Losses found from
+    the damping are among the changes; they change no other value.
     """
-    explained = {value.name for value in widened(diagnosis)}
+    widened_names = {value.name for value in widened(diagnosis)}
     causes = {
         v.name: finding.member(finding.name).assumed
         for finding in diagnosis.every_cause
@@ -43,7 +43,7 @@ def corrections(robot: Robot, diagnosis: Diagnosis) -> Mapping[str, Correction]:
         if assumed := causes.get(value.name):
             note += f", for {assumed}"
         unit = "" if value.unit == "1" else f" {value.unit}"
-        if value.name in explained and value.unseen is not None:
+        if value.name in widened_names and value.unseen is not None:
             done = value.unseen.done
             note += f"; sigma includes what {done} could have done (fit alone: {plain(value.sigma, 2)}{unit})"
         if value.unseen is not None and value.unseen.unbounded:
@@ -63,8 +63,8 @@ def corrections(robot: Robot, diagnosis: Diagnosis) -> Mapping[str, Correction]:
 def covariance(robot: Robot, diagnosis: Diagnosis) -> Covariance | None:
     """Return the covariance of the changed values of the robot file; None if none has a sigma.
 
-    The standard deviations are those of the fit.  What an unseen candidate could have done to a value, which is in
-    its own standard deviation, these data show in no frequency: the candidate and the value make up for each other.
+    The standard deviations are those of the fit, without the effect of unseen candidates on a value: that is part of
+    the saved standard deviation of the value, but changes no frequency, since candidate and value compensate.
     A group such as ``axis.span`` has no standard deviation in a file, so it is left out.
     """
     groups = groups_by_path(robot.mechanism)
@@ -83,7 +83,7 @@ def covariance(robot: Robot, diagnosis: Diagnosis) -> Covariance | None:
     return Covariance(
         tuple(value.name for value, _, _ in fitted_values),
         tuple(
-            # Frequencies say nothing of losses, and ratios nothing else: the errors of the two fits are independent.
+            # Frequencies depend on no loss, and ratios determine nothing else: errors of the fits are independent.
             tuple(fit.correlation[i][k] if fit is other_fit else 0.0 for _, other_fit, k in fitted_values)
             for _, fit, i in fitted_values
         ),

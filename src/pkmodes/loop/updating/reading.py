@@ -71,19 +71,21 @@ def read(
     """
     if not isinstance(path, str | PathLike):
         raise PkmodesError(f"expected a path, found {shown(path)}", "read", "give the name of a CSV file")
-    of = None if robot is None else robot_of(robot)
-    mechanisms = [mechanism(name) for name in names()] if of is None else [of.mechanism]
+    checked_robot = None if robot is None else robot_of(robot)
+    mechanisms = [mechanism(name) for name in names()] if checked_robot is None else [checked_robot.mechanism]
     data = read_measurements(
         path,
         {name: unit for machine in mechanisms for name, unit in channels(machine).items()},
         components=[_components(machine) for machine in mechanisms],
-        settings={name: unit for machine in mechanisms for name, unit in settable(machine, of).items()},
+        settings={
+            name: unit for machine in mechanisms for name, unit in settable(machine, checked_robot).items()
+        },
         drives=None if drives is None else checked_drives(drives),
         state=state,
-        others=dict if of is None else partial(columns_of_others, of.mechanism),
+        others=dict if checked_robot is None else partial(columns_of_others, checked_robot.mechanism),
     )
     return replace(
-        _within(band, data),
+        _with_band(band, data),
         priors=merge_stated(data.priors, priors, "priors"),
         usable=merge_stated(data.usable, usable, "usable"),
     )
@@ -131,10 +133,10 @@ def read_any(
     data = read_measurements(
         path, [name[len(SHAPE) :] for name in file_shapes], positions=False, drives=drives
     )
-    return _within(band, data)
+    return _with_band(band, data)
 
 
-def _within(band: tuple[float, float] | None, data: Measurements) -> Measurements:
+def _with_band(band: tuple[float, float] | None, data: Measurements) -> Measurements:
     """Return measurements with the band of an argument, which may not contradict theirs."""
     if band is None:
         return data

@@ -29,24 +29,30 @@ from pkmodes.loop.updating.candidates import EFFECTS
 from pkmodes.loop.updating.channels import channels, sensors
 from pkmodes.loop.updating.load_cases import LoadCase, LoadCases, payloads
 from pkmodes.loop.updating.losses import rates_of_losses
-from pkmodes.loop.updating.predictions import Moves, Solved, derived, joined_modes, solved_together
+from pkmodes.loop.updating.predictions import (
+    ParameterMotions,
+    SolvedRobots,
+    joined_modes,
+    prediction_along,
+    solve_together,
+)
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
 #: Number of poses drawn around the measured ones for the next measurement, and the random seed.
 DRAWS, SEED = 400, 7
-#: Smallest angle of a rod to its singular direction there [rad].
-LEAST_ANGLE = float(np.radians(10.0))
-#: Kinds of keys of the robot file that define a location or orientation, whatever their dimension.
-WHERE = ("direction", "choice", "signs", "pair")
+#: Smallest angle of a rod to its singular direction at a proposed pose [rad].
+MIN_ROD_ANGLE = float(np.radians(10.0))
+#: Kinds of keys of the robot file that define a location or orientation, regardless of their dimension.
+GEOMETRY_KINDS = ("direction", "choice", "signs", "pair")
 
 
 class Machines(NamedTuple):
-    """The robots of all load cases with one set of values, what is solved for each, and all poses."""
+    """The robots of all load cases with one set of values, the system of each, and all poses."""
 
     robots: list[Robot]
     systems: list[ExtendedSystem]
-    where: Array
+    points: Array
 
 
 class _SolvedSetups(NamedTuple):
@@ -54,16 +60,15 @@ class _SolvedSetups(NamedTuple):
 
     rows: Index
     owners: list[int]
-    at: Solved
+    modes: SolvedRobots
 
 
 class RobotStructure:
     """A robot at P platform poses.
 
     - points: poses, (P, d)
-    - parameters, candidates, moves: from `pkmodes.loop.updating.candidates.suspects`; parameters of the measurement
-    frame
-      have no move
+    - parameters, candidates, parameter_paths: from `pkmodes.loop.updating.candidates.suspects`; parameters of the
+      measurement frame have no path
     - loads: values set at the poses; by default none
     - losses: from `pkmodes.loop.updating.losses.losses_of`; empty if damping is not to be diagnosed
     """
@@ -74,7 +79,7 @@ class RobotStructure:
         points: Array,
         parameters: Sequence[Parameter],
         candidates: Sequence[Candidate],
-        moves: Mapping[str, ParameterPath],
+        parameter_paths: Mapping[str, ParameterPath],
         loads: LoadCases | None = None,
         losses: Sequence[Loss] = (),
     ) -> None:
@@ -89,17 +94,18 @@ class RobotStructure:
             ParameterPath(f"{POSE}.{component.name}", 0.0, component.unit, {(POSE, (i,)): 1.0})
             for i, component in enumerate(self._mechanism.pose)
         )
-        self._moves = dict(moves)
+        self._parameter_paths = dict(parameter_paths)
         self.loads = LoadCases.none(robot, len(self.points)) if loads is None else loads
         self._free_paths = [
-            {name: case.reduced(path) for name, path in self._moves.items()} for case in self.loads.cases
+            {name: case.reduced(path) for name, path in self._parameter_paths.items()}
+            for case in self.loads.cases
         ]
-        self._last: tuple[bytes, list[_SolvedSetups]] | None = None
-        self._latest: tuple[object, Prediction] | None = None
+        self._cached_modes: tuple[bytes, list[_SolvedSetups]] | None = None
+        self._cached_prediction: tuple[object, Prediction] | None = None
 
     def __getstate__(self) -> dict[str, object]:
         # The last modes hold their solver, which cannot be pickled.
-        return {**self.__dict__, "_last": None, "_latest": None}
+        return {**self.__dict__, "_cached_modes": None, "_cached_prediction": None}
 
     @property
     def sensors(self) -> tuple[Sensor, ...]:
@@ -113,17 +119,17 @@ class RobotStructure:
 
     def at(self, points: Array, loads: LoadCases | None = None) -> RobotStructure:
         """Return the same robot at other poses, as declared, or with load cases."""
-        arguments = self.parameters, self.candidates, self._moves
+        arguments = self.parameters, self.candidates, self._parameter_paths
         return type(self)(self.robot, points, *arguments, loads, self.losses)
 
     def extended(
         self,
         parameters: Sequence[Parameter],
-        moves: Mapping[str, ParameterPath],
+        parameter_paths: Mapping[str, ParameterPath],
         candidates: Sequence[Candidate],
     ) -> RobotStructure:
         """Return the same robot with further parameters, the path of each, and other candidates."""
-        arguments = (*self.parameters, *parameters), candidates, {**self._moves, **moves}
+        arguments = (*self.parameters, *parameters), candidates, {**self._parameter_paths, **parameter_paths}
         return type(self)(self.robot, self.points, *arguments, self.loads, self.losses)
 
     def subset(self, setups: Sequence[int]) -> RobotStructure:
@@ -141,34 +147,42 @@ class RobotStructure:
 
     def may_be_held(self, causes: Collection[str]) -> bool:
         """Return whether a measurement with held motors may be proposed: motors that give way only if some were."""
-        if any(self.loads.cases[c].drives == HELD for c in set(self.loads.of.tolist())):
+        if any(self.loads.cases[c].drives == HELD for c in set(self.loads.case_of_setup.tolist())):
             return True
         return not (motors_give_way(self.robot) or motor_springs_among(self._mechanism, causes))
 
     def loaded(self) -> list[tuple[dict[str, float], RobotStructure]]:
         """Return payloads (values by path), each with the robot at its poses under it."""
-        first = np.zeros(len(self.points), dtype=np.intp)
+        case_of_setup = np.zeros(len(self.points), dtype=np.intp)
         cases = [
             (load, LoadCase.of(self.robot, load, self.drives)) for load in payloads(self.robot, self.points)
         ]
-        return [(load, self.at(self.points, LoadCases(tuple(load), (case,), first))) for load, case in cases]
+        return [
+            (load, self.at(self.points, LoadCases(tuple(load), (case,), case_of_setup)))
+            for load, case in cases
+        ]
 
     @np.errstate(over="ignore", invalid="ignore", divide="ignore")  # a fit may try impossible values
     def predict(self, values: Array, by: Sequence[int], *, shape_rates: bool = False) -> Prediction:
         """Return the modes at all poses, with derivatives with respect to some of the parameters."""
         request = values.tobytes(), tuple(by), shape_rates
         if (
-            self._latest is not None and self._latest[0] == request
+            self._cached_prediction is not None and self._cached_prediction[0] == request
         ):  # a fit evaluates the same values more than once
-            return self._latest[1]
-        prediction = self._joined(
+            return self._cached_prediction[1]
+        prediction = self._joined_modes(
             [
-                (part.rows, derived(part.at, self.moved_by(values, by, part.rows, part.owners), shape_rates))
+                (
+                    part.rows,
+                    prediction_along(
+                        part.modes, self.parameter_motions(values, by, part.rows, part.owners), shape_rates
+                    ),
+                )
                 for part in self._at_values(values)
             ]
         )
         if by:
-            self._latest = request, prediction
+            self._cached_prediction = request, prediction
         return prediction
 
     @np.errstate(over="ignore", invalid="ignore", divide="ignore")  # a fit may try impossible values
@@ -181,38 +195,53 @@ class RobotStructure:
         """
         machines = [self.machines(v) for v in values]
         groups: dict[object, list[int]] = {}
-        for k, (at, chosen) in enumerate(zip(machines, by, strict=True)):
-            apart = any(locked_joints(at.systems[c], paths).paths for c, paths in self._paths(chosen).items())
-            groups.setdefault(k if apart else tuple(map(self._key, at.systems)), []).append(k)
-        everywhere = np.ones(len(self.points), dtype=bool)
+        for k, (machine, chosen) in enumerate(zip(machines, by, strict=True)):
+            is_separate = any(
+                locked_joints(machine.systems[c], paths).paths for c, paths in self._paths(chosen).items()
+            )
+            groups.setdefault(
+                k if is_separate else tuple(map(self._evaluation_key, machine.systems)), []
+            ).append(k)
+        all_poses = np.ones(len(self.points), dtype=bool)
         count, batches = len(self.points), []
-        for alike in groups.values():
-            blocks = self._blocks(machines[alike[0]], everywhere)
-            batched = alike if len(alike) > 1 else []
-            parts = _solved_blocks([machines[k] for k in batched], blocks, checked=False)
+        for members in groups.values():
+            blocks = self._blocks(machines[members[0]], all_poses)
+            batched_members = members if len(members) > 1 else []
+            parts = _solved_blocks([machines[k] for k in batched_members], blocks, checked=False)
             if parts is None:
-                batched = [k for k in batched if self.reachable(machines[k]).all()]
-                parts = _solved_blocks([machines[k] for k in batched], blocks, checked=True)
+                batched_members = [k for k in batched_members if self.reachable(machines[k]).all()]
+                parts = _solved_blocks([machines[k] for k in batched_members], blocks, checked=True)
             if parts is None or not all(np.isfinite(part.eigenvalues).all() for part in parts):
-                batched = []
-            for k in (k for k in alike if k not in batched):
+                batched_members = []
+            for k in (k for k in members if k not in batched_members):
                 batches.append(Batch(np.array([k]), self.predict(values[k], by[k], shape_rates=shape_rates)))
-            if batched:
+            if batched_members:
                 assert parts is not None
-                first = count * np.arange(len(batched))[:, None]
+                first_rows = count * np.arange(len(batched_members))[:, None]
                 predictions = []
                 for part, (rows, owners) in zip(parts, blocks, strict=True):
-                    moves = [m for k in batched for m in self.moved_by(values[k], by[k], rows, owners)]
-                    predictions.append(((first + rows).ravel(), derived(part, moves, shape_rates)))
-                batches.append(Batch(np.array(batched), joined_modes(predictions, count * len(batched))))
+                    moves = [
+                        motion
+                        for k in batched_members
+                        for motion in self.parameter_motions(values[k], by[k], rows, owners)
+                    ]
+                    predictions.append(
+                        ((first_rows + rows).ravel(), prediction_along(part, moves, shape_rates))
+                    )
+                batches.append(
+                    Batch(np.array(batched_members), joined_modes(predictions, count * len(batched_members)))
+                )
         return batches
 
     def position_rates(self, values: Array, *, shape_rates: bool = False) -> Prediction:
         """Return the modes at all poses, with derivatives with respect to the platform's position."""
-        moves = Moves(self.shifts, None)
+        motions = ParameterMotions(self.shifts, None)
         parts = self._at_values(values)
-        return self._joined(
-            [(part.rows, derived(part.at, [moves] * len(part.owners), shape_rates)) for part in parts]
+        return self._joined_modes(
+            [
+                (part.rows, prediction_along(part.modes, [motions] * len(part.owners), shape_rates))
+                for part in parts
+            ]
         )
 
     def damping_rates(self, values: Array) -> Array:
@@ -224,27 +253,31 @@ class RobotStructure:
         count = prediction.eigenvalues.shape[1] - prediction.rigid
         rates = np.full((len(self.points), count, len(self.losses)), np.nan)
         for part in self._at_values(values):
-            elastic = rates_of_losses(part.at, self.losses)[:, part.at.system.rigid_modes :]
+            elastic = rates_of_losses(part.modes, self.losses)[:, part.modes.system.rigid_modes :]
             rates[part.rows, : elastic.shape[1]] = elastic
         for c, case in enumerate(self.loads.cases):
-            set_losses = [case.knows((loss.parameter.name.removeprefix(EFFECTS), ())) for loss in self.losses]
-            rates[np.ix_(self.loads.of == c, np.arange(count), np.array(set_losses, dtype=bool))] = np.nan
+            set_losses = [
+                case.is_set((loss.parameter.name.removeprefix(EFFECTS), ())) for loss in self.losses
+            ]
+            rates[
+                np.ix_(self.loads.case_of_setup == c, np.arange(count), np.array(set_losses, dtype=bool))
+            ] = np.nan
         return rates
 
     @property
     def surroundings(self) -> str:
         """What `elsewhere` offers, in words."""
         limits = ["are within [usable]"] if self.robot.usable else []
-        limits += [f"have {not_singular(self._least_angle)}"] if rods_of(self._mechanism) else []
+        limits += [f"have {not_singular(self._min_rod_angle)}"] if rods_of(self._mechanism) else []
         return "reachable poses around the measured ones" + (
             f" that {' and '.join(limits)}" if limits else ""
         )
 
     @property
-    def _least_angle(self) -> float:
+    def _min_rod_angle(self) -> float:
         """Least angle of a rod to its singular direction at a proposed pose [rad]."""
         stated = [bound.value for bound in self.robot.usable.values() if isinstance(bound, SingularAngle)]
-        return max([LEAST_ANGLE, *stated])
+        return max([MIN_ROD_ANGLE, *stated])
 
     def elsewhere(self, count: int) -> tuple[Array, RobotStructure]:
         """Return reachable poses in and around the measured ones, and the robot there, as declared.
@@ -264,48 +297,52 @@ class RobotStructure:
         check = check_poses(drawn, self._mechanism, self.robot.parameters, "nan", MAX_CONDITION / 1e5)
         drawn = drawn[check.valid]
         angles = singular_angles(self._mechanism, self.robot.parameters, drawn)
-        drawn = drawn[inside(self.robot, drawn) & (angles >= self._least_angle).all(axis=-1)][:count]
+        drawn = drawn[inside(self.robot, drawn) & (angles >= self._min_rod_angle).all(axis=-1)][:count]
         return drawn, self.at(drawn, LoadCases.none(self.robot, len(drawn), self.drives))
 
-    def moved_by(self, values: Array, by: Sequence[int], rows: Index, owners: Sequence[int]) -> list[Moves]:
+    def parameter_motions(
+        self, values: Array, by: Sequence[int], rows: Index, owners: Sequence[int]
+    ) -> list[ParameterMotions]:
         """Return the moves of some parameters in the robots of some cases, each at an equal number of setups."""
         names, paths = [self.parameters[i].name for i in by], self._paths(by)
-        moving = [name for name in names if name in self._moves]
-        if len(moving) == len(names):
-            return [Moves(paths[c], None) for c in owners]
+        robot_names = [name for name in names if name in self._parameter_paths]
+        if len(robot_names) == len(names):
+            return [ParameterMotions(paths[c], None) for c in owners]
         # A parameter of the frame moves all poses, each according to its distance from the frame's origin.
-        column_of = {name: k for k, name in enumerate(moving)}
-        mix = np.zeros((len(self.points), len(moving) + len(self.shifts), len(by)))
+        column_of = {name: k for k, name in enumerate(robot_names)}
+        motions = np.zeros((len(self.points), len(robot_names) + len(self.shifts), len(by)))
         for column, name in enumerate(names):
             if name in column_of:
-                mix[:, column_of[name], column] = 1.0
+                motions[:, column_of[name], column] = 1.0
             else:
-                mix[:, len(moving) :, column] = frame.rate(
-                    self._mechanism, name, self.points, self._frame(values)
+                motions[:, len(robot_names) :, column] = frame.pose_rates(
+                    self._mechanism, name, self.points, self._frame_values(values)
                 )
         with_shifts = {c: (*case_paths, *self.shifts) for c, case_paths in paths.items()}
         blocks = rows.reshape(len(owners), -1)
-        return [Moves(with_shifts[c], mix[block]) for c, block in zip(owners, blocks, strict=True)]
+        return [
+            ParameterMotions(with_shifts[c], motions[block]) for c, block in zip(owners, blocks, strict=True)
+        ]
 
     def _paths(self, by: Sequence[int]) -> dict[int, tuple[ParameterPath, ...]]:
         """Return the paths of some parameters of the robot in each load case."""
         names = [self.parameters[i].name for i in by]
         return {
-            c: tuple(free_paths[name] for name in names if name in self._moves)
+            c: tuple(free_paths[name] for name in names if name in self._parameter_paths)
             for c, free_paths in enumerate(self._free_paths)
         }
 
-    def _frame(self, values: Array) -> dict[str, float]:
+    def _frame_values(self, values: Array) -> dict[str, float]:
         """Return the values of the parameters of the measurement frame."""
         named = zip(self.parameters, values, strict=True)
-        return {p.name: float(value) for p, value in named if p.name not in self._moves}
+        return {p.name: float(value) for p, value in named if p.name not in self._parameter_paths}
 
     def machines(self, values: Array) -> Machines:
         """Return the robot of each load case with these values of the parameters."""
         changed = [
-            (p.name, value - self._moves[p.name].value)
+            (p.name, value - self._parameter_paths[p.name].value)
             for p, value in zip(self.parameters, values, strict=True)
-            if p.name in self._moves and value != self._moves[p.name].value
+            if p.name in self._parameter_paths and value != self._parameter_paths[p.name].value
         ]
         cases = self.loads.cases
         robots = [
@@ -313,14 +350,14 @@ class RobotStructure:
             for case, free_paths in zip(cases, self._free_paths, strict=True)
         ]
         systems = [case.system(robot) for case, robot in zip(cases, robots, strict=True)]
-        where = frame.true_points(self._mechanism, self.points, self._frame(values))
-        return Machines(robots, systems, where)
+        true_points = frame.true_points(self._mechanism, self.points, self._frame_values(values))
+        return Machines(robots, systems, true_points)
 
     def _at_values(self, values: Array) -> list[_SolvedSetups]:
         """Return the modes for one set of values; robots that can be are evaluated together."""
         key = values.tobytes()
         if (
-            self._last is None or self._last[0] != key
+            self._cached_modes is None or self._cached_modes[0] != key
         ):  # derivatives are mostly requested where the modes are known
             machines = self.machines(values)
             blocks = self._blocks(machines, np.ones(len(self.points), dtype=bool))
@@ -329,20 +366,23 @@ class RobotStructure:
                 blocks = self._blocks(machines, self.reachable(machines))
                 parts = _solved_blocks([machines], blocks, checked=True)
             assert parts is not None
-            self._last = key, [_SolvedSetups(*block, part) for block, part in zip(blocks, parts, strict=True)]
-        return self._last[1]
+            self._cached_modes = (
+                key,
+                [_SolvedSetups(*block, part) for block, part in zip(blocks, parts, strict=True)],
+            )
+        return self._cached_modes[1]
 
     def _blocks(self, machines: Machines, valid: NDArray[np.bool_]) -> list[tuple[Index, list[int]]]:
         """Return the valid setups of the cases that can be evaluated together, with the cases in their order."""
-        alike: dict[object, list[int]] = {}
+        cases_by_key: dict[object, list[int]] = {}
         for c, system in enumerate(machines.systems):
-            alike.setdefault(self._key(system), []).append(c)
-        return [self.loads.arranged(cases, valid) for cases in alike.values()]
+            cases_by_key.setdefault(self._evaluation_key(system), []).append(c)
+        return [self.loads.setup_blocks(cases, valid) for cases in cases_by_key.values()]
 
-    def _joined(self, parts: Sequence[tuple[Index, Prediction]]) -> Prediction:
+    def _joined_modes(self, parts: Sequence[tuple[Index, Prediction]]) -> Prediction:
         return joined_modes(parts, len(self.points))
 
-    def _key(self, system: ExtendedSystem) -> object:
+    def _evaluation_key(self, system: ExtendedSystem) -> object:
         """Return a key that is the same for robots that can be evaluated together."""
         several = len(self.loads.cases) > 1 and len(system.free) > system.first
         massless = system.massless.tobytes() if several else b""
@@ -350,26 +390,26 @@ class RobotStructure:
 
     def reachable(self, machines: Machines) -> NDArray[np.bool_]:
         """Return a mask of the poses that these robots of the cases reach; declared ones were checked before."""
-        points = machines.where
+        points = machines.points
         reached = np.ones(len(points), dtype=bool)
-        measured = np.array_equal(points, self.points)
+        is_as_measured = np.array_equal(points, self.points)
         for c, (robot, case) in enumerate(zip(machines.robots, self.loads.cases, strict=True)):
-            if not (measured and _same_geometry(self._mechanism, robot, case.robot)):
-                rows = np.flatnonzero(self.loads.of == c)
+            if not (is_as_measured and _same_geometry(self._mechanism, robot, case.robot)):
+                rows = np.flatnonzero(self.loads.case_of_setup == c)
                 reached[rows] = check_poses(points[rows], self._mechanism, robot.parameters, "nan").valid
         return reached
 
 
 def _solved_blocks(
     sets: Sequence[Machines], blocks: Sequence[tuple[Index, list[int]]], *, checked: bool
-) -> list[Solved] | None:
+) -> list[SolvedRobots] | None:
     """Return the modes of each block of cases for all sets of values; None if not all are solved."""
     parts = []
     for rows, owners in blocks:
-        robots = [at.robots[c] for at in sets for c in owners]
-        systems = [at.systems[c] for at in sets for c in owners]
-        points = [at.where[rows] for at in sets]
-        part = solved_together(robots, systems, np.concatenate(points), checked=checked) if sets else None
+        robots = [machines.robots[c] for machines in sets for c in owners]
+        systems = [machines.systems[c] for machines in sets for c in owners]
+        points = [machines.points[rows] for machines in sets]
+        part = solve_together(robots, systems, np.concatenate(points), checked=checked) if sets else None
         if part is None:
             return None
         parts.append(part)
@@ -379,7 +419,11 @@ def _solved_blocks(
 @cache
 def _geometry(mechanism: Mechanism) -> tuple[str, ...]:
     """Return the generated parameters that determine which poses a robot reaches."""
-    keys = [key for key in declared(mechanism) if key.kind in WHERE or key.dimension in ("length", "angle")]
+    keys = [
+        key
+        for key in declared(mechanism)
+        if key.kind in GEOMETRY_KINDS or key.dimension in ("length", "angle")
+    ]
     return tuple(dict.fromkeys(key.field for key in keys))
 
 

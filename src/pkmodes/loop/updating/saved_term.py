@@ -1,4 +1,4 @@
-"""What a diagnosis found beyond the catalogue, to keep it: an effect for the derivation, and the robot with it."""
+"""Saves a term that a diagnosis found beyond the catalogue: an effect for the derivation, and the robot with it."""
 
 from __future__ import annotations
 
@@ -40,12 +40,12 @@ def effect_text(result: Diagnosis, where: str = "effect_text") -> str:
     if best.forms[term] == DECLARED:
         problem = f"there is no effect to write: {term} is a value of the robot file"
         raise OutputError(problem, where, "write the robot with that value: --save-robot FILE.toml")
-    ends, _, along = place.partition(".")
+    ends, _, direction = place.partition(".")
     noun = best.finding.member(term).words
     values = ", ".join(
         f"{best.quantity(term, value)} {value.rounded} {value.unit}" for value in best.finding.parameters
     )
-    arguments = [*(f'"{end}"' for end in ends.split("/")), *([f'along="{along}"'] if along else [])]
+    arguments = [*(f'"{end}"' for end in ends.split("/")), *([f'along="{direction}"'] if direction else [])]
     arguments += [f'name="{effect_name(term)}"', f'sentence="there is {noun}"']
     lines = "".join(f"    {argument},\n" for argument in arguments)
     return (
