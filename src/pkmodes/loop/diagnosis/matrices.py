@@ -17,7 +17,7 @@ from pkmodes.loop.diagnosis.problem import (
     Parameter,
     Prediction,
     Structure,
-    one_by_one,
+    predict_one_by_one,
 )
 from pkmodes.loop.diagnosis.structure.checks import (
     check_callables,
@@ -214,7 +214,7 @@ class MatrixStructure:
         self, values: Array, by: Sequence[Sequence[int]], *, shape_rates: bool = False
     ) -> list[Batch]:
         """Return the modes for several sets of values, one by one."""
-        return one_by_one(self, values, by, shape_rates=shape_rates)
+        return predict_one_by_one(self, values, by, shape_rates=shape_rates)
 
     def position_rates(self, values: Array, *, shape_rates: bool = False) -> None:
         """Return None: setups have no position."""

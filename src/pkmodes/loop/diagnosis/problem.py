@@ -375,7 +375,7 @@ class Damped(Protocol):
         """
 
 
-def one_by_one(
+def predict_one_by_one(
     structure: Structure, values: Array, by: Sequence[Sequence[int]], *, shape_rates: bool = False
 ) -> list[Batch]:
     """Return the result of `Structure.predict_many` with one batch for each set of values."""

@@ -64,8 +64,8 @@ def decode(content: bytes, errors: str = "strict") -> str:
     return content.decode("utf-16" if content.startswith(UTF_16) else "utf-8-sig", errors)
 
 
-def _refuse(what: str, where: str, remedy: str) -> NoReturn:
-    raise MeasurementError(what, where, remedy) from None
+def _refuse(problem: str, where: str, remedy: str) -> NoReturn:
+    raise MeasurementError(problem, where, remedy) from None
 
 
 def read_text(

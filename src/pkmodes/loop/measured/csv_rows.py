@@ -22,7 +22,7 @@ from pkmodes.loop.measured.rules import (
     SHAPE,
     BrokenRuleError,
     Problem,
-    Quoted,
+    QuotedNumber,
     message,
     refuse,
 )
@@ -263,7 +263,7 @@ def _rotations_in_degrees(
                 break
 
 
-def _as_written(quoted: Quoted, columns: Sequence[HeaderColumn], lines: CsvLines) -> str:
+def _as_written(quoted: QuotedNumber, columns: Sequence[HeaderColumn], lines: CsvLines) -> str:
     """Format a number as in its cell, with the header's unit; also in SI units if these differ."""
     number = format(quoted.value, quoted.digits)
     index = [column.name for column in columns].index(quoted.column)

@@ -133,8 +133,8 @@ def read_header(
     return columns
 
 
-def _refuse(what: str, where: str, remedy: str) -> NoReturn:
-    raise MeasurementError(what, where, remedy)
+def _refuse(problem: str, where: str, remedy: str) -> NoReturn:
+    raise MeasurementError(problem, where, remedy)
 
 
 def owners(names: Sequence[str], by_machine: Mapping[str, Collection[str]]) -> str:
@@ -154,13 +154,13 @@ def _refuse_all_unknown(
         earlier_names = {split_unit(meaning)[0] for meaning in meant.values()}
         if meaning := likely_meaning(cell, known_columns, {*taken, *earlier_names}):
             meant[i] = meaning
-    rest = [i for i in cells if i not in meant]
-    listing = [shown(cells[i]) if cells[i] else "one without a name" for i in (*meant, *rest)]
-    places = joined([str(i + 1) for i in cells])
+    unexplained = [i for i in cells if i not in meant]
+    listing = [shown(cells[i]) if cells[i] else "one without a name" for i in (*meant, *unexplained)]
+    column_numbers = joined([str(i + 1) for i in cells])
     likely = ", ".join(f'{shown(cells[i])} -> "{meaning}"' for i, meaning in meant.items())
     remedy = f"likely meanings: {likely}; rename these" if meant else "remove them, or correct their names"
-    remedy += ", and remove the others" if meant and rest else ""
-    _refuse(f"unknown columns {', '.join(listing)}", f"{where}, columns {places}", remedy)
+    remedy += ", and remove the others" if meant and unexplained else ""
+    _refuse(f"unknown columns {', '.join(listing)}", f"{where}, columns {column_numbers}", remedy)
 
 
 def _refuse_unknown(name: str, place: str, known_columns: Sequence[str], taken: Collection[str]) -> NoReturn:

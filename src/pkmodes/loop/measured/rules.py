@@ -30,7 +30,7 @@ SET = "set:"
 PRINTABLE_REMEDY = "write a name in printable characters"
 
 
-class Quoted(NamedTuple):
+class QuotedNumber(NamedTuple):
     """A number quoted in a message: its row and column, its value in SI units, and its format."""
 
     row: int
@@ -44,7 +44,7 @@ class Problem(NamedTuple):
 
     row: int
     column: str
-    what: str | tuple[str | Quoted, ...]
+    what: str | tuple[str | QuotedNumber, ...]
     remedy: str
 
 
@@ -61,7 +61,7 @@ class BrokenRuleError(MeasurementError):
         return type(self), (self.problem, self.where)
 
 
-def message(problem: Problem, show: Callable[[Quoted], str]) -> str:
+def message(problem: Problem, show: Callable[[QuotedNumber], str]) -> str:
     """Return the message of a problem, with its numbers formatted by `show`."""
     parts = (problem.what,) if isinstance(problem.what, str) else problem.what
     return "".join(part if isinstance(part, str) else show(part) for part in parts)
@@ -124,8 +124,8 @@ def value_problems(data: Columns, first: Integers) -> Iterator[Problem]:
         low, high = data.band
         expected = f"a frequency in the band from {low:.10g} Hz to {high:.10g} Hz"
         band_range = Range(low, high, expected, "correct the row or the band", blank=False)
-        inside = band_range.holds(data.frequency) | ~FREQUENCY.value.range.holds(data.frequency)
-        yield from _problems_where_not(FREQUENCY.value.column, data.frequency, inside, band_range, rows)
+        is_in_band = band_range.holds(data.frequency) | ~FREQUENCY.value.range.holds(data.frequency)
+        yield from _problems_where_not(FREQUENCY.value.column, data.frequency, is_in_band, band_range, rows)
     for k, name in enumerate(data.channels):
         component = Range(-LARGEST, LARGEST, "a finite shape component", "leave it blank if unknown")
         yield from _range_problems(f"{SHAPE}{name}", data.shapes[:, k], component, rows)
@@ -169,7 +169,7 @@ def _problems_where_not(
         exceeds_largest = of_quantity and allowed.largest == LARGEST < values[i] < np.inf
         expected = f"{allowed.expected} (at most {LARGEST:g})" if exceeds_largest else allowed.expected
         row = int(rows[i])
-        problem = (f"expected {expected}, found ", Quoted(row, column, float(values[i])))
+        problem = (f"expected {expected}, found ", QuotedNumber(row, column, float(values[i])))
         yield Problem(row, column, problem, allowed.remedy)
 
 
@@ -180,15 +180,15 @@ def is_label(text: str) -> bool:
 
 def text_problems(data: Columns, first: Integers) -> Iterator[Problem]:
     """Yield labels and mode numbers that are not printable, labels that are repeated, and unknown `drives`."""
-    earlier: set[str] = set()
+    earlier_labels: set[str] = set()
     for i, label in zip(first.tolist(), data.labels, strict=True):
         if not is_label(label):
             yield Problem(i, "pose", f"expected a label, found {shown(label)}", PRINTABLE_REMEDY)
-        if label in earlier:
+        if label in earlier_labels:
             yield Problem(
                 i, "pose", f"two poses have the label {shown(label)}", "give each pose a unique label"
             )
-        earlier.add(label)
+        earlier_labels.add(label)
     for i, word in zip(first.tolist(), data.drives, strict=True):
         if word not in DRIVES:
             problem = f'expected "free" or "held", found {shown(word)}'
@@ -217,9 +217,9 @@ def position_problems(data: Columns, points: Array, spreads: Array) -> Iterator[
                 name,
                 (
                     f"pose {shown(data.labels[pose])} has two {kind}: {name} is ",
-                    Quoted(first_row, name, float(poses[pose, k]), ".10g"),
+                    QuotedNumber(first_row, name, float(poses[pose, k]), ".10g"),
                     f" in line {data.lines[first_row]} and ",
-                    Quoted(int(i), name, float(rows[i, k]), ".10g"),
+                    QuotedNumber(int(i), name, float(rows[i, k]), ".10g"),
                     " here",
                 ),
                 "give each pose a unique label",
@@ -249,7 +249,9 @@ def _values_that_differ(
         pose = data.pose[i]
         first_row = int(first[pose])
         pair = [(first_row, float(expected[i])), (int(i), float(rows[i]))]
-        first_value, row_value = ("blank" if np.isnan(v) else Quoted(row, name, v, ".10g") for row, v in pair)
+        first_value, row_value = (
+            "blank" if np.isnan(v) else QuotedNumber(row, name, v, ".10g") for row, v in pair
+        )
         problem = f"pose {shown(data.labels[pose])} has two values: {name} is "
         yield Problem(
             int(i),

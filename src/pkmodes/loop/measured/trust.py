@@ -55,12 +55,12 @@ def cautions_of(
         cautions.append("close_modes")
     if mac is not None and mac < MIN_MAC:
         cautions.append("low_mac")
-    if differs and shape is not None and shape.p_value is not None and not _changed(shape):
+    if differs and shape is not None and shape.p_value is not None and not _shape_changed(shape):
         cautions.append("same_shape")
     return cautions
 
 
-def _changed(shape: ShapeChange) -> bool:
+def _shape_changed(shape: ShapeChange) -> bool:
     """Return whether a shape changed, as a whole or at a place."""
     places = [*shape.components, *shape.curvatures]
     return (shape.p_value is not None and shape.p_value <= LEVEL) or any(place.differs for place in places)
@@ -74,9 +74,11 @@ def notes_on_shapes(pairs: Sequence[ModePair], energies: Sequence[StrainEnergyCh
             f"No mode has a shape at {MIN_CHANNELS} or more channels of both files: shapes do not show where "
             "anything changed."
         )
-    elif lines := _lines(pairs, "few_channels"):
+    elif lines := _line_list(pairs, "few_channels"):
         notes.append(f"{lines}: no shape at {MIN_CHANNELS} or more channels of both files.")
-    notes += [f"{lines}: {why}" for caution, why in SENTENCES.items() if (lines := _lines(pairs, caution))]
+    notes += [
+        f"{lines}: {why}" for caution, why in SENTENCES.items() if (lines := _line_list(pairs, caution))
+    ]
     trusted = [pair.shape for pair in pairs if pair.shape and not NO_PLACE.intersection(pair.cautions)]
     curvature_differs = any(place.differs for shape in trusted for place in shape.curvatures)
     if curvature_differs or any(energy.differs for energy in energies):
@@ -93,7 +95,7 @@ def notes_on_shapes(pairs: Sequence[ModePair], energies: Sequence[StrainEnergyCh
     return notes
 
 
-def _lines(pairs: Sequence[ModePair], caution: str) -> str:
+def _line_list(pairs: Sequence[ModePair], caution: str) -> str:
     """Return the lines of the first file with a caution in words; empty without any."""
     lines = [str(pair.first_line) for pair in pairs if caution in pair.cautions]
     if not lines:
@@ -109,17 +111,17 @@ def notes_on_poses(
 ) -> list[str]:
     """Return the poses at which the two measurements were made in different conditions, in sentences."""
     notes = []
-    loaded = [first.labels[i] for i, j in pose_pairs if first.load(i) != second.load(j)]
-    if loaded:
+    loaded_labels = [first.labels[i] for i, j in pose_pairs if first.load(i) != second.load(j)]
+    if loaded_labels:
         notes.append(
-            f"Pose {loaded[0]}{_and_others(loaded)}: columns set: differ; the changes include the effect of the "
-            "other load."
+            f"Pose {loaded_labels[0]}{_and_others(loaded_labels)}: columns set: differ; the changes include the "
+            "effect of the other load."
         )
-    moved = [first.labels[i] for i, j in pose_pairs if _positions_differ(first, second, i, j)]
-    if moved:
+    moved_labels = [first.labels[i] for i, j in pose_pairs if _positions_differ(first, second, i, j)]
+    if moved_labels:
         notes.append(
-            f"Pose {moved[0]}{_and_others(moved)}: the positions differ; the changes include the effect of the "
-            "other position."
+            f"Pose {moved_labels[0]}{_and_others(moved_labels)}: the positions differ; the changes include the "
+            "effect of the other position."
         )
     return notes
 

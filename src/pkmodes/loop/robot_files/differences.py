@@ -127,7 +127,7 @@ def _relative(first: float | None, second: float | None) -> float | None:
 
 def _correlations(first: Declaration, second: Declaration) -> Iterator[ChoiceDifference]:
     """Yield one entry if the errors of values are correlated differently."""
-    first_pairs, second_pairs = (_pairs(robot) for robot in (first, second))
+    first_pairs, second_pairs = (_correlation_by_pair(robot) for robot in (first, second))
     before, after = _correlation_words(first_pairs), _correlation_words(second_pairs)
     if first_pairs != second_pairs:
         largest_difference = max(
@@ -144,7 +144,7 @@ def _correlations(first: Declaration, second: Declaration) -> Iterator[ChoiceDif
         yield ChoiceDifference(COVARIANCE, before, f"{after}, the same with other standard deviations")
 
 
-def _pairs(robot: Declaration) -> dict[frozenset[str], float]:
+def _correlation_by_pair(robot: Declaration) -> dict[frozenset[str], float]:
     """Return the correlation of each pair of values that are correlated."""
     return {
         frozenset((table.paths[i], table.paths[k])): rate

@@ -102,9 +102,9 @@ def _edits_of(changes: Mapping[str, Correction], robot: Declaration) -> dict[str
     return edits
 
 
-def _refuse(what: str, where: str, remedy: str) -> NoReturn:
+def _refuse(problem: str, where: str, remedy: str) -> NoReturn:
     """Raise the error of a robot that cannot be saved."""
-    raise OutputError(what, where, remedy) from None
+    raise OutputError(problem, where, remedy) from None
 
 
 def save_corrected(

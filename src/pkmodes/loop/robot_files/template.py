@@ -133,14 +133,14 @@ def _with_usual_sigmas(mechanism: Mechanism, document: Mapping[str, Any]) -> dic
         if raw is None or isinstance(raw, Mapping) or key.kind != "quantity" or not sigma:
             continue
         if schema.quantity(raw, key.dimension).value:
-            _value_in(completed, item, up=1)[key.name] = {"value": raw, "sigma": sigma}
+            _value_in(completed, item, levels_up=1)[key.name] = {"value": raw, "sigma": sigma}
     return completed
 
 
-def _value_in(document: Mapping[str, Any], item: Item, up: int = 0) -> Any:
+def _value_in(document: Mapping[str, Any], item: Item, levels_up: int = 0) -> Any:
     """Return the value of a key in a parsed file, or the table that has it; None if there is none."""
     node: Any = document
-    for part in item.place[: len(item.place) - up]:
+    for part in item.place[: len(item.place) - levels_up]:
         node = node[part] if isinstance(part, int) else node.get(part)
         if node is None:
             return None
@@ -181,16 +181,19 @@ def _key_lines(key: Key, path: str, section: Mapping[str, Any], table_descriptio
     description = key.name if key.description == table_description else key.description
     instruction = measuring_method(path, key.dimension).instruction
     description += f"; by default the middle of {key.middle_of}" if key.middle_of else ""
-    comment = f"{description} [{_accepted(key)}]" + (f"; {instruction}" if instruction else "")
+    comment = f"{description} [{_accepted_values(key)}]" + (f"; {instruction}" if instruction else "")
     yield from (
         _comment_lines(comment)
         if len(comment) <= WIDTH - 2
-        else [*_comment_lines(f"{description} [{_accepted(key)}];"), *_comment_lines(instruction, "#   ")]
+        else [
+            *_comment_lines(f"{description} [{_accepted_values(key)}];"),
+            *_comment_lines(instruction, "#   "),
+        ]
     )
     yield _line(key, section.get(key.name))
 
 
-def _accepted(key: Key) -> str:
+def _accepted_values(key: Key) -> str:
     """Return the SI unit of a key and its bounds, or its choices."""
     if key.kind in ("choice", "one_of", "signs"):
         return f"{'each ' if key.kind == 'signs' else ''}{' or '.join(map(str, key.choices))}"

@@ -56,7 +56,7 @@ class Changes:
     - names: the same as they are shown, length T: ``1/...`` for one that acts like the reciprocal
     - frequencies: in Hz, (m,)
     - changes: for a rise of each quantity, (T, m) [Hz]
-    - together: by sigma, (m,): the standard deviation of each frequency, from all quantities [Hz]
+    - combined: by sigma, (m,): the standard deviation of each frequency, from all quantities [Hz]
     """
 
     by: str
@@ -64,7 +64,7 @@ class Changes:
     names: tuple[tuple[str, ...], ...]
     frequencies: Array
     changes: Array
-    together: Array | None
+    combined: Array | None
 
     def largest(self, mode: int, limit: int | None = None) -> list[int]:
         """Return the quantities that change a mode (counted from 0), the largest change first."""

@@ -23,7 +23,7 @@ from pkmodes.core.solve.solver import EIGENVALUES, Codes, Solver
 from pkmodes.core.system.evaluation import Evaluation, ExtendedSystem, may_be_refused, number_of_modes
 from pkmodes.loop.sensitivity.locked import LockedJoints, joints_of
 from pkmodes.loop.sensitivity.matrices import POSE, MatrixDerivatives, effect_fields
-from pkmodes.loop.sensitivity.modes import ROUNDING, separate
+from pkmodes.loop.sensitivity.modes import ROUNDING, are_separate
 from pkmodes.loop.sensitivity.paths import ParameterPath
 
 Array = NDArray[np.float64]
@@ -146,7 +146,7 @@ def _coincident_modes(
 ) -> NDArray[np.bool_]:
     """Return where modes form a group; with `include_zero` also of those whose frequency is zero to rounding."""
     sizes = magnitude(eigenvalues, system.first, system.rigid_modes, system.loose_motions)
-    coincident = ~separate(eigenvalues, close, sizes)
+    coincident = ~are_separate(eigenvalues, close, sizes)
     if not include_zero:
         is_nonzero = np.abs(eigenvalues) > ROUNDING * sizes
         coincident &= is_nonzero[:, 1:] | is_nonzero[:, :-1]
@@ -186,7 +186,7 @@ class CompiledDerivatives(MatrixDerivatives):
             return super()._dense
         dM, dK = (self._compiled[name] for name in RATES_OF_MATRICES)
         for matrix in (dM, dK):
-            matrix[:, list(self.locked)] = np.nan
+            matrix[:, list(self.locked_paths)] = np.nan
         return dM, dK
 
     def eigenvalues(self, eigenvalues: Array, shapes: Array) -> Array:

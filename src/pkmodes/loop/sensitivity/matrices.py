@@ -70,10 +70,10 @@ def geometry_of(mechanism: Mechanism) -> frozenset[str]:
     fields = {field for field, *_ in mechanism.extended.GEOMETRY_SENSITIVITIES}
     fields |= {field for field, counterpart in mechanism.differences.items() if counterpart in fields}
     # Effect parameters that change that motion of the sample robot at a regular pose.
-    plain, extended, p = sample(mechanism), mechanism.extended, sample_pose(mechanism)
+    parameters, extended, p = sample(mechanism), mechanism.extended, sample_pose(mechanism)
     for field, dotted in effect_fields(mechanism).items():
-        moved = extended.Effects(**{field: STEP * 1j})
-        motion = Generated(extended, plain, moved).extended_platform_motion(p)
+        stepped_effects = extended.Effects(**{field: STEP * 1j})
+        motion = Generated(extended, parameters, stepped_effects).extended_platform_motion(p)
         if np.imag(motion).any():
             fields.add(dotted)
     return frozenset(fields)
@@ -88,7 +88,7 @@ class MatrixDerivatives:
     - p: valid poses, robot by robot, (N, d)
     - paths: T paths for each robot, length B
     - matrices: M and K in all coordinates, if they were evaluated already
-    - locked: from `locked_joints`, if known
+    - locked_paths: from `locked_joints`, if known
 
     Its attributes:
     - size: e, the number of base and all released coordinates
@@ -108,14 +108,14 @@ class MatrixDerivatives:
         self.free, self.size = system.free, len(system.mechanism.extended.COORDINATES)
         self._matrices = matrices
         self.locked_joints = locked_joints(system, paths[0]) if locked is None else locked
-        if self.locked and len(paths) > 1:
+        if self.locked_paths and len(paths) > 1:
             raise ValueError(
                 "robots with derivatives with respect to locked joints must be evaluated one by one"
             )
         self._paths, self._robots_and_poses = paths, (len(paths), len(p) // len(paths))
 
     @property
-    def locked(self) -> tuple[int, ...]:
+    def locked_paths(self) -> tuple[int, ...]:
         """Indices of the paths that are compliances of locked joints."""
         return self.locked_joints.paths
 
@@ -174,7 +174,7 @@ class MatrixDerivatives:
         else:
             counts = (sum(len(entry[k]) for entry in extended.GEOMETRY_SENSITIVITIES) for k in (2, 3))
             geometry = tuple(np.zeros((len(self._p), count)) for count in counts)
-        of_M, of_K = (np.hstack(both) for both in zip(values, geometry, strict=True))
+        of_M, of_K = (np.hstack(arrays) for arrays in zip(values, geometry, strict=True))
         return of_M, of_K
 
     @cached_property
@@ -185,8 +185,8 @@ class MatrixDerivatives:
         """
         if not self._pose_shift.any():
             return None
-        moved = self._p + STEP * 1j * np.eye(self._p.shape[-1])[:, None]
-        M, K_el, K_g = self.system.generated.extended_matrices(moved)
+        stepped_poses = self._p + STEP * 1j * np.eye(self._p.shape[-1])[:, None]
+        M, K_el, K_g = self.system.generated.extended_matrices(stepped_poses)
         dM, dK = (np.moveaxis(np.imag(a) / STEP, 0, 1) for a in (M, K_el + K_g))
         return dM, dK
 
@@ -238,7 +238,7 @@ class MatrixDerivatives:
             if matrix == 1:
                 diagonal = np.arange(full.shape[-1])
                 full[..., diagonal, diagonal] += self._springs[robot]
-            full[:, list(self.locked)] = np.nan
+            full[:, list(self.locked_paths)] = np.nan
             derivatives.append(full[..., self.free[:, None], self.free])
         return derivatives[0], derivatives[1]
 
@@ -275,9 +275,9 @@ class MatrixDerivatives:
 
     def _add_locked(self, rates: Array, eigenvalues: Array, shapes: Array) -> None:
         """Add the derivatives of eigenvalues with respect to the compliances of locked joints, (N, m, T)."""
-        if self.locked:
+        if self.locked_paths:
             force, _, _ = self._released(eigenvalues, shapes)
-            rates[..., list(self.locked)] -= force**2 @ self.locked_joints.weights.T
+            rates[..., list(self.locked_paths)] -= force**2 @ self.locked_joints.weights.T
 
     def changes(self, eigenvalues: Array, shapes: Array, poses: Index | None = None) -> tuple[Array, Array]:
         """Evaluate (dK - lambda dM) phi, (N, T, m, n), and phi^T dM phi, (N, T, m), along each path.
@@ -286,12 +286,12 @@ class MatrixDerivatives:
         - poses: those requested, by default all
         """
         dM, dK = self.dense(poses)
-        chosen = slice(None) if poses is None else poses
-        modes = np.swapaxes(shapes[chosen], -1, -2)[:, None]
+        selected = slice(None) if poses is None else poses
+        modes = np.swapaxes(shapes[selected], -1, -2)[:, None]
         inertia = dM @ modes
-        change = np.swapaxes(dK @ modes - inertia * eigenvalues[chosen, None, None], -1, -2)
-        norm = np.einsum("nia,ntai->nti", shapes[chosen], inertia)
-        return self._with_locked(change, norm, eigenvalues, shapes, chosen)
+        change = np.swapaxes(dK @ modes - inertia * eigenvalues[selected, None, None], -1, -2)
+        norm = np.einsum("nia,ntai->nti", shapes[selected], inertia)
+        return self._with_locked(change, norm, eigenvalues, shapes, selected)
 
     def _with_locked(
         self,
@@ -302,13 +302,13 @@ class MatrixDerivatives:
         poses: Index | slice = slice(None),
     ) -> tuple[Array, Array]:
         """Insert the changes by compliances of locked joints into the results of `changes`."""
-        if self.locked:
+        if self.locked_paths:
             # -B^T B phi at each mode's eigenvalue, plus the springs of the path's joints that are not locked, and
             # the change of the modal mass due to the motion of the joint.
             _, locked_change, locked_norm = self._released(eigenvalues, shapes)
             springs = self.locked_joints.springs[:, self.free]
             locked_change = springs[:, None] * shapes[:, None] + locked_change
-            locked = list(self.locked)
+            locked = list(self.locked_paths)
             change[:, locked], norm[:, locked] = locked_change[poses], locked_norm[poses]
         return change, norm
 
@@ -319,7 +319,7 @@ class MatrixDerivatives:
     def locked_motions(self, eigenvalues: Array, shapes: Array) -> Array:
         """Compute the deflection of locked joints under their forces along the paths in `locked`, (N, L, m, e)."""
         force, locked = self._released(eigenvalues, shapes)[0], self.locked_joints
-        motions = np.zeros((len(shapes), len(self.locked), shapes.shape[1], self.size))
+        motions = np.zeros((len(shapes), len(self.locked_paths), shapes.shape[1], self.size))
         motions[..., locked.joints] = -force[:, None] * locked.weights[:, None]
         return motions
 

@@ -25,7 +25,7 @@ Index = NDArray[np.intp]
 ROUNDING = 1e-13
 
 
-def groups(eigenvalues: Array, close: float, magnitude: Array) -> Index:
+def group_modes(eigenvalues: Array, close: float, magnitude: Array) -> Index:
     """Number the groups of modes whose eigenvalues differ by less than a fraction of their size.
 
     - eigenvalues: ascending, (..., m)
@@ -35,25 +35,25 @@ def groups(eigenvalues: Array, close: float, magnitude: Array) -> Index:
 
     Returns (..., m): the same number for the members of a group, ascending from 0.
     """
-    is_separate = separate(eigenvalues, close, magnitude)
+    is_separate = are_separate(eigenvalues, close, magnitude)
     first = np.zeros((*eigenvalues.shape[:-1], 1), dtype=np.intp)
     return np.concatenate([first, np.cumsum(is_separate, axis=-1)], axis=-1)
 
 
-def separate(eigenvalues: Array, close: float, magnitude: Array) -> NDArray[np.bool_]:
-    """Return which neighbouring modes do not belong to one group, (..., m - 1); see `groups`."""
+def are_separate(eigenvalues: Array, close: float, magnitude: Array) -> NDArray[np.bool_]:
+    """Return which neighbouring modes do not belong to one group, (..., m - 1); see `group_modes`."""
     size = np.abs(eigenvalues)
     rounding = ROUNDING * magnitude[..., 1:]
     larger = np.maximum(size[..., 1:], size[..., :-1])
     return np.asarray(np.diff(eigenvalues, axis=-1) > np.maximum(close * larger, rounding))
 
 
-def branches(change: Array, shapes: Array, group: Index) -> Array:
+def branch_rates(change: Array, shapes: Array, group: Index) -> Array:
     """Compute the eigenvalue derivatives of one system; in each group those of its branches, ascending.
 
     - change: (dK - lambda_i dM) phi_i for each parameter, (T, m, n)
     - shapes: (m, n)
-    - group: from `groups`, (m,)
+    - group: from `group_modes`, (m,)
 
     Returns (T, m).
     """
@@ -90,8 +90,8 @@ def mode_derivatives(
     - shapes: mass-normalised, (m, n)
     - change: (dK - lambda_i dM) phi_i for each parameter, (T, m, n)
     - norm: phi_i^T dM phi_i, (T, m)
-    - group: from `groups`, (m,)
-    - magnitude: as for `groups`, (m,); each mode's equations are scaled with it
+    - group: from `group_modes`, (m,)
+    - magnitude: as for `group_modes`, (m,); each mode's equations are scaled with it
 
     Returns, in this order:
     - d_eigenvalues: in a group, those of the branches, ascending, (T, m)
@@ -99,10 +99,10 @@ def mode_derivatives(
     """
     sizes = np.bincount(group)
     if len(sizes) == len(group):
-        return _of_simple(M, K, eigenvalues, shapes, change, norm, magnitude)
+        return _simple_mode_derivatives(M, K, eigenvalues, shapes, change, norm, magnitude)
     d_eigenvalues, d_shapes = np.empty(change.shape[:2]), np.empty(change.shape)
     simple = np.flatnonzero(sizes[group] == 1)
-    d_eigenvalues[:, simple], d_shapes[:, simple] = _of_simple(
+    d_eigenvalues[:, simple], d_shapes[:, simple] = _simple_mode_derivatives(
         M, K, eigenvalues[simple], shapes[simple], change[:, simple], norm[:, simple], magnitude[simple]
     )
     for number in np.flatnonzero(sizes > 1):
@@ -126,7 +126,7 @@ def mode_derivatives(
     return d_eigenvalues, d_shapes
 
 
-def _of_simple(
+def _simple_mode_derivatives(
     M: Array, K: Array, eigenvalues: Array, shapes: Array, change: Array, norm: Array, magnitude: Array
 ) -> tuple[Array, Array]:
     """Compute derivatives of k modes that form no group, from their bordered systems together."""

@@ -40,7 +40,7 @@ class ParameterPath:
 
 def paths(robot: Robot) -> tuple[str, ...]:
     """Return every path that `resolve` accepts for this robot: shared quantities, those of each entry, effects."""
-    return tuple(_available(robot))
+    return tuple(_variable_quantities(robot))
 
 
 def resolve(robot: Robot, path: str) -> ParameterPath:
@@ -56,7 +56,7 @@ def resolve(robot: Robot, path: str) -> ParameterPath:
 
 def resolve_all(robot: Robot, requested: Iterable[str | ParameterPath]) -> list[ParameterPath]:
     """Resolve several paths, as `resolve` does; those that are resolved already stay as they are."""
-    available = _available(robot)
+    available = _variable_quantities(robot)
     return [
         path if isinstance(path, ParameterPath) else _resolve_one(robot, path, available)
         for path in requested
@@ -116,7 +116,7 @@ def change_quantities(robot: Robot, changes: Iterable[tuple[ParameterPath, float
     return replace(robot, parameters=robot.parameters._replace(**values), effects=effects)
 
 
-def _available(robot: Robot) -> dict[str, UnitAndWeights]:
+def _variable_quantities(robot: Robot) -> dict[str, UnitAndWeights]:
     """Return all quantities that can vary: of the robot as a whole and shared ones, groups, entries, and effects."""
     mechanism, available = robot.mechanism, dict[str, UnitAndWeights]()
     items_by_path, shared = by_path(mechanism), takers(mechanism)

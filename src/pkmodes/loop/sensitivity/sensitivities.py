@@ -31,7 +31,7 @@ from pkmodes.core.system.motors import MotorsHeld, solved_system
 from pkmodes.loop.sensitivity.compiled import RATES, derivatives_of, rates_job, terms_of
 from pkmodes.loop.sensitivity.locked import LockedJoints, locked_joints
 from pkmodes.loop.sensitivity.matrices import MatrixDerivatives
-from pkmodes.loop.sensitivity.modes import ROUNDING, branches, groups, mode_derivatives
+from pkmodes.loop.sensitivity.modes import ROUNDING, branch_rates, group_modes, mode_derivatives
 from pkmodes.loop.sensitivity.paths import ParameterPath, paths, resolve_all
 
 Array = NDArray[np.float64]
@@ -103,7 +103,7 @@ class Sensitivities(ChosenFields):
     eigenvalues: Array = field(init=False)
     frequencies: Array = field(init=False)
     shapes: Array = field(init=False)
-    groups: NDArray[np.intp] = field(init=False)
+    group_modes: NDArray[np.intp] = field(init=False)
 
 
 class ResolvedPaths:
@@ -219,7 +219,7 @@ def sensitivities_at(
         If a path is unknown (the message suggests the nearest), or a field or an array in `out` is invalid as
         in `modes`.
     """
-    resolved = _resolved(model, parameters, checked_drives(drives))
+    resolved = _resolve_parameters(model, parameters, checked_drives(drives))
     solver, thread_count = model.solver(backend, drives).inner, checked_threads(threads)
     solvers = _Solvers(solver, solver if drives == FREE else model.solver(backend, FREE))
     robot, system = resolved.robot, resolved.system
@@ -257,7 +257,9 @@ def sensitivities_at(
     )
 
 
-def _resolved(model: Model, parameters: Sequence[str | ParameterPath] | None, drives: str) -> ResolvedPaths:
+def _resolve_parameters(
+    model: Model, parameters: Sequence[str | ParameterPath] | None, drives: str
+) -> ResolvedPaths:
     """Resolve parameter paths; those of the last call are kept with the model."""
     if parameters is None:
         names: tuple[str, ...] | None = None
@@ -300,7 +302,7 @@ def _fields_at(
     """Compute the requested fields at some poses."""
     derivatives, fields = None, dict[str, NDArray[Any]]()
     if not MATRICES.issuperset(requested):
-        derivatives, fields = _of_modes(resolved, p, close, requested, solvers.solved)
+        derivatives, fields = _mode_rates(resolved, p, close, requested, solvers.solved)
     if not MATRICES.isdisjoint(requested):
         # M and K are those with free motors.
         if derivatives is None or isinstance(resolved.extended, MotorsHeld):
@@ -312,7 +314,7 @@ def _fields_at(
     return {name: fields[name] for name in requested}
 
 
-def _of_modes(
+def _mode_rates(
     resolved: ResolvedPaths, p: Array, close: float, requested: Collection[str], solver: Solver
 ) -> tuple[MatrixDerivatives, dict[str, NDArray[Any]]]:
     """Return the derivatives of M and K at the modes, and the fields that follow from them."""
@@ -338,7 +340,7 @@ def _of_modes(
         locked=resolved.locked,
     )
     sizes = magnitude(eigenvalues, system.first, system.rigid_modes, system.loose_motions)
-    group = groups(eigenvalues, close, sizes)
+    group = group_modes(eigenvalues, close, sizes)
     fields: dict[str, NDArray[Any]] = {"groups": group}
     if with_shapes:
         fields["eigenvalues"], fields["shapes"] = _eigenvalue_and_shape_rates(
@@ -370,7 +372,7 @@ def _eigenvalue_and_shape_rates(
     first = solved_poses.system.first
     stiff_poses = np.flatnonzero(has_stiff_joint(eigenvalues, first, solved_poses.system.rigid_modes))
     if len(stiff_poses):
-        evaluated = np.setdiff1d(np.arange(norm.shape[1]), derivatives.locked)
+        evaluated = np.setdiff1d(np.arange(norm.shape[1]), derivatives.locked_paths)
         for i, dM, dK in zip(stiff_poses.tolist(), *derivatives.dense(stiff_poses), strict=True):
             mode = eigenvalues[i], shapes[i]
             forces = derivatives.stiff_change(i, *mode, dM, dK)[evaluated]
@@ -390,5 +392,5 @@ def _eigenvalue_rates(
     if len(repeated):
         change, _ = derivatives.changes(eigenvalues, shapes, repeated)
         for i, pose_change in zip(repeated, change, strict=True):
-            rates[i] = branches(pose_change, shapes[i], group[i])
+            rates[i] = branch_rates(pose_change, shapes[i], group[i])
     return rates

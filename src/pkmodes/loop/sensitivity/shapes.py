@@ -46,7 +46,7 @@ def shape_derivatives(
         channels[..., size:] = motions
     rates: Array = expansion @ channels[:, None]
     massless = np.flatnonzero(derivatives.system.massless)
-    if not (len(massless) or derivatives.locked):
+    if not (len(massless) or derivatives.locked_paths):
         rates[..., :size] = derivatives.system.of_model(rates[..., :size])
         return rates
     static_motion = np.zeros((*expansion.shape[:3], size))
@@ -55,8 +55,8 @@ def shape_derivatives(
         static_motion[..., free[massless]] -= np.swapaxes(
             np.linalg.solve(K[:, None], np.swapaxes(change[..., massless], -1, -2)), -1, -2
         )
-    if derivatives.locked:
-        static_motion[:, list(derivatives.locked)] += derivatives.locked_motions(eigenvalues, shapes)
+    if derivatives.locked_paths:
+        static_motion[:, list(derivatives.locked_paths)] += derivatives.locked_motions(eigenvalues, shapes)
     rates[..., :size] = derivatives.system.of_model(rates[..., :size] + static_motion)
     if motion is not None:
         rates[..., size:] += static_motion @ np.swapaxes(motion(), -1, -2)[:, None]

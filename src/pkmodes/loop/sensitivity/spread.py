@@ -27,7 +27,7 @@ from pkmodes.core.model import Model
 from pkmodes.core.robot.layout import Slot, lent
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.support.covariance import covariance_of, root_of, sigmas_by_path
-from pkmodes.loop.sensitivity.modes import groups
+from pkmodes.loop.sensitivity.modes import group_modes
 from pkmodes.loop.sensitivity.paths import ParameterPath, paths
 from pkmodes.loop.sensitivity.relative import REPEATED_FRACTION, rates_of
 from pkmodes.loop.sensitivity.sensitivities import ResolvedPaths
@@ -47,16 +47,16 @@ def spread_of(
     poses: ArrayLike,
     drives: str,
     on_error: str = "raise",
-    known: Collection[str] = (),
+    exact: Collection[str] = (),
 ) -> Array | None:
     """Return the standard deviations of all frequencies, (..., m) [Hz]; None where the robot file states none.
 
     See `pkmodes.Model.frequency_sigmas`.
 
-    - known: paths of values that are exact although the file states a sigma, such as those that a sweep sets
+    - exact: paths of values that are exact although the file states a sigma, such as those that a sweep sets
     """
-    lending_paths = {table_path for path, table_path in lent(model.robot.mechanism).items() if path in known}
-    names = [path for path in stated_sigmas(model.robot) if path not in known and path not in lending_paths]
+    lending_paths = {table_path for path, table_path in lent(model.robot.mechanism).items() if path in exact}
+    names = [path for path in stated_sigmas(model.robot) if path not in exact and path not in lending_paths]
     if not names:
         return None
     directions, root = _independent_directions(model, names, drives)
@@ -148,7 +148,7 @@ def _average_repeated(spread: Array, frequencies: Array) -> Array:
     flat, f = spread.reshape(-1, spread.shape[-1]), frequencies.reshape(-1, frequencies.shape[-1])
     eigenvalues = np.nan_to_num(f) * np.abs(np.nan_to_num(f))
     size = np.broadcast_to(np.abs(eigenvalues).max(axis=-1, initial=0.0)[:, None], eigenvalues.shape)
-    group = groups(eigenvalues, REPEATED_FRACTION, size)
+    group = group_modes(eigenvalues, REPEATED_FRACTION, size)
     for i in np.flatnonzero(group[:, -1] < group.shape[1] - 1).tolist():
         for number in np.unique(group[i]):
             members = np.flatnonzero(group[i] == number)

@@ -100,7 +100,7 @@ def diagnose(
         return changed(
             measured_robot.robot,
             data.at(setups),
-            {name: data.at(places) for name, places in later.items()},
+            {name: data.at(setups_of_state) for name, setups_of_state in later.items()},
             candidates=candidates,
             holdout=holdout,
             priors=priors,

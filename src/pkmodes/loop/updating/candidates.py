@@ -55,7 +55,7 @@ def suspects(
 
     Raises PkmodesError if a name is unknown.
     """
-    loads = LoadCases.none(robot, 0) if loads is None else loads
+    loads = LoadCases.as_declared(robot, 0) if loads is None else loads
     nuisances = [path for path in _varying_values(robot) if robot.quantities[path].sigma]
     candidates = _chosen_candidates(robot, chosen, loads)
     if chosen is None:
@@ -74,7 +74,7 @@ def suspects(
         joints = {name: path for name, path in joints.items() if not loads.is_always_set(path)}
         candidates = _without_set_values(candidates, set_paths, chosen or ())
     parameter_paths += joints.values()
-    released_names = {name for candidate in candidates for name in _released_alone(robot, candidate)}
+    released_names = {name for candidate in candidates for name in _single_joints_of(robot, candidate)}
     candidates += [
         Candidate(name, (path.path,), f"{name} yields", remote=True, nameable=False)
         for name, path in joints.items()
@@ -246,7 +246,7 @@ def _excluded_paths(effect: Effect, form: Iterable[EffectParameter]) -> list[str
     return [path for p in form for path in _parameter_paths(effect, effect.excluded(p.name))]
 
 
-def _released_alone(robot: Robot, candidate: Candidate) -> list[str]:
+def _single_joints_of(robot: Robot, candidate: Candidate) -> list[str]:
     """Return the single joints that a candidate of the catalogue releases, by the names of their own candidates."""
     effect = robot.mechanism.effects.get(candidate.name.partition(".")[0])
     form = () if effect is None or candidate.name == effect.name else effect.forms.get(candidate.name, ())
@@ -375,19 +375,19 @@ def _parameter(robot: Robot, path: ParameterPath, prior: Prior) -> Parameter:
             lower, upper = path.value / SEARCH_FACTOR, path.value * SEARCH_FACTOR
     elif sigma is None:
         # The largest plausible deviation of an element is that of a vector that is wrong by a factor of three.
-        largest_deviation = (SEARCH_FACTOR - 1.0) * _largest(robot, item) or np.inf
+        largest_deviation = (SEARCH_FACTOR - 1.0) * _largest_element(robot, item) or np.inf
         lower, upper = path.value - largest_deviation, path.value + largest_deviation
     unit = path.unit.replace(" ", "*")
     if sigma is None and not path.path.startswith(EFFECTS):
         value_range = plausible_range(
-            item, path.value, path.unit, 0.0 if item is None else _largest(robot, item)
+            item, path.value, path.unit, 0.0 if item is None else _largest_element(robot, item)
         )
     return Parameter(
         path.path, path.value, unit, sigma, lower, upper, usual=value_range, correlated=prior.correlated
     )
 
 
-def _largest(robot: Robot, item: Item) -> float:
+def _largest_element(robot: Robot, item: Item) -> float:
     """Return the largest element of a vector."""
     elements = [robot.quantities[n.path].value for n in item.numbers if n.path in robot.quantities]
     return max(map(abs, elements), default=0.0)

@@ -94,14 +94,16 @@ def changed(
     names, campaigns = _named_campaigns(trusted, later, name)
     first = MeasuredRobot.of(model, trusted)
     deviations = axis_deviations(first.robot)
-    trusted_state = Trusted.of(names[0], _extended(first.structure(candidates=()), deviations), trusted)
-    baseline = _as_trusted(first.robot, trusted_state.values)
+    trusted_state = Trusted.of(
+        names[0], _with_parameters(first.structure(candidates=()), deviations), trusted
+    )
+    baseline = _robot_of_trusted_state(first.robot, trusted_state.values)
     changes = {}
     for name, data in zip(names[1:], campaigns, strict=True):
         measured = MeasuredRobot.of(baseline, data).where_usable()
         if progress is not None and len(campaigns) > 1:
             progress(f"comparing {name} with {names[0]}")
-        measured_structure = _extended(measured.structure(candidates, priors), deviations)
+        measured_structure = _with_parameters(measured.structure(candidates, priors), deviations)
         # Values of the trusted state that are in no candidate.
         in_candidates = {p.name for p in measured_structure.parameters}
         missing_paths = {
@@ -109,7 +111,7 @@ def changed(
         }
         parameters = [Parameter(path, move.value, move.unit) for path, move in missing_paths.items()]
         structure = with_known(
-            _extended(measured_structure, (parameters, missing_paths)), trusted_state.values
+            _with_parameters(measured_structure, (parameters, missing_paths)), trusted_state.values
         )
         diagnose_change = partial(
             trusted_state.changed_to,
@@ -135,17 +137,17 @@ def _explained_change(
     A change of such a part is less likely: it is named only in a class of explanations, or if nothing else explains.
     """
     robot = structure.robot
-    chosen = [
+    candidates_in_use = [
         with_prior_of_one_machine(candidate)
         for candidate in structure.candidates
         if everything or changes_in_use(robot, candidate)
     ]
-    first = diagnose_change(structure.extended([], {}, chosen))
+    first = diagnose_change(structure.extended([], {}, candidates_in_use))
     settled = first.changed is False or first.verdict == AMBIGUOUS.word
     if everything or (settled and not first.explained):
         return first
     exchanges = list(exchange_candidates(structure))
-    second = diagnose_change(structure.extended([], {}, [*chosen, *exchanges]))
+    second = diagnose_change(structure.extended([], {}, [*candidates_in_use, *exchanges]))
     if not second.claimed & {part.name for part in exchanges}:
         return first
     if first.explained:
@@ -170,11 +172,11 @@ def exchange_candidates(structure: RobotStructure) -> Iterator[Candidate]:
             yield replace(with_prior_of_one_machine(candidate), odds=EXCHANGE_ODDS)
 
 
-def _extended(
-    structure: RobotStructure, further: tuple[Sequence[Parameter], Mapping[str, ParameterPath]]
+def _with_parameters(
+    structure: RobotStructure, additions: tuple[Sequence[Parameter], Mapping[str, ParameterPath]]
 ) -> RobotStructure:
     """Return a structure with further parameters and their paths, and the same candidates."""
-    return structure.extended(*further, structure.candidates)
+    return structure.extended(*additions, structure.candidates)
 
 
 def _named_campaigns(
@@ -210,7 +212,7 @@ def _named_campaigns(
     return [first, *names], data
 
 
-def _as_trusted(robot: Robot, values: Mapping[str, float]) -> Robot:
+def _robot_of_trusted_state(robot: Robot, values: Mapping[str, float]) -> Robot:
     """Return a robot with the values of the trusted state, none of which is uncertain: any may have changed."""
     uncertain = {path for path, quantity in robot.quantities.items() if quantity.sigma}
     without_sigma = {path: {"sigma": None} for path in uncertain - values.keys()}

@@ -24,11 +24,13 @@ def sensors(mechanism: Mechanism) -> tuple[Sensor, ...]:
     same unit and in the same order: the displacements of a frame.
     """
     axes = mechanism.directions
-    place = mechanism.pose_is.partition(" in ")[0].removesuffix(" centre")
+    platform_name = mechanism.pose_is.partition(" in ")[0].removesuffix(" centre")
     components = tuple(component.name for component in mechanism.platform)
     platform_groups = (axes, components[: len(axes)]), (mechanism.rotations, components[len(axes) :])
     multi_axis = [
-        Sensor(place, channels, axis_names) for axis_names, channels in platform_groups if len(axis_names) > 1
+        Sensor(platform_name, channels, axis_names)
+        for axis_names, channels in platform_groups
+        if len(axis_names) > 1
     ]
     if len(axes) < 2:
         return tuple(multi_axis)

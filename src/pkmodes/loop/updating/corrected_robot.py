@@ -29,7 +29,7 @@ def corrections(robot: Robot, diagnosis: Diagnosis) -> Mapping[str, Correction]:
     The standard deviations include the possible effect of candidates that the data cannot detect.  Losses found from
     the damping are among the changes; they change no other value.
     """
-    widened_names = {value.name for value in widened(diagnosis)}
+    widened_names = {value.name for value in widened_values(diagnosis)}
     causes = {
         v.name: finding.member(finding.name).assumed
         for finding in diagnosis.every_cause
@@ -70,9 +70,9 @@ def covariance(robot: Robot, diagnosis: Diagnosis) -> Covariance | None:
     groups = groups_by_path(robot.mechanism)
     losses = {value.name for value in diagnosis.damping.corrected}
     fitted_values = [
-        (value, fit, place)
+        (value, fit, index)
         for fit in (diagnosis, diagnosis.damping)
-        for place, value in enumerate(fit.corrected)
+        for index, value in enumerate(fit.corrected)
         if not value.name.startswith(frame.OF_MEASUREMENT)
         and value.name not in groups
         and 0.0 < value.sigma < math.inf
@@ -91,7 +91,7 @@ def covariance(robot: Robot, diagnosis: Diagnosis) -> Covariance | None:
     )
 
 
-def widened(diagnosis: Diagnosis) -> list[Corrected]:
+def widened_values(diagnosis: Diagnosis) -> list[Corrected]:
     """Return the values whose saved standard deviation is noticeably larger than that of the fit.
 
     Values of the measurement are left out: they are not in the robot file.
@@ -113,7 +113,7 @@ def corrected_robot(robot: Robot | Model, diagnosis: Diagnosis) -> str:
 
     Raises PkmodesError if there is nothing to correct, or the robot was not read from a file.
     """
-    robot = _correctable(robot, diagnosis, "corrected_robot")
+    robot = _correctable_robot(robot, diagnosis, "corrected_robot")
     return corrected_text(Path(robot.source), corrections(robot, diagnosis), covariance(robot, diagnosis))
 
 
@@ -138,14 +138,14 @@ def save_robot(robot: Robot | Model, found: Diagnosis, target: str | Path) -> No
     """
     robot = robot_of(robot)
     if term_to_save(found) is not None:
-        write_file(Path(target), robot_with_term(_from_file(robot), found))
+        write_file(Path(target), robot_with_term(_robot_from_file(robot), found))
         return
-    robot = _correctable(robot, found, str(target))
+    robot = _correctable_robot(robot, found, str(target))
     changes = corrections(robot, found)
     save_corrected(Path(robot.source), Path(target), changes, covariance(robot, found))
 
 
-def _correctable(robot_or_model: Robot | Model, diagnosis: Diagnosis, where: str) -> Robot:
+def _correctable_robot(robot_or_model: Robot | Model, diagnosis: Diagnosis, where: str) -> Robot:
     """Return a robot whose file a diagnosis corrects."""
     robot = robot_of(robot_or_model)
     if not diagnosis.settled:
@@ -154,10 +154,10 @@ def _correctable(robot_or_model: Robot | Model, diagnosis: Diagnosis, where: str
             where,
             "save a robot only where diagnosis.settled, or measure more",
         )
-    return _from_file(robot)
+    return _robot_from_file(robot)
 
 
-def _from_file(robot_or_model: Robot | Model) -> Robot:
+def _robot_from_file(robot_or_model: Robot | Model) -> Robot:
     robot = robot_of(robot_or_model)
     if not Path(robot.source).is_file():
         problem = f"expected a robot read from a file, found {shown(robot.source)}"

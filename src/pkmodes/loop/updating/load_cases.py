@@ -88,7 +88,7 @@ class LoadCases:
     case_of_setup: Index
 
     @classmethod
-    def none(cls, robot: Robot, setups: int, drives: str = FREE) -> LoadCases:
+    def as_declared(cls, robot: Robot, setups: int, drives: str = FREE) -> LoadCases:
         """Return the robot as declared in all setups."""
         return cls((), (LoadCase(robot, drives=drives),), np.zeros(setups, dtype=np.intp))
 
@@ -133,7 +133,7 @@ class LoadCases:
         return ordered, self.case_of_setup[ordered].tolist() if len(ordered) else [cases[0]]
 
 
-def settable(mechanism: Mechanism, robot: Robot | None = None) -> dict[str, str]:
+def settable_paths(mechanism: Mechanism, robot: Robot | None = None) -> dict[str, str]:
     """Return the paths that measurements may set, with SI units, for one robot or any robot of a mechanism."""
     if robot is not None:
         return changeable(robot)
@@ -141,7 +141,7 @@ def settable(mechanism: Mechanism, robot: Robot | None = None) -> dict[str, str]
     return {
         **units,
         **effect_parameters(mechanism),
-        **{whole.path: whole.unit for whole in mechanism.parameter_groups},
+        **{group.path: group.unit for group in mechanism.parameter_groups},
     }
 
 
@@ -151,7 +151,7 @@ def load_cases_of(robot: Robot, data: Measurements) -> LoadCases:
     Raises MeasurementError if the robot does not have a path, or a robot file with a set value would be refused: for
     the first row of the first such pose.
     """
-    allowed = settable(robot.mechanism, robot)
+    allowed = settable_paths(robot.mechanism, robot)
     for path in data.settings:
         if path not in allowed:
             problem = f"{shown(f'{SET}{path}')} is not a value that can be set in {robot.source}"
@@ -196,8 +196,8 @@ def payloads(robot: Robot, points: Array) -> list[dict[str, float]]:
     ]
     paths = [resolve(robot, path) for path in (PAYLOAD_MASS, *names)]
     dM, dK = MatrixDerivatives(ExtendedSystem.of(robot), points[:1], [paths]).dense()
-    for place, path in enumerate(paths[1:], start=1):
-        is_equal = (np.allclose(d[0, place], d[0, 0], atol=1e-9 * np.abs(d[0, 0]).max()) for d in (dM, dK))
+    for index, path in enumerate(paths[1:], start=1):
+        is_equal = (np.allclose(d[0, index], d[0, 0], atol=1e-9 * np.abs(d[0, 0]).max()) for d in (dM, dK))
         if all(is_equal):  # the mass acts like a payload
             added = [float(f"{fraction * path.value:.{DIGITS}g}") for fraction in PAYLOAD_FRACTIONS]
             return [{PAYLOAD_MASS: declared_mass + mass} for mass in added]

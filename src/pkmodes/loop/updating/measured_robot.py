@@ -241,19 +241,19 @@ def check_reachable(robot: Robot, data: Measurements, loads: LoadCases) -> None:
     try:
         check_poses(data.points[first], robot.mechanism, loaded.parameters, "raise")
     except PoseError as error:
-        label, place = shown(data.labels[first]), placed(robot.mechanism, data.points[first])
+        label, position = shown(data.labels[first]), placed(robot.mechanism, data.points[first])
         set_values = " with the set values" if load else ""
-        problem = f"pose {label} at {place} cannot be reached{set_values}: {error.what}"
+        problem = f"pose {label} at {position} cannot be reached{set_values}: {error.what}"
         raise MeasurementError(problem, where, f"{error.remedy}; {remedy}") from None
 
 
 def _refuse_another_unit(robot: Robot, data: Measurements, where: str) -> None:
     """Refuse poses that can all be reached with lengths in another unit than stated."""
     lengths = [component.unit == "m" for component in robot.mechanism.pose]
-    large = np.abs(data.points[:, lengths]).max(initial=0.0) >= LARGE
+    is_large = np.abs(data.points[:, lengths]).max(initial=0.0) >= LARGE
     for factor, remedy in OTHER_LENGTHS.items():
         scaled = data.points * np.where(lengths, factor, 1.0)
-        if (factor > 1.0 or large) and _is_reachable(robot, scaled).all():
+        if (factor > 1.0 or is_large) and _is_reachable(robot, scaled).all():
             columns = ",".join(
                 f"{name} [mm]" if length else name
                 for name, length in zip(data.components, lengths, strict=True)

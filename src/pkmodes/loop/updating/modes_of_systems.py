@@ -82,7 +82,7 @@ class StackedSystems(ExtendedSystem):
         )
 
 
-def stacked(systems: Sequence[ExtendedSystem], count: int) -> ExtendedSystem:
+def stack_systems(systems: Sequence[ExtendedSystem], count: int) -> ExtendedSystem:
     """Combine robots, see `StackedSystems`; a single one is returned as it is."""
     return systems[0] if len(systems) == 1 else StackedSystems(systems, count)
 
@@ -133,7 +133,7 @@ def modes_of_systems(systems: Sequence[ExtendedSystem], points: Array) -> ModesO
     - systems: length B
     - points: n poses of each robot, robot by robot, (B n, d)
     """
-    system = stacked(systems, len(points) // len(systems))
+    system = stack_systems(systems, len(points) // len(systems))
     modes = _by_solvers(systems, system, np.ascontiguousarray(points))
     if modes is not None:
         return modes
@@ -150,7 +150,7 @@ def modes_of_systems(systems: Sequence[ExtendedSystem], points: Array) -> ModesO
 
 def modes_where_reached(systems: Sequence[ExtendedSystem], points: Array) -> ModesOfSystems | None:
     """Evaluate the modes at poses that may be out of reach; None if one is, or if no solver checks poses."""
-    system = stacked(systems, len(points) // len(systems))
+    system = stack_systems(systems, len(points) // len(systems))
     return _by_solvers(systems, system, np.ascontiguousarray(points), checked=False)
 
 
@@ -187,7 +187,7 @@ def _by_solvers(
     failed = np.unique(np.flatnonzero(codes == UNSOLVED) // count)
     if len(failed):  # all poses of these robots
         rows = (failed[:, None] * count + np.arange(count)).ravel()
-        failed_robots = RobotAtPoses(stacked([systems[b] for b in failed], count), points[rows], "", {})
+        failed_robots = RobotAtPoses(stack_systems([systems[b] for b in failed], count), points[rows], "", {})
         try:
             eigenvalues, shapes = modes_of(failed_robots)
         except np.linalg.LinAlgError:
@@ -207,7 +207,7 @@ def _by_solvers(
 def solver_of_several(systems: Sequence[ExtendedSystem]) -> Solver | None:
     """Return the solver of several robots together, if there is one."""
     try:
-        solver = solver_of(stacked(systems, 1), MAX_CONDITION, chosen(AUTO)).inner
+        solver = solver_of(stack_systems(systems, 1), MAX_CONDITION, chosen(AUTO)).inner
     except UnavailableError:
         return None
     return solver if solver.together else None

@@ -116,7 +116,7 @@ def prediction_along(
             prediction_along(solved.of_robot(b), [robot_motions], shape_rates)
             for b, robot_motions in enumerate(motions)
         ]
-        return concatenated(predictions)
+        return concatenate_predictions(predictions)
     path_count = max(len(robot_motions.paths) for robot_motions in motions)
     padded_paths = {
         id(robot_motions.paths): (*robot_motions.paths, *[NO_PATH] * (path_count - len(robot_motions.paths)))
@@ -124,7 +124,7 @@ def prediction_along(
     }
     paths = [padded_paths[id(robot_motions.paths)] for robot_motions in motions]
     rates = np.zeros((*solved.eigenvalues.shape, path_count))
-    along = np.zeros((*solved.channels.shape, path_count)) if shape_rates else None
+    channel_rates = np.zeros((*solved.channels.shape, path_count)) if shape_rates else None
     if path_count and np.isfinite(solved.eigenvalues).all():
         modes = solved.eigenvalues, solved.shapes
         terms = None if solved.solver is None else terms_of_all(solved.systems, paths)
@@ -139,15 +139,18 @@ def prediction_along(
             matrices=solved.matrices,
         )
         rates = derivatives.eigenvalues(solved.eigenvalues, solved.shapes)
-        if along is not None:
-            along = _channel_rates(solved, derivatives, paths)
+        if channel_rates is not None:
+            channel_rates = _channel_rates(solved, derivatives, paths)
     if any(robot_motions.motions is not None for robot_motions in motions):
         combined_motions = _motions_of_robots(motions, path_count, len(solved.points) // len(motions))
-        rates, along = rates @ combined_motions, None if along is None else along @ combined_motions[:, None]
-    return Prediction(solved.eigenvalues, rates, solved.channels, solved.system.rigid_modes, along)
+        rates, channel_rates = (
+            rates @ combined_motions,
+            None if channel_rates is None else channel_rates @ combined_motions[:, None],
+        )
+    return Prediction(solved.eigenvalues, rates, solved.channels, solved.system.rigid_modes, channel_rates)
 
 
-def joined_modes(parts: Sequence[tuple[Index, Prediction]], setups: int) -> Prediction:
+def join_modes(parts: Sequence[tuple[Index, Prediction]], setups: int) -> Prediction:
     """Join the modes of parts of the setups; NaN for a setup that is in no part.
 
     Robots of different load cases may differ in their numbers of modes and rigid modes.  Rigid modes come first,
@@ -173,8 +176,8 @@ def joined_modes(parts: Sequence[tuple[Index, Prediction]], setups: int) -> Pred
         for array, values in zip(arrays, _arrays(part), strict=True):
             array[rows] = 0.0
             array[np.ix_(rows, columns)] = values
-    rates, shapes, *along = arrays
-    return Prediction(eigenvalues, rates, shapes, rigid, *along)
+    rates, shapes, *shape_rates = arrays
+    return Prediction(eigenvalues, rates, shapes, rigid, *shape_rates)
 
 
 def _arrays(part: Prediction) -> list[Array]:
@@ -182,15 +185,15 @@ def _arrays(part: Prediction) -> list[Array]:
     return [part.rates, part.shapes, *([] if part.shape_rates is None else [part.shape_rates])]
 
 
-def concatenated(parts: Sequence[Prediction]) -> Prediction:
+def concatenate_predictions(parts: Sequence[Prediction]) -> Prediction:
     """Join the predictions of several robots with equally many modes, one after the other."""
-    along = [part.shape_rates for part in parts if part.shape_rates is not None]
+    shape_rates = [part.shape_rates for part in parts if part.shape_rates is not None]
     return Prediction(
         np.concatenate([part.eigenvalues for part in parts]),
         np.concatenate([part.rates for part in parts]),
         np.concatenate([part.shapes for part in parts]),
         parts[0].rigid,
-        np.concatenate(along) if along else None,
+        np.concatenate(shape_rates) if shape_rates else None,
     )
 
 

@@ -23,7 +23,7 @@ from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.measured.reading import read_measurements
 from pkmodes.loop.measured.rules import SHAPE
 from pkmodes.loop.updating.channels import channels
-from pkmodes.loop.updating.load_cases import settable
+from pkmodes.loop.updating.load_cases import settable_paths
 from pkmodes.loop.updating.measured_robot import columns_of_others, robot_of
 
 
@@ -78,7 +78,9 @@ def read(
         {name: unit for machine in mechanisms for name, unit in channels(machine).items()},
         components=[_components(machine) for machine in mechanisms],
         settings={
-            name: unit for machine in mechanisms for name, unit in settable(machine, checked_robot).items()
+            name: unit
+            for machine in mechanisms
+            for name, unit in settable_paths(machine, checked_robot).items()
         },
         drives=None if drives is None else checked_drives(drives),
         state=state,

@@ -32,7 +32,7 @@ from pkmodes.loop.updating.losses import rates_of_losses
 from pkmodes.loop.updating.predictions import (
     ParameterMotions,
     SolvedRobots,
-    joined_modes,
+    join_modes,
     prediction_along,
     solve_together,
 )
@@ -95,7 +95,7 @@ class RobotStructure:
             for i, component in enumerate(self._mechanism.pose)
         )
         self._parameter_paths = dict(parameter_paths)
-        self.loads = LoadCases.none(robot, len(self.points)) if loads is None else loads
+        self.loads = LoadCases.as_declared(robot, len(self.points)) if loads is None else loads
         self._free_paths = [
             {name: case.reduced(path) for name, path in self._parameter_paths.items()}
             for case in self.loads.cases
@@ -195,9 +195,9 @@ class RobotStructure:
         """
         machines = [self.machines(v) for v in values]
         groups: dict[object, list[int]] = {}
-        for k, (machine, chosen) in enumerate(zip(machines, by, strict=True)):
+        for k, (machine, indices) in enumerate(zip(machines, by, strict=True)):
             is_separate = any(
-                locked_joints(machine.systems[c], paths).paths for c, paths in self._paths(chosen).items()
+                locked_joints(machine.systems[c], paths).paths for c, paths in self._paths(indices).items()
             )
             groups.setdefault(
                 k if is_separate else tuple(map(self._evaluation_key, machine.systems)), []
@@ -229,7 +229,7 @@ class RobotStructure:
                         ((first_rows + rows).ravel(), prediction_along(part, moves, shape_rates))
                     )
                 batches.append(
-                    Batch(np.array(batched_members), joined_modes(predictions, count * len(batched_members)))
+                    Batch(np.array(batched_members), join_modes(predictions, count * len(batched_members)))
                 )
         return batches
 
@@ -293,12 +293,12 @@ class RobotStructure:
         low, high = np.clip(low - margin, lowest, highest), np.clip(high + margin, lowest, highest)
         low = np.where(low == high, np.maximum(low - margin, lowest), low)
         high = np.where(high == lowest, np.minimum(high + margin, highest), high)
-        drawn = rng.uniform(low, high, (DRAWS, len(low)))
-        check = check_poses(drawn, self._mechanism, self.robot.parameters, "nan", MAX_CONDITION / 1e5)
-        drawn = drawn[check.valid]
-        angles = singular_angles(self._mechanism, self.robot.parameters, drawn)
-        drawn = drawn[inside(self.robot, drawn) & (angles >= self._min_rod_angle).all(axis=-1)][:count]
-        return drawn, self.at(drawn, LoadCases.none(self.robot, len(drawn), self.drives))
+        poses = rng.uniform(low, high, (DRAWS, len(low)))
+        check = check_poses(poses, self._mechanism, self.robot.parameters, "nan", MAX_CONDITION / 1e5)
+        poses = poses[check.valid]
+        angles = singular_angles(self._mechanism, self.robot.parameters, poses)
+        poses = poses[inside(self.robot, poses) & (angles >= self._min_rod_angle).all(axis=-1)][:count]
+        return poses, self.at(poses, LoadCases.as_declared(self.robot, len(poses), self.drives))
 
     def parameter_motions(
         self, values: Array, by: Sequence[int], rows: Index, owners: Sequence[int]
@@ -334,8 +334,8 @@ class RobotStructure:
 
     def _frame_values(self, values: Array) -> dict[str, float]:
         """Return the values of the parameters of the measurement frame."""
-        named = zip(self.parameters, values, strict=True)
-        return {p.name: float(value) for p, value in named if p.name not in self._parameter_paths}
+        pairs = zip(self.parameters, values, strict=True)
+        return {p.name: float(value) for p, value in pairs if p.name not in self._parameter_paths}
 
     def machines(self, values: Array) -> Machines:
         """Return the robot of each load case with these values of the parameters."""
@@ -380,12 +380,12 @@ class RobotStructure:
         return [self.loads.setup_blocks(cases, valid) for cases in cases_by_key.values()]
 
     def _joined_modes(self, parts: Sequence[tuple[Index, Prediction]]) -> Prediction:
-        return joined_modes(parts, len(self.points))
+        return join_modes(parts, len(self.points))
 
     def _evaluation_key(self, system: ExtendedSystem) -> object:
         """Return a key that is the same for robots that can be evaluated together."""
-        several = len(self.loads.cases) > 1 and len(system.free) > system.first
-        massless = system.massless.tobytes() if several else b""
+        has_several_cases = len(self.loads.cases) > 1 and len(system.free) > system.first
+        massless = system.massless.tobytes() if has_several_cases else b""
         return system.free.tobytes(), system.rigid_modes, massless, system.basis is None
 
     def reachable(self, machines: Machines) -> NDArray[np.bool_]:

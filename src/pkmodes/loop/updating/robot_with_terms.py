@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.loop.diagnosis.problem import Batch, Candidate, Parameter, Prediction, Sensor
-from pkmodes.loop.updating.predictions import ParameterMotions, concatenated, joined_modes
+from pkmodes.loop.updating.predictions import ParameterMotions, concatenate_predictions, join_modes
 from pkmodes.loop.updating.robot_structure import RobotStructure
 from pkmodes.loop.updating.site_with_term import (
     PlacedTerm,
@@ -125,7 +125,7 @@ class RobotWithTerms:
             ]
             prediction = self.robot.predict(robot_values, robot_indices, shape_rates=shape_rates)
             return _in_requested_order(
-                prediction, joined_modes(absent_parts, len(self.robot.points)), by, self._robot_count
+                prediction, join_modes(absent_parts, len(self.robot.points)), by, self._robot_count
             )
         parts = []
         for site, modes in self._modes_of_sites(values, present):
@@ -136,7 +136,7 @@ class RobotWithTerms:
                 parts.append(
                     (site.setups, _in_requested_order(prediction, term_prediction, by, self._robot_count))
                 )
-        return joined_modes(parts, len(self.robot.points)) if parts else self._failed_prediction(len(by))
+        return join_modes(parts, len(self.robot.points)) if parts else self._failed_prediction(len(by))
 
     @np.errstate(over="ignore", invalid="ignore", divide="ignore")
     def position_rates(self, values: Array, *, shape_rates: bool = False) -> Prediction:
@@ -152,7 +152,7 @@ class RobotWithTerms:
             if modes is not None
         ]
         return (
-            joined_modes(parts, len(self.robot.points))
+            join_modes(parts, len(self.robot.points))
             if parts
             else self._failed_prediction(len(pose_motions.paths))
         )
@@ -173,7 +173,10 @@ class RobotWithTerms:
             size = (prediction.eigenvalues.shape[1], prediction.rigid, prediction.rates.shape[-1])
             groups.setdefault((*size, finite or k), []).append((k, prediction))
         return batches + [
-            Batch(np.array([k for k, _ in members]), concatenated([prediction for _, prediction in members]))
+            Batch(
+                np.array([k for k, _ in members]),
+                concatenate_predictions([prediction for _, prediction in members]),
+            )
             for members in groups.values()
         ]
 
@@ -221,7 +224,7 @@ class RobotWithTerms:
             rows = (setups * np.arange(len(terms))[:, None] + site.setups).ravel()
             rates = np.zeros((*eigenvalues.shape, 0))
             parts.append((rows, Prediction(eigenvalues, rates, channels, term_matrices_of_site[0].rigid)))
-        return joined_modes(parts, setups * len(terms))
+        return join_modes(parts, setups * len(terms))
 
     def _present_term(self, values: Array) -> PresentTerm | None:
         """Return the term that is present; with several, the first."""
@@ -306,10 +309,10 @@ def _in_requested_order(
     robot_first = np.argsort([i >= robot_count for i in by], kind="stable")
     order = np.argsort(robot_first)
     rates = np.concatenate([robot.rates, terms.rates], axis=-1)[..., order]
-    along = None
+    shape_rates = None
     if robot.shape_rates is not None and terms.shape_rates is not None:
-        along = np.concatenate([robot.shape_rates, terms.shape_rates], axis=-1)[..., order]
-    return Prediction(robot.eigenvalues, rates, robot.shapes, robot.rigid, along)
+        shape_rates = np.concatenate([robot.shape_rates, terms.shape_rates], axis=-1)[..., order]
+    return Prediction(robot.eigenvalues, rates, robot.shapes, robot.rigid, shape_rates)
 
 
 class ExtensibleRobot(RobotStructure):

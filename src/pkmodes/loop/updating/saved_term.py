@@ -35,7 +35,7 @@ def effect_text(result: Diagnosis, where: str = "effect_text") -> str:
 
     Raises OutputError if no class was found, or its best member is a declared value or an effect of the catalogue.
     """
-    best, term = _best(result, where)
+    best, term = _best_member(result, where)
     form, _, place = term.partition(":")
     if best.forms[term] == DECLARED:
         problem = f"there is no effect to write: {term} is a value of the robot file"
@@ -82,7 +82,7 @@ def robot_with_term(robot: Robot | Model, result: Diagnosis) -> str:
     Raises OutputError if no class was found.
     """
     declared = robot_of(robot)
-    best, term = _best(result, declared.source)
+    best, term = _best_member(result, declared.source)
     term_values = {value.name for value in best.finding.parameters}
     changes: dict[str, Correction] = {}
     added: list[Corrected] = []
@@ -119,7 +119,7 @@ def is_declared(terms: TermClass) -> bool:
     return terms.forms[terms.finding.name] == DECLARED
 
 
-def _best(result: Diagnosis, where: str) -> tuple[TermClass, str]:
+def _best_member(result: Diagnosis, where: str) -> tuple[TermClass, str]:
     """Return the class that was found, and the name of its best member, which is a term."""
     terms = None if result.beyond is None else result.beyond.found
     if terms is None:

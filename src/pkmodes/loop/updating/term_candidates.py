@@ -120,7 +120,7 @@ def term_candidates(structure: RobotStructure) -> TermCandidates:
     terms: list[tuple[Term, tuple[Parameter, ...]]] = []
     candidates = []
     for term in _distinct_terms(structure.robot.mechanism.terms, machine):
-        parameters = tuple(_parameter(term, named, machine) for named in term.parameters)
+        parameters = tuple(_parameter(term, named_parameter, machine) for named_parameter in term.parameters)
         starts = tuple(_STARTS[term.form](term, machine)) if term.form in _STARTS else ()
         names = tuple(p.name for p in parameters)
         terms.append((term, parameters))
@@ -155,7 +155,8 @@ def _distinct_terms(terms: Sequence[Term], machine: _Machine) -> Iterator[Term]:
             direction = rows[0] / np.linalg.norm(rows[0])
             is_between_bodies = len(term.strains[0]) == 2
             if is_between_bodies and any(
-                abs(abs(earlier @ direction) - 1.0) <= ZERO_FRACTION for earlier in grounded
+                abs(abs(direction_to_ground @ direction) - 1.0) <= ZERO_FRACTION
+                for direction_to_ground in grounded
             ):
                 continue
             if not is_between_bodies:
@@ -163,18 +164,18 @@ def _distinct_terms(terms: Sequence[Term], machine: _Machine) -> Iterator[Term]:
         yield term
 
 
-def _parameter(term: Term, named: Named, machine: _Machine) -> Parameter:
-    name, unit = f"{term.name}.{named.name}", named.unit.replace(" ", "*")
+def _parameter(term: Term, named_parameter: Named, machine: _Machine) -> Parameter:
+    name, unit = f"{term.name}.{named_parameter.name}", named_parameter.unit.replace(" ", "*")
     rows = machine.rows(term)
-    if named.name == "frequency":
+    if named_parameter.name == "frequency":
         low, *_, high = _start_frequencies(machine)
         middle = float(np.sqrt(low * high))
         return Parameter(name, middle, unit, lower=0.3 * low, upper=3.0 * high)
     upper = None
-    if named.name in ("mass", "inertia") and len(rows):
+    if named_parameter.name in ("mass", "inertia") and len(rows):
         largest_mobility = max(machine.mobility(row) for row in rows)
         upper = MAX_MASS_RATIO / largest_mobility if largest_mobility > 0.0 else None
-    if named.name == "stiffness":
+    if named_parameter.name == "stiffness":
         largest_flexibility = max(machine.flexibility(row) for row in rows)
         upper = MAX_STIFFNESS_RATIO / largest_flexibility if largest_flexibility > 0.0 else None
     return Parameter(name, 0.0, unit, lower=0.0, usual=None if upper is None else (0.0, upper))

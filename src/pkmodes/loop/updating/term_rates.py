@@ -69,13 +69,13 @@ class TermRates:
         prediction = self._prediction(list(self._rates_along(motions.paths)), shape_rates)
         if motions.motions is None:
             return prediction
-        along = prediction.shape_rates
+        channel_rates = prediction.shape_rates
         return Prediction(
             prediction.eigenvalues,
             prediction.rates @ motions.motions,
             prediction.shapes,
             prediction.rigid,
-            None if along is None else along @ motions.motions[:, None],
+            None if channel_rates is None else channel_rates @ motions.motions[:, None],
         )
 
     def of_terms(self, parameters: Sequence[tuple[PlacedTerm, int, Array]], shape_rates: bool) -> Prediction:
@@ -98,13 +98,13 @@ class TermRates:
     def _prediction(self, rates: Sequence[_Rates], shape_rates: bool) -> Prediction:
         eigenvalues, shapes = self.modes.eigenvalues, self.modes.shapes
         slopes = np.zeros((*eigenvalues.shape, len(rates)))
-        along = np.zeros((*self._channels.shape, len(rates))) if shape_rates else None
+        channel_rates = np.zeros((*self._channels.shape, len(rates))) if shape_rates else None
         if rates:
             change = np.stack([rate.change for rate in rates], axis=1)
             slopes = np.einsum("ntmi,nmi->nmt", change, shapes)
-            if along is not None:
-                along = self._shape_rates(change, rates)
-        return Prediction(eigenvalues, slopes, self._channels, self.modes.matrices.rigid, along)
+            if channel_rates is not None:
+                channel_rates = self._shape_rates(change, rates)
+        return Prediction(eigenvalues, slopes, self._channels, self.modes.matrices.rigid, channel_rates)
 
     def _rates_along(self, paths: Sequence[ParameterPath]) -> Iterator[_Rates]:
         """Yield the rates along paths of the robot, which has a term."""
@@ -118,7 +118,7 @@ class TermRates:
         n = dM.shape[-1]
         for t, path in enumerate(paths):
             of_M, of_K = (np.zeros_like(matrix) for matrix in matrices.in_free())
-            if t not in derivatives.locked:
+            if t not in derivatives.locked_paths:
                 of_M[:, :n, :n], of_K[:, :n, :n] = dM[:, t], dK[:, t]
             motion = None
             if path.weights and changes_along(term, site.system, path):
@@ -128,10 +128,10 @@ class TermRates:
                 platform_rates = np.imag(platform_with(term, stepped)) / STEP
                 motion = self._motions @ np.swapaxes(platform_rates, -1, -2)
             rates = self._rates_of_change(of_M, of_K)._replace(motion=motion)
-            if t in derivatives.locked:
+            if t in derivatives.locked_paths:
                 locked = derivatives.locked_joints
                 rates = self._with_locked_joints(
-                    rates, locked.joints, locked.weights[derivatives.locked.index(t)]
+                    rates, locked.joints, locked.weights[derivatives.locked_paths.index(t)]
                 )
             yield rates
 
@@ -185,7 +185,7 @@ class TermRates:
         modes, matrices = self.modes, self.modes.matrices
         norm = np.stack([rate.norm for rate in rates], axis=1)
         share = modal_expansion(change, norm, modes.eigenvalues, modes.shapes)
-        along = share @ self._channels[:, None]
+        channel_rates = share @ self._channels[:, None]
         # Coordinates without inertia, and locked ones, are in no mode.
         static_motion = np.zeros((*share.shape[:3], matrices.M.shape[-1]))
         r = np.flatnonzero(matrices.massless)
@@ -197,9 +197,9 @@ class TermRates:
         for t, rate in enumerate(rates):
             if rate.deflection is not None:
                 static_motion[:, t] += rate.deflection
-        along += channels_of(self.site.system, self._platform, static_motion)
+        channel_rates += channels_of(self.site.system, self._platform, static_motion)
         components = self._platform.shape[-2]
         for t, rate in enumerate(rates):
             if rate.motion is not None:
-                along[:, t, :, -components:] += rate.motion
-        return np.ascontiguousarray(np.moveaxis(along, 1, -1))
+                channel_rates[:, t, :, -components:] += rate.motion
+        return np.ascontiguousarray(np.moveaxis(channel_rates, 1, -1))

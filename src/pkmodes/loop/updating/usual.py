@@ -70,7 +70,7 @@ def with_frame_ranges(parameters: Sequence[Parameter], data: Measurements) -> li
     Where it states none, it is some millimetres, as of a part.
     """
     sigma = data.point_sigma.max(axis=0, initial=0.0)
-    stated = dict(zip(data.components, sigma.tolist(), strict=True))
+    stated_sigmas = dict(zip(data.components, sigma.tolist(), strict=True))
     linear = [k for k, unit in enumerate(data.component_units) if unit == "m"]
     radius = float(np.linalg.norm(data.points[:, linear[:2]], axis=1).max(initial=0.0))
     plane_sigma = float(sigma[linear[:2]].max(initial=0.0))
@@ -79,7 +79,7 @@ def with_frame_ranges(parameters: Sequence[Parameter], data: Measurements) -> li
         if p.name == frame.YAW:
             bound = (POSE_SIGMAS * plane_sigma or LENGTH_ERRORS[0]) / radius if radius > 0.0 else np.inf
         elif p.name.startswith(frame.OF_MEASUREMENT):
-            bound = POSE_SIGMAS * stated.get(p.name.rpartition(".")[2], 0.0) or LENGTH_ERRORS[0]
+            bound = POSE_SIGMAS * stated_sigmas.get(p.name.rpartition(".")[2], 0.0) or LENGTH_ERRORS[0]
         else:
             return p
         return replace(p, usual=(-bound, bound))

@@ -14,7 +14,7 @@ from pkmodes.core.robot.reading import read_robot
 from pkmodes.core.robot.report_fields import read_report
 from pkmodes.loop.measured.rules import PRINTABLE_REMEDY, is_label
 from pkmodes.loop.updating.channels import channels
-from pkmodes.loop.updating.load_cases import settable
+from pkmodes.loop.updating.load_cases import settable_paths
 from pkmodes.modaltest.campaign.boards import Clock, clocks_of
 from pkmodes.modaltest.campaign.description import (
     CampaignTable,
@@ -328,7 +328,7 @@ def _settings(record_table: RecordTable, model: Model | None, where: str) -> dic
             problem = "a structure without a robot has no parameters"
             raise MeasurementError(problem, f"{where}.set", "leave it out, or give the robot file")
         return {}
-    settable_units = settable(model.mechanism, model.robot)
+    settable_units = settable_paths(model.mechanism, model.robot)
     values = {}
     for path, value in record_table.settings.items():
         if path not in settable_units:

@@ -10,7 +10,7 @@ import numpy as np
 from scipy import stats
 
 from pkmodes.loop.diagnosis.beyond.specificity import Law, competing_law, p_outside
-from pkmodes.loop.diagnosis.beyond.tried import TermFits
+from pkmodes.loop.diagnosis.beyond.term_fits import TermFits
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.problem import Candidate
@@ -43,11 +43,11 @@ class TermEvidence(Evidence):
     def __init__(self, term_fits: TermFits) -> None:
         search, store = term_fits.search, term_fits.search.store
         self.term_fits = term_fits
-        rivals = best_first(store, [*term_fits.fits, *term_fits.catalogue_fits])
+        rivals = sort_best_first(store, [*term_fits.fits, *term_fits.catalogue_fits])
         surviving = survivors(search, rivals)
         groups = [_order_class(search, group) for group in classes(store, surviving)]
         self.groups = groups
-        best = next(iter(best_first(store, term_fits.fits)), term_fits.baseline)
+        best = next(iter(sort_best_first(store, term_fits.fits)), term_fits.baseline)
         final = _representative(search, groups[0]) if groups else best
         p_value = _p_value(term_fits, final)
         causes = dict.fromkeys(cause for group in groups for fit in group for cause in fit.causes)
@@ -80,7 +80,7 @@ class TermEvidence(Evidence):
             for fit in self.term_fits.fits
             if abs(self.store.criterion(fit) - reference) < CRITERION_TOLERANCE
         ]
-        ranked = best_first(self.store, equal_fits) or [self.final]
+        ranked = sort_best_first(self.store, equal_fits) or [self.final]
         words = " or ".join(causes_in_words(fit.causes) for fit in ranked[:MAX_TERMS_NAMED])
         return words if len(ranked) <= MAX_TERMS_NAMED else f"{words} or {len(ranked) - MAX_TERMS_NAMED} more"
 
@@ -121,12 +121,12 @@ class TermEvidence(Evidence):
         members = {name_of_explanation(fit) for group in self.groups[:1] for fit in group}
         store = self.store
         limit = store.criterion(self.final) + self.criteria.claim.near
-        outside = [
+        other_fits = [
             fit
             for fit in (*self.term_fits.fits, *self.term_fits.catalogue_fits)
             if name_of_explanation(fit) not in members and not fit.at_bound and store.criterion(fit) < limit
         ]
-        return best_first(store, outside)[:MAX_CONTENDERS]
+        return sort_best_first(store, other_fits)[:MAX_CONTENDERS]
 
     @cached_property
     def trials(self) -> list[Trial]:
@@ -164,7 +164,7 @@ def name_of_explanation(fit: Fit) -> str:
     return " + ".join(cause.name for cause in fit.causes)
 
 
-def best_first(store: FitStore, fits: Sequence[Fit]) -> list[Fit]:
+def sort_best_first(store: FitStore, fits: Sequence[Fit]) -> list[Fit]:
     """Return explanations by their criteria, equally good ones by their names."""
     by_name = sorted(fits, key=name_of_explanation)
     return sorted(by_name, key=lambda fit: float(np.round(store.criterion(fit) / CRITERION_TOLERANCE)))
@@ -188,7 +188,7 @@ def _order_class(search: Search, group: Sequence[Fit]) -> list[Fit]:
         or store.criterion(fit) <= best_criterion
     ]
     fitter = store.fitter
-    return sorted(best_first(store, members), key=lambda fit: bool(unusual(fitter, fit)))
+    return sorted(sort_best_first(store, members), key=lambda fit: bool(unusual(fitter, fit)))
 
 
 def _representative(search: Search, group: Sequence[Fit]) -> Fit:

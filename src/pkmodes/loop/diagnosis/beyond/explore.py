@@ -7,10 +7,14 @@ from dataclasses import replace
 
 import numpy as np
 
+from pkmodes.loop.diagnosis.beyond.competing_terms import (
+    competing_term,
+    has_many_alternatives,
+    terms_may_compete,
+)
 from pkmodes.loop.diagnosis.beyond.evidence import TermEvidence, name_of_explanation
-from pkmodes.loop.diagnosis.beyond.instead import competing_term, has_many_alternatives, terms_may_compete
 from pkmodes.loop.diagnosis.beyond.rules import BEYOND
-from pkmodes.loop.diagnosis.beyond.tried import try_terms
+from pkmodes.loop.diagnosis.beyond.term_fits import try_terms
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.problem import Extensible
 from pkmodes.loop.diagnosis.search.additions import Progress

@@ -103,8 +103,8 @@ def several(e: TermEvidence) -> str:
     if len(e.groups) > 1:
         best = "; ".join(_member_list(e, k) for k in range(min(len(e.groups), rules.MENTIONED)))
         unlisted = len(e.groups) - rules.MENTIONED
-        rest = f"; and {unlisted} more" if unlisted > 0 else ""
-        return f"{len(e.groups)} different explanations remain: {best}{rest}"
+        unlisted_clause = f"; and {unlisted} more" if unlisted > 0 else ""
+        return f"{len(e.groups)} different explanations remain: {best}{unlisted_clause}"
     members = distinct_causes(e.groups[0])
     if members <= e.criteria.claim.most_members:
         return ""
@@ -127,12 +127,12 @@ def found(e: TermEvidence) -> Says:
 def _member_list(e: TermEvidence, k: int) -> str:
     """Return the members of a class, and how many more it has."""
     group = e.groups[k]
-    listed = [
+    member_names = [
         names(fit.causes) + (" (implausible)" if fit.causes[-1].name in e.claim.implausible else "")
         for fit in group[: e.criteria.claim.most_members]
     ]
-    unlisted = len(group) - len(listed)
-    return " or ".join(listed) + (f" or {unlisted} more" if unlisted > 0 else "")
+    unlisted = len(group) - len(member_names)
+    return " or ".join(member_names) + (f" or {unlisted} more" if unlisted > 0 else "")
 
 
 #: Rules for what was tried beyond the catalogue.

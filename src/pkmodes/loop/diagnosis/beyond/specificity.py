@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pkmodes.loop.diagnosis.beyond.tried import TermFits
+from pkmodes.loop.diagnosis.beyond.term_fits import TermFits
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit, orthonormal
 from pkmodes.loop.diagnosis.problem import Array
 from pkmodes.loop.diagnosis.search.score import Directions
@@ -52,18 +52,18 @@ def p_outside(term_fits: TermFits, final: Fit) -> float:
     if gain <= 0.0:
         return 1.0
     rng, data = np.random.default_rng(SEED), slice(0, fitter.prior_rows.start)
-    used, min_directions = fitter.used(final.hypothesis), search.criteria.claim.many
+    used, min_directions = fitter.used_rows(final.hypothesis), search.criteria.claim.many
     degrees = float(fitter.observations.degrees_of_freedom(used) - baseline.leverage[data].sum())
     draws = arbitrary_draws(fitter, baseline, DRAWS, rng)
     probabilities = [coincidence(search, final, gain, draws, directions, degrees, final.chi2)]
     # Combinations of only a few directions do not represent other errors of the model.
     law_directions = _unit_directions(baseline, [law.varying for law in laws(term_fits)])
     changes = modal_changes(fitter, baseline)
-    common = np.vstack([changes, np.zeros((len(baseline.white) - len(changes), changes.shape[1]))])
+    common_changes = np.vstack([changes, np.zeros((len(baseline.white) - len(changes), changes.shape[1]))])
     for subspace, min_count in (
         (directions, min_directions),
         (law_directions, min_directions),
-        (_unit_directions(baseline, common.T), 1),
+        (_unit_directions(baseline, common_changes.T), 1),
     ):
         if len(subspace) < min_count:
             continue
@@ -85,7 +85,9 @@ def competing_law(term_fits: TermFits, final: Fit) -> Law | None:
     """
     store, baseline, best_law = term_fits.search.store, term_fits.baseline, None
     criteria = store.fitter.criteria
-    price = float(np.log(store.fitter.observations.degrees_of_freedom(store.fitter.used(final.hypothesis))))
+    price = float(
+        np.log(store.fitter.observations.degrees_of_freedom(store.fitter.used_rows(final.hypothesis)))
+    )
     margin = criteria.search.survives
     limit = final.chi2 + price * len(final.causes[0].parameters)
     limit += margin if criteria.claim.laws_survive else -margin
@@ -114,7 +116,7 @@ def laws(term_fits: TermFits) -> Iterator[Law]:
         else np.zeros((len(baseline.white), 0))
     )
     uniform_change = np.zeros((len(baseline.white), 1))
-    uniform_change[rows, 0] = fitter.used(baseline.hypothesis) / fitter.observations.sigma
+    uniform_change[rows, 0] = fitter.used_rows(baseline.hypothesis) / fitter.observations.sigma
     names = [*(name for name, _ in one_parameter_causes), "all frequencies alike"]
     signatures = np.nan_to_num(np.hstack([raw, uniform_change]))
     for dependence, function in _row_functions(term_fits):

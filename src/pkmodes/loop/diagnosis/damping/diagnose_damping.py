@@ -103,7 +103,7 @@ def _parameter_states(structure: Structure, result: Diagnosis) -> list[Array]:
     states = [final]
     for value in result.corrected:
         p, moved_values = structure.parameters[index[value.name]], final.copy()
-        up, down = min(p.upper, value.value + value.sigma), max(p.lower, value.value - value.sigma)
-        moved_values[index[value.name]] = up if up - value.value >= value.value - down else down
+        upper, lower = min(p.upper, value.value + value.sigma), max(p.lower, value.value - value.sigma)
+        moved_values[index[value.name]] = upper if upper - value.value >= value.value - lower else lower
         states.append(moved_values)
     return [v for v in states if np.isfinite(structure.predict(v, ()).eigenvalues).all()]

@@ -12,7 +12,7 @@ from scipy import stats
 
 from pkmodes.loop.diagnosis.criteria import Criteria
 from pkmodes.loop.diagnosis.damping.doubts import p_coincidence, p_of_trend
-from pkmodes.loop.diagnosis.damping.explanation import LossExplanation, explanation_of, p_of_one_more
+from pkmodes.loop.diagnosis.damping.explanation import LossExplanation, best_explanation, p_of_one_more
 from pkmodes.loop.diagnosis.damping.fit import LossFit, LossFitter
 from pkmodes.loop.diagnosis.damping.observations import DampingObservations
 from pkmodes.loop.diagnosis.problem import Array
@@ -95,7 +95,7 @@ class LossEvidence:
     @cached_property
     def explanation(self) -> LossExplanation | None:
         """The best explanation by other losses than the declared ones."""
-        return explanation_of(self.fitter)
+        return best_explanation(self.fitter)
 
     @cached_property
     def claim(self) -> LossExplanation | None:

@@ -40,7 +40,7 @@ class LossExplanation:
         return {j for class_fits in self.classes for fit in class_fits for j in fit.causes}
 
 
-def explanation_of(fitter: LossFitter) -> LossExplanation | None:
+def best_explanation(fitter: LossFitter) -> LossExplanation | None:
     """Return the best explanation by one loss, else by two if there are enough rows; None if none leaves noise."""
     c = fitter.criteria
     singles = [fitter.fit((j,)) for j in fitter.candidates]

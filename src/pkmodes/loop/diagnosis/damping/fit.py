@@ -117,20 +117,20 @@ class LossFitter:
         observations = self.observations.with_errors(errors)
         return replace(self, observations=observations, widened=priors, _fits={})
 
-    def fit(self, causes: Sequence[int] = (), fixed: dict[int, float] | None = None) -> LossFit:
+    def fit(self, causes: Sequence[int] = (), fixed_values: dict[int, float] | None = None) -> LossFit:
         """Fit losses; a row that contradicts all others is set aside.
 
         - causes: losses that are fitted freely
-        - fixed: values of some losses, which are not fitted
+        - fixed_values: values of some losses, which are not fitted
         """
-        causes, fixed, c = tuple(causes), fixed or {}, self.criteria
-        key = causes, tuple(fixed.items())
+        causes, fixed_values, c = tuple(causes), fixed_values or {}, self.criteria
+        key = causes, tuple(fixed_values.items())
         if key in self._fits:
             return self._fits[key]
-        fit = self._fit_once(causes, fixed, None)
+        fit = self._fit_once(causes, fixed_values, None)
         if fit.p_value <= c.gate.level and fit.count >= c.search.rows_to_set_aside:
             worst_row = int(np.abs(fit.white[: fit.count]).argmax())
-            fit_without_row = self._fit_once(causes, fixed, worst_row)
+            fit_without_row = self._fit_once(causes, fixed_values, worst_row)
             is_outlier = (
                 abs(self.observations.residual(fit_without_row.values)[worst_row]) > c.damping.outlier
             )
@@ -138,15 +138,19 @@ class LossFitter:
         self._fits[key] = fit
         return fit
 
-    def _fit_once(self, causes: tuple[int, ...], fixed: dict[int, float], outlier: int | None) -> LossFit:
+    def _fit_once(
+        self, causes: tuple[int, ...], fixed_values: dict[int, float], outlier: int | None
+    ) -> LossFit:
         rows, count = self.observations, len(self.observations.ratio)
-        free = tuple(j for j in dict.fromkeys((*self.nuisances, *causes)) if j not in fixed)
+        free = tuple(j for j in dict.fromkeys((*self.nuisances, *causes)) if j not in fixed_values)
         index, values = list(free), self.declared.copy()
-        for j, value in fixed.items():
+        for j, value in fixed_values.items():
             values[j] = value
         used = np.where(np.arange(count) == outlier, 0.0, 1.0)
         parameters = [loss.parameter for loss in self.losses]
-        prior_parameters = [replace(p, sigma=None) if j in fixed else p for j, p in enumerate(parameters)]
+        prior_parameters = [
+            replace(p, sigma=None) if j in fixed_values else p for j, p in enumerate(parameters)
+        ]
         priors = Priors(prior_parameters, (), self.widened)
 
         def values_at(x: Array) -> Array:

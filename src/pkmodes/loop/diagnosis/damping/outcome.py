@@ -67,7 +67,7 @@ def undiagnosed_damping(losses: Sequence[Loss], reason: str, notes: Sequence[str
 def with_damping_result(result: Diagnosis, data: Measurements, stage: DampingStage) -> Diagnosis:
     """Return a diagnosis with the result for its damping, and every measured ratio beside that of the model."""
     fitter, judgement = stage.fitter, stage.judgement
-    effects = findings(fitter, judgement)
+    effects = damping_findings(fitter, judgement)
     resolved, used, held_out_rows = stage.all_rows.resolved, stage.used, stage.held_out
     with np.errstate(divide="ignore", invalid="ignore"):
         before, after = (np.log(stage.all_rows.ratio) - np.log(predicted) for predicted in stage.predicted)
@@ -84,7 +84,7 @@ def with_damping_result(result: Diagnosis, data: Measurements, stage: DampingSta
     ):
         notes.append(words.not_predicted_note(held_out_factor))
     examined, limits = test_candidates(stage, effects)
-    corrected = _corrected(stage)
+    corrected = _corrected_losses(stage)
     nuisances = {fitter.losses[j].parameter.name for j in fitter.nuisances}
     damping = Damping(
         verdict=judgement.verdict.word,
@@ -172,7 +172,7 @@ def _stability(stage: DampingStage) -> tuple[Stability, ...]:
     return tuple(entries)
 
 
-def _corrected(stage: DampingStage) -> tuple[Corrected, ...]:
+def _corrected_losses(stage: DampingStage) -> tuple[Corrected, ...]:
     """Return the fitted losses."""
     fitter, final, corrected = stage.fitter, stage.final, []
     for j in final.free:
@@ -182,7 +182,7 @@ def _corrected(stage: DampingStage) -> tuple[Corrected, ...]:
     return tuple(corrected)
 
 
-def findings(fitter: LossFitter, judgement: DampingJudgement) -> tuple[Finding, ...]:
+def damping_findings(fitter: LossFitter, judgement: DampingJudgement) -> tuple[Finding, ...]:
     """Return the claimed losses with their classes."""
     if judgement.verdict is not EFFECT_FOUND:
         return ()
@@ -217,8 +217,8 @@ def surviving_classes(fitter: LossFitter, judgement: DampingJudgement) -> tuple[
         *class_members,
         *(fit for fit in judgement.says.rivals if not any(fit is member for member in class_members)),
     ]
-    near = fitter.criteria.claim.told_apart
-    groups = grouped(remaining, lambda member, fit: fitter.difference(fit, member) < near)
+    threshold = fitter.criteria.claim.told_apart
+    groups = grouped(remaining, lambda member, fit: fitter.difference(fit, member) < threshold)
     return tuple(tuple(loss_names(fitter, fit) for fit in group) for group in groups)
 
 

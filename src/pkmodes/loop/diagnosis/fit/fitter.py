@@ -70,7 +70,7 @@ class Fitter:
         """Complete the values of the first parameters, from a fit with fewer of them, by declared values."""
         return np.concatenate([values, self.declared[len(values) :]])
 
-    def used(self, hypothesis: Hypothesis) -> NDArray[np.bool_]:
+    def used_rows(self, hypothesis: Hypothesis) -> NDArray[np.bool_]:
         """Return a mask of the rows that a hypothesis does not exclude."""
         used = self.observations.all_rows
         used[list(hypothesis.excluded)] = False
@@ -100,7 +100,7 @@ class Fitter:
         """Return sums of squares for several hypotheses and values without fit or priors; inf if not evaluable."""
         sums, noise = [np.inf] * len(trials), self.observations.noise
         values = np.array([start for _, start in trials])
-        used = [self.used(hypothesis) for hypothesis, _ in trials]
+        used = [self.used_rows(hypothesis) for hypothesis, _ in trials]
         for evaluation in self.observations.evaluate_many(self.structure, values, [()] * len(trials), used):
             white = evaluation.residual / noise.stated_sigma
             sums[evaluation.set_index] = float(white @ white)
@@ -116,7 +116,7 @@ class Fitter:
         """
         prediction = self.structure.predict(values, ())
         pairing = self.observations.pairer.pair(prediction, used)
-        motion = self._motion(values, pairing, used)
+        motion = self._position_rates(values, pairing, used)
         residual = self.observations.residual(prediction, pairing, used)
         rows, noise = self.observations.frequency_rows, self.observations.noise
         white = noise.whitening(motion, used, 0.0).whitened(residual)[rows]
@@ -131,7 +131,7 @@ class Fitter:
         """
         values = np.array(self.declared if start is None else start)
         free = self._free(hypothesis)
-        used, tau, pairing, converged = self.used(hypothesis), 0.0, None, True
+        used, tau, pairing, converged = self.used_rows(hypothesis), 0.0, None, True
         for _ in range(self.criteria.fits.rounds):
             prediction = self.structure.predict(values, ())
             if not np.isfinite(prediction.eigenvalues).all():
@@ -146,13 +146,13 @@ class Fitter:
                 and not hypothesis.scatter
             ):
                 break
-            motion = self._motion(values, pairing, used)
+            motion = self._position_rates(values, pairing, used)
             whitening = self.observations.noise.whitening(motion, used, tau)
             values, converged = self._least_squares(values, free, pairing, used, whitening)
             if hypothesis.scatter:
                 residual = self.observations.residual(self.structure.predict(values, ()), pairing, used)
                 tau = self.observations.noise.shared_error(
-                    residual, self._motion(values, pairing, used), used
+                    residual, self._position_rates(values, pairing, used), used
                 )
         return self._fit_result(hypothesis, values, free, used, tau, converged)
 
@@ -163,7 +163,8 @@ class Fitter:
         """
         lockstep = Lockstep(self.structure, (self.lower, self.upper), self.observations, self.priors)
         return lockstep.descend(
-            [(values, self._free(h), self.used(h)) for h, values in starts], self.criteria.fits.rough_steps
+            [(values, self._free(h), self.used_rows(h)) for h, values in starts],
+            self.criteria.fits.rough_steps,
         )
 
     def rough_fit(self, hypothesis: Hypothesis, descent: Descent) -> Fit | None:
@@ -171,7 +172,7 @@ class Fitter:
         evaluation = descent.evaluation
         if evaluation is None:
             return None
-        used = self.used(hypothesis)
+        used = self.used_rows(hypothesis)
         return Fit(
             hypothesis=hypothesis,
             values=descent.values,
@@ -205,7 +206,7 @@ class Fitter:
         if not np.isfinite(prediction.eigenvalues).all():
             return None
         pairing = self.observations.pairer.pair(prediction, used)
-        whitening = self.observations.noise.whitening(self._motion(values, pairing, used), used, tau)
+        whitening = self.observations.noise.whitening(self._position_rates(values, pairing, used), used, tau)
         residual = self.observations.residual(prediction, pairing, used)
         white = np.concatenate([whitening.whitened(residual), self.priors.residual(values)])
         jacobian = np.vstack(
@@ -234,14 +235,14 @@ class Fitter:
 
         - scatter: standard deviation of the error that the modes of a setup share
         """
-        free, used = self._free(hypothesis), self.used(hypothesis)
+        free, used = self._free(hypothesis), self.used_rows(hypothesis)
         return self._fit_result(hypothesis, values, free, used, scatter, True)
 
     def difference(self, a: Fit, b: Fit) -> float:
         """Return the squared difference of the predictions and priors of two fits, whitened as for the first."""
-        used = self.used(a.hypothesis) & self.used(b.hypothesis)
+        used = self.used_rows(a.hypothesis) & self.used_rows(b.hypothesis)
         whitening = self.observations.noise.whitening(
-            self._motion(a.values, a.pairing, used), self.used(a.hypothesis), a.scatter
+            self._position_rates(a.values, a.pairing, used), self.used_rows(a.hypothesis), a.scatter
         )
         data_difference = whitening.whitened(
             np.where(self.observations.data_mask(used), a.residual - b.residual, 0.0)
@@ -251,15 +252,15 @@ class Fitter:
 
     def whitening(self, fit: Fit) -> Whitening:
         """Return the square root of the covariance of the data at a fit."""
-        used = self.used(fit.hypothesis)
+        used = self.used_rows(fit.hypothesis)
         return self.observations.noise.whitening(
-            self._motion(fit.values, fit.pairing, used), used, fit.scatter
+            self._position_rates(fit.values, fit.pairing, used), used, fit.scatter
         )
 
     def signatures(self, fit: Fit, by: Sequence[int]) -> tuple[Array, Array]:
         """Return the derivatives of ln f with respect to parameters, (R, T), and of all data, whitened."""
         prediction = self.structure.predict(fit.values, by, shape_rates=self.observations.shape_rates)
-        used = self.used(fit.hypothesis)
+        used = self.used_rows(fit.hypothesis)
         rates = self.observations.rates(prediction, fit.pairing, used)
         whitening = self.whitening(fit)
         # The prior of a free parameter pulls it towards its declared value.
@@ -270,7 +271,7 @@ class Fitter:
     def misfit(self, fit: Fit, name: str, *, stated: bool) -> Misfit:
         """Return the misfit of a quantity beside the frequencies, with (or without) stated errors."""
         observations, quantity = self.observations, self.observations.other_quantities[name]
-        rows = self.used(fit.hypothesis) & quantity.known & (quantity.stated == stated)
+        rows = self.used_rows(fit.hypothesis) & quantity.known & (quantity.stated == stated)
         squares = (observations.by_row(name, fit.white) ** 2).sum(axis=1)
         leverage = observations.by_row(name, fit.leverage).sum(axis=1)
         return Misfit(float(squares[rows].sum()), float(quantity.count[rows].sum() - leverage[rows].sum()))
@@ -292,12 +293,12 @@ class Fitter:
 
         def residual(all_values: Array) -> Array:
             prediction = self.structure.predict(all_values, ())
-            unwhitened = self.observations.residual(prediction, pairing.within(prediction), used)
+            unwhitened = self.observations.residual(prediction, pairing.limited_to(prediction), used)
             return np.concatenate([whitening.whitened(unwhitened), self.priors.residual(all_values)])
 
         def rates(all_values: Array) -> Array:
             prediction = self.structure.predict(all_values, free, shape_rates=self.observations.shape_rates)
-            unwhitened = self.observations.rates(prediction, pairing.within(prediction), used)
+            unwhitened = self.observations.rates(prediction, pairing.limited_to(prediction), used)
             return np.vstack([-whitening.whitened(unwhitened), self.priors.rates(all_values, free)])
 
         bounds = self.lower[list(free)], self.upper[list(free)]
@@ -309,9 +310,9 @@ class Fitter:
             p.name for i, p in parameters for bound in reached_bounds(p, values[i]) if bound != p.value
         )
 
-    def _motion(self, values: Array, pairing: Pairing, used: NDArray[np.bool_]) -> Array | None:
+    def _position_rates(self, values: Array, pairing: Pairing, used: NDArray[np.bool_]) -> Array | None:
         """Return the derivatives of the data with respect to uncertain positions, (D, d); None if there are none."""
         if not self.observations.noise.uncertain:
             return None
-        moved = self.structure.position_rates(values, shape_rates=self.observations.shape_rates)
-        return None if moved is None else self.observations.rates(moved, pairing, used)
+        prediction = self.structure.position_rates(values, shape_rates=self.observations.shape_rates)
+        return None if prediction is None else self.observations.rates(prediction, pairing, used)

@@ -61,7 +61,7 @@ class Hypothesis:
             cause.part_of == own_cause.name or own_cause.part_of == cause.name for own_cause in self.causes
         )
 
-    def adding(self, cause: Candidate) -> Hypothesis:
+    def with_cause(self, cause: Candidate) -> Hypothesis:
         """Return the hypothesis with an additional cause."""
         return replace(self, causes=(*self.causes, cause))
 

@@ -142,7 +142,7 @@ class Profiles:
 
     def __init__(self, fitter: Fitter, fit: Fit) -> None:
         self.fitter, self.fit = fitter, fit
-        self._used, self._whitening = fitter.used(fit.hypothesis), fitter.whitening(fit)
+        self._used, self._whitening = fitter.used_rows(fit.hypothesis), fitter.whitening(fit)
 
     def points(self, requests: Sequence[ModelRequest]) -> list[ProfilePoint | None]:
         """Evaluate the model at several values, each with its free parameters and those without a prior."""
@@ -159,7 +159,7 @@ class Profiles:
             )
         return points
 
-    def linear(self, side: Side) -> End:
+    def linear_end(self, side: Side) -> End:
         """Return an end of the model linearised at the least sum of squares."""
         step = self._step(side, side.minimum)
         size = min(_outer_size(side, side.minimum, step), side.largest)
@@ -167,7 +167,7 @@ class Profiles:
 
     def ends(self, sides: Sequence[Side]) -> list[End]:
         """Return the ends of all sides."""
-        searches = [_EndSearch.start(side, self.linear(side)) for side in sides]
+        searches = [_EndSearch.start(side, self.linear_end(side)) for side in sides]
         for _ in range(MAX_EVALUATIONS):
             open_searches = [search for search in searches if search.end is None]
             if not open_searches:

@@ -27,7 +27,7 @@ from pkmodes.loop.diagnosis.problem import Array, Prediction
 from pkmodes.loop.measured.measurements import Measurements
 
 
-class _Spaces(NamedTuple):
+class _ModeSpaces(NamedTuple):
     """Rows compared with several modes each; bases of the modes, their amplitudes in the row, and their numbers."""
 
     rows: NDArray[np.intp]
@@ -129,7 +129,7 @@ class ShapeRows:
 
     def _project(
         self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]
-    ) -> tuple[Array, Array, Array, _Spaces]:
+    ) -> tuple[Array, Array, Array, _ModeSpaces]:
         """Return residuals, the partners' shapes in the rows' weighting, their amplitude in each row, and spaces."""
         partner = np.maximum(pairing.partner, 0)
         phi = prediction.shapes[self._pose, partner][:, self._columns] * self._weights
@@ -143,7 +143,7 @@ class ShapeRows:
             residual[rows] = self._shapes[rows] - projection
         return np.where((self.known & used)[:, None], residual, 0.0), phi, amplitude, spaces
 
-    def _spaces(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> _Spaces:
+    def _spaces(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> _ModeSpaces:
         partner = np.where(used, pairing.partner, -1)
         unpaired_modes = unpaired_close_modes(prediction, partner, self._pose, self._close)
         has_several_modes = (
@@ -159,7 +159,7 @@ class ShapeRows:
         shapes = prediction.shapes[self._pose[rows][:, None], modes][..., self._columns]
         basis, coefficients = space(shapes * self._weights[rows][:, None] * is_mode[..., None])
         amplitudes = ((basis @ self._shapes[rows][..., None])[..., 0, None] * coefficients).sum(axis=1)
-        return _Spaces(rows, basis, amplitudes, modes)
+        return _ModeSpaces(rows, basis, amplitudes, modes)
 
 
 def _scales(units: Sequence[str], motion: Array) -> Array:

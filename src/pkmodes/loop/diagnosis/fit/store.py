@@ -33,12 +33,12 @@ class FitStore:
 
     def __init__(self, fitter: Fitter, previous: FitStore | None = None) -> None:
         self.fitter = fitter
-        earlier = {} if previous is None else previous._fits
-        self._start_values = {k: fit.values for k, fit in earlier.items() if fit is not None}
+        previous_fits = {} if previous is None else previous._fits
+        self._start_values = {k: fit.values for k, fit in previous_fits.items() if fit is not None}
         self._rows = len(fitter.observations.log_frequencies)
         self._data = fitter.observations.degrees_of_freedom(fitter.observations.all_rows)
         self._fits: dict[Key, Fit | None] = {}
-        self._rough: set[Key] = set()
+        self._rough_keys: set[Key] = set()
         self._started: set[Key] = set()
 
     # Fits ------------------------------------------------------------------------------------------------------
@@ -56,7 +56,7 @@ class FitStore:
             refit, previous = self.fitter.fit(hypothesis, start), self._fits[k]
             if refit is not None and (previous is None or refit.deviance < previous.deviance):
                 self._fits[k] = refit
-                self._rough.discard(k)
+                self._rough_keys.discard(k)
         fit = self._fits[k]
         # The causes are in the order of the requested hypothesis.
         return fit if fit is None or fit.hypothesis == hypothesis else replace(fit, hypothesis=hypothesis)
@@ -67,7 +67,7 @@ class FitStore:
         refit, previous = self.fitter.fit(hypothesis, start), self._fits.get(k)
         if refit is not None and (previous is None or refit.deviance < previous.deviance):
             self._fits[k] = refit
-            self._rough.discard(k)
+            self._rough_keys.discard(k)
         return self.fit(hypothesis)
 
     def is_fitted(self, hypothesis: Hypothesis) -> bool:
@@ -86,7 +86,7 @@ class FitStore:
                 self._fits[k] = self.fitter.fit(hypothesis, best.values)
             else:
                 self._fits[k] = self.fitter.rough_fit(hypothesis, best)
-                self._rough.add(k)
+                self._rough_keys.add(k)
             fits.append(self.fit(hypothesis))
         return [fit for fit in fits if fit is not None]
 
@@ -102,7 +102,7 @@ class FitStore:
                 (
                     i
                     for i, fit in enumerate(fits)
-                    if key(fit.hypothesis) in self._rough
+                    if key(fit.hypothesis) in self._rough_keys
                     and (i < c.search.best_few or self.criterion(fit) <= limits[fit.converged])
                 ),
                 None,
@@ -110,7 +110,7 @@ class FitStore:
             if rough_index is None:
                 break
             k = key(fits[rough_index].hypothesis)
-            self._rough.discard(k)
+            self._rough_keys.discard(k)
             self._fits[k] = (
                 self.fitter.fit(fits[rough_index].hypothesis, fits[rough_index].values) or fits[rough_index]
             )
@@ -125,7 +125,7 @@ class FitStore:
         """Return all fits so far."""
         return tuple(fit for fit in self._fits.values() if fit is not None)
 
-    def without(self, fit: Fit, index: int) -> Fit | None:
+    def fit_without(self, fit: Fit, index: int) -> Fit | None:
         """Return the fit without one of its causes."""
         reduced = fit.hypothesis.without(index)
         return self.fit(reduced, self.values_without(fit, reduced))
@@ -144,7 +144,7 @@ class FitStore:
     def degrees(self, fit: Fit) -> int:
         """Return the degrees of freedom: data less parameters without prior, excluded rows and the shared error."""
         h, fitter = fit.hypothesis, self.fitter
-        count = fitter.observations.degrees_of_freedom(fitter.used(h))
+        count = fitter.observations.degrees_of_freedom(fitter.used_rows(h))
         return (
             count - sum(fitter.priors.row_of(i) is None for i in self.added_parameters(fit)) - int(h.scatter)
         )
@@ -205,7 +205,7 @@ class FitStore:
 
     def improves_prediction(self, fit: Fit, index: int | None = None) -> bool:
         """Return whether one of the causes, by default the last, improves the prediction of left-out setups."""
-        reduced = self.without(fit, len(fit.causes) - 1 if index is None else index)
+        reduced = self.fit_without(fit, len(fit.causes) - 1 if index is None else index)
         if reduced is None:
             return True
         data_indices, priors = self.fitter.observations.data_indices_by_setup(), self.fitter.prior_rows
@@ -232,9 +232,9 @@ class FitStore:
         """
         added: list[int] = []
         for cause in fit.causes:
-            first, *further = self.fitter.indices(cause)
+            first, *further_indices = self.fitter.indices(cause)
             added.append(first)
-            for i in further:
+            for i in further_indices:
                 absent = (
                     cause.form
                     and self.fitter.parameters[i].value == 0.0

@@ -44,7 +44,7 @@ class Pairing:
     partner: Index
     mac: Array
 
-    def within(self, prediction: Prediction) -> Pairing:
+    def limited_to(self, prediction: Prediction) -> Pairing:
         """Return the pairing for a prediction that may lack a mode that a cause adds: its row is unmatched there."""
         exists = self.partner < prediction.eigenvalues.shape[1]
         return self if exists.all() else Pairing(np.where(exists, self.partner, -1), self.mac)

@@ -102,7 +102,7 @@ def linearised(fitter: Fitter, fit: Fit, plausible: Mapping[int, float]) -> Line
         white[indices] = basis[indices] = 0.0
         basis = orthonormal(basis)
         white -= basis @ (basis.T @ white)
-    kept = fitter.used(fit.hypothesis)
+    kept = fitter.used_rows(fit.hypothesis)
     kept[list(aside)] = False
     leverage = (basis**2).sum(axis=1)
     counts = [observations.frequencies.count, *(quantity.count for quantity in other_quantities.values())]

@@ -143,7 +143,7 @@ def misfits(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> dict[Wiring,
 
     These are the declared ones, those of the fit, and those refitted with the best few wirings.
     """
-    as_filed, used = as_in_file(fitter.data.channels), fitter.used(fit.hypothesis)
+    as_filed, used = as_in_file(fitter.data.channels), fitter.used_rows(fit.hypothesis)
     all_wirings = [as_filed, *wirings]
     by_wiring = {as_filed: WiringMisfit.of(fitter, used, fit.residual)}
 

@@ -167,7 +167,10 @@ class Additions:
             for entry in score(self.fitter, single, further).by_candidate:
                 if entry.visible and self._testable(single, entry.candidate):
                     expected = store.criterion(single) - entry.gain + store.price(entry.candidate)
-                    pair, promise = key(single.hypothesis.adding(entry.candidate)), (expected, single, entry)
+                    pair, promise = (
+                        key(single.hypothesis.with_cause(entry.candidate)),
+                        (expected, single, entry),
+                    )
                     if entry.gain > 0.0 or self.few:
                         promised[pair] = min(promised.get(pair, promise), promise, key=itemgetter(0))
                     if single is singles[0] and one_sided(self.fitter, entry.candidate):
@@ -191,7 +194,7 @@ class Additions:
         """Return fits with one more cause; new ones are rough, each from the best of several starts."""
         store, fitted, seeded, new = self.store, [], [], []
         for fit, entry in additions:
-            hypothesis = fit.hypothesis.adding(entry.candidate)
+            hypothesis = fit.hypothesis.with_cause(entry.candidate)
             seed = store.start_values(hypothesis)
             if store.is_fitted(hypothesis):
                 fitted.append(store.fit(hypothesis))

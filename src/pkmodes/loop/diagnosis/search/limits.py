@@ -119,7 +119,7 @@ def bounds(
                 if side is not None:
                     sides.append(side)
                     owners.append(entry)
-    located = [profiles.linear(side) for side in sides]
+    located = [profiles.linear_end(side) for side in sides]
     triples = zip(sides, owners, located, strict=True)
     refined = [
         k for k, (s, entry, e) in enumerate(triples) if not linear and not _suffices(fitter, s, entry, e)
@@ -206,7 +206,7 @@ def _least(
     values: dict[int, Array] = {}
     starts = []
     for k in worthwhile:
-        hypothesis = fit.hypothesis.adding(beside[k].candidate)
+        hypothesis = fit.hypothesis.with_cause(beside[k].candidate)
         previous = store.fit(hypothesis) if store.is_fitted(hypothesis) else None
         if previous is not None:
             values[k] = previous.values

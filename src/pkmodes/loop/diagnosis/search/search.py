@@ -130,7 +130,7 @@ class Search:
         causes, store = fit.causes, self.store
         hypothesis = fit.hypothesis.without(place)
         base = store.fit(hypothesis, store.values_without(fit, hypothesis))
-        rivals = {causes[place].name: replace(fit, hypothesis=hypothesis.adding(causes[place]))}
+        rivals = {causes[place].name: replace(fit, hypothesis=hypothesis.with_cause(causes[place]))}
         if base is not None:
             candidates = [*self.candidates]
             if len(causes) == 1:
@@ -188,7 +188,7 @@ class Search:
 
     def _hopeful(self, fit: Fit) -> bool:
         """Return whether a second cause may suffice: the first explains much, or little is left."""
-        base, c = self.store.without(fit, 0), self.criteria
+        base, c = self.store.fit_without(fit, 0), self.criteria
         return (
             base is None
             or fit.chi2 < c.search.much * base.chi2

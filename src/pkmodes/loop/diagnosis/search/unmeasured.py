@@ -28,7 +28,7 @@ class Seen(NamedTuple):
 def seen(fitter: Fitter, fit: Fit) -> Seen:
     """Count the modes of a fit between the lowest and highest measured ones of each setup."""
     margin, logs = fitter.criteria.gate.margin, fit.prediction.log_frequencies
-    used, visible = fitter.used(fit.hypothesis), _visible(fitter, fit)
+    used, visible = fitter.used_rows(fit.hypothesis), _visible(fitter, fit)
     observations, paired, unmeasured = fitter.observations, int((fit.pairing.partner >= 0).sum()), 0
     for setup, rows in enumerate(observations.noise.rows):
         if not len(rows):

@@ -216,7 +216,7 @@ def _preferred(search: Search, final: Fit) -> tuple[Fit, list[list[Fit]]]:
 def _p_value(search: Search, final: Fit, place: int) -> float:
     """Return the p-value of a likelihood-ratio test of one cause, corrected for the number of candidates."""
     cause = final.causes[place]
-    less = search.store.without(final, place)
+    less = search.store.fit_without(final, place)
     gain = max(less.deviance - final.deviance, 0.0) if less is not None else 0.0
     p = float(stats.chi2.sf(gain, len(cause.parameters)))
     if one_sided(search.store.fitter, cause):

@@ -185,7 +185,7 @@ def more_general(search: Search, final: Fit) -> tuple[Candidate, Candidate] | No
 
 def _is_special(fitter: Fitter, fit: Fit, special: Candidate, general: Candidate) -> bool:
     """Return whether the signature of one cause lies in the span of another's, and the data can resolve this."""
-    used = fitter.used(fit.hypothesis)
+    used = fitter.used_rows(fit.hypothesis)
     if (
         fitter.observations.degrees_of_freedom(used)
         < len(general.parameters) + fitter.criteria.claim.redundancy

@@ -111,7 +111,7 @@ def p_held_out(setups: AllSetups, fitter: Fitter, hypothesis: Hypothesis, final:
     - hypothesis: about all setups; the causes are those of the fit
     - final: to the setups that are not held out
     """
-    held = setups.is_held & fitter.used(hypothesis)
+    held = setups.is_held & fitter.used_rows(hypothesis)
     rows, count = fitter.observations.mask_of_stated(held)
     there = fitter.fit_at_values(hypothesis, final.values, final.scatter)
     if there is None:

@@ -25,7 +25,7 @@ def of_frequencies(store: FitStore, fit: Fit) -> Misfit:
 def p_declared(store: FitStore, fit: Fit) -> float:
     """Return the p-value of the frequencies of the model as declared, over the rows that a fit used."""
     fitter = store.fitter
-    used = fitter.used(fit.hypothesis)
+    used = fitter.used_rows(fit.hypothesis)
     *_, chi2 = fitter.evaluate(fitter.declared, used)
     return float(stats.chi2.sf(chi2, max(int(used.sum()), 1)))
 

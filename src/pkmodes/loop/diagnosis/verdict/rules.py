@@ -182,7 +182,7 @@ def two_of_few(e: Evidence) -> str:
     rows, needed = len(e.fitter.observations.log_frequencies), e.criteria.claim.rows_for_two
     if len(e.final.causes) < 2:
         return ""
-    if not e.criteria.claim.several:
+    if not e.criteria.claim.claims_several:
         return (
             f"{names(e.final.causes)} together would explain the residual, but two changes at once are not claimed: "
             "measure a state between them"

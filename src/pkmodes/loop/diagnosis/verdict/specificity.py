@@ -89,7 +89,7 @@ def p_coincidence(search: Search, final: Fit) -> float:
         return 0.0
     rng = np.random.default_rng(SEED)
     gain, directions = plain.chi2 - final.chi2, search.gate(plain).scores.directions
-    used, data = fitter.used(h), slice(0, fitter.prior_rows.start)
+    used, data = fitter.used_rows(h), slice(0, fitter.prior_rows.start)
     degrees = float(fitter.observations.degrees_of_freedom(used) - plain.leverage[data].sum())
     drawn = arbitrary_draws(fitter, plain, DRAWS, rng)
     p_value = coincidence(search, final, gain, drawn, directions, degrees, final.chi2)
@@ -170,7 +170,7 @@ def arbitrary_draws(fitter: Fitter, plain: Fit, count: int, rng: np.random.Gener
 
 def modal_changes(fitter: Fitter, plain: Fit) -> Array:
     """Return the effects of relative changes of the modal stiffnesses and masses on the whitened data, (D, k)."""
-    used = fitter.used(plain.hypothesis)
+    used = fitter.used_rows(plain.hypothesis)
     # Modes far above the measured ones do not contribute to their shapes.
     modes = int(plain.pairing.partner.max(initial=0)) + 1 + ABOVE
     changed = _changed(plain.prediction, modes, fitter.criteria.pairing.mixed)

@@ -55,7 +55,7 @@ def rests_on_one_row(search: Search, final: Fit) -> str:
     """Return which single row determines a cause or its value; empty if none does."""
     store, c = search.store, search.criteria
     fitter, h = store.fitter, final.hypothesis
-    used = fitter.used(h)
+    used = fitter.used_rows(h)
     leverage = np.where(used, final.leverage[fitter.observations.frequency_rows], 0.0)
     rows = [int(row) for row in np.argsort(leverage)[::-1] if leverage[row] > c.search.redundant]
     for cause in final.causes:
@@ -94,13 +94,13 @@ def shows_once(search: Search, final: Fit, cause: Candidate, row: int) -> bool:
     the cause changes other modes as much, they could.
     """
     store, fitter = search.store, search.store.fitter
-    if not search.criteria.claim.once or len(fitter.data.labels) > 1:
+    if not search.criteria.claim.one_row_suffices or len(fitter.data.labels) > 1:
         return False
     less = replace(final.hypothesis, causes=tuple(kept for kept in final.causes if kept != cause))
     without = fitter.fit_at_values(less, store.values_without(final, less), final.scatter)
     if without is None:
         return False
-    rows, used = fitter.observations.frequency_rows, fitter.used(final.hypothesis)
+    rows, used = fitter.observations.frequency_rows, fitter.used_rows(final.hypothesis)
     change = (without.residual - final.residual)[rows] / fitter.observations.sigma
     squares = np.where(used, change**2, 0.0)
     return bool(squares[row] > ONCE * squares.sum())

@@ -239,7 +239,7 @@ class _Explorer:
         """Return fits with one term beside the measurement errors of a fit, best first."""
         if self.previous is not None:
             previous_values = [
-                (baseline.hypothesis.adding(fit.causes[0]), [fit.values]) for fit in self.previous.fits
+                (baseline.hypothesis.with_cause(fit.causes[0]), [fit.values]) for fit in self.previous.fits
             ]
             return self.store.complete(self.store.rough_fits(previous_values))
         terms_without_starts = [
@@ -249,7 +249,7 @@ class _Explorer:
         visible = [entry for entry in scores if entry.visible and entry.gain > 0.0]
         best_entries = sorted(visible, key=lambda entry: -entry.gain)[:MAX_BY_SCORE]
         # The linear estimate suffices for small changes of modes that are all paired.
-        paired = bool((baseline.pairing.partner[self.fitter.used(baseline.hypothesis)] >= 0).all())
+        paired = bool((baseline.pairing.partner[self.fitter.used_rows(baseline.hypothesis)] >= 0).all())
         small_entries = [
             entry
             for entry in best_entries
@@ -260,7 +260,7 @@ class _Explorer:
         self.progress(f"refitting with the {len(best_entries)} most promising of {len(self.terms)} terms")
         fits = self.search.additions.refitted([(baseline, entry) for entry in large_entries])
         linear_starts = [
-            (baseline.hypothesis.adding(entry.candidate), [self._values_with_step(baseline, entry)])
+            (baseline.hypothesis.with_cause(entry.candidate), [self._values_with_step(baseline, entry)])
             for entry in small_entries
         ]
         overlooked = [entry for entry in scores if entry not in best_entries and entry.largest[0] > 0.0]
@@ -283,13 +283,13 @@ class _Explorer:
             if (name := fit.causes[0].name) in entry_by_name
             and fit.deviance > baseline.deviance - ASTRAY_GAIN * entry_by_name[name].gain
         ]
-        kept = [fit for fit in rough_fits if all(fit is not restarted for restarted, _ in astray)]
+        good_fits = [fit for fit in rough_fits if all(fit is not restarted for restarted, _ in astray)]
         new_starts = starts(self.fitter, [(baseline, entry, fit.hypothesis) for fit, entry in astray])
         restarts = [
             (fit.hypothesis, [*values, fit.values])
             for (fit, _), values in zip(astray, new_starts, strict=True)
         ]
-        return [*kept, *self.store.rough_fits(restarts)]
+        return [*good_fits, *self.store.rough_fits(restarts)]
 
     def _values_with_step(self, baseline: Fit, entry: Score) -> Array:
         """Return the values of a fit with the linear estimate of a term."""
@@ -312,7 +312,7 @@ class _Explorer:
             columns = list(zip(*term.starts, strict=True))
             kinds = min(columns, key=lambda column: len({*column})) if len(columns) > 1 else ()
             values = [self._values_with(baseline, term, start) for start in term.starts]
-            trials.append(_TermStarts(baseline.hypothesis.adding(term), values, kinds))
+            trials.append(_TermStarts(baseline.hypothesis.with_cause(term), values, kinds))
         if trials:
             self.progress(f"starting {len(trials)} terms with a frequency of their own")
         return self._most_promising(trials)[:MAX_BY_START]
@@ -321,7 +321,7 @@ class _Explorer:
         """Return the most promising terms for which the linear model predicts little, with their best sizes."""
         trials = [
             _TermStarts(
-                baseline.hypothesis.adding(entry.candidate),
+                baseline.hypothesis.with_cause(entry.candidate),
                 [
                     self._values_with(baseline, entry.candidate, [sign * size / entry.largest[0]])
                     for size in SIZES

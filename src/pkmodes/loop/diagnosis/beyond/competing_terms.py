@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from pkmodes.loop.diagnosis.beyond.evidence import CRITERION_TOLERANCE, TermEvidence, best_first
-from pkmodes.loop.diagnosis.beyond.tried import fitter_of
+from pkmodes.loop.diagnosis.beyond.evidence import CRITERION_TOLERANCE, TermEvidence, sort_best_first
+from pkmodes.loop.diagnosis.beyond.term_fits import fitter_of
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis, parallel_parameters
 from pkmodes.loop.diagnosis.fit.store import FitStore
@@ -26,7 +26,7 @@ MIN_GAIN_FRACTION = 0.5
 def has_many_alternatives(catalogue: Evidence) -> bool:
     """Return whether the claim has many alternatives: several causes, a wrong value of one axis, or any change."""
     local = any(fit.causes[-1].local for fits in catalogue.claim.own for fit in fits)
-    return len(catalogue.final.causes) > 1 or local or catalogue.criteria.claim.any_place
+    return len(catalogue.final.causes) > 1 or local or catalogue.criteria.claim.terms_as_likely
 
 
 def terms_may_compete(structure: Structure, catalogue: Evidence, held_out: Sequence[int]) -> bool:
@@ -60,11 +60,11 @@ def competing_term(term_evidence: TermEvidence, catalogue: Evidence) -> Fit | No
     if not refits:  # a claim that cannot be compared with terms stands
         return None
     claimed = min(refits, key=criterion)
-    fitter, any_place = term_evidence.fitter, catalogue.criteria.claim.any_place
+    fitter, terms_as_likely = term_evidence.fitter, catalogue.criteria.claim.terms_as_likely
     terms = [
         fit for group in term_evidence.groups for fit in group if all(cause.form for cause in fit.causes)
     ]
-    if any_place and _has_one_parameter(claimed):
+    if terms_as_likely and _has_one_parameter(claimed):
         equal_fits = [fit for fit in terms if abs(criterion(fit) - criterion(claimed)) <= CRITERION_TOLERANCE]
         equivalent_fits = [
             fit
@@ -72,16 +72,18 @@ def competing_term(term_evidence: TermEvidence, catalogue: Evidence) -> Fit | No
             if _has_one_parameter(fit) and have_parallel_effects(fitter, fit, claimed)
         ]
         competing = [fit for fit in terms if fit not in equivalent_fits]
-        return next(iter(best_first(term_evidence.store, competing)), None)
+        return next(iter(sort_best_first(term_evidence.store, competing)), None)
     min_gain = catalogue.criteria.search.worth
-    clearly_better = [fit for fit in terms if any_place and criterion(fit) < criterion(claimed) - min_gain]
+    clearly_better = [
+        fit for fit in terms if terms_as_likely and criterion(fit) < criterion(claimed) - min_gain
+    ]
     rivals = [fit for fit in terms if fit in clearly_better or not nested(fitter, fit, claimed)]
     if has_many_alternatives(catalogue):
         competing = [fit for fit in rivals if abs(criterion(fit) - criterion(claimed)) > CRITERION_TOLERANCE]
     else:
         limit = criterion(claimed) - min_gain
         competing = [fit for fit in rivals if criterion(fit) < limit]
-    return next(iter(best_first(term_evidence.store, competing)), None)
+    return next(iter(sort_best_first(term_evidence.store, competing)), None)
 
 
 def _has_one_parameter(fit: Fit) -> bool:
