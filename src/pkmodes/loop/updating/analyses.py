@@ -157,7 +157,7 @@ def _with_damping(result: Comparison, measured: MeasuredRobot) -> Comparison:
         return result
     rows = list(result.rows)
     for c, case in enumerate(loads.cases):
-        case_rows = [int(i) for i in with_damping if loads.case_of_setup[data.pose[i]] == c]
+        case_rows = [int(i) for i in with_damping if loads.case_index[data.pose[i]] == c]
         if not case_rows:
             continue
         model, setups = Model(case.robot), sorted({int(data.pose[i]) for i in case_rows})

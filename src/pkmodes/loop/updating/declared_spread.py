@@ -29,7 +29,7 @@ def declared_spread(robot: Robot, data: Measurements) -> Array | None:
     loads = load_cases_of(robot, data)
     spreads: dict[int, Array] = {}
     for c, case in enumerate(loads.cases):
-        setups = np.flatnonzero(loads.case_of_setup == c)
+        setups = np.flatnonzero(loads.case_index == c)
         model = Model(case.robot, MAX_CONDITION)
         set_values = data.load(int(setups[0]))
         spread = spread_of(model, data.points[setups], case.drives, "nan", set_values)
@@ -37,7 +37,7 @@ def declared_spread(robot: Robot, data: Measurements) -> Array | None:
         for i, setup in enumerate(setups.tolist()):
             spreads[setup] = np.empty(0) if spread is None else spread[i, rigid:]
     mode_count = max((len(row) for row in spreads.values()), default=0)
-    padded = np.full((len(loads.case_of_setup), mode_count), np.nan)
+    padded = np.full((len(loads.case_index), mode_count), np.nan)
     for setup, row in spreads.items():
         padded[setup, : len(row)] = row
     return padded

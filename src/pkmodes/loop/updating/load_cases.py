@@ -80,12 +80,12 @@ class LoadCases:
 
     - settings: paths of the values set in some of the setups
     - cases: different load cases
-    - case_of_setup: index of the case of each setup, (S,)
+    - case_index: index of the case of each setup, (S,)
     """
 
     settings: tuple[str, ...]
     cases: tuple[LoadCase, ...]
-    case_of_setup: Index
+    case_index: Index
 
     @classmethod
     def as_declared(cls, robot: Robot, setups: int, drives: str = FREE) -> LoadCases:
@@ -96,22 +96,22 @@ class LoadCases:
     def usual_drives(self) -> str:
         """What the motors do in most of the setups."""
         held = sum(
-            int((self.case_of_setup == c).sum()) for c, case in enumerate(self.cases) if case.drives == HELD
+            int((self.case_index == c).sum()) for c, case in enumerate(self.cases) if case.drives == HELD
         )
-        return HELD if 2 * held > len(self.case_of_setup) else FREE
+        return HELD if 2 * held > len(self.case_index) else FREE
 
     def with_other_drives(self, setups: Sequence[int]) -> LoadCases:
         """Return the load cases with motors free instead of held, or held instead of free, in some of the setups."""
         other_cases = tuple(replace(case, drives=other_drives(case.drives)) for case in self.cases)
-        case_of_setup = self.case_of_setup.copy()
-        case_of_setup[list(setups)] += len(self.cases)
-        extended = LoadCases(self.settings, (*self.cases, *other_cases), case_of_setup)
-        return extended.subset(range(len(case_of_setup)))
+        case_index = self.case_index.copy()
+        case_index[list(setups)] += len(self.cases)
+        extended = LoadCases(self.settings, (*self.cases, *other_cases), case_index)
+        return extended.subset(range(len(case_index)))
 
     def subset(self, setups: Sequence[int]) -> LoadCases:
         """Return the load cases of some of the setups."""
-        used, case_of_setup = np.unique(self.case_of_setup[list(setups)], return_inverse=True)
-        return LoadCases(self.settings, tuple(self.cases[c] for c in used), case_of_setup)
+        used, case_index = np.unique(self.case_index[list(setups)], return_inverse=True)
+        return LoadCases(self.settings, tuple(self.cases[c] for c in used), case_index)
 
     def is_always_set(self, path: ParameterPath) -> bool:
         """Return whether all slots of a path are set in every setup."""
@@ -126,11 +126,11 @@ class LoadCases:
         - rows: the setups, (N,)
         - owners: cases of the B robots, at N / B setups each, length B
         """
-        rows = [np.flatnonzero((self.case_of_setup == c) & included) for c in cases]
+        rows = [np.flatnonzero((self.case_index == c) & included) for c in cases]
         if len({len(block) for block in rows}) == 1 and (len(rows[0]) or len(rows) == 1):
             return np.concatenate(rows), list(cases)
         ordered = np.sort(np.concatenate(rows))
-        return ordered, self.case_of_setup[ordered].tolist() if len(ordered) else [cases[0]]
+        return ordered, self.case_index[ordered].tolist() if len(ordered) else [cases[0]]
 
 
 def settable_paths(mechanism: Mechanism, robot: Robot | None = None) -> dict[str, str]:
@@ -158,7 +158,7 @@ def load_cases_of(robot: Robot, data: Measurements) -> LoadCases:
             remedy = nearest_name(path, allowed, "see docs/reference/parameter-paths.md for the paths")
             raise MeasurementError(problem, data.source, remedy)
     cases: dict[tuple[object, ...], LoadCase] = {}
-    case_of_setup = []
+    case_index = []
     for pose, drives in enumerate(data.drives):
         values = data.load(pose)
         key = (drives, *values.items())
@@ -172,8 +172,8 @@ def load_cases_of(robot: Robot, data: Measurements) -> LoadCases:
                 line = data.lines[int(np.argmax(data.pose == pose))]
                 where = f"{data.source}: line {line}, {columns_in_words(refused)}"
                 raise MeasurementError(error.what, where, error.remedy) from None
-        case_of_setup.append(list(cases).index(key))
-    return LoadCases(data.settings, tuple(cases.values()), np.array(case_of_setup, dtype=np.intp))
+        case_index.append(list(cases).index(key))
+    return LoadCases(data.settings, tuple(cases.values()), np.array(case_index, dtype=np.intp))
 
 
 def columns_in_words(values: dict[str, float]) -> str:

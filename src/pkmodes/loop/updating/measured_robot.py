@@ -223,7 +223,7 @@ def check_reachable(robot: Robot, data: Measurements, loads: LoadCases) -> None:
     """
     valid = np.ones(len(data.points), dtype=bool)
     for c, case in enumerate(loads.cases):
-        rows = np.flatnonzero(loads.case_of_setup == c)
+        rows = np.flatnonzero(loads.case_index == c)
         valid[rows] = _is_reachable(case.robot, data.points[rows])
     if valid.all():
         return
@@ -237,7 +237,7 @@ def check_reachable(robot: Robot, data: Measurements, loads: LoadCases) -> None:
     load, remedy = data.load(first), f"check the row and {robot.source}"
     if _is_reachable(robot, data.points[first]).all():  # as declared, the robot reaches it
         where, remedy = where.replace(columns, columns_in_words(load)), "check the set values"
-    loaded = loads.cases[loads.case_of_setup[first]].robot
+    loaded = loads.cases[loads.case_index[first]].robot
     try:
         check_poses(data.points[first], robot.mechanism, loaded.parameters, "raise")
     except PoseError as error:

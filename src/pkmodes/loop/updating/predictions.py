@@ -34,7 +34,7 @@ NO_PATH = ParameterPath("", 0.0, "1", {})
 MISSING_EIGENVALUE, MISSING_RATIO = 1e40, 100.0
 
 
-class ParameterMotions(NamedTuple):
+class Motions(NamedTuple):
     """Moves of k parameters of one robot: T paths, and the motion along each, (n, T, k); None for the identity."""
 
     paths: tuple[ParameterPath, ...]
@@ -105,15 +105,13 @@ def solve_together(
     return SolvedRobots(*fields)
 
 
-def prediction_along(
-    solved: SolvedRobots, motions: Sequence[ParameterMotions], shape_rates: bool
-) -> Prediction:
+def predict_along(solved: SolvedRobots, motions: Sequence[Motions], shape_rates: bool) -> Prediction:
     """Return modes with their derivatives along the moves of each robot's parameters."""
     if len(motions) > 1 and any(
         locked_joints(solved.system, robot_motions.paths).paths for robot_motions in motions
     ):
         predictions = [
-            prediction_along(solved.of_robot(b), [robot_motions], shape_rates)
+            predict_along(solved.of_robot(b), [robot_motions], shape_rates)
             for b, robot_motions in enumerate(motions)
         ]
         return concatenate_predictions(predictions)
@@ -197,7 +195,7 @@ def concatenate_predictions(parts: Sequence[Prediction]) -> Prediction:
     )
 
 
-def _motions_of_robots(motions: Sequence[ParameterMotions], path_count: int, poses: int) -> Array:
+def _motions_of_robots(motions: Sequence[Motions], path_count: int, poses: int) -> Array:
     """Return the motion of each parameter along each path, (N, T, k)."""
     columns = max(
         len(robot_motions.paths) if robot_motions.motions is None else robot_motions.motions.shape[-1]

@@ -29,13 +29,7 @@ from pkmodes.loop.updating.candidates import EFFECTS
 from pkmodes.loop.updating.channels import channels, sensors
 from pkmodes.loop.updating.load_cases import LoadCase, LoadCases, payloads
 from pkmodes.loop.updating.losses import rates_of_losses
-from pkmodes.loop.updating.predictions import (
-    ParameterMotions,
-    SolvedRobots,
-    join_modes,
-    prediction_along,
-    solve_together,
-)
+from pkmodes.loop.updating.predictions import Motions, SolvedRobots, join_modes, predict_along, solve_together
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
@@ -94,11 +88,10 @@ class RobotStructure:
             ParameterPath(f"{POSE}.{component.name}", 0.0, component.unit, {(POSE, (i,)): 1.0})
             for i, component in enumerate(self._mechanism.pose)
         )
-        self._parameter_paths = dict(parameter_paths)
+        self._path_of = dict(parameter_paths)
         self.loads = LoadCases.as_declared(robot, len(self.points)) if loads is None else loads
         self._free_paths = [
-            {name: case.reduced(path) for name, path in self._parameter_paths.items()}
-            for case in self.loads.cases
+            {name: case.reduced(path) for name, path in self._path_of.items()} for case in self.loads.cases
         ]
         self._cached_modes: tuple[bytes, list[_SolvedSetups]] | None = None
         self._cached_prediction: tuple[object, Prediction] | None = None
@@ -119,7 +112,7 @@ class RobotStructure:
 
     def at(self, points: Array, loads: LoadCases | None = None) -> RobotStructure:
         """Return the same robot at other poses, as declared, or with load cases."""
-        arguments = self.parameters, self.candidates, self._parameter_paths
+        arguments = self.parameters, self.candidates, self._path_of
         return type(self)(self.robot, points, *arguments, loads, self.losses)
 
     def extended(
@@ -129,7 +122,7 @@ class RobotStructure:
         candidates: Sequence[Candidate],
     ) -> RobotStructure:
         """Return the same robot with further parameters, the path of each, and other candidates."""
-        arguments = (*self.parameters, *parameters), candidates, {**self._parameter_paths, **parameter_paths}
+        arguments = (*self.parameters, *parameters), candidates, {**self._path_of, **parameter_paths}
         return type(self)(self.robot, self.points, *arguments, self.loads, self.losses)
 
     def subset(self, setups: Sequence[int]) -> RobotStructure:
@@ -147,40 +140,32 @@ class RobotStructure:
 
     def may_be_held(self, causes: Collection[str]) -> bool:
         """Return whether a measurement with held motors may be proposed: motors that give way only if some were."""
-        if any(self.loads.cases[c].drives == HELD for c in set(self.loads.case_of_setup.tolist())):
+        if any(self.loads.cases[c].drives == HELD for c in set(self.loads.case_index.tolist())):
             return True
         return not (motors_give_way(self.robot) or motor_springs_among(self._mechanism, causes))
 
     def loaded(self) -> list[tuple[dict[str, float], RobotStructure]]:
         """Return payloads (values by path), each with the robot at its poses under it."""
-        case_of_setup = np.zeros(len(self.points), dtype=np.intp)
+        case_index = np.zeros(len(self.points), dtype=np.intp)
         cases = [
             (load, LoadCase.of(self.robot, load, self.drives)) for load in payloads(self.robot, self.points)
         ]
         return [
-            (load, self.at(self.points, LoadCases(tuple(load), (case,), case_of_setup)))
-            for load, case in cases
+            (load, self.at(self.points, LoadCases(tuple(load), (case,), case_index))) for load, case in cases
         ]
 
     @np.errstate(over="ignore", invalid="ignore", divide="ignore")  # a fit may try impossible values
     def predict(self, values: Array, by: Sequence[int], *, shape_rates: bool = False) -> Prediction:
         """Return the modes at all poses, with derivatives with respect to some of the parameters."""
         request = values.tobytes(), tuple(by), shape_rates
-        if (
-            self._cached_prediction is not None and self._cached_prediction[0] == request
-        ):  # a fit evaluates the same values more than once
+        # A fit evaluates the same values more than once.
+        if self._cached_prediction is not None and self._cached_prediction[0] == request:
             return self._cached_prediction[1]
-        prediction = self._joined_modes(
-            [
-                (
-                    part.rows,
-                    prediction_along(
-                        part.modes, self.parameter_motions(values, by, part.rows, part.owners), shape_rates
-                    ),
-                )
-                for part in self._at_values(values)
-            ]
-        )
+        parts = []
+        for part in self._at_values(values):
+            motions = self.motions_of(values, by, part.rows, part.owners)
+            parts.append((part.rows, predict_along(part.modes, motions, shape_rates)))
+        prediction = join_modes(parts, len(self.points))
         if by:
             self._cached_prediction = request, prediction
         return prediction
@@ -196,53 +181,41 @@ class RobotStructure:
         machines = [self.machines(v) for v in values]
         groups: dict[object, list[int]] = {}
         for k, (machine, indices) in enumerate(zip(machines, by, strict=True)):
-            is_separate = any(
-                locked_joints(machine.systems[c], paths).paths for c, paths in self._paths(indices).items()
-            )
-            groups.setdefault(
-                k if is_separate else tuple(map(self._evaluation_key, machine.systems)), []
-            ).append(k)
+            paths = self._paths(indices)
+            is_separate = any(locked_joints(machine.systems[c], paths[c]).paths for c in paths)
+            key = k if is_separate else tuple(map(self._evaluation_key, machine.systems))
+            groups.setdefault(key, []).append(k)
         all_poses = np.ones(len(self.points), dtype=bool)
         count, batches = len(self.points), []
         for members in groups.values():
             blocks = self._blocks(machines[members[0]], all_poses)
-            batched_members = members if len(members) > 1 else []
-            parts = _solved_blocks([machines[k] for k in batched_members], blocks, checked=False)
+            batch = members if len(members) > 1 else []
+            parts = _solved_blocks([machines[k] for k in batch], blocks, checked=False)
             if parts is None:
-                batched_members = [k for k in batched_members if self.reachable(machines[k]).all()]
-                parts = _solved_blocks([machines[k] for k in batched_members], blocks, checked=True)
+                batch = [k for k in batch if self.reachable(machines[k]).all()]
+                parts = _solved_blocks([machines[k] for k in batch], blocks, checked=True)
             if parts is None or not all(np.isfinite(part.eigenvalues).all() for part in parts):
-                batched_members = []
-            for k in (k for k in members if k not in batched_members):
+                batch = []
+            for k in (k for k in members if k not in batch):
                 batches.append(Batch(np.array([k]), self.predict(values[k], by[k], shape_rates=shape_rates)))
-            if batched_members:
+            if batch:
                 assert parts is not None
-                first_rows = count * np.arange(len(batched_members))[:, None]
+                first_rows = count * np.arange(len(batch))[:, None]
                 predictions = []
                 for part, (rows, owners) in zip(parts, blocks, strict=True):
-                    moves = [
-                        motion
-                        for k in batched_members
-                        for motion in self.parameter_motions(values[k], by[k], rows, owners)
-                    ]
-                    predictions.append(
-                        ((first_rows + rows).ravel(), prediction_along(part, moves, shape_rates))
-                    )
-                batches.append(
-                    Batch(np.array(batched_members), join_modes(predictions, count * len(batched_members)))
-                )
+                    motions = [m for k in batch for m in self.motions_of(values[k], by[k], rows, owners)]
+                    prediction = predict_along(part, motions, shape_rates)
+                    predictions.append(((first_rows + rows).ravel(), prediction))
+                batches.append(Batch(np.array(batch), join_modes(predictions, count * len(batch))))
         return batches
 
     def position_rates(self, values: Array, *, shape_rates: bool = False) -> Prediction:
         """Return the modes at all poses, with derivatives with respect to the platform's position."""
-        motions = ParameterMotions(self.shifts, None)
-        parts = self._at_values(values)
-        return self._joined_modes(
-            [
-                (part.rows, prediction_along(part.modes, [motions] * len(part.owners), shape_rates))
-                for part in parts
-            ]
-        )
+        parts = []
+        for part in self._at_values(values):
+            motions = [Motions(self.shifts, None)] * len(part.owners)
+            parts.append((part.rows, predict_along(part.modes, motions, shape_rates)))
+        return join_modes(parts, len(self.points))
 
     def damping_rates(self, values: Array) -> Array:
         """Return the damping ratio of each elastic mode per unit of each loss, (P, m, losses).
@@ -259,9 +232,8 @@ class RobotStructure:
             set_losses = [
                 case.is_set((loss.parameter.name.removeprefix(EFFECTS), ())) for loss in self.losses
             ]
-            rates[
-                np.ix_(self.loads.case_of_setup == c, np.arange(count), np.array(set_losses, dtype=bool))
-            ] = np.nan
+            setups = self.loads.case_index == c
+            rates[np.ix_(setups, np.arange(count), np.array(set_losses, dtype=bool))] = np.nan
         return rates
 
     @property
@@ -300,14 +272,14 @@ class RobotStructure:
         poses = poses[inside(self.robot, poses) & (angles >= self._min_rod_angle).all(axis=-1)][:count]
         return poses, self.at(poses, LoadCases.as_declared(self.robot, len(poses), self.drives))
 
-    def parameter_motions(
+    def motions_of(
         self, values: Array, by: Sequence[int], rows: Index, owners: Sequence[int]
-    ) -> list[ParameterMotions]:
+    ) -> list[Motions]:
         """Return the moves of some parameters in the robots of some cases, each at an equal number of setups."""
         names, paths = [self.parameters[i].name for i in by], self._paths(by)
-        robot_names = [name for name in names if name in self._parameter_paths]
+        robot_names = [name for name in names if name in self._path_of]
         if len(robot_names) == len(names):
-            return [ParameterMotions(paths[c], None) for c in owners]
+            return [Motions(paths[c], None) for c in owners]
         # A parameter of the frame moves all poses, each according to its distance from the frame's origin.
         column_of = {name: k for k, name in enumerate(robot_names)}
         motions = np.zeros((len(self.points), len(robot_names) + len(self.shifts), len(by)))
@@ -320,29 +292,27 @@ class RobotStructure:
                 )
         with_shifts = {c: (*case_paths, *self.shifts) for c, case_paths in paths.items()}
         blocks = rows.reshape(len(owners), -1)
-        return [
-            ParameterMotions(with_shifts[c], motions[block]) for c, block in zip(owners, blocks, strict=True)
-        ]
+        return [Motions(with_shifts[c], motions[block]) for c, block in zip(owners, blocks, strict=True)]
 
     def _paths(self, by: Sequence[int]) -> dict[int, tuple[ParameterPath, ...]]:
         """Return the paths of some parameters of the robot in each load case."""
         names = [self.parameters[i].name for i in by]
         return {
-            c: tuple(free_paths[name] for name in names if name in self._parameter_paths)
+            c: tuple(free_paths[name] for name in names if name in self._path_of)
             for c, free_paths in enumerate(self._free_paths)
         }
 
     def _frame_values(self, values: Array) -> dict[str, float]:
         """Return the values of the parameters of the measurement frame."""
         pairs = zip(self.parameters, values, strict=True)
-        return {p.name: float(value) for p, value in pairs if p.name not in self._parameter_paths}
+        return {p.name: float(value) for p, value in pairs if p.name not in self._path_of}
 
     def machines(self, values: Array) -> Machines:
         """Return the robot of each load case with these values of the parameters."""
         changed = [
-            (p.name, value - self._parameter_paths[p.name].value)
+            (p.name, value - self._path_of[p.name].value)
             for p, value in zip(self.parameters, values, strict=True)
-            if p.name in self._parameter_paths and value != self._parameter_paths[p.name].value
+            if p.name in self._path_of and value != self._path_of[p.name].value
         ]
         cases = self.loads.cases
         robots = [
@@ -356,9 +326,8 @@ class RobotStructure:
     def _at_values(self, values: Array) -> list[_SolvedSetups]:
         """Return the modes for one set of values; robots that can be are evaluated together."""
         key = values.tobytes()
-        if (
-            self._cached_modes is None or self._cached_modes[0] != key
-        ):  # derivatives are mostly requested where the modes are known
+        # Derivatives are mostly requested where the modes are known.
+        if self._cached_modes is None or self._cached_modes[0] != key:
             machines = self.machines(values)
             blocks = self._blocks(machines, np.ones(len(self.points), dtype=bool))
             parts = _solved_blocks([machines], blocks, checked=False)
@@ -366,10 +335,8 @@ class RobotStructure:
                 blocks = self._blocks(machines, self.reachable(machines))
                 parts = _solved_blocks([machines], blocks, checked=True)
             assert parts is not None
-            self._cached_modes = (
-                key,
-                [_SolvedSetups(*block, part) for block, part in zip(blocks, parts, strict=True)],
-            )
+            solved = [_SolvedSetups(*block, part) for block, part in zip(blocks, parts, strict=True)]
+            self._cached_modes = key, solved
         return self._cached_modes[1]
 
     def _blocks(self, machines: Machines, valid: NDArray[np.bool_]) -> list[tuple[Index, list[int]]]:
@@ -378,9 +345,6 @@ class RobotStructure:
         for c, system in enumerate(machines.systems):
             cases_by_key.setdefault(self._evaluation_key(system), []).append(c)
         return [self.loads.setup_blocks(cases, valid) for cases in cases_by_key.values()]
-
-    def _joined_modes(self, parts: Sequence[tuple[Index, Prediction]]) -> Prediction:
-        return join_modes(parts, len(self.points))
 
     def _evaluation_key(self, system: ExtendedSystem) -> object:
         """Return a key that is the same for robots that can be evaluated together."""
@@ -395,7 +359,7 @@ class RobotStructure:
         is_as_measured = np.array_equal(points, self.points)
         for c, (robot, case) in enumerate(zip(machines.robots, self.loads.cases, strict=True)):
             if not (is_as_measured and _same_geometry(self._mechanism, robot, case.robot)):
-                rows = np.flatnonzero(self.loads.case_of_setup == c)
+                rows = np.flatnonzero(self.loads.case_index == c)
                 reached[rows] = check_poses(points[rows], self._mechanism, robot.parameters, "nan").valid
         return reached
 

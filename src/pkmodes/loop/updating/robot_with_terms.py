@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.loop.diagnosis.problem import Batch, Candidate, Parameter, Prediction, Sensor
-from pkmodes.loop.updating.predictions import ParameterMotions, concatenate_predictions, join_modes
+from pkmodes.loop.updating.predictions import Motions, concatenate_predictions, join_modes
 from pkmodes.loop.updating.robot_structure import RobotStructure
 from pkmodes.loop.updating.site_with_term import (
     PlacedTerm,
@@ -145,7 +145,7 @@ class RobotWithTerms:
         present = self._present_term(values)
         if present is None:
             return self.robot.position_rates(values[: self._robot_count], shape_rates=shape_rates)
-        pose_motions = ParameterMotions(self.robot.shifts, None)
+        pose_motions = Motions(self.robot.shifts, None)
         parts = [
             (site.setups, TermRates(site, modes, present).of_robot(pose_motions, shape_rates))
             for site, modes in self._modes_of_sites(values, present)
@@ -256,9 +256,9 @@ class RobotWithTerms:
             robot_prediction.rigid,
         )
 
-    def _robot_motions(self, values: Array, by: Sequence[int], site: Site) -> ParameterMotions:
-        case = int(self.robot.loads.case_of_setup[site.setups[0]])
-        (motions,) = self.robot.parameter_motions(values[: self._robot_count], by, site.setups, [case])
+    def _robot_motions(self, values: Array, by: Sequence[int], site: Site) -> Motions:
+        case = int(self.robot.loads.case_index[site.setups[0]])
+        (motions,) = self.robot.motions_of(values[: self._robot_count], by, site.setups, [case])
         return motions
 
     # The robot and one term ----------------------------------------------------------------------------------
@@ -270,7 +270,7 @@ class RobotWithTerms:
             machines = self.robot.machines(robot_values)
             reached, sites = self.robot.reachable(machines), []
             for c, system in enumerate(machines.systems):
-                setups = np.flatnonzero((self.robot.loads.case_of_setup == c) & reached)
+                setups = np.flatnonzero((self.robot.loads.case_index == c) & reached)
                 if len(setups):
                     points = machines.points[setups]
                     matrices = system.all_coordinates(points)

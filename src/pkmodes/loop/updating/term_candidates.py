@@ -110,8 +110,8 @@ def term_candidates(structure: RobotStructure) -> TermCandidates:
     """Return the terms of a robot at its poses that change something there, each once."""
     declared = np.array([p.value for p in structure.parameters])
     machines = structure.machines(declared)
-    case = int(np.argmax(np.bincount(structure.loads.case_of_setup)))
-    row = int(np.flatnonzero(structure.loads.case_of_setup == case)[0])
+    case = int(np.argmax(np.bincount(structure.loads.case_index)))
+    row = int(np.flatnonzero(structure.loads.case_index == case)[0])
     system, point = machines.systems[case], machines.points[row : row + 1]
     matrices = system.all_coordinates(point)
     M, K = (system.free_part(a) for a in matrices)

@@ -15,7 +15,7 @@ from pkmodes.loop.diagnosis.problem import Prediction
 from pkmodes.loop.sensitivity.locked import released_changes
 from pkmodes.loop.sensitivity.matrices import MatrixDerivatives
 from pkmodes.loop.sensitivity.paths import ParameterPath
-from pkmodes.loop.updating.predictions import ParameterMotions
+from pkmodes.loop.updating.predictions import Motions
 from pkmodes.loop.updating.site_with_term import (
     PlacedTerm,
     PresentTerm,
@@ -64,7 +64,7 @@ class TermRates:
         self._term = None if present is None else present.placed_term.term
         self._platform = np.real(platform_with(self._term, site.surroundings))
 
-    def of_robot(self, motions: ParameterMotions, shape_rates: bool) -> Prediction:
+    def of_robot(self, motions: Motions, shape_rates: bool) -> Prediction:
         """Return the modes with derivatives along moves of the robot."""
         prediction = self._prediction(list(self._rates_along(motions.paths)), shape_rates)
         if motions.motions is None:
