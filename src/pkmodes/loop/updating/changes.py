@@ -109,7 +109,7 @@ def changed(
         missing_paths = {
             path: resolve(baseline, path) for path in trusted_state.values if path not in in_candidates
         }
-        parameters = [Parameter(path, move.value, move.unit) for path, move in missing_paths.items()]
+        parameters = [Parameter(name, path.value, path.unit) for name, path in missing_paths.items()]
         structure = with_known(
             _with_parameters(measured_structure, (parameters, missing_paths)), trusted_state.values
         )

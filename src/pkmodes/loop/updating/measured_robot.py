@@ -113,13 +113,13 @@ class MeasuredRobot:
                     problem = f"no damping was measured, and {name} changes nothing else"
                     remedy = "leave it out, or add a column damping to the measurements"
                     raise PkmodesError(problem, "candidates", remedy)
-        parameters, causes, moves = suspects(self.robot, without_losses(self.robot, candidates), self.loads)
+        parameters, causes, paths = suspects(self.robot, without_losses(self.robot, candidates), self.loads)
         parameters = with_frame_ranges(parameters, self.data)
         cause_names = {cause.name for cause in causes}
         # Priors that the measurements state for candidates outside the choice are ignored.
         stated = {n: prior for n, prior in self.data.priors.items() if candidates is None or n in cause_names}
         causes = _with_priors(self.robot, parameters, causes, merge_stated(stated, priors or {}, "priors"))
-        return ExtensibleRobot(self.robot, self.data.points, parameters, causes, moves, self.loads, losses)
+        return ExtensibleRobot(self.robot, self.data.points, parameters, causes, paths, self.loads, losses)
 
 
 def columns_of_others(excluded: Mechanism) -> dict[str, frozenset[str]]:

@@ -106,7 +106,7 @@ def solve_together(
 
 
 def predict_along(solved: SolvedRobots, motions: Sequence[Motions], shape_rates: bool) -> Prediction:
-    """Return modes with their derivatives along the moves of each robot's parameters."""
+    """Return modes with their derivatives along the motions of each robot's parameters."""
     if len(motions) > 1 and any(
         locked_joints(solved.system, robot_motions.paths).paths for robot_motions in motions
     ):

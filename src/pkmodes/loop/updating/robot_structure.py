@@ -275,7 +275,7 @@ class RobotStructure:
     def motions_of(
         self, values: Array, by: Sequence[int], rows: Index, owners: Sequence[int]
     ) -> list[Motions]:
-        """Return the moves of some parameters in the robots of some cases, each at an equal number of setups."""
+        """Return the motions of some parameters in the robots of some cases, each at an equal number of setups."""
         names, paths = [self.parameters[i].name for i in by], self._paths(by)
         robot_names = [name for name in names if name in self._path_of]
         if len(robot_names) == len(names):

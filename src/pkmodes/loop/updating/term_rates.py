@@ -65,7 +65,7 @@ class TermRates:
         self._platform = np.real(platform_with(self._term, site.surroundings))
 
     def of_robot(self, motions: Motions, shape_rates: bool) -> Prediction:
-        """Return the modes with derivatives along moves of the robot."""
+        """Return the modes with derivatives along motions of the robot."""
         prediction = self._prediction(list(self._rates_along(motions.paths)), shape_rates)
         if motions.motions is None:
             return prediction

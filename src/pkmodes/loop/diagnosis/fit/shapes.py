@@ -152,9 +152,8 @@ class ShapeRows:
         rows = np.flatnonzero(has_several_modes & (partner >= 0))
         close_rows = self._close_rows[rows]
         measured = np.where(close_rows >= 0, partner[close_rows], -1)
-        modes = np.hstack(
-            [measured, unpaired_modes[rows]]
-        )  # if as many as the components, the residual is zero
+        # With as many modes as components, the residual is zero.
+        modes = np.hstack([measured, unpaired_modes[rows]])
         is_mode, modes = modes >= 0, np.maximum(modes, 0)
         shapes = prediction.shapes[self._pose[rows][:, None], modes][..., self._columns]
         basis, coefficients = space(shapes * self._weights[rows][:, None] * is_mode[..., None])
