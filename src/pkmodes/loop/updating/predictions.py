@@ -35,10 +35,13 @@ MISSING_EIGENVALUE, MISSING_RATIO = 1e40, 100.0
 
 
 class Motions(NamedTuple):
-    """Moves of k parameters of one robot: T paths, and the motion along each, (n, T, k); None for the identity."""
+    """Motions of k parameters of one robot along T paths.
+
+    - weights: change along each path per unit of each parameter, (n, T, k); None for the identity
+    """
 
     paths: tuple[ParameterPath, ...]
-    motions: Array | None
+    weights: Array | None
 
 
 class SolvedRobots(NamedTuple):
@@ -139,11 +142,11 @@ def predict_along(solved: SolvedRobots, motions: Sequence[Motions], shape_rates:
         rates = derivatives.eigenvalues(solved.eigenvalues, solved.shapes)
         if channel_rates is not None:
             channel_rates = _channel_rates(solved, derivatives, paths)
-    if any(robot_motions.motions is not None for robot_motions in motions):
-        combined_motions = _motions_of_robots(motions, path_count, len(solved.points) // len(motions))
+    if any(robot_motions.weights is not None for robot_motions in motions):
+        combined_weights = _weights_of_robots(motions, path_count, len(solved.points) // len(motions))
         rates, channel_rates = (
-            rates @ combined_motions,
-            None if channel_rates is None else channel_rates @ combined_motions[:, None],
+            rates @ combined_weights,
+            None if channel_rates is None else channel_rates @ combined_weights[:, None],
         )
     return Prediction(solved.eigenvalues, rates, solved.channels, solved.system.rigid_modes, channel_rates)
 
@@ -195,17 +198,17 @@ def concatenate_predictions(parts: Sequence[Prediction]) -> Prediction:
     )
 
 
-def _motions_of_robots(motions: Sequence[Motions], path_count: int, poses: int) -> Array:
-    """Return the motion of each parameter along each path, (N, T, k)."""
+def _weights_of_robots(motions: Sequence[Motions], path_count: int, poses: int) -> Array:
+    """Return the change along each path per unit of each parameter, (N, T, k)."""
     columns = max(
-        len(robot_motions.paths) if robot_motions.motions is None else robot_motions.motions.shape[-1]
+        len(robot_motions.paths) if robot_motions.weights is None else robot_motions.weights.shape[-1]
         for robot_motions in motions
     )
-    all_motions = np.zeros((len(motions), poses, path_count, columns))
-    for robot_motions, padded_motion in zip(motions, all_motions, strict=True):
-        motion = np.eye(len(robot_motions.paths)) if robot_motions.motions is None else robot_motions.motions
-        padded_motion[:, : motion.shape[-2], : motion.shape[-1]] = motion
-    return all_motions.reshape(-1, path_count, columns)
+    all_weights = np.zeros((len(motions), poses, path_count, columns))
+    for robot_motions, padded_weights in zip(motions, all_weights, strict=True):
+        weights = np.eye(len(robot_motions.paths)) if robot_motions.weights is None else robot_motions.weights
+        padded_weights[:, : weights.shape[-2], : weights.shape[-1]] = weights
+    return all_weights.reshape(-1, path_count, columns)
 
 
 def _channel_rates(

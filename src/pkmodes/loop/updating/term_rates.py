@@ -67,15 +67,15 @@ class TermRates:
     def of_robot(self, motions: Motions, shape_rates: bool) -> Prediction:
         """Return the modes with derivatives along motions of the robot."""
         prediction = self._prediction(list(self._rates_along(motions.paths)), shape_rates)
-        if motions.motions is None:
+        if motions.weights is None:
             return prediction
         channel_rates = prediction.shape_rates
         return Prediction(
             prediction.eigenvalues,
-            prediction.rates @ motions.motions,
+            prediction.rates @ motions.weights,
             prediction.shapes,
             prediction.rigid,
-            None if channel_rates is None else channel_rates @ motions.motions[:, None],
+            None if channel_rates is None else channel_rates @ motions.weights[:, None],
         )
 
     def of_terms(self, parameters: Sequence[tuple[PlacedTerm, int, Array]], shape_rates: bool) -> Prediction:
