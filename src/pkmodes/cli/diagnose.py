@@ -200,14 +200,14 @@ def _saved(file: Path, mechanism: Path | None, robot: Robot, result: Diagnosis) 
     """Return how to generate the code of the saved robot, what it has, and what is missing in it."""
     from pkmodes.cli.terminal import Terminal
     from pkmodes.loop.diagnosis.verdict import naming
-    from pkmodes.loop.updating.corrected_robot import widened
+    from pkmodes.loop.updating.corrected_robot import widened_values
 
     sentences = [
         f"{naming.choice_in_words(effect)}: to save that instead, add --candidates {effect.members[1]}"
         for effect in result.every_cause
         if len(effect.members) > 1  # which these data cannot distinguish
     ]
-    values = sorted(widened(result), key=lambda value: -value.saved_sigma / max(value.sigma, 1e-300))
+    values = sorted(widened_values(result), key=lambda value: -value.saved_sigma / max(value.sigma, 1e-300))
     texts = [
         f"{value.name.removeprefix('effects.')} {plain(value.saved_sigma, 2)} instead of "
         f"{plain(value.sigma, 2)} {value.unit} ({value.unseen.candidate or value.unseen.default})"

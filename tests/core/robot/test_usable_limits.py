@@ -23,7 +23,7 @@ from pkmodes.core.robot.usable_poses import limits_of
 from pkmodes.loop.robot_files.differences import differences
 from pkmodes.loop.robot_files.saving import Correction
 from pkmodes.loop.sensitivity.paths import paths
-from pkmodes.loop.updating.load_cases import settable
+from pkmodes.loop.updating.load_cases import settable_paths
 from pkmodes.machine.dataset.robot_text import text_of
 
 ROBOTS = Path(__file__).parents[3] / "robots"
@@ -186,7 +186,7 @@ def test_limits_belong_to_the_robot_and_stay_with_it(tmp_path: Path) -> None:
 def test_limits_are_no_parameters(tmp_path: Path) -> None:
     robot, plain = read(tmp_path, USED), read_robot(ROBOTS / "linear-delta-2022.toml")
     assert paths(robot) == paths(plain)
-    assert settable(robot.mechanism, robot) == settable(plain.mechanism, plain)
+    assert settable_paths(robot.mechanism, robot) == settable_paths(plain.mechanism, plain)
     assert (robot.quantities, robot.declared) == (plain.quantities, plain.declared)
     for path in ("usable.z", "usable.z.min"):
         with pytest.raises(PkmodesError, match=f'unknown parameter path "{path}"'):

@@ -20,7 +20,7 @@ from pkmodes.core.support.ordering import joined
 from pkmodes.loop.measured.cells import TableNotation
 from pkmodes.loop.measured.csv_format import read_text
 from pkmodes.loop.measured.csv_rows import read_lines
-from pkmodes.loop.measured.meanings import likely_meaning, worded
+from pkmodes.loop.measured.meanings import likely_meaning, split_unit
 from pkmodes.loop.measured.rules import SHAPE
 from pkmodes.modaltest.campaign.campaign import Campaign, Record
 from pkmodes.modaltest.campaign.grouping import APART
@@ -163,7 +163,7 @@ def _places(
     for i, cell in enumerate(names):
         name, unit = parted(cell, [*theirs, *NUMBERS, "pose"])
         if name in theirs and unit is None:
-            unit = worded(cell)[1] or None  # "Damping ratio in %"
+            unit = split_unit(cell)[1] or None  # "Damping ratio in %"
         name = theirs.get(name, theirs.get(cell, name))
         if name.startswith(SHAPE) and name.removeprefix(SHAPE) not in channels:
             channel = name.removeprefix(SHAPE)
@@ -188,7 +188,7 @@ def _places(
         standard_columns = [*NUMBERS, *(f"{SHAPE}{name}" for name in channels)]
         meant: dict[str, str] = {}
         for cell in names:
-            meaning = worded(likely_meaning(cell, standard_columns, {*places, *meant}))[0]
+            meaning = split_unit(likely_meaning(cell, standard_columns, {*places, *meant}))[0]
             meant |= {meaning: cell} if meaning else {}
         likely = meant if "frequency" in meant else {"frequency": "f0", **meant}
         example = ", ".join(
