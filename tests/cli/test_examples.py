@@ -87,8 +87,8 @@ def test_an_installed_program_has_them_beside_its_modules(
 ) -> None:
     """Where hatch_build.py puts them; .ci/smoke.py asks a real wheel."""
     installed, here = tmp_path / "site-packages/pkmodes/supplied", tmp_path / "here"
-    assert f'"pkmodes/{supplied.PLACES[0].name}/' in (ROOT / "hatch_build.py").read_text(encoding="utf-8")
-    monkeypatch.setattr(supplied, "PLACES", (installed, tmp_path / "none"))
+    assert f'"pkmodes/{supplied.ROOTS[0].name}/' in (ROOT / "hatch_build.py").read_text(encoding="utf-8")
+    monkeypatch.setattr(supplied, "ROOTS", (installed, tmp_path / "none"))
     assert "found no robot files and examples" in refused("examples", "robots", "--out", here)
     shutil.copytree(ROOT / "robots", installed / "robots")
     (installed / ROBOT).write_text("of the wheel", encoding="utf-8")

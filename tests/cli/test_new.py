@@ -19,7 +19,7 @@ from helpers.robots.one_of_each import EVERY
 from helpers.robots.robot_text import edited
 from helpers.runs.processes import ROOT
 from pkmodes.core.mechanism import registry as known
-from pkmodes.loop.robot_files.measuring import BY_DIMENSION, BY_PATH, way_of
+from pkmodes.loop.robot_files.measuring import BY_DIMENSION, BY_PATH, measuring_method
 from pkmodes.loop.robot_files.template import template
 from pkmodes_description import UNITS, Key, Table
 
@@ -146,8 +146,10 @@ def test_a_comment_above_each_key_says_its_unit_and_how_to_find_it(name: str) ->
                 assert re.search(rf"\[[^]]*{re.escape('a number' if unit == '1' else unit)}[^]]*\]", words), (
                     line
                 )
-                assert way_of(f"{table['name']}.{key['name']}", key["dimension"]).how in words
-                assert way_of(f"{table['name']}.{key['name']}", key["dimension"]).how, line
+                assert (
+                    measuring_method(f"{table['name']}.{key['name']}", key["dimension"]).instruction in words
+                )
+                assert measuring_method(f"{table['name']}.{key['name']}", key["dimension"]).instruction, line
 
 
 def test_the_ways_to_find_values_are_of_dimensions_and_keys_that_exist() -> None:

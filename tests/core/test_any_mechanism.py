@@ -239,7 +239,7 @@ def test_the_measurement_frame_of_a_plane_is_shifted_and_turned_in_it() -> None:
         frame.true_points(KIND, np.array([[1.0, 0.0]]), values), [[0.0, 1.1]], atol=1e-15
     )
     np.testing.assert_allclose(
-        frame.rate(KIND, "measurement.yaw", np.array([[1.0, 0.0]]), values), [[-1.0, 0.0]], atol=1e-15
+        frame.pose_rates(KIND, "measurement.yaw", np.array([[1.0, 0.0]]), values), [[-1.0, 0.0]], atol=1e-15
     )
 
 

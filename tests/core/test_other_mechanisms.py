@@ -23,7 +23,7 @@ from pkmodes.core.robot.reading import read_robot, robot_from_document
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.variants import document_of
 from pkmodes.loop.robot_files.saving import Correction, corrected_text
-from pkmodes.loop.sensitivity.paths import moved, paths, resolve
+from pkmodes.loop.sensitivity.paths import change_quantities, paths, resolve
 from pkmodes.loop.updating.candidates import suspects
 
 
@@ -221,7 +221,7 @@ def test_paths_are_those_of_the_tables(gantry: Robot, arms: Robot) -> None:
     for robot in (gantry, arms):
         for name in paths(robot):
             path = resolve(robot, name)
-            changed = moved(robot, [(path, 0.01)])
+            changed = change_quantities(robot, [(path, 0.01)])
             assert resolve(changed, name).value == pytest.approx(path.value + 0.01, rel=1e-12)
         assert set(robot.quantities) <= set(paths(robot))
     assert resolve(gantry, "belt.width").weights == {("belt_width", (0,)): 1.0}  # belt 2 has its own

@@ -10,7 +10,7 @@ import pytest
 import pkmodes
 from helpers.robots.one_of_each import FILES, POSES, ROBOTS
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.loop.sensitivity.paths import moved, paths, resolve
+from pkmodes.loop.sensitivity.paths import change_quantities, paths, resolve
 
 WINDING = {"effects.gearbox_compliance.compliance": 2e-3}
 CASES: list[tuple[str, Mapping[str, float]]] = [
@@ -47,7 +47,7 @@ def test_derivatives_are_those_of_differences(
             slope = sum(
                 weight
                 / step
-                * pkmodes.Model(moved(model.robot, [(move, k * step)])).frequencies(p, drives="held")
+                * pkmodes.Model(change_quantities(model.robot, [(move, k * step)])).frequencies(p, drives="held")
                 for k, weight in FOURTH.items()
             )
         except PkmodesError:  # a limit that the pose is at
@@ -70,7 +70,7 @@ def test_shapes_turn_as_differences_say(mechanism: str, values: Mapping[str, flo
     found = model.sensitivities(p, [path[mechanism]], drives="held")
     step = 1e-4 * move.value
     slope = sum(
-        weight / step * pkmodes.Model(moved(model.robot, [(move, k * step)])).modes(p, drives="held").shapes
+        weight / step * pkmodes.Model(change_quantities(model.robot, [(move, k * step)])).modes(p, drives="held").shapes
         for k, weight in FOURTH.items()
     )
     size = np.abs(model.modes(p, drives="held").shapes).max(axis=0) / move.value

@@ -140,5 +140,5 @@ def test_a_frame_that_is_rotated_turns_the_platform() -> None:
         true[:, 3:], (turn * Rotation.from_rotvec(points[:, 3:])).as_rotvec(), atol=1e-15
     )
     ends = [frame.true_points(mechanism, points, {frame.YAW: 0.03 + sign * h}) for sign in (1.0, -1.0)]
-    found = frame.rate(mechanism, frame.YAW, points, {frame.YAW: 0.03})
+    found = frame.pose_rates(mechanism, frame.YAW, points, {frame.YAW: 0.03})
     np.testing.assert_allclose(found, (ends[0] - ends[1]) / (2.0 * h), atol=1e-9)

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from pkmodes.loop.diagnosis.one_state import split
+from pkmodes.loop.diagnosis.one_state import split_setups
 from pkmodes_rig import (
     POSES,
     ROBOTS,
@@ -238,4 +238,4 @@ def edited(text: str, edit: str, rng: np.random.Generator) -> str:
 def fitted_poses(text: str) -> list[str]:
     """Return the labels of the poses that a diagnosis fits."""
     data = measurements(text)
-    return [data.labels[i] for i in split(data, None)[0]]
+    return [data.labels[i] for i in split_setups(data, None)[0]]

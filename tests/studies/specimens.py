@@ -21,7 +21,7 @@ from pkmodes.core.robot.reading import read_robot, robot_from_document
 from pkmodes.core.robot.robot import Robot
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.measured.reading import read_measurements
-from pkmodes.loop.sensitivity.paths import moved, resolve
+from pkmodes.loop.sensitivity.paths import change_quantities, resolve
 from pkmodes.loop.updating.channels import channels as channels_of
 from pkmodes_rig import (
     BASE_RIGID,
@@ -185,7 +185,7 @@ class Specimen:
         """Return the robot with its true values."""
         declared = robot_of(self.machine)
         paths = [(resolve(declared, path), value) for path, value in self.values.items()]
-        return moved(declared, [(path, value - path.value) for path, value in paths])
+        return change_quantities(declared, [(path, value - path.value) for path, value in paths])
 
     def modes(self, points: Sequence[np.ndarray] | np.ndarray) -> list[TrueModes]:
         """Return the true modes at some poses."""

@@ -25,7 +25,7 @@ from pkmodes.core.mechanism.registry import mechanism
 from pkmodes.core.robot.robot import Robot
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
-from pkmodes.loop.diagnosis.one_state import split
+from pkmodes.loop.diagnosis.one_state import split_setups
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.sensitivity.paths import resolve
 from pkmodes.loop.updating.measured_robot import MeasuredRobot
@@ -127,7 +127,7 @@ def left_by_declared(
 
     An effect may be fitted `beside` it, from the values in `effects`.
     """
-    fitted, _ = split(data, holdout)
+    fitted, _ = split_setups(data, holdout)
     chosen = () if beside is None else (beside,)
     structure = MeasuredRobot.of(robot, data).structure(candidates=chosen).subset(fitted)
     # Shapes serve only to pair the modes; the signal is computed from the frequencies.

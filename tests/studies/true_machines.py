@@ -9,7 +9,7 @@ import numpy as np
 from scipy.optimize import linear_sum_assignment
 
 from pkmodes.core.robot.robot import Robot
-from pkmodes.loop.sensitivity.paths import moved, resolve
+from pkmodes.loop.sensitivity.paths import change_quantities, resolve
 from pkmodes_rig import TrueModes
 from pkmodes_rig.one_place import Fault, assembled
 from pkmodes_rig.one_place.draws import Drawn
@@ -127,4 +127,4 @@ def sized(what: str, target: float, strength: Callable[[float], float], most: fl
 def with_values(robot: Robot, values: dict[str, float]) -> Robot:
     """Return a robot with other values, by path."""
     paths = [(resolve(robot, path), value) for path, value in values.items()]
-    return moved(robot, [(path, value - path.value) for path, value in paths])
+    return change_quantities(robot, [(path, value - path.value) for path, value in paths])

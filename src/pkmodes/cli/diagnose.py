@@ -39,17 +39,17 @@ MAX_WIDENED_NAMED = 3
 
 
 @click.command(
-    epilog="\b\nExample:\n"
-    "  pkmodes diagnose examples/closed_loop/robot.toml \\\n    examples/closed_loop/measured.csv \\\n"
-    "    --candidates effects,parameter:axis.span --holdout P3,P7 \\\n    --save-robot corrected.toml"
+    epilog="\b\nExample:\n  pkmodes diagnose examples/closed_loop/robot.toml \\\n"
+    "    examples/closed_loop/measured.csv \\\n    --candidates effects,parameter:axis.span --holdout P3,P7 \\\n"
+    "    --save-robot corrected.toml"
 )
 @robot_argument
 @click.argument("modes", metavar="MODES.csv", type=PATH)
 @click.option(
     "--candidates",
     metavar="NAMES",
-    help="Candidates, separated by commas: names of effects, parameter:PATH, measurement:WHAT, or the words effects, "
-    "parameters and measurement; by default all.",
+    help="Candidates, separated by commas: names of effects, parameter:PATH, measurement:WHAT, or the words "
+    "effects, parameters and measurement; by default all.",
 )
 @click.option(
     "--holdout",
@@ -209,14 +209,16 @@ def _saved_robot_lines(file: Path, mechanism: Path | None, robot: Robot, result:
     """Return the command that generates the code of a saved robot, and notes on its values."""
     from pkmodes.cli.terminal import Terminal
     from pkmodes.loop.diagnosis.verdict import naming
-    from pkmodes.loop.updating.corrected_robot import widened
+    from pkmodes.loop.updating.corrected_robot import widened_values
 
     sentences = [
         f"{naming.choice_in_words(effect)}: to save that instead, add --candidates {effect.members[1]}"
         for effect in result.every_cause
         if len(effect.members) > 1  # which these data cannot distinguish
     ]
-    widened_values = sorted(widened(result), key=lambda value: -value.saved_sigma / max(value.sigma, 1e-300))
+    widened_values = sorted(
+        widened_values(result), key=lambda value: -value.saved_sigma / max(value.sigma, 1e-300)
+    )
     widened_texts = [
         f"{value.name.removeprefix('effects.')} {plain(value.saved_sigma, 2)} instead of "
         f"{plain(value.sigma, 2)} {value.unit} ({value.unseen.candidate or value.unseen.default})"

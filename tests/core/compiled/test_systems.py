@@ -10,7 +10,7 @@ import pytest
 from helpers.references.numpy_modes import solve
 from helpers.robots.lane_samples import NAMES, case
 from pkmodes.core.system.evaluation import ExtendedSystem
-from pkmodes.loop.updating.modes_of_systems import modes_of_systems, stacked
+from pkmodes.loop.updating.modes_of_systems import modes_of_systems, stack_systems
 
 pytestmark = pytest.mark.compiler
 
@@ -38,7 +38,7 @@ def assert_modes_of_numpy(systems: list[ExtendedSystem], points: np.ndarray) -> 
     modes = modes_of_systems(systems, points)
     assert modes.matrices is None  # not those of NumPy
     eigenvalues, shapes, motions = modes.eigenvalues, modes.shapes, modes.motions
-    stack = stacked(systems, EACH)
+    stack = stack_systems(systems, EACH)
     expected = solve(stack, points)
     rigid = systems[0].rigid_modes
     np.testing.assert_allclose(eigenvalues[:, rigid:], expected.eigenvalues[:, rigid:], rtol=FREQUENCY)

@@ -19,7 +19,7 @@ from helpers.robots.robot_text import PUBLISHED, edited, published
 from helpers.robots.same_robots import same_to_the_last_digit
 from pkmodes.core.base.errors import PoseError, RobotFileError
 from pkmodes.core.robot.units import Quantity
-from pkmodes.loop.sensitivity.paths import moved, paths, resolve
+from pkmodes.loop.sensitivity.paths import change_quantities, paths, resolve
 
 POSE = [0.6, 0.03, -0.245]
 #: Joints off the centre, overrides, standard deviations, effects, a direction that changes when normalised twice.
@@ -354,7 +354,7 @@ def assert_changed(rich: pkmodes.Robot, path: str) -> None:
     assert after.value == (pytest.approx(value, rel=1e-14) if whole else value)
     assert after.weights.keys() == before.weights.keys()
     # To first order the wholes change by their weights: joints along their directions, limits symmetrically.
-    step = moved(rich, [(before, value - before.value)])
+    step = change_quantities(rich, [(before, value - before.value)])
     for a, b in zip(changed.parameters, step.parameters, strict=True):
         np.testing.assert_allclose(a, b, rtol=1e-14, atol=1e-15)
 

@@ -23,7 +23,7 @@ from pkmodes.core.robot.usable_poses import limits_of
 from pkmodes.loop.robot_files.differences import differences
 from pkmodes.loop.robot_files.saving import Correction
 from pkmodes.loop.sensitivity.paths import paths
-from pkmodes.loop.updating.load_cases import settable
+from pkmodes.loop.updating.load_cases import settable_paths
 from pkmodes.machine.dataset.robot_text import robot_file_text
 
 ROBOTS = Path(__file__).parents[3] / "robots"
@@ -160,10 +160,7 @@ def test_two_robots_differ_in_every_form(tmp_path: Path) -> None:
     plain, robot = read(tmp_path, ""), read(tmp_path, ROUND)
     values = {one.path: (one.unit, one.first, one.second) for one in differences(plain, robot).values}
     fifteen = pytest.approx(math.radians(15.0), rel=1e-15)
-    assert values == {
-        "usable.radius": ("m", None, 0.12),
-        "usable.singular_angle": ("rad", None, fifteen),
-    }
+    assert values == {"usable.radius": ("m", None, 0.12), "usable.singular_angle": ("rad", None, fifteen)}
     aside = {one.path: (one.first, one.second) for one in differences(robot, read(tmp_path, ASIDE)).values}
     assert aside["usable.radius.about.x"] == (None, 0.6)
     assert "usable.radius" not in aside
@@ -186,7 +183,7 @@ def test_limits_belong_to_the_robot_and_stay_with_it(tmp_path: Path) -> None:
 def test_limits_are_no_parameters(tmp_path: Path) -> None:
     robot, plain = read(tmp_path, USED), read_robot(ROBOTS / "linear-delta-2022.toml")
     assert paths(robot) == paths(plain)
-    assert settable(robot.mechanism, robot) == settable(plain.mechanism, plain)
+    assert settable_paths(robot.mechanism, robot) == settable_paths(plain.mechanism, plain)
     assert (robot.quantities, robot.declared) == (plain.quantities, plain.declared)
     for path in ("usable.z", "usable.z.min"):
         with pytest.raises(PkmodesError, match=f'unknown parameter path "{path}"'):

@@ -13,7 +13,7 @@ from pkmodes.core.mechanism.registry import mechanism
 from pkmodes.core.robot.layout import Item
 from pkmodes.loop.diagnosis import Measurements, Parameter
 from pkmodes.loop.updating.measured_robot import MeasuredRobot
-from pkmodes.loop.updating.usual import usual
+from pkmodes.loop.updating.usual import plausible_range
 
 #: A value of every kind without a sigma, as declared in the published robot.
 SUSPECTED = edited(
@@ -74,7 +74,7 @@ def test_teeth_and_threads_can_be_counted(tmp_path: Path) -> None:
     assert ratio.usual == pytest.approx((0.95 * ratio.value, 1.05 * ratio.value))
     travel = next(key for table in mechanism("hexapod").tables for key in table.keys if key.name == "travel")
     item = Item("motor.travel", travel, (), None, "", ("motor", "travel"))
-    assert usual(item, 0.8e-3, "m", 0.0) == pytest.approx((0.76e-3, 0.84e-3))
+    assert plausible_range(item, 0.8e-3, "m", 0.0) == pytest.approx((0.76e-3, 0.84e-3))
 
 
 def test_the_belts_of_one_axis_may_be_half_or_twice_as_stiff(tmp_path: Path) -> None:

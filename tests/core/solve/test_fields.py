@@ -66,7 +66,7 @@ def test_digits_do_not_depend_on_the_parts(extended: pkmodes.Model, monkeypatch:
     monkeypatch.setattr(batch, "CHUNK", 6)
     monkeypatch.setattr(mode_fields, "CHUNK", 6)
     monkeypatch.setattr(model_module, "CHUNK", 6)
-    monkeypatch.setattr(sensitivity_module, "TOGETHER", 6)
+    monkeypatch.setattr(sensitivity_module, "POSES_PER_PART", 6)
     for name in pkmodes.Modes.FIELDS:
         np.testing.assert_array_equal(getattr(extended.modes(poses, "nan"), name), getattr(whole, name))
     parts = extended.sensitivities(poses, PATHS, on_error="nan")

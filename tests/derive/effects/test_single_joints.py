@@ -13,7 +13,7 @@ from helpers.diagnoses.robot_structures import declared, index, suspected
 from helpers.robots.robot_text import PUBLISHED, edited
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.robot.units import Quantity
-from pkmodes.loop.sensitivity.paths import moved, resolve
+from pkmodes.loop.sensitivity.paths import change_quantities, resolve
 from pkmodes.loop.updating.candidates import suspects
 from pkmodes.loop.updating.robot_structure import RobotStructure
 from pkmodes_rig.engine import true_modes
@@ -161,5 +161,7 @@ def test_joints_of_an_effect_that_is_known_exactly_are_none_to_look_at(tmp_path:
 def test_moving_one_axis_leaves_the_others() -> None:
     robot = pkmodes.read_robot(PUBLISHED)
     path = resolve(robot, "axis.2.carriage.mass")
-    masses = moved(robot, [(path, 0.25)]).parameters.carriage_mass - robot.parameters.carriage_mass
+    masses = (
+        change_quantities(robot, [(path, 0.25)]).parameters.carriage_mass - robot.parameters.carriage_mass
+    )
     np.testing.assert_array_equal(masses, [0.0, 0.25, 0.0])

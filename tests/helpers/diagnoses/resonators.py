@@ -9,7 +9,7 @@ import numpy as np
 
 from helpers.diagnoses.chains import Frame, at
 from pkmodes.loop.diagnosis import MatrixStructure
-from pkmodes.loop.diagnosis.problem import Batch, Candidate, Parameter, Prediction, one_by_one
+from pkmodes.loop.diagnosis.problem import Batch, Candidate, Parameter, Prediction, predict_one_by_one
 
 #: Pairs of mass and frequency from which a resonator is fitted.
 STARTS = tuple((mass, f) for mass in (0.2, 1.0) for f in np.geomspace(5.0, 45.0, 12).tolist())
@@ -92,7 +92,7 @@ class Resonant:
     def predict_many(
         self, values: np.ndarray, by: Sequence[Sequence[int]], *, shape_rates: bool = False
     ) -> list[Batch]:
-        return one_by_one(self, values, by, shape_rates=shape_rates)
+        return predict_one_by_one(self, values, by, shape_rates=shape_rates)
 
     def position_rates(self, values: np.ndarray, *, shape_rates: bool = False) -> None:
         return None

@@ -19,7 +19,7 @@ import pkmodes
 from pkmodes.core.mechanism.registry import mechanism
 from pkmodes.core.robot.reading import robot_from_document
 from pkmodes.core.robot.robot import Robot
-from pkmodes.loop.sensitivity.paths import ParameterPath, moved
+from pkmodes.loop.sensitivity.paths import ParameterPath, change_quantities
 from pkmodes_generated.linear_delta import Parameters, extended
 
 CATALOGUE = mechanism("linear_delta").effects
@@ -190,7 +190,7 @@ def by_differences(
     totals: list[list[Array]] = [[] for _ in here]
     largest = 0.0
     for multiple, weight in stencil.items():
-        robot = moved(here[0].robot, [(path, multiple * step)])
+        robot = change_quantities(here[0].robot, [(path, multiple * step)])
         modes = pkmodes.Model(robot).modes(here[0].poses)
         largest = max(largest, float(np.abs(eigenvalues(modes.frequencies)).max()))
         for pose, total in zip(here, totals, strict=True):

@@ -17,7 +17,7 @@ import numpy as np
 from scipy.linalg import eigh
 
 from pkmodes.loop.diagnosis import Candidate, MatrixStructure, Measurements, Parameter, Prediction
-from pkmodes.loop.diagnosis.problem import Batch, Structure, one_by_one
+from pkmodes.loop.diagnosis.problem import Batch, Structure, predict_one_by_one
 
 
 class LogLinear:
@@ -58,7 +58,7 @@ class LogLinear:
     def predict_many(
         self, values: np.ndarray, by: Sequence[Sequence[int]], *, shape_rates: bool = False
     ) -> list[Batch]:
-        return one_by_one(self, values, by, shape_rates=shape_rates)
+        return predict_one_by_one(self, values, by, shape_rates=shape_rates)
 
     def subset(self, setups: Sequence[int]) -> LogLinear:
         chosen = list(setups)

@@ -15,7 +15,7 @@ from scipy.linalg import eigh
 from helpers.diagnoses.chains import Frame, at, joined
 from helpers.diagnoses.resonators import Resonant, hanging
 from pkmodes.loop.diagnosis import Diagnosis, MatrixStructure, Measurements, diagnose
-from pkmodes.loop.diagnosis.beyond import tried
+from pkmodes.loop.diagnosis.beyond import term_fits
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.search.score import MAX_DIRECTIONS_CORRELATED, Score, p_of_smallest
 from pkmodes.pages.report.action import action
@@ -76,7 +76,7 @@ def test_the_true_term_is_found_with_its_value(term: str, size: float, unit: str
 
 def test_a_term_is_found_in_which_the_linear_model_sees_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     """None is among the most promising by its score: the largest of several sizes tells."""
-    monkeypatch.setattr(tried, "BEST", 0)
+    monkeypatch.setattr(term_fits, "MAX_BY_SCORE", 0)
     found = of(FRAME, lambda _: (1.5 * at(6, 4), NOTHING))
     assert found.beyond is not None
     assert found.beyond.found is not None
@@ -85,14 +85,14 @@ def test_a_term_is_found_in_which_the_linear_model_sees_nothing(monkeypatch: pyt
 
 def test_a_fit_that_goes_astray_is_begun_anew(monkeypatch: pytest.MonkeyPatch) -> None:
     """The linear estimate of every term is a thousand times too large."""
-    monkeypatch.setattr(tried, "LARGE", 0)
-    monkeypatch.setattr(tried, "SMALL", np.inf)
-    linear = tried._Explorer._moved
+    monkeypatch.setattr(term_fits, "MAX_BY_SIZE", 0)
+    monkeypatch.setattr(term_fits, "SMALL_CHANGE", np.inf)
+    linear = term_fits._Explorer._values_with_step
 
-    def far(self: tried._Explorer, plain: Fit, one: Score) -> np.ndarray:
+    def far(self: term_fits._Explorer, plain: Fit, one: Score) -> np.ndarray:
         return linear(self, plain, replace(one, step=1e3 * one.step))
 
-    monkeypatch.setattr(tried._Explorer, "_moved", far)
+    monkeypatch.setattr(term_fits._Explorer, "_values_with_step", far)
     found = of(FRAME, lambda _: (NOTHING, 2.0e4 * joined(6, 2, 5)))
     assert found.beyond is not None
     assert found.beyond.found is not None

@@ -18,10 +18,10 @@ from pkmodes.loop.diagnosis.states.counterparts import close_groups, expected_mo
 from pkmodes.loop.diagnosis.states.shared_shapes import corrected_shapes
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.measured.writing import as_csv
-from pkmodes.loop.updating.changes import exchanged
+from pkmodes.loop.updating.changes import exchange_candidates
 from pkmodes.loop.updating.measured_robot import MeasuredRobot
 from pkmodes.loop.updating.reading import read_states
-from pkmodes.loop.updating.shared_values import axis_deviations, in_use
+from pkmodes.loop.updating.shared_values import axis_deviations, changes_in_use
 
 EXAMPLE = Path(__file__).parents[3] / "examples" / "changed_printer"
 ROBOT, BEFORE, AFTER = (str(EXAMPLE / name) for name in ("robot.toml", "before.csv", "after.csv"))
@@ -170,7 +170,7 @@ def test_parts_that_act_like_what_changes_in_use_are_no_candidates() -> None:
         {path: {"sigma": None} for path, value in robot.quantities.items() if value.sigma}
     )
     structure = MeasuredRobot.of(known, updating.read(BEFORE, robot=known)).structure()
-    parts = {one.name: one.odds for one in exchanged(structure)}
+    parts = {one.name: one.odds for one in exchange_candidates(structure)}
     assert "parameter:axis.2.belt.width" not in parts
     assert "parameter:axis.2.belt.specific_stiffness" not in parts
     assert parts["parameter:axis.2.pulley.radius"] == 0.1
@@ -192,7 +192,7 @@ def test_lengths_and_ratios_do_not_change_in_use() -> None:
         "parameter:axis.span": False,
         "parameter:belt.width": False,
     }.items():
-        assert in_use(robot, Candidate(name, ())) is changes, name
+        assert changes_in_use(robot, Candidate(name, ())) is changes, name
 
 
 # The same modes in both --------------------------------------------------------------------------------------------

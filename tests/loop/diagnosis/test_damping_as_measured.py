@@ -158,7 +158,7 @@ def test_a_comparison_remarks_a_ratio_of_another_shape(
     data, row = with_another_shape()
     robot = robot_of("published")
     compared = updating.compare(robot, data)
-    assert [i for i, one in enumerate(compared.rows) if one.no_evidence] == [row]
+    assert [i for i, one in enumerate(compared.rows) if one.shape_differs] == [row]
     monkeypatch.setenv("COLUMNS", "160")
     print_comparison(robot, data, compared, len(compared.rows))
     (line,) = (text for text in capsys.readouterr().out.splitlines() if "another shape" in text)

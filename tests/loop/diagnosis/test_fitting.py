@@ -23,7 +23,7 @@ from helpers.references.textbook_fits import (
 )
 from helpers.robots.small_structures import LogLinear, logs_measured, some_rows
 from pkmodes.loop.diagnosis import Candidate, MatrixStructure, Measurements, Parameter
-from pkmodes.loop.diagnosis.fit.cross_validation import left_out
+from pkmodes.loop.diagnosis.fit.cross_validation import predict_left_out
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
 
@@ -189,7 +189,7 @@ def test_the_prediction_of_a_left_out_setup_is_that_of_a_fit_without_it() -> Non
             [0.05, 0.002, None, None],
         )
         expected.append(float(np.sum((y[i] - model.base[i] - model.G[i] @ values) ** 2)) / SIGMA**2)
-    squares, leverage = left_out(
+    squares, leverage = predict_left_out(
         found, Fitter(model, logs_measured(y, SIGMA)).observations.data_indices_by_setup()
     )
     assert squares == pytest.approx(expected, rel=1e-3)

@@ -29,7 +29,7 @@ from pkmodes.loop.diagnosis import Diagnosis, MatrixStructure, Measurements, Par
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.loop.diagnosis.fit.store import FitStore
-from pkmodes.loop.diagnosis.one_state import split
+from pkmodes.loop.diagnosis.one_state import split_setups
 from pkmodes.loop.diagnosis.search.search import Search
 from pkmodes.loop.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.loop.diagnosis.verdict.held_out import p_held_out
@@ -131,7 +131,7 @@ def test_the_prediction_errors_have_their_predictive_covariance(prior: float | N
     model = structure({"a": DIRECTIONS[0], "b": DIRECTIONS[1]}, prior)
     change = 20.0 * DIRECTIONS[0] + 2.0 * rng.standard_normal(SETUPS * MODES)
     data = with_changes(model, change)
-    fitted, held = split(data, HELD)
+    fitted, held = split_setups(data, HELD)
     fitter = Fitter(model.subset(fitted), data.at(fitted))
     search = Search(FitStore(fitter), model.candidates)
     hypothesis = Hypothesis((model.candidates[0],))

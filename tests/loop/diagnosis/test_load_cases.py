@@ -18,7 +18,7 @@ from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.loop.diagnosis import Measurements, Prediction
 from pkmodes.loop.sensitivity.paths import resolve
 from pkmodes.loop.updating.candidates import suspects
-from pkmodes.loop.updating.predictions import Moves, derived, solved_together
+from pkmodes.loop.updating.predictions import Motions, predict_along, solve_together
 from pkmodes.loop.updating.robot_structure import RobotStructure
 from pkmodes_rig.robots import POSES, read
 
@@ -205,11 +205,11 @@ def test_setups_may_have_more_modes_than_others() -> None:
 def test_robots_evaluated_together_have_the_derivatives_of_each_alone() -> None:
     """Of shapes, too, along the geometry, which moves the platform's Jacobian."""
     robot, points = read("published"), np.array(POSES["published"]["scattered"][:2])
-    moves = Moves((resolve(robot, "link.length"),), None)
+    moves = Motions((resolve(robot, "link.length"),), None)
     one, two = (
-        solved_together([robot] * n, [ExtendedSystem.of(robot)] * n, np.tile(points, (n, 1))) for n in (1, 2)
+        solve_together([robot] * n, [ExtendedSystem.of(robot)] * n, np.tile(points, (n, 1))) for n in (1, 2)
     )
-    alone, both = derived(one, [moves], True), derived(two, [moves, moves], True)
+    alone, both = predict_along(one, [moves], True), predict_along(two, [moves, moves], True)
     for half in (slice(0, 2), slice(2, 4)):
         np.testing.assert_allclose(both.shape_rates[half], alone.shape_rates, rtol=1e-9, atol=1e-9)
 

@@ -27,14 +27,14 @@ def test_a_descent_converges_to_bounded_least_squares_of_a_linear_model() -> Non
     logs = model.base + model.G @ np.array([0.02, -0.01, 0.0, -0.004, 0.006, 0.0, 0.0, 0.002])
     data = logs_measured(logs + SIGMA * rng.standard_normal(logs.shape), SIGMA)
     fitter = Fitter(model, data)
-    descents = fitter.roughly([(Hypothesis((c,)), fitter.declared) for c in candidates])
+    descents = fitter.rough_descents([(Hypothesis((c,)), fitter.declared) for c in candidates])
     for i, descent in enumerate(descents):
         columns = [0, 1, 2 + i]
         design = np.vstack([model.G.reshape(-1, 8)[:, columns] / SIGMA, np.diag([2.0, 2.0, 0.0])[:2]])
         target = np.concatenate([(np.log(data.frequency) - model.base.ravel()) / SIGMA, [0.0, 0.0]])
         lower = [-np.inf, -np.inf, parameters[2 + i].lower]
         expected = lsq_linear(design, target, (lower, [np.inf] * 3), tol=1e-12)
-        assert descent.arrived
+        assert descent.converged
         # It has arrived where a step promises less than 0.05 or a thousandth.
         assert descent.chi2 == pytest.approx(2.0 * expected.cost, abs=0.1, rel=2e-3)
         assert descent.values[2 + i] == pytest.approx(expected.x[2], abs=1e-4)

@@ -12,7 +12,7 @@ from helpers.robots.robot_text import PUBLISHED
 from pkmodes import PkmodesError, load, updating
 from pkmodes.loop.diagnosis import Measurements
 from pkmodes.loop.diagnosis.criteria import Criteria
-from pkmodes.loop.diagnosis.match.pairing import neighbours
+from pkmodes.loop.diagnosis.match.pairing import close_rows
 from pkmodes.loop.diagnosis.match.shape_errors import shape_errors
 from pkmodes.loop.measured.columns import Numbers
 
@@ -76,7 +76,7 @@ def test_rows_are_compared_together_where_their_frequencies_are_that_close(seed:
     labels = rng.choice(["A", "B", "C"], count).tolist()
     data = Measurements.from_rows(labels, f, sigma * f, mode=range(count))
     limit = min(max(limits.mixed_sigmas * math.sqrt(2.0) * sigma, limits.mixed), limits.most_mixed)
-    found = neighbours(data, Criteria())
+    found = close_rows(data, Criteria())
     for i, row in enumerate(found):
         expected = [
             j

@@ -11,7 +11,7 @@ from scipy import linalg, sparse
 from helpers.robots.small_structures import mixture
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.loop.diagnosis import MatrixStructure, Parameter
-from pkmodes.loop.diagnosis.matrices import at_measured
+from pkmodes.loop.diagnosis.matrices import at_measured_setups
 
 
 def test_a_coordinate_without_mass_follows_the_others() -> None:
@@ -89,7 +89,7 @@ def test_matrices_without_modes_are_refused(M: Any, K: Any, message: str, copies
     with pytest.raises(
         PkmodesError, match=f"cannot be evaluated with its declared values: {message}"
     ) as error:
-        at_measured(
+        at_measured_setups(
             MatrixStructure([], [], lambda *_: (M, K), channels=channels, setups=["rig"], modes=2), ["rig"]
         )
     assert 'for setup "rig"' in error.value.where

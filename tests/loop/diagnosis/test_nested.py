@@ -70,7 +70,7 @@ def test_a_special_case_is_withdrawn_where_its_class_does_not_list_the_general_c
     outcome = search.run()
     assert outcome is not None
     special, general = (
-        next(fit for fit in search.store.tried() if [c.name for c in fit.causes] == [name])
+        next(fit for fit in search.store.all_fits() if [c.name for c in fit.causes] == [name])
         for name in ("special", "general")
     )
     assert outcome.final_fit.causes == special.causes

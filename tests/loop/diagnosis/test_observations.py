@@ -15,7 +15,7 @@ from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.loop.diagnosis.fit.observations import QUANTITIES, ObservationInput
 from pkmodes.loop.diagnosis.fit.store import FitStore
-from pkmodes.loop.diagnosis.match.pairing import Pairing, tiled
+from pkmodes.loop.diagnosis.match.pairing import Pairing, tile_indices
 
 SIGMA, RESIDUE_SIGMA = 1e-3, 0.02
 #: Stiffness of the lower storey by setup, and the true size of the structure relative to the declared one.
@@ -71,7 +71,7 @@ class Residues:
         return np.ones(len(self.log), dtype=int)
 
     def tiled(self, count: int) -> Residues:
-        pose = tiled(self.pose, count, self.setups)
+        pose = tile_indices(self.pose, count, self.setups)
         return Residues(
             np.tile(self.log, count), np.tile(self.sigma, (count, 1)), pose, self.setups, self.channel
         )

@@ -175,7 +175,7 @@ def test_exactly_proportional_values_stay_so(rate: float) -> None:
 def test_the_distance_of_a_single_value_is_in_its_own_sigma() -> None:
     priors = Priors(two_together(-0.9), ())
     values = np.array([0.5, 2.0, 3.0])
-    assert priors.away(values) == pytest.approx([1.0, 1.0, 3.0])
+    assert priors.distances(values) == pytest.approx([1.0, 1.0, 3.0])
     assert priors.residual(values) @ priors.residual(values) == pytest.approx(
         values @ np.linalg.inv(covariance(-0.9)) @ values
     )
@@ -228,12 +228,12 @@ def test_losses_have_correlated_priors_too() -> None:
         index=np.arange(count),
         mode=np.arange(count),
         ratio=rates @ declared * 1.15,
-        stated=np.full(count, 0.1),
-        unstated=np.full(count, 0.1),
-        above=np.ones(count, dtype=bool),
+        stated_sigma=np.full(count, 0.1),
+        unstated_sigma=np.full(count, 0.1),
+        resolved=np.ones(count, dtype=bool),
         frequency=10.0 + np.arange(count),
-        least=np.zeros(count),
-        by_loss=rates,
+        ratio_floor=np.zeros(count),
+        coefficients=rates,
     )
 
     def moved(rate: float) -> np.ndarray:

@@ -12,7 +12,7 @@ import pytest
 from helpers.diagnoses.diagnose_command import PUBLISHED, WIND_UP, diagnosed, measured
 from helpers.golden.outcomes import GOLDEN
 from pkmodes.loop.diagnosis.beyond.rules import BEYOND
-from pkmodes.loop.diagnosis.damping.rules import LOSSES
+from pkmodes.loop.diagnosis.damping.rules import DAMPING_RULES
 from pkmodes.loop.diagnosis.verdict import rules, unexplained
 from pkmodes.loop.diagnosis.verdict.evidence import Evidence, Rule
 from pkmodes.loop.diagnosis.verdict.verdicts import AMBIGUOUS
@@ -74,7 +74,7 @@ def printed() -> str:
     rows = ["| Measured damping | when | verdict on the damping |", "| --- | --- | --- |"]
     rows += [
         f"| `{rule.name.partition('.')[2]}` | {rule.applies_when} | `{rule.verdict.word}` |"
-        for rule in LOSSES
+        for rule in DAMPING_RULES
     ]
     return "\n\n".join([*parts, "\n".join(rows)])
 
@@ -126,7 +126,7 @@ def test_every_counted_case_is_one_of_its_suite_and_counted_once() -> None:
 
 
 def test_every_rule_says_when_it_applies() -> None:
-    for table in (*TABLES.values(), LOSSES, BEYOND):
+    for table in (*TABLES.values(), DAMPING_RULES, BEYOND):
         assert len({rule.name for rule in table}) == len(table)
         assert len({rule.name.partition(".")[0] for rule in table}) == 1
         assert all(rule.applies_when for rule in table)

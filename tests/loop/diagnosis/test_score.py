@@ -59,7 +59,7 @@ def test_the_gain_is_the_drop_of_the_sum_of_squares_in_a_linear_model(
     fitter, before = fit(model, measured, hypothesis)
     (candidate,) = (c for c in model.candidates if c.name == name)
     one = score(fitter, before, [candidate]).by_candidate[0]
-    after = fitter.fit(hypothesis.adding(candidate))
+    after = fitter.fit(hypothesis.with_cause(candidate))
     assert after is not None
     assert one.gain == pytest.approx(before.chi2 - after.chi2, rel=1e-4)
     index = list(fitter.indices(candidate))

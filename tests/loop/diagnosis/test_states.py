@@ -287,7 +287,7 @@ def test_the_prediction_of_an_error_is_that_of_a_normal_distribution(same: bool)
     data = both_states(np.random.default_rng(2), wrong=0.1)
     kept = data.at([i for i, label in enumerate(data.labels) if label in (*trusted, other)])
     fitter, shared = shared_of(kept, [kept.labels.index(other)])
-    _, residual, sigma, _ = fitter.unfitted(fitter.declared, fitter.observations.all_rows)
+    _, residual, sigma, _ = fitter.evaluate(fitter.declared, fitter.observations.all_rows)
     n = len(trusted)
     scatter = scatter_between_setups(
         residual,
@@ -315,7 +315,7 @@ def test_far_above_those_of_the_measurement_errors_of_the_model_are_taken_off_as
     )
     later = [i for i, label in enumerate(data.labels) if "again" in label]
     fitter, shared = shared_of(data, later)
-    _, residual, sigma, _ = fitter.unfitted(fitter.declared, fitter.observations.all_rows)
+    _, residual, sigma, _ = fitter.evaluate(fitter.declared, fitter.observations.all_rows)
     np.testing.assert_allclose(shared.offset, residual, atol=0.02 * SIGMA)
     np.testing.assert_allclose(shared.variance, sigma**2, rtol=0.05)
 

@@ -10,7 +10,7 @@ from scipy.linalg import eigh
 from helpers.diagnoses.chains import chain
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.loop.diagnosis import Candidate, MatrixStructure, Parameter
-from pkmodes.loop.diagnosis.matrices import at_measured
+from pkmodes.loop.diagnosis.matrices import at_measured_setups
 from pkmodes.loop.diagnosis.problem import Extensible
 
 NAMES = ("a", "b", "c")
@@ -89,7 +89,7 @@ def test_an_absent_term_changes_nothing_and_the_callable_sees_its_own_values_onl
         return M, values["k"] * K
 
     given = MatrixStructure([Parameter("k", 1.0, sigma=0.01)], [], matrices, channels=NAMES)
-    extended = at_measured(given, ["P1"])
+    extended = at_measured_setups(given, ["P1"])
     assert isinstance(extended, MatrixStructure)
     extended = extended.with_terms()
     values = np.array([1.0, *np.zeros(9)])

@@ -67,7 +67,7 @@ def test_a_step_that_is_too_long_is_not_reported_as_blocked() -> None:
     structure, data = walled(lambda values: values["storey"] < 0.95 * STIFFNESS), measured()
     fitter, far = Fitter(structure, data), declared(structure)
     far[1] = 1.5 * STIFFNESS
-    (descent,) = Fitter(structure, data, Criteria(fits=FitCriteria(rough_steps=0))).roughly(
+    (descent,) = Fitter(structure, data, Criteria(fits=FitCriteria(rough_steps=0))).rough_descents(
         [(Hypothesis(), far)]
     )
     fit = fitter.rough_fit(Hypothesis(), descent)

@@ -19,7 +19,7 @@ from pkmodes.loop.diagnosis.diagnose import diagnose
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.loop.diagnosis.fit.store import FitStore
-from pkmodes.loop.diagnosis.one_state import split
+from pkmodes.loop.diagnosis.one_state import split_setups
 from pkmodes.loop.diagnosis.readings.misfits import WiringMisfit
 from pkmodes.loop.diagnosis.readings.wiring import certain_wiring, find_better_wirings, other_wiring
 from pkmodes.loop.diagnosis.readings.wirings import Wiring
@@ -255,7 +255,7 @@ def test_the_right_order_is_among_those_that_remain(number: int, order: str) -> 
     case = next(c for c in SUITES["units and wiring"]() if c.number == number)
     assert (case.kind, case.mistake) == (UNDECIDED, order)
     data = measurements(tried(replace(case, seed=7002)).text)
-    found = find_better_wirings(*declared_fit(data, fitted=split(data, None)[0]))
+    found = find_better_wirings(*declared_fit(data, fitted=split_setups(data, None)[0]))
     assert found is not None
     assert len(found.wirings) > 1
     assert Wiring(*ORDERS[order]).up_to_sign in found.wirings

@@ -14,7 +14,7 @@ from helpers.robots.robot_text import edited, published
 from helpers.robots.sensitivity_cases import moving
 from pkmodes.core.robot.reading import robot_from_document
 from pkmodes.core.robot.robot import Robot
-from pkmodes.loop.sensitivity.paths import moved, paths, resolve
+from pkmodes.loop.sensitivity.paths import change_quantities, paths, resolve
 from pkmodes_generated.linear_delta import Parameters
 
 POSE = [0.6, 0.03, -0.245]
@@ -30,7 +30,7 @@ def robot(text: str) -> Robot:
 
 def by(text: str, amount: float, *names: str) -> Robot:
     start = robot(text)
-    return moved(start, [(resolve(start, name), amount) for name in names])
+    return change_quantities(start, [(resolve(start, name), amount) for name in names])
 
 
 def assert_same(found: Robot, expected: Robot) -> None:
@@ -140,18 +140,18 @@ def test_effects_move_from_null_and_from_their_value() -> None:
     declared = robot(published())
     steps = [(resolve(declared, "frame.mass"), 10.0), (resolve(declared, path), 1e-8)]
     for order in (steps, steps[::-1]):
-        assert_same(moved(declared, order), robot(published() + frame + compliant))
+        assert_same(change_quantities(declared, order), robot(published() + frame + compliant))
 
 
 def test_moving_leaves_the_robot_as_it_was_and_adds_up() -> None:
     start = robot(published())
     mass, payload = resolve(start, "platform.mass"), resolve(start, "effects.payload.mass")
-    changed = moved(start, [(mass, 0.1), (payload, 0.2), (mass, 0.3)])
+    changed = change_quantities(start, [(mass, 0.1), (payload, 0.2), (mass, 0.3)])
     assert changed.parameters.platform_mass == pytest.approx(1.9, rel=1e-15)
     assert changed.effects == {"payload.mass": 0.2}
     assert start.parameters.platform_mass == 1.5
     assert start.effects == {}
-    assert_same(moved(start, []), start)
+    assert_same(change_quantities(start, []), start)
 
 
 def test_the_frames_mass_counts_when_the_frame_moves() -> None:

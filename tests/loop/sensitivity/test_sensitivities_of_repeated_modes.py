@@ -8,8 +8,8 @@ import pytest
 import pkmodes
 from helpers.references.sensitivity_references import AHEAD, eigenvalues
 from helpers.robots.sensitivity_cases import CROSSING, assert_small, case
-from pkmodes.loop.sensitivity.paths import moved
-from pkmodes.loop.sensitivity.sensitivities import TOGETHER
+from pkmodes.loop.sensitivity.paths import change_quantities
+from pkmodes.loop.sensitivity.sensitivities import POSES_PER_PART
 
 
 @pytest.mark.parametrize("name", CROSSING)
@@ -42,7 +42,7 @@ def test_a_group_splits_into_the_branches_that_sorting_shows(name: str) -> None:
             continue
         step, difference = 2e-6 * scale, np.zeros(len(pose.eigenvalues))
         for multiple, weight in AHEAD.items():
-            robot = moved(it.robot, [(move, multiple * step)])
+            robot = change_quantities(it.robot, [(move, multiple * step)])
             difference += weight / step * eigenvalues(pkmodes.Model(robot).modes(it.poses[0]).frequencies)
         error = np.abs(it.found.eigenvalues[0, t] - difference)
         floor = 1e-14 * np.abs(pose.eigenvalues).max() / step
@@ -85,7 +85,11 @@ def test_modes_may_be_grouped_though_they_are_apart(name: str) -> None:
 def test_shapes_of_a_group_belong_to_those_of_modes(name: str) -> None:
     """Repeated modes have an arbitrary basis, but the same one for modes and sensitivities."""
     robot, wanted = case(name).robot, ["platform.mass", "axis.1.link.length"]
-    poses = np.zeros((TOGETHER + 1, 3)) + np.linspace(0.05, 0.2, TOGETHER + 1)[:, None] * [0.0, 0.0, 1.0]
+    poses = np.zeros((POSES_PER_PART + 1, 3)) + np.linspace(0.05, 0.2, POSES_PER_PART + 1)[:, None] * [
+        0.0,
+        0.0,
+        1.0,
+    ]
     model = pkmodes.Model(robot)
     modes, found = model.modes(poses), model.sensitivities(poses, wanted)
     for i in range(len(poses)):

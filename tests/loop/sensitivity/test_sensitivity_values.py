@@ -21,7 +21,7 @@ from helpers.references.sensitivity_references import (
 )
 from helpers.robots.sensitivity_cases import CASES, Array, Case, assert_small, case, system_of
 from pkmodes.loop.sensitivity.matrices import MatrixDerivatives
-from pkmodes.loop.sensitivity.paths import ParameterPath, moved, resolve
+from pkmodes.loop.sensitivity.paths import ParameterPath, change_quantities, resolve
 
 
 def assert_matrices(case: Case, i: int, t: slice, expected: Rates, relative: float, rounding: Array) -> None:
@@ -106,13 +106,15 @@ def test_frequencies_of_unstable_modes_are_negative_and_so_differentiated() -> N
         (resolve(it.robot, f"gravity.{x}"), -2 * it.robot.parameters.gravity[k]) for k, x in enumerate("xyz")
     ]
     signs = set()
-    for robot in (it.robot, moved(it.robot, gravity)):
+    for robot in (it.robot, change_quantities(it.robot, gravity)):
         model, mass = pkmodes.Model(robot), resolve(robot, "platform.mass")
         f = model.modes(it.poses).frequencies[0]
         difference = sum(
             weight
             / 1e-2
-            * pkmodes.Model(moved(robot, [(mass, multiple * 1e-2)])).modes(it.poses).frequencies[0]
+            * pkmodes.Model(change_quantities(robot, [(mass, multiple * 1e-2)]))
+            .modes(it.poses)
+            .frequencies[0]
             for multiple, weight in CENTRAL.items()
         )
         found = model.sensitivities(it.poses, ["platform.mass"]).frequencies[0, 0]

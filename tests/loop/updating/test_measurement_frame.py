@@ -76,7 +76,9 @@ def test_poses_are_rotated_first_and_then_shifted() -> None:
     points = np.array([[1.0, 0.0, 0.5]])
     values = {"measurement.yaw": np.pi / 2, "measurement.offset.x": 0.1}
     assert frame.true_points(KIND, points, values) == pytest.approx(np.array([[0.1, 1.0, 0.5]]))
-    assert frame.rate(KIND, "measurement.yaw", points, values) == pytest.approx(np.array([[-1.0, 0.0, 0.0]]))
+    assert frame.pose_rates(KIND, "measurement.yaw", points, values) == pytest.approx(
+        np.array([[-1.0, 0.0, 0.0]])
+    )
 
 
 def test_a_component_of_gravity_that_is_zero_is_not_a_suspect() -> None:

@@ -6,12 +6,12 @@ import numpy as np
 
 from pkmodes.core.base.drives import HELD
 from pkmodes.core.base.errors import PkmodesError, shown
-from pkmodes.loop.diagnosis.matrices import at_measured
+from pkmodes.loop.diagnosis.matrices import at_measured_setups
 from pkmodes.loop.diagnosis.problem import Driven, Structure
 from pkmodes.loop.measured.measurements import Measurements
 
 
-def checked(structure: Structure, data: Measurements) -> Structure:
+def checked_structure(structure: Structure, data: Measurements) -> Structure:
     """Return a structure at the measured setups; refuse invalid structures, data and priors, and unnamed setups."""
     if not callable(getattr(structure, "predict", None)) or not hasattr(structure, "candidates"):
         remedy = "give a structure, such as a MatrixStructure; for a robot, use pkmodes.loop.updating"
@@ -36,7 +36,7 @@ def checked(structure: Structure, data: Measurements) -> Structure:
         )
     for candidate in structure.candidates:
         _check_prior(candidate.name, candidate.sigma, len(candidate.parameters))
-    return at_measured(structure, data.labels)
+    return at_measured_setups(structure, data.labels)
 
 
 def check_measurements(data: object, reader: str) -> None:
@@ -53,22 +53,23 @@ def check_measurements(data: object, reader: str) -> None:
         raise PkmodesError("expected measurements, found no rows", data.source, "add at least one row")
 
 
-def _check_prior(name: str, sigma: object, count: int) -> None:
+def _check_prior(name: str, sigma: object, parameter_count: int) -> None:
     """Refuse a candidate's prior unless it is one positive number for each of its parameters."""
     if sigma is None:
         return
     where = f"candidate {shown(name)}: sigma"
-    if not isinstance(sigma, list | tuple | np.ndarray) or len(sigma) != count:
+    if not isinstance(sigma, list | tuple | np.ndarray) or len(sigma) != parameter_count:
         actual = f"{len(sigma)}" if isinstance(sigma, list | tuple | np.ndarray) else shown(sigma)
-        problem = f"expected a tuple of {count} standard deviation{'s' if count > 1 else ''}, found {actual}"
-        number = isinstance(sigma, int | float) and count == 1
+        plural = "s" if parameter_count > 1 else ""
+        problem = f"expected a tuple of {parameter_count} standard deviation{plural}, found {actual}"
+        is_single_number = isinstance(sigma, int | float) and parameter_count == 1
         raise PkmodesError(
-            problem, where, f"write ({sigma},)" if number else "give one for each of its parameters"
+            problem, where, f"write ({sigma},)" if is_single_number else "give one for each of its parameters"
         )
     for deviation in sigma:
-        good = isinstance(deviation, int | float | np.integer | np.floating) and not isinstance(
+        is_number = isinstance(deviation, int | float | np.integer | np.floating) and not isinstance(
             deviation, bool
         )
-        if not good or not 0.0 < deviation < np.inf:
+        if not is_number or not 0.0 < deviation < np.inf:
             problem = f"expected a standard deviation above 0, found {shown(deviation)}"
             raise PkmodesError(problem, where, "leave it out if unknown")

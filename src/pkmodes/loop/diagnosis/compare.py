@@ -12,7 +12,7 @@ from scipy import stats
 
 from pkmodes.core.base.attached import Attached
 from pkmodes.core.support.documents import Count, Document, Number, Probability, Settings, Size
-from pkmodes.loop.diagnosis.arguments import checked
+from pkmodes.loop.diagnosis.arguments import checked_structure
 from pkmodes.loop.diagnosis.criteria import Criteria
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.match.predicted import Predicted
@@ -61,8 +61,8 @@ class ComparedRow(Place, frozen=True, omit_defaults=True):
     predicted_damping: Annotated[float | None, Meta(description="Damping ratio of the paired mode.")] = None
 
     @property
-    def no_evidence(self) -> bool:
-        """Whether its damping says nothing about its partner, because their shapes differ."""
+    def shape_differs(self) -> bool:
+        """Whether its damping cannot be compared with its partner's, because their shapes differ."""
         return self.damping is not None and self.mac is not None and self.mac < Criteria.shapes.strange_mac
 
 
@@ -163,12 +163,12 @@ def compare(structure: Structure, data: Measurements) -> Comparison:
     PkmodesError
         If the data do not belong to the structure, or it cannot be evaluated as declared.
     """
-    structure = checked(structure, data)
+    structure = checked_structure(structure, data)
     fitter = Fitter(structure, data)
-    pairing, *_ = fitter.unfitted(fitter.declared, np.ones(len(data.frequency), dtype=bool))
+    pairing, *_ = fitter.evaluate(fitter.declared, np.ones(len(data.frequency), dtype=bool))
     paired = pairing.partner >= 0
-    pairing, deviation, sigma, chi2 = fitter.unfitted(fitter.declared, paired)
-    predicted, sigmas = data.frequency * np.exp(-deviation), -deviation / sigma
+    pairing, log_difference, sigma, chi2 = fitter.evaluate(fitter.declared, paired)
+    predicted, sigmas = data.frequency * np.exp(-log_difference), -log_difference / sigma
     residual = predicted / data.frequency - 1.0
     drives = drives_of(structure, data)
     rows = tuple(

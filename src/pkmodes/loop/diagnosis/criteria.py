@@ -153,12 +153,12 @@ class ClaimCriteria:
 
     #: Whether a cause may rest on one row where each mode was measured once, at one setup, and the cause by nature
     #: hardly changes other modes.  For a single state it may not: a mistaken row is as likely.
-    once: ClassVar[bool] = False
+    one_row_suffices: ClassVar[bool] = False
     #: Whether a term is as likely as a cause of the catalogue: a part at one place that changed.
-    any_place: ClassVar[bool] = False
+    terms_as_likely: ClassVar[bool] = False
     #: Whether several causes at once are claimed: one change is more likely than two, and the errors of a wrong model
     #: can look like two.
-    several: ClassVar[bool] = True
+    claims_several: ClassVar[bool] = True
     #: Whether a law rivals a term whenever it survives beside it.  A part that changed is more likely than a
     #: change that varies with the position, so for changes a law is a rival only where it is clearly better.
     laws_survive: ClassVar[bool] = True
@@ -314,9 +314,9 @@ class Criteria:
 class ClaimOfChanges(ClaimCriteria):
     """Claims that something changed between two states of one machine."""
 
-    once: ClassVar[bool] = True
-    any_place: ClassVar[bool] = True
-    several: ClassVar[bool] = False
+    one_row_suffices: ClassVar[bool] = True
+    terms_as_likely: ClassVar[bool] = True
+    claims_several: ClassVar[bool] = False
     laws_survive: ClassVar[bool] = False
     wrong_errors: ClassVar[float] = 3.0
     specific_term: ClassVar[float] = 0.2

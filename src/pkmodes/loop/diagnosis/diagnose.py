@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from pkmodes.loop.diagnosis.criteria import Criteria
-from pkmodes.loop.diagnosis.one_state import diagnosed
+from pkmodes.loop.diagnosis.one_state import diagnose_one_state
 from pkmodes.loop.diagnosis.problem import Structure
 from pkmodes.loop.diagnosis.search.additions import Progress
 from pkmodes.loop.diagnosis.states.changes import diagnose_changes
@@ -57,7 +57,9 @@ def diagnose(
         than 10,000 measured modes, or states have no mode in common.
     """
     if states is None:
-        return diagnosed(structure, data, holdout=holdout, progress=progress, criteria=criteria, terms=terms)
+        return diagnose_one_state(
+            structure, data, holdout=holdout, progress=progress, criteria=criteria, terms=terms
+        )
     return diagnose_changes(
         structure, data, states, holdout=holdout, progress=progress, criteria=criteria, terms=terms
     )

@@ -17,7 +17,7 @@ from pkmodes.loop.diagnosis.problem import (
     Parameter,
     Prediction,
     Structure,
-    one_by_one,
+    predict_one_by_one,
 )
 from pkmodes.loop.diagnosis.structure.cache import ResultCache
 from pkmodes.loop.diagnosis.structure.checks import (
@@ -39,10 +39,10 @@ from pkmodes.loop.diagnosis.structure.supplied import Derivatives, Matrices, Mat
 from pkmodes.loop.diagnosis.structure.terms import SuppliedWithTerms, coordinate_terms
 
 #: Calls of the callable that take longer than this dominate the time of a diagnosis [s].
-SLOW = 0.02
+SLOW_CALL = 0.02
 
 
-class _Solved(NamedTuple):
+class _SolvedSetup(NamedTuple):
     """Matrices and modes of one setup."""
 
     pair: MatrixPair
@@ -137,26 +137,26 @@ class MatrixStructure:
             raise PkmodesError(
                 problem, "modes", "give the number of measured modes plus the rigid ones, or more"
             )
-        both = listed(units, "units", "units", '"kg", "N/m"', str)
-        if len(both) != 2:
+        unit_pair = listed(units, "units", "units", '"kg", "N/m"', str)
+        if len(unit_pair) != 2:
             problem = f"expected the units of M and K, found {shown(units)}"
             raise PkmodesError(problem, "units", 'give two, such as ("kg", "N/m")')
-        self.units: tuple[str, str] = (both[0], both[1])
+        self.units: tuple[str, str] = (unit_pair[0], unit_pair[1])
         self._map = sensor_map(self.channels, coordinates, sensors)
         self._size = len(self.channels) if self._map is None else self._map.shape[1]
-        numbered = [f"coordinate {i}" for i in range(1, self._size + 1)]
-        self.coordinates = tuple(numbered if sensors is not None else coordinates or self.channels)
-        reason = f"{self._size} coordinates" if sensors is None else f"{self._size} columns of sensors"
+        coordinate_numbers = [f"coordinate {i}" for i in range(1, self._size + 1)]
+        self.coordinates = tuple(coordinate_numbers if sensors is not None else coordinates or self.channels)
+        size_origin = f"{self._size} coordinates" if sensors is None else f"{self._size} columns of sensors"
         supplied = SuppliedMatrices(
             self.parameters,
             matrices,
             derivatives,
             self._size,
-            f"{self._size} channels" if self._map is None else reason,
+            f"{self._size} channels" if self._map is None else size_origin,
         )
         self._supplied: SuppliedMatrices | SuppliedWithTerms = supplied
         self._count = min(self._size, modes or self._size)
-        self._solutions: ResultCache[list[_Solved | None]] = ResultCache()
+        self._solutions: ResultCache[list[_SolvedSetup | None]] = ResultCache()
         self._check(UnusableError)
         for setup in self.setups[:1]:
             supplied.check_repeatable(setup)
@@ -170,8 +170,8 @@ class MatrixStructure:
         """
         if isinstance(self._supplied, SuppliedWithTerms):
             return self
-        taken = {*(p.name for p in self.parameters), *(candidate.name for candidate in self.candidates)}
-        terms = list(coordinate_terms(self.coordinates, self.units, taken))
+        used_names = {*(p.name for p in self.parameters), *(candidate.name for candidate in self.candidates)}
+        terms = list(coordinate_terms(self.coordinates, self.units, used_names))
         extended = copy.copy(self)
         extended._supplied, extended._solutions = SuppliedWithTerms(self._supplied, terms), ResultCache()
         extended.parameters = (*self.parameters, *(term.parameter for term in terms))
@@ -180,39 +180,41 @@ class MatrixStructure:
 
     def subset(self, setups: Sequence[int]) -> MatrixStructure:
         """Return the same structure in some of its setups."""
-        part = copy.copy(self)
-        part.setups, part._solutions = tuple(self.setups[i] for i in setups), ResultCache()
-        return part
+        subset = copy.copy(self)
+        subset.setups, subset._solutions = tuple(self.setups[i] for i in setups), ResultCache()
+        return subset
 
     def predict(self, values: Array, by: Sequence[int], *, shape_rates: bool = False) -> Prediction:
         """Return the modes in all setups, with derivatives with respect to some of the parameters."""
-        solved = self._solved(values)
-        solvable = {setup: s for setup, s in zip(self.setups, solved, strict=True) if s is not None}
-        count = min((len(s.modes.eigenvalues) for s in solvable.values()), default=self._count)
+        solutions = self._solve_setups(values)
+        solved_setups = {setup: s for setup, s in zip(self.setups, solutions, strict=True) if s is not None}
+        count = min((len(s.modes.eigenvalues) for s in solved_setups.values()), default=self._count)
         count = min(count, self._count)
         size = (len(self.setups), count)
         eigenvalues, rates = np.full(size, np.nan), np.full((*size, len(by)), np.nan)
         shapes = np.zeros((*size, len(self.channels)))
-        moved = np.full((*shapes.shape, len(by)), np.nan) if shape_rates else None
-        pairs = {setup: s.pair for setup, s in solvable.items()}
-        by_each = [self._supplied.rates(values, i, pairs) for i in by] if solvable else []
-        for at, (setup, solution) in enumerate(solvable.items()):
+        channel_rates = np.full((*shapes.shape, len(by)), np.nan) if shape_rates else None
+        pairs = {setup: s.pair for setup, s in solved_setups.items()}
+        matrix_rates = [self._supplied.rates(values, i, pairs) for i in by] if solved_setups else []
+        for row, (setup, solution) in enumerate(solved_setups.items()):
             k = self.setups.index(setup)
-            changes = [None if by_setup is None else by_setup[at] for by_setup in by_each]
+            changes = [
+                None if parameter_rates is None else parameter_rates[row] for parameter_rates in matrix_rates
+            ]
             eigenvalues[k] = solution.modes.eigenvalues[:count]
-            shapes[k] = self._measured(solution.modes.shapes[:count])
+            shapes[k] = self._at_channels(solution.modes.shapes[:count])
             forces, norm = modal_forces(solution.modes, changes)
             rates[k] = np.einsum("tin,in->it", forces, solution.modes.shapes)[:count]
-            if moved is not None:
-                along = differentiate_shapes(solution.pair.K, solution.modes, forces, norm)[:, :count]
-                moved[k] = np.moveaxis(self._measured(along), 0, -1)
-        return Prediction(eigenvalues, rates, shapes, self.rigid, moved)
+            if channel_rates is not None:
+                shape_changes = differentiate_shapes(solution.pair.K, solution.modes, forces, norm)[:, :count]
+                channel_rates[k] = np.moveaxis(self._at_channels(shape_changes), 0, -1)
+        return Prediction(eigenvalues, rates, shapes, self.rigid, channel_rates)
 
     def predict_many(
         self, values: Array, by: Sequence[Sequence[int]], *, shape_rates: bool = False
     ) -> list[Batch]:
-        """Return the same for several sets of values, one by one."""
-        return one_by_one(self, values, by, shape_rates=shape_rates)
+        """Return the modes for several sets of values, one by one."""
+        return predict_one_by_one(self, values, by, shape_rates=shape_rates)
 
     def position_rates(self, values: Array, *, shape_rates: bool = False) -> None:
         """Return None: setups have no position."""
@@ -221,11 +223,11 @@ class MatrixStructure:
         """Return None: no other setups are known."""
 
     @property
-    def seconds_a_call(self) -> float:
+    def seconds_per_call(self) -> float:
         """Mean time of a call for M and K [s]."""
         return self._supplied.seconds / max(self._supplied.calls, 1)
 
-    def check_stands(self) -> None:
+    def check_stable(self) -> None:
         """Refuse a structure that is not stable with its declared values.
 
         Raises
@@ -248,20 +250,20 @@ class MatrixStructure:
                 problem = f"the model cannot be evaluated with its declared values: {error.what}"
                 raise PkmodesError(problem, f"{error.where} for setup {shown(setup)}", error.remedy) from None
 
-    def _measured(self, shapes: Array) -> Array:
+    def _at_channels(self, shapes: Array) -> Array:
         """Return shapes (..., n) at the channels."""
         return shapes if self._map is None else shapes @ self._map.T
 
-    def _solved(self, values: Array) -> list[_Solved | None]:
+    def _solve_setups(self, values: Array) -> list[_SolvedSetup | None]:
         """Return the modes of all setups, None for a setup without modes at these values."""
         key = np.asarray(values, dtype=float).tobytes()
         if key in self._solutions:
             return self._solutions[key]
-        solutions: list[_Solved | None] = []
+        solutions: list[_SolvedSetup | None] = []
         for setup in self.setups:
             pair = self._supplied.evaluate(values, setup)
             try:  # matrices without modes are not an error here: a fit may try any value within the bounds
-                solutions.append(None if pair is None else _Solved(pair, setup_modes(pair, self.rigid)))
+                solutions.append(None if pair is None else _SolvedSetup(pair, setup_modes(pair, self.rigid)))
             except UnusableError:
                 solutions.append(None)
         return self._solutions.keep(
@@ -269,7 +271,7 @@ class MatrixStructure:
         )
 
 
-def at_measured(structure: Structure, labels: Sequence[str]) -> Structure:
+def at_measured_setups(structure: Structure, labels: Sequence[str]) -> Structure:
     """Return the structure at the measured setups, in the order of the measurements.
 
     - structure: a `MatrixStructure` is reordered by its labels; one with a single unlabelled setup matches any label.
@@ -282,20 +284,20 @@ def at_measured(structure: Structure, labels: Sequence[str]) -> Structure:
     if not isinstance(structure, MatrixStructure):
         return structure
     if structure.setups == ("",) and len(labels) == 1:
-        structure.check_stands()
+        structure.check_stable()
         return structure
     for label in labels:
         if label not in structure.setups:
             problem = f"the structure has no setup {shown(label)}, which was measured"
             raise PkmodesError(problem, "setups", f"setups are: {', '.join(map(shown, structure.setups))}")
-    measured = structure.subset([structure.setups.index(label) for label in labels])
-    measured.check_stands()
-    return measured
+    measured_structure = structure.subset([structure.setups.index(label) for label in labels])
+    measured_structure.check_stable()
+    return measured_structure
 
 
-def slowness(structure: Structure) -> str:
+def slow_call_remark(structure: Structure) -> str:
     """Return a sentence if the callable for M and K dominates the computing time; else an empty string."""
-    if not isinstance(structure, MatrixStructure) or structure.seconds_a_call < SLOW:
+    if not isinstance(structure, MatrixStructure) or structure.seconds_per_call < SLOW_CALL:
         return ""
-    seconds = f"{plain(structure.seconds_a_call, 2)} s"
+    seconds = f"{plain(structure.seconds_per_call, 2)} s"
     return f"each call for the matrices takes {seconds}: a few hundred calls dominate the computing time"

@@ -160,8 +160,8 @@ class Candidate:
 
 def reached_bounds(p: Parameter, value: float, size: float = 0.0) -> list[float]:
     """Return the physical bounds that a value has reached, up to a thousandth of the largest number of this kind."""
-    near = 1e-3 * max(abs(p.value), abs(value), size)
-    return [bound for bound in (p.lower, p.upper) if np.isfinite(bound) and abs(value - bound) <= near]
+    tolerance = 1e-3 * max(abs(p.value), abs(value), size)
+    return [bound for bound in (p.lower, p.upper) if np.isfinite(bound) and abs(value - bound) <= tolerance]
 
 
 @dataclass(frozen=True)
@@ -375,7 +375,7 @@ class Damped(Protocol):
         """
 
 
-def one_by_one(
+def predict_one_by_one(
     structure: Structure, values: Array, by: Sequence[Sequence[int]], *, shape_rates: bool = False
 ) -> list[Batch]:
     """Return the result of `Structure.predict_many` with one batch for each set of values."""

@@ -16,13 +16,13 @@ from scipy import stats
 
 from pkmodes.core.base.arguments import is_all
 from pkmodes.core.base.errors import PkmodesError, shown
-from pkmodes.loop.diagnosis.arguments import checked
+from pkmodes.loop.diagnosis.arguments import checked_structure
 from pkmodes.loop.diagnosis.criteria import Criteria
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.loop.diagnosis.fit.solver import correlation
 from pkmodes.loop.diagnosis.fit.store import FitStore
-from pkmodes.loop.diagnosis.one_state import split
+from pkmodes.loop.diagnosis.one_state import split_setups
 from pkmodes.loop.diagnosis.problem import Candidate, Structure, reached_bounds
 from pkmodes.loop.diagnosis.readings.amplitude import notes_on_amplitude
 from pkmodes.loop.diagnosis.readings.table import (
@@ -35,10 +35,10 @@ from pkmodes.loop.diagnosis.verdict.notes import notes
 from pkmodes.loop.diagnosis.verdict.rows import Error, Row
 from pkmodes.loop.measured.measurements import Measurements
 
-#: Largest number of rounds to estimate the scatter of shapes without a stated error.
-ROUNDS = 4
-#: Relative change of the scatter at convergence.
-SETTLED = 0.02
+#: Largest number of rounds in which the scatter of shapes without a stated error is estimated.
+MAX_ROUNDS = 4
+#: The scatter has converged if it changes by less than this, relatively.
+SCATTER_TOLERANCE = 0.02
 
 
 @dataclass(frozen=True)
@@ -134,16 +134,16 @@ def update(
     PkmodesError
         If a name is unknown or has no prior, nothing could change, or the model cannot be evaluated.
     """
-    structure = checked(structure, data)
-    fitted, held = split(data, holdout)
+    structure = checked_structure(structure, data)
+    fitted, held_out = split_setups(data, holdout)
     fitter = Fitter(structure.subset(fitted), data.at(fitted), criteria)
-    chosen = _chosen(fitter, parameters)
-    fitter, fit = _fitted(fitter, chosen)
-    store, setups = FitStore(fitter), AllSetups(structure, data, fitter, held)
-    nothing = np.zeros(len(data.lines), dtype=bool)
-    declared, after = setups.stage(fitter.declared), setups.stage(fit.values)
+    indices = _parameter_indices(fitter, parameters)
+    fitter, fit = _fit_with_scatter(fitter, indices)
+    store, setups = FitStore(fitter), AllSetups(structure, data, fitter, held_out)
+    no_outliers = np.zeros(len(data.lines), dtype=bool)
+    declared_stage, updated_stage = setups.stage(fitter.declared), setups.stage(fit.values)
     squares, degrees = store.frequency_misfit(fit)
-    updated = tuple(_updated(fitter, fit, i) for i in chosen)
+    updated = tuple(_updated_parameter(fitter, fit, i) for i in indices)
     messages = [
         *answer_for_declared_model(fitter),
         *answer_for_final_fit(fitter, fit),
@@ -158,18 +158,18 @@ def update(
         messages.append("the residual still exceeds the stated errors: something else is missing")
     return Update(
         parameters=updated,
-        correlation=correlation(fit.covariance_of(chosen)),
-        before=setups.declared_error(declared, nothing),
-        after=setups.error(after, squares, degrees, nothing),
+        correlation=correlation(fit.covariance_of(indices)),
+        before=setups.declared_error(declared_stage, no_outliers),
+        after=setups.error(updated_stage, squares, degrees, no_outliers),
         p_value=store.p_value(fit),
         held_out_poses=setups.held_out_poses,
-        rows=setups.rows(declared, after, after, nothing),
+        rows=setups.rows(declared_stage, updated_stage, updated_stage, no_outliers),
         shape_scatter=store.shape_scatter(fit),
         notes=(*messages, *notes(store, fit, adequate=False)),
     )
 
 
-def _chosen(fitter: Fitter, parameters: Sequence[str] | None) -> list[int]:
+def _parameter_indices(fitter: Fitter, parameters: Sequence[str] | None) -> list[int]:
     names = [p.name for p in fitter.parameters]
     if is_all(parameters):
         parameters = None
@@ -180,29 +180,29 @@ def _chosen(fitter: Fitter, parameters: Sequence[str] | None) -> list[int]:
         if name not in names:
             problem = f"there is no parameter {shown(name)}"
             raise PkmodesError(problem, "parameters", f"parameters are: {', '.join(names)}")
-        if fitter.priors.of(names.index(name)) is None:
+        if fitter.priors.row_of(names.index(name)) is None:
             problem = f"the parameter {shown(name)} has no prior"
             remedy = "give it a sigma: an update needs the plausible error of each value"
             raise PkmodesError(problem, "parameters", remedy)
-    chosen = [i for i, name in enumerate(names) if parameters is None or name in parameters]
-    chosen = [i for i in chosen if fitter.priors.of(i) is not None]
-    if not chosen:
+    indices = [i for i, name in enumerate(names) if parameters is None or name in parameters]
+    indices = [i for i in indices if fitter.priors.row_of(i) is not None]
+    if not indices:
         raise PkmodesError(
             "no parameter has a prior", "parameters", "give a sigma to the parameters that may change"
         )
-    return chosen
+    return indices
 
 
-def _fitted(fitter: Fitter, chosen: Sequence[int]) -> tuple[Fitter, Fit]:
+def _fit_with_scatter(fitter: Fitter, indices: Sequence[int]) -> tuple[Fitter, Fit]:
     """Fit all chosen parameters, with the shape scatter estimated from the residual if none is stated."""
-    names = tuple(fitter.parameters[i].name for i in chosen)
+    names = tuple(fitter.parameters[i].name for i in indices)
     # Nuisance parameters that were not chosen stay at their declared values.
-    kept = tuple(p if p.name in names else replace(p, sigma=None) for p in fitter.parameters)
+    parameters = tuple(p if p.name in names else replace(p, sigma=None) for p in fitter.parameters)
     c, scatter, start = fitter.criteria, fitter.shape_scatter, None
     hypothesis = Hypothesis((Candidate("update", names),))
-    rounds = ROUNDS
+    rounds = MAX_ROUNDS
     while True:
-        fitter = Fitter(fitter.structure, fitter.data, c, scatter, parameters=kept)
+        fitter = Fitter(fitter.structure, fitter.data, c, scatter, parameters=parameters)
         fit = fitter.fit(hypothesis, start)
         if fit is None:
             problem = "the model cannot be evaluated with its declared values"
@@ -211,14 +211,14 @@ def _fitted(fitter: Fitter, chosen: Sequence[int]) -> tuple[Fitter, Fit]:
         if estimate is None or not rounds:
             return fitter, fit
         scatter = float(np.clip(estimate, c.shapes.least_scatter, c.shapes.most_scatter))
-        if abs(scatter / fitter.shape_scatter - 1.0) < SETTLED:
+        if abs(scatter / fitter.shape_scatter - 1.0) < SCATTER_TOLERANCE:
             return fitter, fit
 
 
-def _updated(fitter: Fitter, fit: Fit, i: int) -> Updated:
-    p, row, sigma = fitter.parameters[i], fitter.priors.of(i), fit.sigma_of(i)
+def _updated_parameter(fitter: Fitter, fit: Fit, i: int) -> Updated:
+    p, row, sigma = fitter.parameters[i], fitter.priors.row_of(i), fit.sigma_of(i)
     assert row is not None
-    prior = float(fitter.priors.width(fit.values)[row])
+    prior = float(fitter.priors.sigmas_in_units(fit.values)[row])
     return Updated(
         name=p.name,
         unit=p.unit,
@@ -227,6 +227,6 @@ def _updated(fitter: Fitter, fit: Fit, i: int) -> Updated:
         prior_sigma=prior,
         sigma=min(sigma, prior),
         resolution=max(1.0 - (sigma / prior) ** 2, 0.0),
-        moved=float(fitter.priors.away(fit.values)[row]),
+        moved=float(fitter.priors.distances(fit.values)[row]),
         at_bound=bool(reached_bounds(p, fit.values[i], prior)),
     )

@@ -1,10 +1,11 @@
 """Frequencies that depend on the level of excitation, as no linear machine's do.
 
 Setups that differ in nothing but their level are regressed: ln f of each mode on the logarithm of the level.  Modes
-of one setup may share an error, such as a warmer machine, so the analysis of variance has two strata, as of split
+of one setup may share an error, such as a warmer machine, so the analysis of variance has two strata, as for split
 plots: what the modes of a setup have in common, and how they differ from each other.  In each, the trend is compared
-with the stated errors and, where a level was repeated, with the scatter of its setups.  Where none was, how well
-setups repeat is not known: the trend must be clear even with errors twice as large, and shared by the modes of each.
+with the stated errors and, where a level was repeated, with the scatter of its setups.  If none was repeated, the
+repeatability of setups is unknown: the trend must be clear even with errors twice as large, and shared by the modes
+of each setup.
 """
 
 from __future__ import annotations
@@ -25,16 +26,16 @@ Array = NDArray[np.float64]
 Rows = NDArray[np.intp]
 
 #: Levels differ if the higher is at least this multiple of the lower.
-DIFFER = 1.25
+MIN_LEVEL_RATIO = 1.25
 #: Largest p-value of a dependence that is reported.
-SURE = 1e-3
-#: Degrees of freedom that the stated errors are worth, beside the scatter of setups at one level.
-WORTH = 4.0
-#: Factor by which the true errors may exceed the stated ones where no level was repeated.
-UNKNOWN = 2.0
-#: Standard deviations from which a change is clear; a change whose standard deviation is more than this fraction of
-#: the clearest change is not reported.
-CLEAR, KNOWN = 3.0, 0.5
+SIGNIFICANCE_LEVEL = 1e-3
+#: Degrees of freedom of the stated errors, where they are pooled with the scatter of setups at one level.
+STATED_ERROR_DEGREES = 4.0
+#: Factor by which the true errors may exceed the stated ones if no level was repeated.
+UNREPEATED_FACTOR = 2.0
+#: A change is clear from this many standard deviations.  A change is not reported if its standard deviation is more
+#: than the fraction of the clearest change.
+CLEAR_SIGMAS, MAX_RELATIVE_ERROR = 3.0, 0.5
 
 
 @dataclass(frozen=True)
@@ -61,9 +62,9 @@ class AmplitudeDependence:
 
     - low, high: the lowest and the highest level of setups that can be compared
     - changes: of each mode at each position
-    - squares: what the trend explains of the scatter, in units of the stated variances
-    - p_value: of so clear a trend if nothing depends on the level
-    - repeated: whether the scatter of setups at one level was known
+    - squares: sum of squares that the trend explains, in units of the stated variances
+    - p_value: probability of so clear a trend if nothing depends on the level
+    - repeated: whether some level was repeated, so that the scatter of its setups is known
     """
 
     low: float
@@ -76,7 +77,7 @@ class AmplitudeDependence:
     @property
     def significant(self) -> bool:
         """Whether the frequencies depend on the level."""
-        return self.p_value < SURE
+        return self.p_value < SIGNIFICANCE_LEVEL
 
     @property
     def clearest(self) -> FrequencyChange:
@@ -85,8 +86,8 @@ class AmplitudeDependence:
 
     @property
     def range(self) -> tuple[float, float]:
-        """Smallest and largest relative change, of the modes for which it is known well enough."""
-        limit = KNOWN * abs(self.clearest.relative)
+        """Smallest and largest relative change, of the modes with small enough errors."""
+        limit = MAX_RELATIVE_ERROR * abs(self.clearest.relative)
         reliable = [change.relative for change in self.changes if change.sigma <= limit] or [
             self.clearest.relative
         ]
@@ -95,7 +96,7 @@ class AmplitudeDependence:
     @property
     def direction(self) -> int:
         """1 where all clear changes are upwards, -1 where all are downwards, else 0."""
-        clear = [change.relative for change in self.changes if abs(change.sigmas) > CLEAR] or [
+        clear = [change.relative for change in self.changes if abs(change.sigmas) > CLEAR_SIGMAS] or [
             self.clearest.relative
         ]
         return 0 if min(clear) < 0.0 < max(clear) else int(np.sign(clear[0]))
@@ -105,17 +106,21 @@ class Stratum(NamedTuple):
     """Sums of squares and degrees of freedom, of the trend and of the scatter at one level."""
 
     trend: float
-    of_trend: int
+    trend_degrees: int
     scatter: float
-    of_scatter: int
+    scatter_degrees: int
 
-    def p_value(self, usual: float) -> float:
-        """Return the p-value of the trend; `usual` is the expected variance relative to the stated one."""
-        if not self.of_scatter:
-            return float(stats.chi2.sf(self.trend / (UNKNOWN**2 * usual), self.of_trend))
-        worth = WORTH + self.of_scatter
-        variance = max((WORTH * usual + self.scatter) / worth, 1.0)
-        return float(stats.f.sf(self.trend / self.of_trend / variance, self.of_trend, worth))
+    def p_value(self, expected_variance: float) -> float:
+        """Return the p-value of the trend; `expected_variance` is relative to the stated one."""
+        if not self.scatter_degrees:
+            return float(
+                stats.chi2.sf(self.trend / (UNREPEATED_FACTOR**2 * expected_variance), self.trend_degrees)
+            )
+        variance_degrees = STATED_ERROR_DEGREES + self.scatter_degrees
+        variance = max((STATED_ERROR_DEGREES * expected_variance + self.scatter) / variance_degrees, 1.0)
+        return float(
+            stats.f.sf(self.trend / self.trend_degrees / variance, self.trend_degrees, variance_degrees)
+        )
 
 
 def amplitude_dependence(
@@ -129,68 +134,73 @@ def amplitude_dependence(
     - motion: derivatives of ln f with respect to the position, (R, d), if the setups were positioned anew and it is
       uncertain
     """
-    plots = [_Plots.of(data, group, partner, motion) for group in groups]
-    usable = [plot for plot in plots if plot is not None]
-    if not usable:
+    regressions = [_LevelRegression.of(data, group, partner, motion) for group in groups]
+    usable_regressions = [regression for regression in regressions if regression is not None]
+    if not usable_regressions:
         return None
-    common, rest = ([plot.strata[k] for plot in usable] for k in (0, 1))
-    # Modes of a setup that share an error as large as the stated one scatter together by that, not by their mean.
-    modes = float(np.mean([plot.modes_of_a_setup for plot in usable]))
-    p_values = [_sum(common).p_value(modes)]
-    if any(stratum.of_trend for stratum in rest):
-        p_values.append(_sum(rest).p_value(1.0))
-    levels = np.concatenate([data.level[data.pose[plot.rows]] for plot in usable])
+    common_strata, other_strata = (
+        [regression.strata[k] for regression in usable_regressions] for k in (0, 1)
+    )
+    # If the modes of a setup share an error as large as the stated one, their mean scatters by it, too.
+    mean_mode_count = float(np.mean([regression.modes_of_a_setup for regression in usable_regressions]))
+    p_values = [_sum_strata(common_strata).p_value(mean_mode_count)]
+    if any(stratum.trend_degrees for stratum in other_strata):
+        p_values.append(_sum_strata(other_strata).p_value(1.0))
+    levels = np.concatenate([data.level[data.pose[regression.rows]] for regression in usable_regressions])
     return AmplitudeDependence(
         low=float(levels.min()),
         high=float(levels.max()),
-        changes=tuple(change for plot in usable for change in plot.changes()),
-        squares=sum(stratum.trend for stratum in (*common, *rest)),
+        changes=tuple(change for regression in usable_regressions for change in regression.changes()),
+        squares=sum(stratum.trend for stratum in (*common_strata, *other_strata)),
         p_value=min(len(p_values) * min(p_values), 1.0),
-        repeated=any(stratum.of_scatter for stratum in (*common, *rest)),
+        repeated=any(stratum.scatter_degrees for stratum in (*common_strata, *other_strata)),
     )
 
 
-def _sum(strata: Sequence[Stratum]) -> Stratum:
-    trend, of_trend, scatter, of_scatter = (sum(column) for column in zip(*strata, strict=True))
-    return Stratum(trend, int(of_trend), scatter, int(of_scatter))
+def _sum_strata(strata: Sequence[Stratum]) -> Stratum:
+    trend, trend_degrees, scatter, scatter_degrees = (sum(column) for column in zip(*strata, strict=True))
+    return Stratum(trend, int(trend_degrees), scatter, int(scatter_degrees))
 
 
-class _Plots:
-    """The modes of setups that differ in their level alone.
+class _LevelRegression:
+    """A regression of the modes of setups that differ only in their level.
 
-    - rows, mode: rows, and which mode of the position each is, (n,)
-    - root: Cholesky factor of the covariance of their ln f, (n, n)
+    - rows, mode_number: rows, and which mode of the position each is, (n,)
+    - cholesky: Cholesky factor of the covariance of their ln f, (n, n)
     """
 
-    def __init__(self, data: Measurements, rows: Rows, mode: Rows, root: Array) -> None:
-        self.rows, self._mode, self._root = rows, mode, root
+    def __init__(self, data: Measurements, rows: Rows, mode_number: Rows, cholesky: Array) -> None:
+        self.rows, self._mode_number, self._cholesky = rows, mode_number, cholesky
         self._setup, level = data.pose[rows], data.level[data.pose[rows]]
-        self._along = np.log(level)
-        self._step = level_steps(level)
-        self._log = self._white(np.log(data.frequency[rows])[:, None])[:, 0]
+        self._log_level = np.log(level)
+        self._level_step = level_steps(level)
+        self._white_log_frequency = self._whitened(np.log(data.frequency[rows])[:, None])[:, 0]
 
     @classmethod
     def of(
         cls, data: Measurements, setups: Sequence[int], partner: Rows, motion: Array | None
-    ) -> _Plots | None:
+    ) -> _LevelRegression | None:
         """Return the modes that were measured at two levels or more; None if there are none."""
-        excited = [i for i in setups if np.isfinite(data.level[i])]
-        if len(excited) < 2 or data.level[excited].max() < DIFFER * data.level[excited].min():
+        setups_with_level = [i for i in setups if np.isfinite(data.level[i])]
+        if (
+            len(setups_with_level) < 2
+            or data.level[setups_with_level].max() < MIN_LEVEL_RATIO * data.level[setups_with_level].min()
+        ):
             return None
-        pairs = list(_same_modes(data, excited, partner))
+        pairs = list(_same_modes(data, setups_with_level, partner))
         steps = level_steps(data.level[data.pose[[row for row, _ in pairs]]])
-        at: dict[int, set[int]] = {}
-        for (_, mode), step in zip(pairs, steps, strict=True):
-            at.setdefault(mode, set()).add(int(step))
-        pairs = [pair for pair in pairs if len(at[pair[1]]) > 1]
+        steps_by_mode: dict[int, set[int]] = {}
+        for (_, mode_number), step in zip(pairs, steps, strict=True):
+            steps_by_mode.setdefault(mode_number, set()).add(int(step))
+        pairs = [pair for pair in pairs if len(steps_by_mode[pair[1]]) > 1]
         if not pairs:
             return None
-        rows, mode = np.array(pairs, dtype=np.intp).T
+        rows, mode_number = np.array(pairs, dtype=np.intp).T
         V = np.diag((data.sigma[rows] / data.frequency[rows]) ** 2)
         if motion is not None:
             same_setup = data.pose[rows][:, None] == data.pose[rows]
             V += same_setup * ((motion[rows] * data.point_sigma[data.pose[rows]] ** 2) @ motion[rows].T)
-        return cls(data, rows, mode, np.linalg.cholesky(V))
+        return cls(data, rows, mode_number, np.linalg.cholesky(V))
 
     @property
     def modes_of_a_setup(self) -> float:
@@ -200,63 +210,76 @@ class _Plots:
     @property
     def strata(self) -> tuple[Stratum, Stratum]:
         """What the modes of a setup have in common, and how they differ from each other."""
-        modes, setups = _columns(self._mode), _columns(self._setup)
-        cells = _columns(self._mode * (1 + self._step.max()) + self._step)
-        along, slopes = self._along[:, None], modes * (self._along - self._along.mean())[:, None]
-        plain, beside = self._residual_sum(modes), self._residual_sum(modes, setups)
-        trend, individual = self._residual_sum(modes, along), self._residual_sum(modes, setups, slopes)
-        within, within_setups = self._residual_sum(cells), self._residual_sum(cells, setups)
-        common = Stratum(
-            plain[0] - trend[0],
-            plain[1] - trend[1],
-            within[0] - within_setups[0],
-            within[1] - within_setups[1],
+        modes, setups = _indicator_columns(self._mode_number), _indicator_columns(self._setup)
+        mode_levels = _indicator_columns(self._mode_number * (1 + self._level_step.max()) + self._level_step)
+        log_level, slopes = (
+            self._log_level[:, None],
+            modes * (self._log_level - self._log_level.mean())[:, None],
         )
-        return common, Stratum(beside[0] - individual[0], beside[1] - individual[1], *within_setups)
+        modes_only, modes_and_setups = self._residual_sum(modes), self._residual_sum(modes, setups)
+        common_trend, trend_of_each_mode = (
+            self._residual_sum(modes, log_level),
+            self._residual_sum(modes, setups, slopes),
+        )
+        level_means, level_and_setup_means = (
+            self._residual_sum(mode_levels),
+            self._residual_sum(mode_levels, setups),
+        )
+        common = Stratum(
+            modes_only[0] - common_trend[0],
+            modes_only[1] - common_trend[1],
+            level_means[0] - level_and_setup_means[0],
+            level_means[1] - level_and_setup_means[1],
+        )
+        return common, Stratum(
+            modes_and_setups[0] - trend_of_each_mode[0],
+            modes_and_setups[1] - trend_of_each_mode[1],
+            *level_and_setup_means,
+        )
 
     def changes(self) -> Iterator[FrequencyChange]:
         """Yield the change of each mode."""
-        modes = _columns(self._mode)
-        slopes = modes * (self._along - self._along.mean())[:, None]
-        design = self._white(np.hstack([modes, slopes]))
-        values, *_ = np.linalg.lstsq(design, self._log, rcond=None)
+        modes = _indicator_columns(self._mode_number)
+        slopes = modes * (self._log_level - self._log_level.mean())[:, None]
+        design = self._whitened(np.hstack([modes, slopes]))
+        values, *_ = np.linalg.lstsq(design, self._white_log_frequency, rcond=None)
         covariance, count = np.linalg.inv(design.T @ design), modes.shape[1]
         for k in range(count):
-            of_mode = np.flatnonzero(modes[:, k])
-            span = float(np.ptp(self._along[of_mode]))
+            mode_rows = np.flatnonzero(modes[:, k])
+            span = float(np.ptp(self._log_level[mode_rows]))
             sigma = span * float(np.sqrt(covariance[count + k, count + k]))
-            highest = of_mode[int(self._along[of_mode].argmax())]
+            highest = mode_rows[int(self._log_level[mode_rows].argmax())]
             yield FrequencyChange(int(self.rows[highest]), float(np.expm1(span * values[count + k])), sigma)
 
     def _residual_sum(self, *designs: Array) -> tuple[float, int]:
-        """Return the sum of squares that a linear model leaves, and its degrees of freedom."""
-        design = self._white(np.hstack(designs))
-        values, _, rank, _ = np.linalg.lstsq(design, self._log, rcond=1e-10)
-        residuals = self._log - design @ values
+        """Return the sum of squares of the residuals of a linear model, and its degrees of freedom."""
+        design = self._whitened(np.hstack(designs))
+        values, _, rank, _ = np.linalg.lstsq(design, self._white_log_frequency, rcond=1e-10)
+        residuals = self._white_log_frequency - design @ values
         return float(residuals @ residuals), len(residuals) - int(rank)
 
-    def _white(self, columns: Array) -> Array:
-        return np.asarray(solve_triangular(self._root, columns, lower=True))
+    def _whitened(self, columns: Array) -> Array:
+        return np.asarray(solve_triangular(self._cholesky, columns, lower=True))
 
 
-def _columns(labels: NDArray[np.int_]) -> Array:
+def _indicator_columns(labels: NDArray[np.int_]) -> Array:
     """Return a column of ones and zeros for each label."""
     return np.asarray(labels[:, None] == np.unique(labels), dtype=float)
 
 
 def level_steps(level: Array) -> NDArray[np.int_]:
-    """Return the number of each level among those that differ, the lowest first."""
+    """Return the number of each level among the different ones, the lowest first."""
     order = np.argsort(level, kind="stable")
-    steps, lowest, step = np.empty(len(level), dtype=int), np.inf, -1
+    steps, lowest_of_step, step = np.empty(len(level), dtype=int), np.inf, -1
     for i in order:
-        if step < 0 or level[i] >= DIFFER * lowest:
-            lowest, step = level[i], step + 1
+        if step < 0 or level[i] >= MIN_LEVEL_RATIO * lowest_of_step:
+            lowest_of_step, step = level[i], step + 1
         steps[i] = step
     return steps
 
 
 def _same_modes(data: Measurements, setups: Sequence[int], partner: Rows) -> Iterator[tuple[int, int]]:
-    """Yield the rows of some setups with the number of their mode, from those of the setup with most modes."""
+    """Yield the rows of some setups, each with the number of its mode in the setup with most modes."""
     rows = [np.flatnonzero(data.pose == setup) for setup in setups]
     reference = max(rows, key=len)
     mode = {int(row): number for number, row in enumerate(reference)}

@@ -40,7 +40,7 @@ def numbers_of(arrays: Mapping[str, ArrayLike | None], rows: int, source: str) -
     ):  # of several mistakes, those in optional columns are reported first
         value, sigma = quantity.value, quantity.sigma
         values, stated = column(value, arrays.get(value.argument)), arrays.get(sigma.argument)
-        sigmas = column(sigma, stated if sigma.required else for_all(stated, rows))
+        sigmas = column(sigma, stated if sigma.required else repeat_for_rows(stated, rows))
         if quantity.usual_sigma is not None:
             sigmas = np.where(np.isnan(sigmas), quantity.usual_sigma(values), sigmas)
         columns |= {value.argument: values, sigma.argument: sigmas}
@@ -53,12 +53,12 @@ def read_only(array: Array) -> Array:
     return array
 
 
-def for_all(values: ArrayLike | None, rows: int) -> ArrayLike | None:
+def repeat_for_rows(values: ArrayLike | None, rows: int) -> ArrayLike | None:
     """Repeat a single number for all rows; return anything else unchanged."""
     return np.full(rows, values) if isinstance(values, int | float | np.integer | np.floating) else values
 
 
-def by_name(
+def checked_columns(
     columns: Mapping[str, ArrayLike] | None, argument: str, example: str, source: str
 ) -> Mapping[str, ArrayLike]:
     """Check a mapping of names to columns; empty if none is given."""

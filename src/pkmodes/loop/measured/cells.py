@@ -24,8 +24,8 @@ NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
 def separator_of(header: str) -> str:
     """Return what separates the cells of a header, outside of quotes; a comma if there is a single one."""
     text = QUOTED.sub("", header)
-    commonest = max(SEPARATORS, key=text.count)
-    return commonest if commonest in text else ","
+    most_frequent = max(SEPARATORS, key=text.count)
+    return most_frequent if most_frequent in text else ","
 
 
 class TableNotation(NamedTuple):
@@ -38,7 +38,7 @@ class TableNotation(NamedTuple):
 
     @property
     def decimal(self) -> str:
-        """What numbers may be written with, for messages."""
+        """Decimal marks that numbers may have, for messages."""
         return "a decimal point" if self.separator == "," else "a decimal point or comma"
 
     def cells(self, line: str, where: str) -> list[str]:
@@ -49,8 +49,8 @@ class TableNotation(NamedTuple):
         try:
             (cells,) = csv.reader([line], strict=True, skipinitialspace=True, delimiter=self.separator)
         except csv.Error as error:
-            after = SEPARATORS[self.separator].removesuffix("s")
-            remedy = f"close every quote on its line, and put a {after} right after it"
+            separator_name = SEPARATORS[self.separator].removesuffix("s")
+            remedy = f"close every quote on its line, and put a {separator_name} right after it"
             raise MeasurementError(f"not valid CSV: {error}", where, remedy) from None
         return [cell.strip() for cell in cells]
 
@@ -60,7 +60,7 @@ class TableNotation(NamedTuple):
 
 
 def number_in(text: str, factor: Decimal | None) -> float | None:
-    """Return the number that a text is, with a decimal point, in SI units; None if it is not a number."""
+    """Return the number in a text, with a decimal point, in SI units; None if it is not a number."""
     value = float(text) if NUMBER.fullmatch(text) else math.nan
     if factor is not None and value and math.isfinite(value):
         value = float(Decimal(text) * factor)  # in decimal, so that 35 mm is the double nearest to 0.035

@@ -21,7 +21,7 @@ POSITION: Mapping[str, str] = MappingProxyType({"x": "m", "y": "m", "z": "m"})
 
 
 class Stated(NamedTuple):
-    """A value that is stated of the whole test, and where: text with a unit, a number in SI units, or several."""
+    """A value stated for the whole test, text with a unit, a number, or several of these, and its place."""
 
     value: Any
     where: str
@@ -32,10 +32,10 @@ class Stated(NamedTuple):
         return ", ".join(map(str, self.value if isinstance(self.value, list | tuple) else [self.value]))
 
 
-def joined_with(
+def merge_stated(
     stated: Mapping[str, Stated], argument_values: Mapping[str, Any], argument: str
 ) -> dict[str, Stated]:
-    """Return what is stated, and what an argument gives, which may not contradict it.
+    """Return the stated values and those of an argument, which may not contradict them.
 
     Raises MeasurementError if it does, or is no mapping.
     """
@@ -151,10 +151,12 @@ class Columns:
 
     @property
     def conditions(self) -> Integers:
-        """Index of what was done at each pose, (P,): equal where drives and set values are, at any level."""
-        done = list(zip(self.drives, map(tuple, self.set_values.tolist()), strict=True))
+        """Index of the conditions at each pose, (P,): equal if drives and set values are, at any level."""
+        condition_of_pose = list(zip(self.drives, map(tuple, self.set_values.tolist()), strict=True))
         indices: dict[str, int] = {}  # a blank setting, NaN, equals nothing, but its text does
-        return np.array([indices.setdefault(repr(condition), len(indices)) for condition in done], dtype=int)
+        return np.array(
+            [indices.setdefault(repr(condition), len(indices)) for condition in condition_of_pose], dtype=int
+        )
 
     @property
     def frequency(self) -> Array:

@@ -31,7 +31,7 @@ from pkmodes.loop.measured.significance import (
 )
 from pkmodes.loop.measured.strain_energy import StrainEnergyChange, strain_energy_changes
 from pkmodes.loop.measured.trust import (
-    LEAST_MAC,
+    MIN_MAC,
     cautions_of,
     close_to_another,
     notes_on_poses,
@@ -180,7 +180,7 @@ def _compare_shapes(
             and mode is not None
             and well_separated
             and mac_of_pair is not None
-            and mac_of_pair >= LEAST_MAC
+            and mac_of_pair >= MIN_MAC
         ):
             usable.setdefault(int(first.pose[i]), []).append((int(first.lines[i]), mode))
     energies = []
@@ -256,12 +256,12 @@ def paired_rows(
     log_ratios = np.abs(np.log(second.frequency[second_rows][None, :] / first.frequency[rows][:, None]))
     macs = _mac_matrix(first, second, rows, second_rows)
     cost = log_ratios / DIFFERENCE_AT_ZERO_MAC + np.where(np.isfinite(macs), 1.0 - macs, 0.0)
-    far = log_ratios > MAX_FREQUENCY_DIFFERENCE
-    chosen = zip(*linear_sum_assignment(np.where(far, 1e6, cost)), strict=True)
+    is_too_far = log_ratios > MAX_FREQUENCY_DIFFERENCE
+    index_pairs = zip(*linear_sum_assignment(np.where(is_too_far, 1e6, cost)), strict=True)
     return [
         (int(rows[i]), int(second_rows[j]), float(macs[i, j]) if np.isfinite(macs[i, j]) else None)
-        for i, j in chosen
-        if not far[i, j]
+        for i, j in index_pairs
+        if not is_too_far[i, j]
     ]
 
 

@@ -9,7 +9,7 @@ from typing import NoReturn
 
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.loop.measured.cells import separator_of
-from pkmodes.loop.measured.csv_rows import of_state, read_lines, read_table, states_of
+from pkmodes.loop.measured.csv_rows import lines_of_state, read_lines, read_table, states_of
 from pkmodes.loop.measured.formats import Format, Machine
 from pkmodes.loop.measured.header import components_of, read_header
 from pkmodes.loop.measured.measurements import Measurements
@@ -28,7 +28,7 @@ def read_csv(path: str | PathLike[str], machine: Machine) -> Measurements:
     where, cells = lines.header(source, "start with the names of the columns")
     components = components_of(cells, machine.components, machine.channels)
     columns = read_header(cells, where, machine, components)
-    lines = of_state(lines, cells, source, machine.state)
+    lines = lines_of_state(lines, cells, source, machine.state)
     return read_table(columns, lines, source, components, machine.drives, machine.usual_drives)
 
 
@@ -42,30 +42,30 @@ def states_in(path: str | PathLike[str]) -> tuple[str, ...]:
     _, cells = lines.header(source, "start with the names of the columns")
     states = states_of(lines, cells, source)
     if "" in states and any(states):
-        of_state(lines, cells, source, None)  # the error names the row
+        lines_of_state(lines, cells, source, None)  # the error names the row
     return tuple(dict.fromkeys(states))
 
 
-def begins_with_a_header(head: bytes) -> bool:
+def begins_with_header(head: bytes) -> bool:
     """Return whether the first line that is not a comment names the column of the poses."""
-    lines = (line.strip() for line in decoded(head, "replace").splitlines())
+    lines = (line.strip() for line in decode(head, "replace").splitlines())
     header = next((line for line in lines if line and not line.startswith("#")), "")
     return "pose" in [cell.strip(' "').lower() for cell in header.split(separator_of(header))]
 
 
-CSV = Format("CSV", (".csv",), begins_with_a_header, read_csv)
+CSV = Format("CSV", (".csv",), begins_with_header, read_csv)
 
 
-def decoded(content: bytes, errors: str = "strict") -> str:
-    """Return text in UTF-8, or in UTF-16 where its first bytes say so, as Excel's Unicode text.
+def decode(content: bytes, errors: str = "strict") -> str:
+    """Return text in UTF-8, or in UTF-16 if its first bytes are those of UTF-16, as in Excel's Unicode text.
 
     Raises UnicodeDecodeError if it is neither, and errors are not replaced.
     """
     return content.decode("utf-16" if content.startswith(UTF_16) else "utf-8-sig", errors)
 
 
-def _refuse(what: str, where: str, remedy: str) -> NoReturn:
-    raise MeasurementError(what, where, remedy) from None
+def _refuse(problem: str, where: str, remedy: str) -> NoReturn:
+    raise MeasurementError(problem, where, remedy) from None
 
 
 def read_text(
@@ -91,7 +91,7 @@ def read_text(
         if content.startswith(WORKBOOKS):
             remedy = "open it in a spreadsheet program and save it as CSV UTF-8"
             _refuse("expected CSV text, found an Excel workbook or another archive", source, remedy)
-        return decoded(content)
+        return decode(content)
     except UnicodeDecodeError as error:
         line = error.object[: error.start].count(b"\n") + 1
         problem = f"expected UTF-8 text, found the byte 0x{error.object[error.start]:02x}"

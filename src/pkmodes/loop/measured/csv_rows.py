@@ -22,22 +22,22 @@ from pkmodes.loop.measured.rules import (
     SHAPE,
     BrokenRuleError,
     Problem,
-    Quoted,
+    QuotedNumber,
     message,
     refuse,
 )
-from pkmodes.loop.measured.statements import ALSO, STATEMENT, STATEMENTS
+from pkmodes.loop.measured.statements import STATEMENT_PATTERN, STATEMENTS, WORD_SYNONYMS
 
 #: Name of the column with the state of the machine.
 STATE = "state"
-#: A line that tells spreadsheet programs which separator the cells have.
+#: A line that names the separator of the cells for spreadsheet programs.
 SEPARATOR = re.compile(r"\"?sep\s*=\s*(.)\"?[,;\t]*", re.IGNORECASE)
 #: A comment that contains a comma, as spreadsheet programs write it.
 QUOTED_COMMENT = re.compile(r"\"(#[^\"]*)\"[,;\t ]*")
 
 
 class CsvLines(NamedTuple):
-    """Lines of cells with their line numbers, how they are written, and what comments say of all of them."""
+    """Lines of cells with their line numbers, their notation, and what comments state for all of them."""
 
     records: list[tuple[int, str]]
     notation: TableNotation
@@ -75,7 +75,7 @@ class CsvLines(NamedTuple):
 
 
 def read_lines(text: str, source: str) -> CsvLines:
-    """Split a file into its records, and what its comments say of the whole test.
+    """Split a file into its records, and the statements of its comments about the whole test.
 
     Raises MeasurementError if such a comment is invalid or differs from a previous one.
     """
@@ -85,25 +85,25 @@ def read_lines(text: str, source: str) -> CsvLines:
         line, where = line.strip(" \n"), f"{source}: line {number}"  # a tab may end an empty cell
         comment = QUOTED_COMMENT.fullmatch(line)
         text = line.strip() if comment is None else comment[1]
-        if (match := STATEMENT.fullmatch(text.rstrip(",; \t"))) is not None:
+        if (match := STATEMENT_PATTERN.fullmatch(text.rstrip(",; \t"))) is not None:
             word = match[1].lower()
-            name = ALSO.get(word, word)
+            name = WORD_SYNONYMS.get(word, word)
             statement = STATEMENTS[name]
             if match[2] != ":":
                 problem = f'expected a colon after "{word}", found {shown(text)}'
                 raise MeasurementError(problem, where, statement.remedy)
             value = statement.read(match[3], where)
-            key, value = value if statement.several else ("", value)
-            before = stated[name].setdefault(key, Stated(value, where))
-            if value != before.value:
-                problem = f"this {word} differs from that in {before.where.removeprefix(f'{source}: ')}"
+            key, value = value if statement.repeatable else ("", value)
+            previous = stated[name].setdefault(key, Stated(value, where))
+            if value != previous.value:
+                problem = f"this {word} differs from that in {previous.where.removeprefix(f'{source}: ')}"
                 raise MeasurementError(problem, where, "remove one of them")
         elif not records and SEPARATOR.fullmatch(text) is not None:
             continue  # the header shows what it states
         elif text.strip(",; \t") and not text.startswith("#"):  # spreadsheet programs fill blank lines
             records.append((number, line))
     notation = TableNotation(separator_of(records[0][1])) if records else TableNotation()
-    records = _without_ends(records, notation.separator)
+    records = _without_trailing_separators(records, notation.separator)
     band, drives, state = (
         next((entry.value for entry in stated[name].values()), None) for name in ("band", "drives", "state")
     )
@@ -111,18 +111,18 @@ def read_lines(text: str, source: str) -> CsvLines:
 
 
 def states_of(lines: CsvLines, cells: Sequence[str], source: str) -> list[str]:
-    """Return the state of each row: of its column, else that of a comment; empty where neither names one.
+    """Return the state of each row, from its column or a comment; empty if neither names one.
 
     - cells: of the header
 
     Raises MeasurementError if a row is not CSV, or names another state than a comment.
     """
-    place = next((i for i, cell in enumerate(cells) if cell.strip().lower() == STATE), None)
+    state_column = next((i for i, cell in enumerate(cells) if cell.strip().lower() == STATE), None)
     states = []
     for number, line in lines.records[1:]:
         where = f"{source}: line {number}"
-        row = lines.notation.cells(line, where) if place is not None else []
-        state = row[place].strip() if place is not None and place < len(row) else ""
+        row = lines.notation.cells(line, where) if state_column is not None else []
+        state = row[state_column].strip() if state_column is not None and state_column < len(row) else ""
         if state and lines.state and state != lines.state:
             problem = f"expected {shown(lines.state)}, as stated for all rows, found {shown(state)}"
             raise MeasurementError(problem, f"{where}, column {STATE}", "correct the row, or the statement")
@@ -130,40 +130,40 @@ def states_of(lines: CsvLines, cells: Sequence[str], source: str) -> list[str]:
     return states
 
 
-def of_state(lines: CsvLines, cells: Sequence[str], source: str, state: str | None) -> CsvLines:
-    """Return the lines of one state of the machine, which they then state.
+def lines_of_state(lines: CsvLines, cells: Sequence[str], source: str, state: str | None) -> CsvLines:
+    """Return the lines of one state of the machine, with this state for all of them.
 
     - cells: of the header
-    - state: by default, that of all rows
+    - state: by default the only one
 
-    Raises MeasurementError if there are several states, some rows name none, or none is that.
+    Raises MeasurementError if there are several states and none is chosen, some rows name none, or no row has it.
     """
     states = states_of(lines, cells, source)
-    different = list(dict.fromkeys(states))
+    distinct_states = list(dict.fromkeys(states))
     if state is None:
-        if len(different) < 2:
-            return lines._replace(state=next(iter(different), lines.state))
-        if "" in different:
+        if len(distinct_states) < 2:
+            return lines._replace(state=next(iter(distinct_states), lines.state))
+        if "" in distinct_states:
             number = lines.records[1 + states.index("")][0]
-            problem = (
-                f"expected a state in every row or in none, found nothing beside {shown(max(different))}"
-            )
+            problem = f"expected a state in every row or in none, found nothing beside {shown(max(distinct_states))}"
             raise MeasurementError(problem, f"{source}: line {number}, column {STATE}", "name the state")
-        problem = f"expected rows of one state of the machine, found {', '.join(map(shown, different))}"
+        problem = f"expected rows of one state of the machine, found {', '.join(map(shown, distinct_states))}"
         raise MeasurementError(problem, f"{source}: column {STATE}", "compare states with pkmodes changed")
-    kept = [record for record, row_state in zip(lines.records[1:], states, strict=True) if row_state == state]
-    if not kept:
+    records_of_state = [
+        record for record, row_state in zip(lines.records[1:], states, strict=True) if row_state == state
+    ]
+    if not records_of_state:
         raise MeasurementError(f"no row is of the state {shown(state)}", source, "check the name")
-    return lines._replace(records=[lines.records[0], *kept], state=state)
+    return lines._replace(records=[lines.records[0], *records_of_state], state=state)
 
 
-def _without_ends(records: list[tuple[int, str]], separator: str) -> list[tuple[int, str]]:
+def _without_trailing_separators(records: list[tuple[int, str]], separator: str) -> list[tuple[int, str]]:
     """Return lines without the separator that some programs write after the last cell of every row."""
     lines = [line.rstrip(" ") for _, line in records]
     if len(lines) < 2 or not all(line.endswith(separator) for line in lines[1:]):
         return records
-    named, *counts = (QUOTED.sub("", line).count(separator) for line in lines)
-    if any(count != named + (not lines[0].endswith(separator)) for count in counts):
+    header_count, *row_counts = (QUOTED.sub("", line).count(separator) for line in lines)
+    if any(count != header_count + (not lines[0].endswith(separator)) for count in row_counts):
         return records  # the last cells of the rows are blank, or some rows have too many
     return [(number, line.removesuffix(separator)) for (number, _), line in zip(records, lines, strict=True)]
 
@@ -180,8 +180,8 @@ def read_table(
 
     - source: the file
     - components: pose components and their units
-    - drives: what the motors did, if the user says so
-    - usual_drives: what they did if neither the user nor the file says so
+    - drives: what the motors did, if the user states it
+    - usual_drives: what they did if neither the user nor the file states it
 
     Raises MeasurementError with the first problem.
     """
@@ -193,8 +193,8 @@ def read_table(
     if not records:
         problem = "expected a row for each identified mode, found only a header"
         raise MeasurementError(problem, source, "add the rows")
-    blank = {f"{SPREAD}{name}": 0.0 for name in components}  # the pose is exact
-    filled = {"pose", *required_columns(), *components}
+    blank_values = {f"{SPREAD}{name}": 0.0 for name in components}  # the pose is exact
+    required_names = {"pose", *required_columns(), *components}
     numbers_of_lines = np.array([line for line, _ in records])
     texts: dict[str, list[str]] = {name: [] for name in TEXT}
     numbers: dict[str, list[float]] = {column.name: [] for column in columns if column.name not in TEXT}
@@ -202,21 +202,21 @@ def read_table(
     for row, (number, line) in enumerate(records):
         cells = notation.cells(line, f"{source}: line {number}")
         if len(cells) != len(columns):
-            short = len(cells) < len(columns)
-            place = columns[len(cells)].text if short else str(len(columns) + 1)
+            is_too_short = len(cells) < len(columns)
+            column_name = columns[len(cells)].text if is_too_short else str(len(columns) + 1)
             problem = f"expected {len(columns)} cells, found {len(cells)}"
             separators = SEPARATORS[notation.separator]
             remedy = f"leave the cells of optional columns blank, but keep their {separators}"
             if len(cells) == 1:
                 remedy = f"separate the cells by {separators}, as in the header"
-            if not short:
+            if not is_too_short:
                 remedy = "remove the extra cells"
-            if not short and notation.separator == ",":
+            if not is_too_short and notation.separator == ",":
                 remedy = (
                     "if numbers have decimal commas, export the table with semicolons between the cells, or "
                 )
                 remedy += "with decimal points; else remove the extra cells"
-            problems.append(Problem(row, place, problem, remedy))
+            problems.append(Problem(row, column_name, problem, remedy))
             continue
         for column, cell in zip(columns, cells, strict=True):
             if column.name == "drives":
@@ -227,8 +227,8 @@ def read_table(
                 texts[column.name].append(word)
             elif column.name in TEXT:
                 texts[column.name].append(cell)
-            elif not cell and column.name not in filled:
-                numbers[column.name].append(blank.get(column.name, math.nan))
+            elif not cell and column.name not in required_names:
+                numbers[column.name].append(blank_values.get(column.name, math.nan))
             elif (value := notation.number(cell, column.factor)) is not None:
                 numbers[column.name].append(value)
             else:
@@ -265,14 +265,14 @@ def _rotations_in_degrees(
                 break
 
 
-def _as_written(quoted: Quoted, columns: Sequence[HeaderColumn], lines: CsvLines) -> str:
+def _as_written(quoted: QuotedNumber, columns: Sequence[HeaderColumn], lines: CsvLines) -> str:
     """Format a number as in its cell, with the header's unit; also in SI units if these differ."""
     number = format(quoted.value, quoted.digits)
-    place = [column.name for column in columns].index(quoted.column)
-    column = columns[place]
+    index = [column.name for column in columns].index(quoted.column)
+    column = columns[index]
     if column.factor is None:
         return number
-    cell = lines.notation.cells(lines.records[1 + quoted.row][1], "")[place]
+    cell = lines.notation.cells(lines.records[1 + quoted.row][1], "")[index]
     if column.si == column.unit:
         return f"{cell} {column.unit}"
     return f"{cell} {column.unit} ({f'{number} {column.si}'.strip()})"
@@ -289,13 +289,13 @@ def _measurements(
 ) -> Measurements:
     """Build measurements from a file's columns by name; `units` are those of the header."""
     rows = len(lines.records) - 1
-    blank = [0.0] * rows
+    zeros = [0.0] * rows
     columns: dict[str, Any] = {number.argument: numbers.get(number.column) for number in row_numbers()}
     return Measurements.from_rows(
         texts["pose"],
         **columns,
-        points=np.array([numbers.get(name, blank) for name in components]).T,
-        point_sigma=np.array([numbers.get(f"{SPREAD}{name}", blank) for name in components]).T,
+        points=np.array([numbers.get(name, zeros) for name in components]).T,
+        point_sigma=np.array([numbers.get(f"{SPREAD}{name}", zeros) for name in components]).T,
         components=components,
         mode=texts["mode"] or None,
         shapes={

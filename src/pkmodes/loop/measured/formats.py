@@ -15,16 +15,16 @@ from pkmodes.loop.measured.measurements import Measurements
 
 @dataclass(frozen=True)
 class Machine:
-    """What files say of a measured machine: its coordinates, poses and settings.
+    """What the files of a measured machine may contain: its coordinates, poses and settings.
 
     - channels: coordinates at which shapes may be measured.  A mapping gives their SI units.
     - positions: whether the pose components are required.  If not, either all or none of them must be present.
     - components: possible sets of pose components, each with SI units
     - settings: paths of values that may be set, with their SI units
-    - drives: what the motors did, if the user says so: "free" or "held"
+    - drives: what the motors did, if the user states it: "free" or "held"
     - state: the state of the machine whose rows are read, of a file with rows of several
-    - others: returns the columns that measurements of other machines may have, by what such a machine is called: a
-      mapping of str to collection of str.  An error says whose columns a file has.
+    - others: returns the columns that measurements of other machines may have, by the name of the machine, for errors
+      about such columns
     - usual_drives: what the motors did if neither the user nor the file says so
     """
 

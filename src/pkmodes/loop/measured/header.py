@@ -14,7 +14,7 @@ from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.core.robot.columns import factor_of, parted, unit_remedy
 from pkmodes.core.support.ordering import joined
 from pkmodes.loop.measured.formats import Machine
-from pkmodes.loop.measured.meanings import likely_meaning, worded
+from pkmodes.loop.measured.meanings import likely_meaning, split_unit
 from pkmodes.loop.measured.quantities import (
     LEVEL,
     QUANTITIES,
@@ -24,7 +24,7 @@ from pkmodes.loop.measured.quantities import (
     row_numbers,
 )
 from pkmodes.loop.measured.rules import SET, SHAPE, checked_level_unit
-from pkmodes.loop.measured.statements import ALSO
+from pkmodes.loop.measured.statements import WORD_SYNONYMS
 
 #: Columns of text.
 TEXT = ("pose", "mode", "drives", "state")
@@ -78,12 +78,12 @@ def read_header(
     Raises MeasurementError.
     """
     channels, positions, settings = machine.channels, machine.positions, machine.settings
-    needed = required_columns()
-    required = ("pose", *(components if positions else ()), *needed)
+    required_numbers = required_columns()
+    required = ("pose", *(components if positions else ()), *required_numbers)
     spreads = {f"{SPREAD}{name}": unit for name, unit in components.items()}
     units = {number.column: number.unit for number in row_numbers()} | dict(components) | spreads
     units |= {f"{SET}{name}": unit for name, unit in settings.items()} | {LEVEL.column: LEVEL.unit}
-    known_columns = ["pose", *components, *needed, *spreads]
+    known_columns = ["pose", *components, *required_numbers, *spreads]
     known_columns += [number.column for number in quantity_numbers() if not number.required]
     known_columns += ["mode", "state", LEVEL.column, *(["drives"] if positions else [])]
     known_columns += [SHAPE_SIGMA.column, *(f"{SHAPE}{name}" for name in channels)]
@@ -97,8 +97,8 @@ def read_header(
         )
         _refuse(problem, where, remedy)
     parts = [
-        (ALSO.get(name, name), unit)
-        for name, unit in (parted(cell, [*known_columns, *ALSO]) for cell in cells)
+        (WORD_SYNONYMS.get(name, name), unit)
+        for name, unit in (parted(cell, [*known_columns, *WORD_SYNONYMS]) for cell in cells)
     ]
     names = [name for name, _ in parts]
     if not set(names) & set(required):
@@ -117,28 +117,30 @@ def read_header(
             problem = f"the column {shown(name)} is repeated, first as column {names.index(name) + 1}"
             _refuse(problem, place, "remove one of them")
         factor = None if unit is None else _factor(name, unit, place, channels, units)
-        usual = units.get(name, "SI units")  # the unit where the header gives none, for messages
-        columns.append(HeaderColumn(name, cell, unit or "", factor, "" if usual == "1" else usual))
+        default_unit = units.get(name, "SI units")  # the unit where the header gives none, for messages
+        columns.append(
+            HeaderColumn(name, cell, unit or "", factor, "" if default_unit == "1" else default_unit)
+        )
     for name in required:
         if name not in names:
             _refuse(f'the column "{name}" is missing', where, help_text)
-    placed = [name for name in components if name in names]
+    present_components = [name for name in components if name in names]
     for name in names:
-        if name in (*components, *spreads) and len(placed) < len(components):
-            missing = next(component for component in components if component not in placed)
+        if name in (*components, *spreads) and len(present_components) < len(components):
+            missing = next(component for component in components if component not in present_components)
             problem = f'found the column "{name}" without "{missing}"'
             _refuse(problem, where, f"give {joined(components)}, or no position column at all")
     return columns
 
 
-def _refuse(what: str, where: str, remedy: str) -> NoReturn:
-    raise MeasurementError(what, where, remedy)
+def _refuse(problem: str, where: str, remedy: str) -> NoReturn:
+    raise MeasurementError(problem, where, remedy)
 
 
 def owners(names: Sequence[str], by_machine: Mapping[str, Collection[str]]) -> str:
-    """Return, as a clause, whose columns the unknown ones of a file are; empty if no other machine has all."""
-    having = [machine for machine, columns in by_machine.items() if set(names) <= set(columns)]
-    *preceding, last = having or [""]
+    """Return a clause that names the machines which have all unknown columns of a file; empty if there are none."""
+    owning_machines = [machine for machine, columns in by_machine.items() if set(names) <= set(columns)]
+    *preceding, last = owning_machines or [""]
     machines = f"{', '.join(preceding)} or {last}" if preceding else last
     return f"the columns of the file are those of {machines}" if last else ""
 
@@ -149,16 +151,16 @@ def _refuse_all_unknown(
     """Refuse several unknown columns, first those that probably mean a known one."""
     meant: dict[int, str] = {}
     for i, cell in cells.items():
-        before = {worded(meaning)[0] for meaning in meant.values()}
-        if meaning := likely_meaning(cell, known_columns, {*taken, *before}):
+        earlier_names = {split_unit(meaning)[0] for meaning in meant.values()}
+        if meaning := likely_meaning(cell, known_columns, {*taken, *earlier_names}):
             meant[i] = meaning
-    rest = [i for i in cells if i not in meant]
-    listing = [shown(cells[i]) if cells[i] else "one without a name" for i in (*meant, *rest)]
-    places = joined([str(i + 1) for i in cells])
+    unexplained = [i for i in cells if i not in meant]
+    listing = [shown(cells[i]) if cells[i] else "one without a name" for i in (*meant, *unexplained)]
+    column_numbers = joined([str(i + 1) for i in cells])
     likely = ", ".join(f'{shown(cells[i])} -> "{meaning}"' for i, meaning in meant.items())
     remedy = f"likely meanings: {likely}; rename these" if meant else "remove them, or correct their names"
-    remedy += ", and remove the others" if meant and rest else ""
-    _refuse(f"unknown columns {', '.join(listing)}", f"{where}, columns {places}", remedy)
+    remedy += ", and remove the others" if meant and unexplained else ""
+    _refuse(f"unknown columns {', '.join(listing)}", f"{where}, columns {column_numbers}", remedy)
 
 
 def _refuse_unknown(name: str, place: str, known_columns: Sequence[str], taken: Collection[str]) -> NoReturn:
@@ -173,17 +175,17 @@ def _refuse_unknown(name: str, place: str, known_columns: Sequence[str], taken: 
         )
     # There are very many settable values: they are listed nowhere.
     fixed_columns = [column for column in known_columns if not column.startswith(SET)]
-    otherwise = f"known: {', '.join(fixed_columns)}"
+    known_names = f"known: {', '.join(fixed_columns)}"
     if name.startswith(SET) and len(fixed_columns) < len(known_columns):
         problem = f"{shown(name)} is not a value that can be set"
-        otherwise = "see docs/reference/parameter-paths.md for the paths"
+        known_names = "see docs/reference/parameter-paths.md for the paths"
     meaning = likely_meaning(name, known_columns, taken)
-    meant, unit = worded(meaning)
+    meant, unit = split_unit(meaning)
     in_unit = f' With its unit: "{meaning}"' if unit else ""
     _refuse(
         problem,
         place,
-        "remove it or correct the name: " + (f'did you mean "{meant}"?{in_unit}' if meaning else otherwise),
+        "remove it or correct the name: " + (f'did you mean "{meant}"?{in_unit}' if meaning else known_names),
     )
 
 

@@ -41,27 +41,27 @@ SYNONYMS = {
     "level": ("excitation", "excitation level", "drive level"),
     "mode": ("mode number", "mode no", "no", "nr", "number"),
 }
-OF_SHAPE = re.compile(r"(?:mode ?)?shape (.+)")
-OF_POSE = re.compile(r"(?:pos|position|pose) (.+)|(.+) (?:pos|position)")
+SHAPE_NAME = re.compile(r"(?:mode ?)?shape (.+)")
+POSE_NAME = re.compile(r"(?:pos|position|pose) (.+)|(.+) (?:pos|position)")
 #: Smallest similarity of a name to a known one for it to be suggested.
-ALIKE = 0.51
+MIN_SIMILARITY = 0.51
 
 
-def worded(cell: str) -> tuple[str, str]:
-    """Return the name in a cell and the unit that it says in words or brackets, "" without one."""
+def split_unit(cell: str) -> tuple[str, str]:
+    """Return the name in a cell and its unit, in words or brackets; "" without one."""
     match = WITH_UNIT.fullmatch(cell)
     return (cell, "") if match is None else (match[1], match[2] or match[3] or "")
 
 
 def likely_meaning(cell: str, column_names: Sequence[str], taken: Collection[str] = ()) -> str:
-    """Return the column that a cell is likely to mean, with its unit, "" if there is none.
+    """Return the column that a cell probably means, with its unit; "" if there is none.
 
     - column_names: names that a column may have
     - taken: those that other columns have already
     """
-    name, unit = worded(cell)
-    free = [column for column in column_names if column not in taken]
-    meant = next((column for column in _meanings(name, free) if column in free), "")
+    name, unit = split_unit(cell)
+    free_names = [column for column in column_names if column not in taken]
+    meant = next((column for column in _meanings(name, free_names) if column in free_names), "")
     return f"{meant} [{unit}]" if meant and unit else meant
 
 
@@ -71,18 +71,18 @@ def _meanings(name: str, column_names: Sequence[str]) -> Iterator[str]:
     yield from (
         column for column, synonyms in SYNONYMS.items() if words in (column.replace("_", " "), *synonyms)
     )
-    if (match := OF_SHAPE.fullmatch(words)) is not None:
-        yield from _of_shape(match[1])
-    yield from _of_shape(words)
-    if (match := OF_POSE.fullmatch(words)) is not None:
+    if (match := SHAPE_NAME.fullmatch(words)) is not None:
+        yield from _shape_columns(match[1])
+    yield from _shape_columns(words)
+    if (match := POSE_NAME.fullmatch(words)) is not None:
         yield match[1] or match[2]
-    # There are very many values that can be set: only names that begin like them, or lack only that, mean one.
+    # There are very many values that can be set: a name means one only with the prefix, or if it lacks only that.
     yield f"{SET}{name}"
     same_kind = [column for column in column_names if column.startswith(SET) is name.startswith(SET)]
-    yield from difflib.get_close_matches(name, same_kind, n=1, cutoff=ALIKE)
+    yield from difflib.get_close_matches(name, same_kind, n=1, cutoff=MIN_SIMILARITY)
 
 
-def _of_shape(words: str) -> Iterator[str]:
+def _shape_columns(words: str) -> Iterator[str]:
     """Yield the columns of a shape that some words may mean, such as ``x``, ``p x`` and ``rx``."""
     channel = words.replace(" ", "_")
     yield f"{SHAPE}{channel}"

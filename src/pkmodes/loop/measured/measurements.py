@@ -19,17 +19,17 @@ from pkmodes.core.base.errors import MeasurementError, listed, shown
 from pkmodes.core.robot.columns import frequency_factor
 from pkmodes.core.robot.units import QuantityError
 from pkmodes.loop.measured.arguments import (
-    by_name,
     checked_array,
+    checked_columns,
     drives_of_rows,
-    for_all,
     mode_numbers,
     nearest_argument,
     numbers_of,
     read_only,
     renamed_columns,
+    repeat_for_rows,
 )
-from pkmodes.loop.measured.columns import POSITION, Array, Columns, Numbers, joined_with
+from pkmodes.loop.measured.columns import POSITION, Array, Columns, Numbers, merge_stated
 from pkmodes.loop.measured.quantities import LEVEL, quantity_numbers
 from pkmodes.loop.measured.rules import (
     SET,
@@ -77,7 +77,7 @@ class Measurements(Columns):
     def _check(self) -> None:
         """Convert the columns to read-only arrays of the right shape, and refuse what breaks a rule."""
         poses, rows, channels = len(self.labels), np.size(self.pose), len(self.channels)
-        size = len(self.components)
+        component_count = len(self.components)
         if not self.settings:
             object.__setattr__(self, "set_values", np.empty((poses, 0)))
         if not np.size(self.level):
@@ -94,8 +94,8 @@ class Measurements(Columns):
                 "give one number for each row",
             )
         for name, shape in {
-            "points": (poses, size),
-            "point_sigma": (poses, size),
+            "points": (poses, component_count),
+            "point_sigma": (poses, component_count),
             "pose": (rows,),
             "lines": (rows,),
             "shapes": (rows, channels),
@@ -114,14 +114,14 @@ class Measurements(Columns):
         object.__setattr__(self, "numbers", Numbers(numbers))
         if self.band is not None:
             object.__setattr__(self, "band", checked_band(self.band, f"{self.source}: band"))
-        used, first = np.unique(self.pose, return_index=True)
-        if not np.array_equal(used, np.arange(poses)) or (np.diff(first) < 0).any():
+        pose_numbers, first_rows = np.unique(self.pose, return_index=True)
+        if not np.array_equal(pose_numbers, np.arange(poses)) or (np.diff(first_rows) < 0).any():
             raise MeasurementError(
                 f"expected pose indices that number the {poses} labels in the order of their first rows",
                 f"{self.source}: pose",
                 "build measurements with Measurements.from_rows",
             )
-        refuse([*value_problems(self, first), *text_problems(self, first)], self.source, self.lines)
+        refuse([*value_problems(self, first_rows), *text_problems(self, first_rows)], self.source, self.lines)
 
     @classmethod
     def from_rows(
@@ -233,10 +233,10 @@ class Measurements(Columns):
             )
         labels = listed(pose, "labels", f"{source}: pose", '"P1"', error=MeasurementError)
         names = [str(label) for label in labels]
-        rows, shapes = len(names), by_name(shapes, "shapes", "x_1", source)
+        rows, shapes = len(names), checked_columns(shapes, "shapes", "x_1", source)
         shape = rows, len(components)
-        places = np.zeros(shape) if points is None else checked_array(points, "points", shape, source)
-        spreads = (
+        row_points = np.zeros(shape) if points is None else checked_array(points, "points", shape, source)
+        row_point_sigmas = (
             np.zeros(shape)
             if point_sigma is None
             else checked_array(point_sigma, "point_sigma", shape, source)
@@ -244,20 +244,20 @@ class Measurements(Columns):
         components_of_shapes = [
             checked_array(column, f"{SHAPE}{name}", (rows,), source) for name, column in shapes.items()
         ]
-        motors = drives_of_rows(drives, rows, source)
-        load_columns = by_name(settings, "settings", "effects.payload.mass", source)
-        loads = np.empty((rows, len(load_columns)))
-        for k, (name, values) in enumerate(load_columns.items()):
-            loads[:, k] = checked_array(values, f"{SET}{name}", (rows,), source)
-        levels = np.full(rows, np.nan)
+        row_drives = drives_of_rows(drives, rows, source)
+        setting_columns = checked_columns(settings, "settings", "effects.payload.mass", source)
+        row_settings = np.empty((rows, len(setting_columns)))
+        for k, (name, values) in enumerate(setting_columns.items()):
+            row_settings[:, k] = checked_array(values, f"{SET}{name}", (rows,), source)
+        row_levels = np.full(rows, np.nan)
         if level is not None:
-            levels = checked_array(for_all(level, rows), LEVEL.argument, (rows,), source)
-        first: dict[str, int] = {}  # first row of each label, in the order of the rows
+            row_levels = checked_array(repeat_for_rows(level, rows), LEVEL.argument, (rows,), source)
+        first_rows: dict[str, int] = {}  # first row of each label, in the order of the rows
         for i, label in enumerate(names):
-            first.setdefault(label, i)
-        index = {label: i for i, label in enumerate(first)}
-        introduced = list(first.values())
-        named: dict[str, ArrayLike | None] = {
+            first_rows.setdefault(label, i)
+        pose_index = {label: i for i, label in enumerate(first_rows)}
+        pose_rows = list(first_rows.values())
+        main_columns: dict[str, ArrayLike | None] = {
             "frequency": frequency,
             "sigma": sigma,
             "damping": damping,
@@ -266,11 +266,11 @@ class Measurements(Columns):
         try:
             measurements = cls(
                 source=source,
-                labels=tuple(first),
-                points=places[introduced],
-                point_sigma=spreads[introduced],
-                pose=np.array([index[label] for label in names], dtype=int),
-                numbers=numbers_of({**named, **further}, rows, source),
+                labels=tuple(first_rows),
+                points=row_points[pose_rows],
+                point_sigma=row_point_sigmas[pose_rows],
+                pose=np.array([pose_index[label] for label in names], dtype=int),
+                numbers=numbers_of({**main_columns, **further}, rows, source),
                 mode=("",) * rows if mode is None else tuple(map(str, mode_numbers(mode, source))),
                 lines=np.arange(1, rows + 1)
                 if lines is None
@@ -281,18 +281,18 @@ class Measurements(Columns):
                 else np.empty((rows, 0)),
                 shape_sigma=np.full(rows, np.nan)
                 if shape_sigma is None
-                else checked_array(for_all(shape_sigma, rows), "shape_sigma", (rows,), source),
+                else checked_array(repeat_for_rows(shape_sigma, rows), "shape_sigma", (rows,), source),
                 band=band,
                 unit=unit,
                 components=tuple(components),
                 component_units=tuple(components.values()),
-                drives=tuple(motors[i] for i in introduced),
-                settings=tuple(load_columns),
-                set_values=loads[introduced],
-                level=levels[introduced],
+                drives=tuple(row_drives[i] for i in pose_rows),
+                settings=tuple(setting_columns),
+                set_values=row_settings[pose_rows],
+                level=row_levels[pose_rows],
                 level_unit=checked_level_unit(level_unit, f"{source}: level_unit"),
-                priors=joined_with({}, priors, "priors"),
-                usable=joined_with({}, usable, "usable"),
+                priors=merge_stated({}, priors, "priors"),
+                usable=merge_stated({}, usable, "usable"),
                 state=str(state),
             )
         except BrokenRuleError as error:
@@ -302,10 +302,10 @@ class Measurements(Columns):
             where = error.where.replace(f"column {name}", f"argument {renamed[name]}")
             raise MeasurementError(error.what, where, error.remedy) from None
         problems = [
-            *position_problems(measurements, places, spreads),
-            *setting_problems(measurements, loads),
-            *level_problems(measurements, levels),
-            *drives_problems(measurements, motors),
+            *position_problems(measurements, row_points, row_point_sigmas),
+            *setting_problems(measurements, row_settings),
+            *level_problems(measurements, row_levels),
+            *drives_problems(measurements, row_drives),
             *repetitions(measurements),
         ]
         refuse(problems, source, measurements.lines)
@@ -376,20 +376,22 @@ class Measurements(Columns):
                 f"{self.source}: at",
                 "give indices into labels",
             )
-        kept = np.sort(chosen)  # labels are in the order of their first rows, and so is every subset of them
-        rows = np.flatnonzero(np.isin(self.pose, kept))
+        sorted_poses = np.sort(
+            chosen
+        )  # labels are in the order of their first rows, and so is every subset of them
+        rows = np.flatnonzero(np.isin(self.pose, sorted_poses))
         return replace(
             self,
-            labels=tuple(self.labels[i] for i in kept),
-            points=self.points[kept],
-            point_sigma=self.point_sigma[kept],
-            pose=np.searchsorted(kept, self.pose[rows]),
+            labels=tuple(self.labels[i] for i in sorted_poses),
+            points=self.points[sorted_poses],
+            point_sigma=self.point_sigma[sorted_poses],
+            pose=np.searchsorted(sorted_poses, self.pose[rows]),
             numbers={name: column[rows] for name, column in self.numbers.items()},
             mode=tuple(self.mode[i] for i in rows),
             lines=self.lines[rows],
             shapes=self.shapes[rows],
             shape_sigma=self.shape_sigma[rows],
-            drives=tuple(self.drives[i] for i in kept),
-            set_values=self.set_values[kept],
-            level=self.level[kept],
+            drives=tuple(self.drives[i] for i in sorted_poses),
+            set_values=self.set_values[sorted_poses],
+            level=self.level[sorted_poses],
         )

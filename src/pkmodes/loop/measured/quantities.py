@@ -75,12 +75,12 @@ class NumberColumn:
 class Transformation:
     """A function of a quantity whose errors are additive: residuals are differences of transformed numbers.
 
-    - of: transformed numbers
+    - function: transformed numbers
     - sigma: standard deviations of the transformed numbers, from the numbers and their standard deviations
     - positive: whether it needs a standard deviation below the number itself
     """
 
-    of: Callable[[Array], Array]
+    function: Callable[[Array], Array]
     sigma: Callable[[Array, Array], Array]
     positive: bool
 
@@ -104,7 +104,7 @@ class MeasuredQuantity:
 
     def transformed(self, data: Columns) -> Array:
         """Return the transformed measurements, (R,)."""
-        return self.transformation.of(data.numbers[self.value.argument])
+        return self.transformation.function(data.numbers[self.value.argument])
 
     def transformed_sigma(self, data: Columns) -> Array:
         """Return the standard deviations of the transformed measurements, (R,)."""

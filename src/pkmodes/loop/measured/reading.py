@@ -16,21 +16,21 @@ from pkmodes.loop.measured.measurements import Measurements
 #: Formats by name.  The first one also reads files of unknown format, since its errors say what is expected.
 FORMATS: dict[str, Format[Reader]] = {file_format.name: file_format for file_format in (CSV,)}
 #: Number of bytes from which a format is recognised.
-HEAD = 4096
+HEAD_BYTES = 4096
 
 
 def format_of(path: str | PathLike[str]) -> Format[Reader]:
     """Return the format of a file, by its content, else by its suffix."""
-    place, head = Path(path), b""
+    file_path, head = Path(path), b""
     try:
-        if place.is_file():
-            with place.open("rb") as file:
-                head = file.read(HEAD)
-    except (OSError, ValueError):  # the reader of the format says why
+        if file_path.is_file():
+            with file_path.open("rb") as file:
+                head = file.read(HEAD_BYTES)
+    except (OSError, ValueError):  # the reader of the format reports the error
         pass
     by_content = (file_format for file_format in FORMATS.values() if file_format.recognises(head))
     by_suffix = (
-        file_format for file_format in FORMATS.values() if place.suffix.lower() in file_format.suffixes
+        file_format for file_format in FORMATS.values() if file_path.suffix.lower() in file_format.suffixes
     )
     return next(by_content, None) or next(by_suffix, None) or next(iter(FORMATS.values()))
 

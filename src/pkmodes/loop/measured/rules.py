@@ -27,10 +27,10 @@ SHAPE = "shape:"
 #: Prefix of the columns that hold values of settings.
 SET = "set:"
 #: Remedy for an invalid label.
-PRINTABLE = "write a name in printable characters"
+PRINTABLE_REMEDY = "write a name in printable characters"
 
 
-class Quoted(NamedTuple):
+class QuotedNumber(NamedTuple):
     """A number quoted in a message: its row and column, its value in SI units, and its format."""
 
     row: int
@@ -44,7 +44,7 @@ class Problem(NamedTuple):
 
     row: int
     column: str
-    what: str | tuple[str | Quoted, ...]
+    what: str | tuple[str | QuotedNumber, ...]
     remedy: str
 
 
@@ -61,7 +61,7 @@ class BrokenRuleError(MeasurementError):
         return type(self), (self.problem, self.where)
 
 
-def message(problem: Problem, show: Callable[[Quoted], str]) -> str:
+def message(problem: Problem, show: Callable[[QuotedNumber], str]) -> str:
     """Return the message of a problem, with its numbers formatted by `show`."""
     parts = (problem.what,) if isinstance(problem.what, str) else problem.what
     return "".join(part if isinstance(part, str) else show(part) for part in parts)
@@ -110,27 +110,29 @@ def value_problems(data: Columns, first: Integers) -> Iterator[Problem]:
     """Yield numbers that are out of range; `first` holds the first row of each pose."""
     rows = np.arange(len(data.mode))
     for k, (name, unit) in enumerate(zip(data.components, data.component_units, strict=True)):
-        place = Range(-LARGEST, LARGEST, "a finite coordinate", f"write a number in {unit}", blank=False)
-        yield from _outside(name, data.points[:, k], place, first)
+        coordinate_range = Range(
+            -LARGEST, LARGEST, "a finite coordinate", f"write a number in {unit}", blank=False
+        )
+        yield from _range_problems(name, data.points[:, k], coordinate_range, first)
         requirement = f"a standard deviation of at least 0 {unit}"
-        spread = Range(0.0, LARGEST, requirement, "leave it blank if unknown", blank=False)
-        yield from _outside(f"sigma_{name}", data.point_sigma[:, k], spread, first)
+        sigma_range = Range(0.0, LARGEST, requirement, "leave it blank if unknown", blank=False)
+        yield from _range_problems(f"sigma_{name}", data.point_sigma[:, k], sigma_range, first)
     for quantity in QUANTITIES.values():
         yield from _quantity_problems(quantity, data, rows)
-    yield from _outside(SHAPE_SIGMA.column, data.shape_sigma, SHAPE_SIGMA.range, rows)
+    yield from _range_problems(SHAPE_SIGMA.column, data.shape_sigma, SHAPE_SIGMA.range, rows)
     if data.band is not None:
         low, high = data.band
         expected = f"a frequency in the band from {low:.10g} Hz to {high:.10g} Hz"
-        band = Range(low, high, expected, "correct the row or the band", blank=False)
-        inside = band.holds(data.frequency) | ~FREQUENCY.value.range.holds(data.frequency)
-        yield from _broken(FREQUENCY.value.column, data.frequency, inside, band, rows)
+        band_range = Range(low, high, expected, "correct the row or the band", blank=False)
+        is_in_band = band_range.holds(data.frequency) | ~FREQUENCY.value.range.holds(data.frequency)
+        yield from _problems_where_not(FREQUENCY.value.column, data.frequency, is_in_band, band_range, rows)
     for k, name in enumerate(data.channels):
         component = Range(-LARGEST, LARGEST, "a finite shape component", "leave it blank if unknown")
-        yield from _outside(f"{SHAPE}{name}", data.shapes[:, k], component, rows)
+        yield from _range_problems(f"{SHAPE}{name}", data.shapes[:, k], component, rows)
     for k, name in enumerate(data.settings):
         setting = Range(-LARGEST, LARGEST, "a finite value", "leave it blank if it is as declared")
-        yield from _outside(f"{SET}{name}", data.set_values[:, k], setting, first)
-    yield from _outside(LEVEL.column, data.level, LEVEL.range, first)
+        yield from _range_problems(f"{SET}{name}", data.set_values[:, k], setting, first)
+    yield from _range_problems(LEVEL.column, data.level, LEVEL.range, first)
     for i in np.flatnonzero((data.shapes == 0.0).any(axis=1) & ~(np.abs(data.shapes) > 0.0).any(axis=1)):
         column = f"{SHAPE}{data.channels[int(np.argmax(data.shapes[i] == 0.0))]}"
         remedy = "leave the components blank if the shape was not measured"
@@ -142,32 +144,32 @@ def _quantity_problems(quantity: MeasuredQuantity, data: Columns, rows: Integers
     value, sigma = quantity.value, quantity.sigma
     values, sigmas = data.numbers[value.argument], data.numbers[sigma.argument]
     valid, valid_sigmas = value.range.holds(values), sigma.range.holds(sigmas)
-    yield from _broken(value.column, values, valid, value.range, rows)
+    yield from _problems_where_not(value.column, values, valid, value.range, rows)
     # The usual standard deviation of a bad number is bad too.
     stated = valid_sigmas if quantity.usual_sigma is None else valid_sigmas | ~valid
-    yield from _broken(sigma.column, sigmas, stated, sigma.range, rows)
+    yield from _problems_where_not(sigma.column, sigmas, stated, sigma.range, rows)
     if quantity.transformation.positive:
-        small = (sigmas < values) | ~(valid & valid_sigmas) | np.isnan(values) | np.isnan(sigmas)
+        is_below_value = (sigmas < values) | ~(valid & valid_sigmas) | np.isnan(values) | np.isnan(sigmas)
         requirement, remedy = f"a standard deviation below the {value.column}", sigma.range.remedy
-        below = Range(0.0, LARGEST, requirement, f"{remedy}, and check the units of both")
-        yield from _broken(sigma.column, sigmas, small, below, rows)
+        relative_range = Range(0.0, LARGEST, requirement, f"{remedy}, and check the units of both")
+        yield from _problems_where_not(sigma.column, sigmas, is_below_value, relative_range, rows)
 
 
-def _outside(column: str, values: Array, allowed: Range, at: Integers) -> Iterator[Problem]:
-    """Yield numbers outside a range; `at` holds their rows."""
-    yield from _broken(column, values, allowed.holds(values), allowed, at)
+def _range_problems(column: str, values: Array, allowed: Range, rows: Integers) -> Iterator[Problem]:
+    """Yield numbers outside a range; `rows` holds their rows."""
+    yield from _problems_where_not(column, values, allowed.holds(values), allowed, rows)
 
 
-def _broken(
-    column: str, values: Array, good: NDArray[np.bool_], allowed: Range, at: Integers
+def _problems_where_not(
+    column: str, values: Array, is_allowed: NDArray[np.bool_], allowed: Range, rows: Integers
 ) -> Iterator[Problem]:
     """Yield numbers that violate a range, with its messages."""
     of_quantity = column in {number.column for number in quantity_numbers()}
-    for i in np.flatnonzero(~good):
-        large = of_quantity and allowed.largest == LARGEST < values[i] < np.inf
-        expected = f"{allowed.expected} (at most {LARGEST:g})" if large else allowed.expected
-        row = int(at[i])
-        problem = (f"expected {expected}, found ", Quoted(row, column, float(values[i])))
+    for i in np.flatnonzero(~is_allowed):
+        exceeds_largest = of_quantity and allowed.largest == LARGEST < values[i] < np.inf
+        expected = f"{allowed.expected} (at most {LARGEST:g})" if exceeds_largest else allowed.expected
+        row = int(rows[i])
+        problem = (f"expected {expected}, found ", QuotedNumber(row, column, float(values[i])))
         yield Problem(row, column, problem, allowed.remedy)
 
 
@@ -178,15 +180,15 @@ def is_label(text: str) -> bool:
 
 def text_problems(data: Columns, first: Integers) -> Iterator[Problem]:
     """Yield labels and mode numbers that are not printable, labels that are repeated, and unknown `drives`."""
-    earlier: set[str] = set()
+    earlier_labels: set[str] = set()
     for i, label in zip(first.tolist(), data.labels, strict=True):
         if not is_label(label):
-            yield Problem(i, "pose", f"expected a label, found {shown(label)}", PRINTABLE)
-        if label in earlier:
+            yield Problem(i, "pose", f"expected a label, found {shown(label)}", PRINTABLE_REMEDY)
+        if label in earlier_labels:
             yield Problem(
                 i, "pose", f"two poses have the label {shown(label)}", "give each pose a unique label"
             )
-        earlier.add(label)
+        earlier_labels.add(label)
     for i, word in zip(first.tolist(), data.drives, strict=True):
         if word not in DRIVES:
             problem = f'expected "free" or "held", found {shown(word)}'
@@ -208,16 +210,16 @@ def position_problems(data: Columns, points: Array, spreads: Array) -> Iterator[
         ("standard deviations", "sigma_", spreads, data.point_sigma),
     ):
         for i, k in np.argwhere(rows != poses[data.pose]):
-            name, number = f"{prefix}{data.components[k]}", data.pose[i]
-            before = int(first[number])
+            name, pose = f"{prefix}{data.components[k]}", data.pose[i]
+            first_row = int(first[pose])
             yield Problem(
                 int(i),
                 name,
                 (
-                    f"pose {shown(data.labels[number])} has two {kind}: {name} is ",
-                    Quoted(before, name, float(poses[number, k]), ".10g"),
-                    f" in line {data.lines[before]} and ",
-                    Quoted(int(i), name, float(rows[i, k]), ".10g"),
+                    f"pose {shown(data.labels[pose])} has two {kind}: {name} is ",
+                    QuotedNumber(first_row, name, float(poses[pose, k]), ".10g"),
+                    f" in line {data.lines[first_row]} and ",
+                    QuotedNumber(int(i), name, float(rows[i, k]), ".10g"),
                     " here",
                 ),
                 "give each pose a unique label",
@@ -228,27 +230,34 @@ def setting_problems(data: Columns, rows: Array) -> Iterator[Problem]:
     """Yield rows, of all rows (R, K), with a setting that differs from the first row of their pose."""
     for k, name in enumerate(data.settings):
         remedy = "give each load case a unique label"
-        yield from _two_values(data, f"{SET}{name}", data.set_values[:, k], rows[:, k], remedy)
+        yield from _values_that_differ(data, f"{SET}{name}", data.set_values[:, k], rows[:, k], remedy)
 
 
 def level_problems(data: Columns, rows: Array) -> Iterator[Problem]:
     """Yield rows, of all rows (R,), whose level differs from that of the first row of their pose."""
     remedy = 'give each level a label of its own, such as "P1 low" and "P1 high"'
-    yield from _two_values(data, LEVEL.column, data.level, rows, remedy)
+    yield from _values_that_differ(data, LEVEL.column, data.level, rows, remedy)
 
 
-def _two_values(data: Columns, name: str, poses: Array, rows: Array, remedy: str) -> Iterator[Problem]:
-    """Yield rows (R,) whose value in a column differs from that of their pose (P,); blank is a value, too."""
+def _values_that_differ(
+    data: Columns, name: str, poses: Array, rows: Array, remedy: str
+) -> Iterator[Problem]:
+    """Yield rows (R,) whose value in a column differs from that of their pose (P,); a blank is a value, too."""
     first = np.unique(data.pose, return_index=True)[1]
     expected = poses[data.pose]
     for i in np.flatnonzero((rows != expected) & ~(np.isnan(rows) & np.isnan(expected))):
-        number = data.pose[i]
-        before = int(first[number])
-        pair = [(before, float(expected[i])), (int(i), float(rows[i]))]
-        there, here = ("blank" if np.isnan(v) else Quoted(row, name, v, ".10g") for row, v in pair)
-        problem = f"pose {shown(data.labels[number])} has two values: {name} is "
+        pose = data.pose[i]
+        first_row = int(first[pose])
+        pair = [(first_row, float(expected[i])), (int(i), float(rows[i]))]
+        first_value, row_value = (
+            "blank" if np.isnan(v) else QuotedNumber(row, name, v, ".10g") for row, v in pair
+        )
+        problem = f"pose {shown(data.labels[pose])} has two values: {name} is "
         yield Problem(
-            int(i), name, (problem, there, f" in line {data.lines[before]} and ", here, " here"), remedy
+            int(i),
+            name,
+            (problem, first_value, f" in line {data.lines[first_row]} and ", row_value, " here"),
+            remedy,
         )
 
 
@@ -270,11 +279,11 @@ def repetitions(data: Columns) -> Iterator[Problem]:
     numbers = np.column_stack([data.pose, *columns, data.shapes])
     first_rows: dict[tuple[bytes, str], int] = {}
     for i, row in enumerate(numbers):
-        before = first_rows.setdefault((row.tobytes(), data.mode[i]), i)
-        if before != i:
+        first_row = first_rows.setdefault((row.tobytes(), data.mode[i]), i)
+        if first_row != i:
             yield Problem(
                 i,
                 "frequency",
-                f"the row repeats line {data.lines[before]}",
+                f"the row repeats line {data.lines[first_row]}",
                 "remove one, or number them in the column mode where two modes coincide",
             )

@@ -1,4 +1,4 @@
-"""Measurements with other errors than stated."""
+"""Measurements whose errors are scaled."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from pkmodes.loop.measured.quantities import QUANTITIES, SHAPE_SIGMA
 def with_errors(data: Measurements, factor: float) -> Measurements:
     """Return measurements whose standard deviations are a multiple of the stated ones.
 
-    A standard deviation beyond what a file may state becomes the largest, or smallest, that it may.
+    A standard deviation outside the range that a file may state is set to the nearest end of that range.
 
     - factor: of all quantities, of shapes and of positions
     """

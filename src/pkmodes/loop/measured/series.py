@@ -11,8 +11,8 @@ from collections.abc import Sequence
 
 #: A name with a number: the text before and after its last number identifies the series.
 NUMBERED = re.compile(r"(.*?)(\d+)(\D*)")
-#: Fewest channels of a series: two have no curvature, and only one relative motion.
-FEWEST_OF_SERIES = 3
+#: Smallest number of channels of a series: two have no curvature, and only one relative motion.
+MIN_SERIES_LENGTH = 3
 
 
 def series_of(channels: Sequence[str]) -> list[list[int]]:
@@ -33,4 +33,4 @@ def series_of(channels: Sequence[str]) -> list[list[int]]:
                 runs.append([])
             runs[-1].append(k)
             last = number
-    return [run for run in runs if len(run) >= FEWEST_OF_SERIES]
+    return [run for run in runs if len(run) >= MIN_SERIES_LENGTH]

@@ -23,8 +23,8 @@ from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.measured.series import series_of
 
 Array = NDArray[np.float64]
-#: Fewest channels at which a change of shape is looked for: with two, a single number, the MAC, describes it.
-FEWEST_CHANNELS = 3
+#: Smallest number of channels for a change of shape: with two, a single number, the MAC, describes it.
+MIN_CHANNELS = 3
 #: Second difference over three neighbours.
 SECOND_DIFFERENCE = np.array([1.0, -2.0, 1.0])
 
@@ -90,7 +90,7 @@ def align_shapes(
     b = second.shapes[second_row, [second.channels.index(name) for name in names]]
     measured = np.isfinite(a) & np.isfinite(b)
     a, b = a[measured], b[measured]
-    if measured.sum() < FEWEST_CHANNELS or not (a.any() and b.any()):
+    if measured.sum() < MIN_CHANNELS or not (a.any() and b.any()):
         return None
     # The shapes are relative to the largest common component of the first, but sigma_shape to the largest of its row.
     scale = np.abs(a).max()
@@ -108,7 +108,7 @@ def align_shapes(
 
 
 def change_covariance(first: Array, second: Array, sigma: float, second_sigma: float) -> Array:
-    """Return the covariance of what is left of two shapes, the second scaled to the first by least squares.
+    """Return the covariance of the change of a shape, with the second scaled to the first by least squares.
 
     To first order in the errors, plus the leading second-order term, the only one that is left for a component that
     makes up nearly the whole shape.

@@ -1,4 +1,4 @@
-"""Whether the modes of two measurements changed alike or each on its own, by more than their errors."""
+"""Whether the modes of two measurements changed by a common factor or individually, by more than their errors."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ Array = NDArray[np.float64]
 LEVEL = 0.01
 #: Significance level of the common change, and of all changes taken together, which are tested in addition.
 ADDITIONAL_LEVEL = LEVEL / 2.0
-#: Number of standard deviations from which a common change counts as one.
-LEAST_COMMON = float(-ndtri(ADDITIONAL_LEVEL / 2.0))
-#: Fewest pairs, and smallest share of all pairs, that can share a change which the others do not.
-FEWEST, MOST_OF_ALL = 3, 0.75
+#: Number of standard deviations from which a common change is significant.
+MIN_COMMON_SIGMAS = float(-ndtri(ADDITIONAL_LEVEL / 2.0))
+#: Smallest number of pairs, and smallest fraction of all pairs, that can share a change that the others lack.
+MIN_SHARING_PAIRS, MIN_SHARING_FRACTION = 3, 0.75
 
 
 class CommonChange(Document, frozen=True):
@@ -78,32 +78,32 @@ def two_sided(sigmas: Array) -> Array:
     return np.asarray(2.0 * ndtr(-np.abs(sigmas)))
 
 
-def common_and_own(factors: Array, errors: Array) -> tuple[CommonChange | None, OwnChanges]:
-    """Tell a change that all modes share from changes of single modes.
+def common_and_own(log_ratios: Array, errors: Array) -> tuple[CommonChange | None, OwnChanges]:
+    """Separate a change that all modes share from changes of single modes.
 
     All modes of a machine change by one factor if its stiffness or mass changes everywhere, as by temperature or
     tension, or if a clock is wrong.  The factor is the weighted mean; where the residuals refuse it, that of the
     pairs which did not change, if these are half of all, or of three quarters or more that agree.
 
-    - factors: logarithms of second over first, (n,)
+    - log_ratios: logarithms of second over first, (n,)
     - errors: their standard deviations, (n,)
 
     Returns, in this order:
     - common: None of fewer than two pairs
     - own
     """
-    count = len(factors)
-    unknown = np.full(count, np.nan)
+    count = len(log_ratios)
+    not_known = np.full(count, np.nan)
     if count < 2:
-        return None, OwnChanges(unknown, unknown, np.zeros(count, dtype=bool))
-    _, _, residual_chi2 = _mean(factors, errors)
+        return None, OwnChanges(not_known, not_known, np.zeros(count, dtype=bool))
+    _, _, residual_chi2 = _weighted_mean(log_ratios, errors)
     p = float(chdtrc(count - 1, residual_chi2))
-    sharing = np.ones(count, dtype=bool) if p > LEVEL else _sharing(factors, errors)
+    sharing = np.ones(count, dtype=bool) if p > LEVEL else _sharing_pairs(log_ratios, errors)
     if not sharing.any():
-        nothing = CommonChange(None, None, None, False, 0, residual_chi2, p)
-        return nothing, OwnChanges(unknown, unknown, np.zeros(count, dtype=bool))
-    mean, sigma, _ = _mean(factors[sharing], errors[sharing])
-    beyond = _beyond(factors, errors, sharing)
+        no_common_change = CommonChange(None, None, None, False, 0, residual_chi2, p)
+        return no_common_change, OwnChanges(not_known, not_known, np.zeros(count, dtype=bool))
+    mean, sigma, _ = _weighted_mean(log_ratios[sharing], errors[sharing])
+    deviations = _deviations_from_shared(log_ratios, errors, sharing)
     common = CommonChange(
         relative=float(np.expm1(mean)),
         sigma=float(np.exp(mean) * sigma),
@@ -113,49 +113,53 @@ def common_and_own(factors: Array, errors: Array) -> tuple[CommonChange | None, 
         residual_chi2=residual_chi2,
         residual_p_value=p,
     )
-    clear = holm(two_sided(beyond)) & (p <= LEVEL)
-    return common, OwnChanges(np.expm1(factors - mean), beyond, clear)
+    clear = holm(two_sided(deviations)) & (p <= LEVEL)
+    return common, OwnChanges(np.expm1(log_ratios - mean), deviations, clear)
 
 
-def _mean(factors: Array, errors: Array) -> tuple[float, float, float]:
-    """Return the weighted mean, its standard deviation, and the sum of squares of what is left."""
+def _weighted_mean(log_ratios: Array, errors: Array) -> tuple[float, float, float]:
+    """Return the weighted mean, its standard deviation, and the sum of squares of the residuals."""
     weights = errors**-2
-    mean = float(weights @ factors / weights.sum())
-    return mean, float(weights.sum() ** -0.5), float((((factors - mean) / errors) ** 2).sum())
+    mean = float(weights @ log_ratios / weights.sum())
+    return mean, float(weights.sum() ** -0.5), float((((log_ratios - mean) / errors) ** 2).sum())
 
 
-def _beyond(factors: Array, errors: Array, sharing: NDArray[np.bool_]) -> Array:
+def _deviations_from_shared(log_ratios: Array, errors: Array, sharing: NDArray[np.bool_]) -> Array:
     """Return how far each pair is from the mean of those that share a change, in standard deviations."""
-    mean, sigma, _ = _mean(factors[sharing], errors[sharing])
-    # The mean has the errors of the pairs that it is of.
+    mean, sigma, _ = _weighted_mean(log_ratios[sharing], errors[sharing])
+    # A pair that belongs to the mean is correlated with it.
     variance = errors**2 + np.where(sharing, -(sigma**2), sigma**2)
-    # A pair that outweighs all others is the mean itself: nothing is left of it but rounding.
-    return np.asarray((factors - mean) / np.sqrt(np.maximum(variance, 1e-6 * errors**2)))
+    # A pair that outweighs all others is the mean itself: its residual is rounding.
+    return np.asarray((log_ratios - mean) / np.sqrt(np.maximum(variance, 1e-6 * errors**2)))
 
 
-def _sharing(factors: Array, errors: Array) -> NDArray[np.bool_]:
-    """Return the pairs that share a change although not all do, or none.
+def _sharing_pairs(log_ratios: Array, errors: Array) -> NDArray[np.bool_]:
+    """Return the pairs that share a change although not all do; none if there are no such pairs.
 
-    Those that did not change are such pairs if they are half of all.  Otherwise nearly all must agree: a change at
+    The unchanged pairs are such pairs if they are half of all.  Otherwise nearly all must agree: a change at
     one place moves every mode by another factor, and of these some agree by chance.
     """
-    count, none = len(factors), np.zeros(len(factors), dtype=bool)
-    same = ~holm(two_sided(factors / errors))
-    if 2 * same.sum() >= count:
-        return same if same.sum() > 1 and _agree(factors[same], errors[same]) else none
-    least = max(FEWEST, int(np.ceil(MOST_OF_ALL * count)))
-    if least >= count:
-        return none
+    count, no_pairs = len(log_ratios), np.zeros(len(log_ratios), dtype=bool)
+    unchanged = ~holm(two_sided(log_ratios / errors))
+    if 2 * unchanged.sum() >= count:
+        return (
+            unchanged
+            if unchanged.sum() > 1 and _agree(log_ratios[unchanged], errors[unchanged])
+            else no_pairs
+        )
+    core_size = max(MIN_SHARING_PAIRS, int(np.ceil(MIN_SHARING_FRACTION * count)))
+    if core_size >= count:
+        return no_pairs
     cores = []
-    for center in factors:
-        core = none.copy()
-        core[np.argsort(np.abs(factors - center) / errors, kind="stable")[:least]] = True
-        cores.append((_mean(factors[core], errors[core])[2], core))
+    for center in log_ratios:
+        core = no_pairs.copy()
+        core[np.argsort(np.abs(log_ratios - center) / errors, kind="stable")[:core_size]] = True
+        cores.append((_weighted_mean(log_ratios[core], errors[core])[2], core))
     _, core = min(cores, key=lambda entry: entry[0])
-    sharing = core | ~holm(two_sided(_beyond(factors, errors, core)))
-    return sharing if _agree(factors[sharing], errors[sharing]) else none
+    sharing = core | ~holm(two_sided(_deviations_from_shared(log_ratios, errors, core)))
+    return sharing if _agree(log_ratios[sharing], errors[sharing]) else no_pairs
 
 
-def _agree(factors: Array, errors: Array) -> bool:
+def _agree(log_ratios: Array, errors: Array) -> bool:
     """Return whether changes differ by no more than their errors."""
-    return bool(chdtrc(len(factors) - 1, _mean(factors, errors)[2]) > LEVEL)
+    return bool(chdtrc(len(log_ratios) - 1, _weighted_mean(log_ratios, errors)[2]) > LEVEL)

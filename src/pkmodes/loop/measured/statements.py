@@ -1,4 +1,4 @@
-"""What comments of a measurement file say of the whole test: ``# band: 10 Hz, 400 Hz`` or ``# motors: held``.
+"""Statements about the whole test in comments of a measurement file: ``# band: 10 Hz, 400 Hz`` or ``# motors: held``.
 
 Another statement is an entry of `STATEMENTS`.  Those that may occur several times have a name each, as in
 ``# prior: measurement:offset.z = 2 mm``; the diagnosis of a robot defines what the names mean.
@@ -35,12 +35,12 @@ def parse_band(text: str, where: str, remedy: str = BAND_HELP) -> tuple[float, f
     Raises MeasurementError if the text is not two frequencies above 0, the lower one first.
     """
     limits: list[float] = []
-    parts = _parts(text)
+    parts = _split_list(text)
     for part in parts if len(parts) == 2 else ():
         number, *unit = part.split(maxsplit=1) or [""]
-        glued = NUMBER.match(number)  # also "10Hz"
-        if glued is not None and glued.end() < len(number):
-            number, unit = glued[0], [" ".join([number[glued.end() :], *unit])]
+        number_prefix = NUMBER.match(number)  # also "10Hz"
+        if number_prefix is not None and number_prefix.end() < len(number):
+            number, unit = number_prefix[0], [" ".join([number[number_prefix.end() :], *unit])]
         try:
             factor = frequency_factor(unit[0]) if unit else None
         except QuantityError as error:
@@ -80,7 +80,7 @@ def parse_prior(text: str, where: str, remedy: str = PRIOR_HELP) -> tuple[str, V
 
     Raises MeasurementError if the text is not a name and a value.
     """
-    name, value = _named(text, where, remedy)
+    name, value = _split_name(text, where, remedy)
     return name, _value(value.replace(",", "."))
 
 
@@ -89,19 +89,19 @@ def parse_usable(text: str, where: str, remedy: str = USABLE_HELP) -> tuple[str,
 
     Raises MeasurementError if the text is not a name and values.
     """
-    name, stated = _named(text, where, remedy)
-    values = [_value(part) for part in _parts(stated.translate(str.maketrans("", "", '[]"')))]
+    name, stated = _split_name(text, where, remedy)
+    values = [_value(part) for part in _split_list(stated.translate(str.maketrans("", "", '[]"')))]
     return name, values if len(values) > 1 else values[0]
 
 
-def _named(text: str, where: str, remedy: str) -> tuple[str, str]:
+def _split_name(text: str, where: str, remedy: str) -> tuple[str, str]:
     name, _, value = (part.strip() for part in text.partition("="))
     if not name or not value:
         raise MeasurementError(f"expected a name = a value, found {shown(text.strip())}", where, remedy)
     return name, value
 
 
-def _parts(text: str) -> list[str]:
+def _split_list(text: str) -> list[str]:
     """Return what commas separate, or semicolons, with decimal commas as points."""
     separator = ";" if ";" in text else ","
     return [
@@ -117,16 +117,16 @@ def _value(text: str) -> Value:
 class Statement(NamedTuple):
     """A comment on the whole test.
 
-    - read: returns what it says, from its text and its place; where there may be several, its name and its value
-    - remedy: if it cannot be read
-    - begins: how its text begins, as a regular expression: so a missing colon does not go unnoticed
-    - several: whether there may be several, each with a name
+    - read: returns its value from its text and its place; of a repeatable one, its name and its value
+    - remedy: for the error if it cannot be read
+    - beginning: beginning of its text, as a regular expression, by which a missing colon is noticed
+    - repeatable: whether there may be several, each with a name
     """
 
     read: Callable[[str, str], Any]
     remedy: str
-    begins: str
-    several: bool = False
+    beginning: str
+    repeatable: bool = False
 
 
 #: Statements about the whole test by their first word; then synonyms of these words.
@@ -134,16 +134,16 @@ STATEMENTS = {
     "band": Statement(parse_band, BAND_HELP, "[0-9.]"),
     "drives": Statement(parse_drives, DRIVES_HELP, r"(?:free|held)\b"),
     "state": Statement(parse_state, STATE_HELP, r"(?!)"),  # without a colon it is an ordinary comment
-    "prior": Statement(parse_prior, PRIOR_HELP, r"[\w.:]+\s*=", several=True),
-    "usable": Statement(parse_usable, USABLE_HELP, r"\w+\s*[:=]", several=True),
+    "prior": Statement(parse_prior, PRIOR_HELP, r"[\w.:]+\s*=", repeatable=True),
+    "usable": Statement(parse_usable, USABLE_HELP, r"\w+\s*[:=]", repeatable=True),
 }
-ALSO = {"motors": "drives"}
+WORD_SYNONYMS = {"motors": "drives"}
 #: A comment with a statement.  Also matches without the colon, a mistake that would otherwise go unnoticed.
-STATEMENT = re.compile(
+STATEMENT_PATTERN = re.compile(
     r"#\s*({})\s*([:=]|(?=\s))(.*)".format(
         "|".join(
-            rf"{word}(?=\s*[:=]|\s+{STATEMENTS[ALSO.get(word, word)].begins})"
-            for word in (*STATEMENTS, *ALSO)
+            rf"{word}(?=\s*[:=]|\s+{STATEMENTS[WORD_SYNONYMS.get(word, word)].beginning})"
+            for word in (*STATEMENTS, *WORD_SYNONYMS)
         )
     ),
     re.IGNORECASE,

@@ -24,8 +24,8 @@ from pkmodes.loop.measured.series import series_of
 from pkmodes.loop.measured.shape_changes import AlignedShapes
 
 Array = NDArray[np.float64]
-#: Smallest ratio of the relative motions of a mode to their errors (root mean square) for which it has an index.
-FEWEST_TIMES = 3.0
+#: A mode contributes to the index if its relative motions exceed their errors by this factor (root mean square).
+MIN_SIGNAL_TO_NOISE = 3.0
 
 
 class StrainEnergyChange(Document, frozen=True):
@@ -66,15 +66,19 @@ def strain_energy_changes(
     - lines: of the modes in the first file, length n
     - shapes: their shapes in both, length n
     """
-    of_series: dict[tuple[str, ...], list[tuple[int, Array, Array, tuple[float, float]]]] = {}
+    modes_by_series: dict[tuple[str, ...], list[tuple[int, Array, Array, tuple[float, float]]]] = {}
     for line, mode in zip(lines, shapes, strict=True):
         for members in series_of(mode.channels):
             first, second = mode.first[members], mode.second[members]
             pairs = ((first, mode.sigmas[0]), (second, mode.sigmas[1]))
-            if all(_moves(motion, error) for motion, error in pairs):
+            if all(_exceeds_errors(motion, error) for motion, error in pairs):
                 names = tuple(mode.channels[k] for k in members)
-                of_series.setdefault(names, []).append((line, first, second, mode.sigmas))
-    return [change for names, modes in of_series.items() for change in _of_series(pose, names, modes)]
+                modes_by_series.setdefault(names, []).append((line, first, second, mode.sigmas))
+    return [
+        change
+        for names, modes in modes_by_series.items()
+        for change in _changes_of_series(pose, names, modes)
+    ]
 
 
 def most_changed(changes: Sequence[StrainEnergyChange]) -> StrainEnergyChange | None:
@@ -87,33 +91,33 @@ def most_changed(changes: Sequence[StrainEnergyChange]) -> StrainEnergyChange | 
     return max(clear, key=lambda change: abs(np.log(change.index)), default=None)
 
 
-def _moves(motion: Array, error: float) -> bool:
+def _exceeds_errors(motion: Array, error: float) -> bool:
     """Return whether neighbours move relative to each other, by more than the errors where these are known."""
     mean_square = float(np.mean(np.diff(motion) ** 2))
-    least = 0.0 if np.isnan(error) else 2.0 * (FEWEST_TIMES * error) ** 2
-    return mean_square > least
+    min_mean_square = 0.0 if np.isnan(error) else 2.0 * (MIN_SIGNAL_TO_NOISE * error) ** 2
+    return mean_square > min_mean_square
 
 
-def _of_series(
+def _changes_of_series(
     pose: str, names: Sequence[str], modes: Sequence[tuple[int, Array, Array, tuple[float, float]]]
 ) -> list[StrainEnergyChange]:
     """Return the damage indices along one series."""
-    before = [energy_shares(first, errors[0]) for _, first, _, errors in modes]
-    after = [energy_shares(second, errors[1]) for _, _, second, errors in modes]
-    shares = np.sum([share for share, _ in before], axis=0)
-    later = np.sum([share for share, _ in after], axis=0)
+    first_shares = [energy_shares(first, errors[0]) for _, first, _, errors in modes]
+    second_shares = [energy_shares(second, errors[1]) for _, _, second, errors in modes]
+    first_sum = np.sum([share for share, _ in first_shares], axis=0)
+    second_sum = np.sum([share for share, _ in second_shares], axis=0)
     count = len(modes)
-    index = (later + count) / (shares + count)
-    spread = np.sum([variance for _, variance in before], axis=0)
-    later_spread = np.sum([variance for _, variance in after], axis=0)
-    sigma = np.sqrt(later_spread + index**2 * spread) / (shares + count)
+    index = (second_sum + count) / (first_sum + count)
+    first_variance = np.sum([variance for _, variance in first_shares], axis=0)
+    second_variance = np.sum([variance for _, variance in second_shares], axis=0)
+    sigma = np.sqrt(second_variance + index**2 * first_variance) / (first_sum + count)
     return [
         StrainEnergyChange(
             pose=pose,
             channels=[names[j], names[j + 1]],
             lines=[line for line, *_ in modes],
-            first=float(shares[j] / count),
-            second=float(later[j] / count),
+            first=float(first_sum[j] / count),
+            second=float(second_sum[j] / count),
             index=float(index[j]),
             sigma=float(sigma[j]) if np.isfinite(sigma[j]) else None,
             sigmas=float((index[j] - 1.0) / sigma[j]) if np.isfinite(sigma[j]) else None,
@@ -129,13 +133,13 @@ def energy_shares(motion: Array, error: float) -> tuple[Array, Array]:
     - motion: of a series of channels, (n,)
     - error: standard deviation of each component, independent of the others
 
-    Returns shares and variances, (n - 1,), to first order in the error, with the leading term of second order, which
-    is all that two neighbours have which move alike.
+    Returns shares and variances, (n - 1,), to first order in the error, with the leading term of second order, the
+    only one for two neighbours that move alike.
     """
-    between = np.diff(np.eye(len(motion)), axis=0)
-    relative = between @ motion
+    differences = np.diff(np.eye(len(motion)), axis=0)
+    relative = differences @ motion
     total = relative @ relative
     shares = relative**2 / total
-    slopes = 2.0 * (relative[:, None] * between - np.outer(shares, relative @ between)) / total
+    slopes = 2.0 * (relative[:, None] * differences - np.outer(shares, relative @ differences)) / total
     variance = 2.0 * error**2  # of a relative motion
     return shares, (error**2) * (slopes**2).sum(axis=1) + 3.0 * (variance / total) ** 2

@@ -8,40 +8,42 @@ import numpy as np
 
 from pkmodes.loop.measured.comparison import Caution, ModePair
 from pkmodes.loop.measured.measurements import Measurements
-from pkmodes.loop.measured.shape_changes import FEWEST_CHANNELS, ShapeChange
+from pkmodes.loop.measured.shape_changes import MIN_CHANNELS, ShapeChange
 from pkmodes.loop.measured.significance import LEVEL
 from pkmodes.loop.measured.strain_energy import StrainEnergyChange
 
 #: Relative distance of frequencies below which any change may mix two modes.
-CLOSE = 0.03
+CLOSE_FREQUENCIES = 0.03
 #: Shapes with a smaller MAC may belong to different modes.
-LEAST_MAC = 0.9
-#: Cautions that rule out a change of shape as a sign of a place; the others only say that none can be seen.
+MIN_MAC = 0.9
+#: Cautions with which a change of shape does not show a place; the others mean that no change can be seen.
 NO_PLACE: frozenset[Caution] = frozenset({"close_modes", "low_mac"})
 #: Meanings of the cautions.
 SENTENCES: dict[Caution, str] = {
     "no_sigma_shape": "not both files give sigma_shape, so it is unknown whether the shape changed by more than its "
     "errors.",
-    "close_modes": f"another mode is within {100.0 * CLOSE:.0f} %; any change mixes the two, so their shapes do not "
-    "show its place.",
-    "low_mac": f"the MAC is below {LEAST_MAC}; it may be another mode, and its shape does not show a place.",
+    "close_modes": f"another mode is within {100.0 * CLOSE_FREQUENCIES:.0f} %; any change mixes the two, so their "
+    "shapes do not show its place.",
+    "low_mac": f"the MAC is below {MIN_MAC}; it may be another mode, and its shape does not show a place.",
     "same_shape": "the frequency changed, but not the shape by more than its errors: stiffness or mass changed in "
     "proportion everywhere, or by too little for these errors to show where.",
 }
-#: Most lines named in a note.
-NAMED = 8
+#: Largest number of lines named in a note.
+MAX_LINES_NAMED = 8
 
 
 def close_to_another(data: Measurements, row: int) -> bool:
-    """Return whether another mode at the pose of a row is closer than `CLOSE`."""
+    """Return whether another mode at the pose of a row is closer than `CLOSE_FREQUENCIES`."""
     neighbours = (data.pose == data.pose[row]) & (np.arange(len(data.pose)) != row)
-    return bool((np.abs(np.log(data.frequency[neighbours] / data.frequency[row])) < CLOSE).any())
+    return bool((np.abs(np.log(data.frequency[neighbours] / data.frequency[row])) < CLOSE_FREQUENCIES).any())
 
 
-def cautions_of(close: bool, mac: float | None, differs: bool, shape: ShapeChange | None) -> list[Caution]:
+def cautions_of(
+    has_close_mode: bool, mac: float | None, differs: bool, shape: ShapeChange | None
+) -> list[Caution]:
     """Return why the shape of a pair does not show where something changed.
 
-    - close: whether another mode is close in one of the files
+    - has_close_mode: whether another mode is close in one of the files
     - differs: whether the frequency changed
     """
     cautions: list[Caution] = []
@@ -49,16 +51,16 @@ def cautions_of(close: bool, mac: float | None, differs: bool, shape: ShapeChang
         cautions.append("few_channels")
     elif shape.p_value is None:
         cautions.append("no_sigma_shape")
-    if close:
+    if has_close_mode:
         cautions.append("close_modes")
-    if mac is not None and mac < LEAST_MAC:
+    if mac is not None and mac < MIN_MAC:
         cautions.append("low_mac")
-    if differs and shape is not None and shape.p_value is not None and not _changed(shape):
+    if differs and shape is not None and shape.p_value is not None and not _shape_changed(shape):
         cautions.append("same_shape")
     return cautions
 
 
-def _changed(shape: ShapeChange) -> bool:
+def _shape_changed(shape: ShapeChange) -> bool:
     """Return whether a shape changed, as a whole or at a place."""
     places = [*shape.components, *shape.curvatures]
     return (shape.p_value is not None and shape.p_value <= LEVEL) or any(place.differs for place in places)
@@ -69,21 +71,23 @@ def notes_on_shapes(pairs: Sequence[ModePair], energies: Sequence[StrainEnergyCh
     notes = []
     if pairs and all(pair.shape is None for pair in pairs):
         notes.append(
-            f"No mode has a shape at {FEWEST_CHANNELS} or more channels of both files: shapes do not show where "
+            f"No mode has a shape at {MIN_CHANNELS} or more channels of both files: shapes do not show where "
             "anything changed."
         )
-    elif lines := _lines(pairs, "few_channels"):
-        notes.append(f"{lines}: no shape at {FEWEST_CHANNELS} or more channels of both files.")
-    notes += [f"{lines}: {why}" for caution, why in SENTENCES.items() if (lines := _lines(pairs, caution))]
+    elif lines := _line_list(pairs, "few_channels"):
+        notes.append(f"{lines}: no shape at {MIN_CHANNELS} or more channels of both files.")
+    notes += [
+        f"{lines}: {why}" for caution, why in SENTENCES.items() if (lines := _line_list(pairs, caution))
+    ]
     trusted = [pair.shape for pair in pairs if pair.shape and not NO_PLACE.intersection(pair.cautions)]
-    curved = any(place.differs for shape in trusted for place in shape.curvatures)
-    if curved or any(energy.differs for energy in energies):
+    curvature_differs = any(place.differs for shape in trusted for place in shape.curvatures)
+    if curvature_differs or any(energy.differs for energy in energies):
         notes.append(
             "Numbered channels are taken as a series along a line, in the order of their numbers and at equal "
             "distances; if they are not, curvature and strain energy mean nothing. If a mass changed, strain energy "
             "moves too, and the place is not that of the mass."
         )
-    if curved:
+    if curvature_differs:
         notes.append(
             "A curvature has about 2.4 times (the root of 6) the noise of a component: trust it only where it is "
             "clear."
@@ -91,29 +95,33 @@ def notes_on_shapes(pairs: Sequence[ModePair], energies: Sequence[StrainEnergyCh
     return notes
 
 
-def _lines(pairs: Sequence[ModePair], caution: str) -> str:
+def _line_list(pairs: Sequence[ModePair], caution: str) -> str:
     """Return the lines of the first file with a caution in words; empty without any."""
     lines = [str(pair.first_line) for pair in pairs if caution in pair.cautions]
     if not lines:
         return ""
-    shown = ", ".join(lines[:NAMED]) + (f" and {len(lines) - NAMED} more" if len(lines) > NAMED else "")
+    shown = ", ".join(lines[:MAX_LINES_NAMED]) + (
+        f" and {len(lines) - MAX_LINES_NAMED} more" if len(lines) > MAX_LINES_NAMED else ""
+    )
     return f"{'Line' if len(lines) == 1 else 'Lines'} {shown} of the first file"
 
 
-def notes_on_poses(first: Measurements, second: Measurements, places: Sequence[tuple[int, int]]) -> list[str]:
+def notes_on_poses(
+    first: Measurements, second: Measurements, pose_pairs: Sequence[tuple[int, int]]
+) -> list[str]:
     """Return the poses at which the two measurements were made in different conditions, in sentences."""
     notes = []
-    loaded = [first.labels[i] for i, j in places if first.load(i) != second.load(j)]
-    if loaded:
+    loaded_labels = [first.labels[i] for i, j in pose_pairs if first.load(i) != second.load(j)]
+    if loaded_labels:
         notes.append(
-            f"Pose {loaded[0]}{_and_others(loaded)}: columns set: differ; the changes include the effect of the "
-            "other load."
+            f"Pose {loaded_labels[0]}{_and_others(loaded_labels)}: columns set: differ; the changes include the "
+            "effect of the other load."
         )
-    moved = [first.labels[i] for i, j in places if _elsewhere(first, second, i, j)]
-    if moved:
+    moved_labels = [first.labels[i] for i, j in pose_pairs if _positions_differ(first, second, i, j)]
+    if moved_labels:
         notes.append(
-            f"Pose {moved[0]}{_and_others(moved)}: the positions differ; the changes include the effect of the "
-            "other position."
+            f"Pose {moved_labels[0]}{_and_others(moved_labels)}: the positions differ; the changes include the "
+            "effect of the other position."
         )
     return notes
 
@@ -122,7 +130,7 @@ def _and_others(labels: Sequence[str]) -> str:
     return f" and {len(labels) - 1} more" if len(labels) > 1 else ""
 
 
-def _elsewhere(first: Measurements, second: Measurements, pose: int, second_pose: int) -> bool:
+def _positions_differ(first: Measurements, second: Measurements, pose: int, second_pose: int) -> bool:
     """Return whether both give a position and these differ by more than their errors."""
     a, b = first.points[pose], second.points[second_pose]
     if not (first.points.any() and second.points.any()):

@@ -44,24 +44,23 @@ def as_csv(data: Columns, comments: Sequence[str] = ()) -> str:
             columns[f"{SPREAD}{name}"] = _numbers(data.point_sigma[data.pose, k])
     for quantity in QUANTITIES.values():
         values, sigmas = (data.numbers[number.argument] for number in (quantity.value, quantity.sigma))
-        if (
-            quantity.usual_sigma is not None
-        ):  # blank means the usual one, which says nothing of a blank quantity
-            usual = np.isnan(values) | (sigmas == quantity.usual_sigma(values))
-            sigmas = np.where(usual, np.nan, sigmas)
+        # A blank standard deviation means the usual one; that of a blank quantity is blank.
+        if quantity.usual_sigma is not None:
+            is_usual = np.isnan(values) | (sigmas == quantity.usual_sigma(values))
+            sigmas = np.where(is_usual, np.nan, sigmas)
         columns |= {quantity.value.column: _numbers(values), quantity.sigma.column: _numbers(sigmas)}
     if len(motors) > 1:
         columns["drives"] = [data.drives[i] for i in data.pose]
     for k, name in enumerate(data.settings):
         columns[f"{SET}{name}"] = _numbers(data.set_values[data.pose, k])
-    named = f"{LEVEL.column} [{data.level_unit}]" if data.level_unit else LEVEL.column
-    columns[named] = _numbers(data.level[data.pose])
+    level_heading = f"{LEVEL.column} [{data.level_unit}]" if data.level_unit else LEVEL.column
+    columns[level_heading] = _numbers(data.level[data.pose])
     columns["mode"] = [str(mode) for mode in data.mode]
     for k, name in enumerate(data.channels):
         columns[f"{SHAPE}{name}"] = _numbers(data.shapes[:, k])
     columns[SHAPE_SIGMA.column] = _numbers(data.shape_sigma)
-    always = {number.column for number in row_numbers()}
-    columns = {name: cells for name, cells in columns.items() if any(cells) or name in always}
+    required_names = {number.column for number in row_numbers()}
+    columns = {name: cells for name, cells in columns.items() if any(cells) or name in required_names}
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(columns)
     writer.writerows(zip(*columns.values(), strict=True))

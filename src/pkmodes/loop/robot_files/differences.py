@@ -1,4 +1,4 @@
-"""What two robot files of one mechanism declare differently: values with their uncertainties, and effects."""
+"""Differences between two robot files of one mechanism: values with their uncertainties, and effects."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ class ChoiceDifference(Document, frozen=True):
 
 @dataclass(frozen=True)
 class Differences:
-    """What two robots declare differently.
+    """Differences between the declarations of two robots.
 
     - values: in the order of the first file, then those of the second alone
     - added, removed: effects that only the second robot has, and only the first
@@ -81,22 +81,22 @@ def differences(first: Declaration, second: Declaration) -> Differences:
     Raises PkmodesError if their mechanisms differ.
     """
     check_one_mechanism(first, second)
-    both, items, compared = (first, second), by_path(first.mechanism), list[ValueDifference]()
+    robots, items_by_path, compared = (first, second), by_path(first.mechanism), list[ValueDifference]()
     for path in dict.fromkeys([*first.quantities, *second.quantities]):
         # A shared value is not compared by itself where the other robot's axes have their own.
         overrides = [item.path for item in takers(first.mechanism).get(path, ())]
-        overridden = any(name in robot.quantities for robot in both for name in overrides)
-        if overridden and not all(path in robot.quantities for robot in both):
+        overridden = any(name in robot.quantities for robot in robots for name in overrides)
+        if overridden and not all(path in robot.quantities for robot in robots):
             continue
-        item = items.get(path)
+        item = items_by_path.get(path)
         shared = "" if item is None or not item.shared else path.replace(item.path, item.shared, 1)
-        quantities = [robot.quantities.get(path, robot.quantities.get(shared)) for robot in both]
+        quantities = [robot.quantities.get(path, robot.quantities.get(shared)) for robot in robots]
         unit = next(quantity.unit for quantity in quantities if quantity is not None)
         before, after = (None if quantity is None else quantity.value for quantity in quantities)
-        sigma, later_sigma = (None if quantity is None else quantity.sigma for quantity in quantities)
+        sigma_before, sigma_after = (None if quantity is None else quantity.sigma for quantity in quantities)
         relative = _relative(before, after)
-        compared.append(ValueDifference(path, unit, before, after, sigma, later_sigma, relative))
-    limits = [numbers_of(robot.mechanism, robot.usable) for robot in both]
+        compared.append(ValueDifference(path, unit, before, after, sigma_before, sigma_after, relative))
+    limits = [numbers_of(robot.mechanism, robot.usable) for robot in robots]
     for path in dict.fromkeys([*limits[0], *limits[1]]):
         unit = (limits[0].get(path) or limits[1][path])[1]
         before, after = (numbers[path][0] if path in numbers else None for numbers in limits)
@@ -108,7 +108,9 @@ def differences(first: Declaration, second: Declaration) -> Differences:
     ]
     if first.drives != second.drives:
         choices.append(ChoiceDifference(STATE_OF_MOTORS, first.drives, second.drives))
-    ours, theirs = (list(dict.fromkeys(path.split(".")[0] for path in robot.effects)) for robot in both)
+    first_effects, second_effects = (
+        list(dict.fromkeys(path.split(".")[0] for path in robot.effects)) for robot in robots
+    )
     return Differences(
         tuple(
             difference
@@ -116,8 +118,8 @@ def differences(first: Declaration, second: Declaration) -> Differences:
             if (difference.first, difference.first_sigma) != (difference.second, difference.second_sigma)
         ),
         (*choices, *_correlations(first, second)),
-        tuple(name for name in theirs if name not in ours),
-        tuple(name for name in ours if name not in theirs),
+        tuple(name for name in second_effects if name not in first_effects),
+        tuple(name for name in first_effects if name not in second_effects),
         len(compared),
     )
 
@@ -128,17 +130,24 @@ def _relative(first: float | None, second: float | None) -> float | None:
 
 def _correlations(first: Declaration, second: Declaration) -> Iterator[ChoiceDifference]:
     """Yield one entry if the errors of values are correlated differently."""
-    ours, theirs = (_pairs(robot) for robot in (first, second))
-    before, after = _between(ours), _between(theirs)
-    if ours != theirs:
-        far = max(abs(ours.get(pair, 0.0) - theirs.get(pair, 0.0)) for pair in ours.keys() | theirs.keys())
-        apart = f", which differ from those by up to {plain(far, 2)}" if ours and theirs else ""
-        yield ChoiceDifference(COVARIANCE, before, after + apart)
-    elif ours and _stated(first) != _stated(second):
+    first_pairs, second_pairs = (_correlation_by_pair(robot) for robot in (first, second))
+    before, after = _correlation_words(first_pairs), _correlation_words(second_pairs)
+    if first_pairs != second_pairs:
+        largest_difference = max(
+            abs(first_pairs.get(pair, 0.0) - second_pairs.get(pair, 0.0))
+            for pair in first_pairs.keys() | second_pairs.keys()
+        )
+        clause = (
+            f", which differ from those by up to {plain(largest_difference, 2)}"
+            if first_pairs and second_pairs
+            else ""
+        )
+        yield ChoiceDifference(COVARIANCE, before, after + clause)
+    elif first_pairs and _stated_sigmas(first) != _stated_sigmas(second):
         yield ChoiceDifference(COVARIANCE, before, f"{after}, the same with other standard deviations")
 
 
-def _pairs(robot: Declaration) -> dict[frozenset[str], float]:
+def _correlation_by_pair(robot: Declaration) -> dict[frozenset[str], float]:
     """Return the correlation of each pair of values that are correlated."""
     return {
         frozenset((table.paths[i], table.paths[k])): rate
@@ -149,8 +158,8 @@ def _pairs(robot: Declaration) -> dict[frozenset[str], float]:
     }
 
 
-def _stated(robot: Declaration) -> dict[str, float]:
-    """Return the standard deviations that tables state beside those of the values."""
+def _stated_sigmas(robot: Declaration) -> dict[str, float]:
+    """Return the standard deviations that tables of correlations state."""
     return {
         path: sigma
         for table in robot.covariance
@@ -158,7 +167,7 @@ def _stated(robot: Declaration) -> dict[str, float]:
     }
 
 
-def _between(pairs: Mapping[frozenset[str], float]) -> str:
+def _correlation_words(pairs: Mapping[frozenset[str], float]) -> str:
     """Return a table of correlations in words."""
     count = len({path for pair in pairs for path in pair})
     return f"correlations of {count} values" if count else "no correlations"

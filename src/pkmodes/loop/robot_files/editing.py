@@ -32,18 +32,18 @@ class TomlText:
     """
 
     def __init__(self, text: str, source: str) -> None:
-        self._mark = "\ufeff" if text.startswith("\ufeff") else ""
+        self._byte_order_mark = "\ufeff" if text.startswith("\ufeff") else ""
         text = text.removeprefix("\ufeff")
         self._windows = "\r\n" in text and re.search(r"(?<!\r)\n", text) is None
-        self._open = not text.endswith("\n")  # a table can only be added after a line ending
+        self._lacks_last_newline = not text.endswith("\n")  # a table can only be added after a line ending
         self._appended = ""
-        text += self._newline if self._open else ""
+        text += self._newline if self._lacks_last_newline else ""
         try:
             self._document: Any = tomlkit.parse(text)
-            kept = tomlkit.dumps(self._document) == text
+            is_preserved = tomlkit.dumps(self._document) == text
         except (TOMLKitError, RecursionError):
-            kept = False
-        if not kept:
+            is_preserved = False
+        if not is_preserved:
             raise OutputError(
                 "cannot edit the robot file and keep its layout",
                 source,
@@ -58,9 +58,9 @@ class TomlText:
     def text(self) -> str:
         """The text with all edits."""
         body = tomlkit.dumps(self._document)
-        body = body.removesuffix(self._newline) if self._open and not self._appended else body
+        body = body.removesuffix(self._newline) if self._lacks_last_newline and not self._appended else body
         body += self._appended
-        return self._mark + (re.sub(r"(?<!\r)\n", "\r\n", body) if self._windows else body)
+        return self._byte_order_mark + (re.sub(r"(?<!\r)\n", "\r\n", body) if self._windows else body)
 
     def find(self, keys: Keys) -> Any:
         """Return the item at a place, None if there is none."""
@@ -116,7 +116,7 @@ class TomlText:
         entries = self.find((name,))
         if isinstance(entries, AoT):
             body, before = entries[index].value.body, entries[index - 1].value.body
-            before.extend(_taken_from_the_end(body))
+            before.extend(_pop_trailing_comments(body))
         del entries[index]
 
     def comment(self, keys: Keys, text: str) -> None:
@@ -146,9 +146,9 @@ class TomlText:
     @staticmethod
     def _add_key(table: Any, key: str | int, raw: str) -> None:
         body = table.value.body if isinstance(table, Table) else []
-        moved = _taken_from_the_end(body)
+        trailing_comments = _pop_trailing_comments(body)
         table[key] = tomlkit.value(raw)
-        body.extend(moved)
+        body.extend(trailing_comments)
 
     def _add_table(self, parent: Any, name: str, key: str, raw: str) -> None:
         """Add a table after the last line of its parent, before the blank lines and comments of the next table."""
@@ -156,25 +156,25 @@ class TomlText:
         while last.value.body and isinstance(last.value.body[-1][1], Table):
             last = last.value.body[-1][1]
         body = last.value.body
-        moved = _taken_from_the_end(body)
+        trailing_comments = _pop_trailing_comments(body)
         # Comments up to the first blank line belong to the lines before them.
-        blank = [isinstance(item, Whitespace) for _, item in moved]
-        if any(blank):
-            body.extend(moved[: blank.index(True)])
-            moved = moved[blank.index(True) :]
+        is_blank = [isinstance(item, Whitespace) for _, item in trailing_comments]
+        if any(is_blank):
+            body.extend(trailing_comments[: is_blank.index(True)])
+            trailing_comments = trailing_comments[is_blank.index(True) :]
         new = tomlkit.table()
         new[key] = tomlkit.value(raw)
         parent.append(name, new)
         new.trivia.indent = self._newline
-        new.value.body.extend(moved)
+        new.value.body.extend(trailing_comments)
 
 
-def _taken_from_the_end(body: list[Any]) -> list[Any]:
+def _pop_trailing_comments(body: list[Any]) -> list[Any]:
     """Remove the blank lines and comments at the end of a table, and return them."""
-    moved: list[Any] = []
+    comments: list[Any] = []
     while body and isinstance(body[-1][1], Whitespace | Comment):
-        moved.insert(0, body.pop())
-    return moved
+        comments.insert(0, body.pop())
+    return comments
 
 
 def _one_line(text: str) -> str:

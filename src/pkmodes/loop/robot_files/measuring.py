@@ -11,7 +11,7 @@ from typing import NamedTuple
 class MeasuringMethod(NamedTuple):
     """How to find a value, a sentence without its full stop, and its usual relative standard deviation, if any."""
 
-    how: str
+    instruction: str
     sigma: str = ""
 
 
@@ -118,6 +118,6 @@ BY_DIMENSION = {
 }
 
 
-def way_of(path: str, dimension: str) -> MeasuringMethod:
+def measuring_method(path: str, dimension: str) -> MeasuringMethod:
     """Return how to find the value at a path."""
     return BY_PATH.get(path) or BY_DIMENSION[dimension]

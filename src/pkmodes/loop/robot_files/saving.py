@@ -30,11 +30,14 @@ from pkmodes.loop.robot_files.editing import Keys, TomlText, ValueNotation, sigm
 DIGITS = 10
 #: Elements of a group are written with more digits, because their rounding errors add up.
 DIGITS_OF_ELEMENTS = 12
-CLOSE, CLOSE_SIGMA = 1e-9, 1e-2  # tolerances for the digits written; standard deviations have three
-#: Digits of standard deviations in a table of correlations: small sums of large parts of a variance depend on them.
+VALUE_TOLERANCE, SIGMA_TOLERANCE = (
+    1e-9,
+    1e-2,
+)  # tolerances for the digits written; standard deviations have three
+#: Digits of standard deviations in a table of correlations, where large parts of a variance may cancel.
 SIGMA_DIGITS = 8
-CORRELATED = "correlations of the errors of the fitted values, used for frequencies and samples"
-BY_HAND = "change the robot file by hand"
+CORRELATIONS_COMMENT = "correlations of the errors of the fitted values, used for frequencies and samples"
+BY_HAND_REMEDY = "change the robot file by hand"
 __all__ = ["Correction", "corrected_text", "save_corrected"]
 
 
@@ -99,9 +102,9 @@ def _edits_of(changes: Mapping[str, Correction], robot: Declaration) -> dict[str
     return edits
 
 
-def _refuse(what: str, where: str, remedy: str) -> NoReturn:
+def _refuse(problem: str, where: str, remedy: str) -> NoReturn:
     """Raise the error of a robot that cannot be saved."""
-    raise OutputError(what, where, remedy) from None
+    raise OutputError(problem, where, remedy) from None
 
 
 def save_corrected(
@@ -180,36 +183,42 @@ def _correlate(
 ) -> tuple[Covariance, ...]:
     """Write a table of correlations, and return all tables of the text."""
     tables = list(robot.covariance)
-    touched = [i for i, table in enumerate(tables) if set(table.paths) & set(new.paths)]
-    reduced = [rest for i in touched if (rest := tables[i].without(new.paths)).paths]
+    overlapping = [i for i, table in enumerate(tables) if set(table.paths) & set(new.paths)]
+    reduced_tables = [rest for i in overlapping if (rest := tables[i].without(new.paths)).paths]
     sigmas = {**sigmas_by_path(robot), **{path: edit.sigma for path, edit in edits.items() if edit.sigma}}
-    merged = joined_covariance([new, *reduced], sigmas)
+    merged = joined_covariance([new, *reduced_tables], sigmas)
     values = {
-        PATHS: _listed(f'"{path}"' for path in merged.paths),
-        **({} if merged.sigmas is None else {SIGMA: _listed(f"{s:.{SIGMA_DIGITS}g}" for s in merged.sigmas)}),
-        CORRELATION: _listed(
+        PATHS: _toml_list(f'"{path}"' for path in merged.paths),
+        **(
+            {}
+            if merged.sigmas is None
+            else {SIGMA: _toml_list(f"{s:.{SIGMA_DIGITS}g}" for s in merged.sigmas)}
+        ),
+        CORRELATION: _toml_list(
             # Rounded, so that what is 0 except for the rounding of a fit is written as 0.
             (
                 f"[{', '.join(f'{round(coefficient, DIGITS) + 0.0:.{DIGITS}g}' for coefficient in row)}]"
                 for row in merged.correlation
             ),
-            apart=True,
+            one_per_line=True,
         ),
     }
-    if not touched:
-        document.append_table(COVARIANCE, values, CORRELATED, repeated=True)
+    if not overlapping:
+        document.append_table(COVARIANCE, values, CORRELATIONS_COMMENT, repeated=True)
         return (*tables, merged)
-    for i in reversed(touched[1:]):
+    for i in reversed(overlapping[1:]):
         document.remove_entry(COVARIANCE, i)
         del tables[i]
-    document.rewrite((COVARIANCE, touched[0]), values)
-    tables[touched[0]] = merged
+    document.rewrite((COVARIANCE, overlapping[0]), values)
+    tables[overlapping[0]] = merged
     return tuple(tables)
 
 
-def _listed(texts: Iterable[str], *, apart: bool = False) -> str:
+def _toml_list(texts: Iterable[str], *, one_per_line: bool = False) -> str:
     """Return a list as TOML, on one line, or with a line for each element."""
-    return "[\n" + "".join(f"    {text},\n" for text in texts) + "]" if apart else f"[{', '.join(texts)}]"
+    return (
+        "[\n" + "".join(f"    {text},\n" for text in texts) + "]" if one_per_line else f"[{', '.join(texts)}]"
+    )
 
 
 def _keys(mechanism: Mechanism, path: str) -> Keys:
@@ -220,23 +229,25 @@ def _keys(mechanism: Mechanism, path: str) -> Keys:
     return next(number.place for number in item.numbers if number.path == path)
 
 
-def _rewrite(document: TomlText, keys: Keys, edit: Correction, before: Quantity) -> None:
+def _rewrite(document: TomlText, keys: Keys, edit: Correction, declared: Quantity) -> None:
     """Change an existing value, keeping its notation."""
     written = document.find(keys)
     if isinstance(written, dict):
-        notation = ValueNotation.of(written["value"], before.unit)
+        notation = ValueNotation.of(written["value"], declared.unit)
         document.replace((*keys, "value"), notation.number(edit.value, edit.digits))
         relative = "%" in str(written.get("sigma", ""))
         if edit.sigma is not None and "sigma" not in written:
             document.insert((*keys, "sigma"), notation.sigma(edit.sigma))
         elif edit.sigma is not None:
             document.replace((*keys, "sigma"), notation.sigma(edit.sigma))
-        elif relative and before.sigma is not None:  # a fraction of the new value would be another deviation
-            document.replace((*keys, "sigma"), notation.sigma(before.sigma))
+        elif (
+            relative and declared.sigma is not None
+        ):  # a fraction of the new value would be another deviation
+            document.replace((*keys, "sigma"), notation.sigma(declared.sigma))
         document.comment((*keys, "value"), edit.note)
     else:
         document.replace(
-            keys, ValueNotation.of(written, before.unit).quantity(edit.value, edit.sigma, edit.digits)
+            keys, ValueNotation.of(written, declared.unit).quantity(edit.value, edit.sigma, edit.digits)
         )
         document.comment(keys, edit.note)
 
@@ -253,11 +264,11 @@ def _new_value(document: TomlText, mechanism: Mechanism, path: str, unit: str, e
 def _check(text: str, robot: Robot, edits: Mapping[str, Correction], tables: Sequence[Covariance]) -> None:
     """Read the text back and check that changed values are as intended and all others as before."""
     try:
-        after = robot_from_document(tomllib.loads(text.removeprefix("\ufeff")), robot.source)
+        read_back = robot_from_document(tomllib.loads(text.removeprefix("\ufeff")), robot.source)
     except RobotFileError as error:
         _refuse(f"the corrected robot would be rejected: {error.what}", error.where, "use another value")
     except ValueError as error:
-        _refuse(f"the corrected robot is not valid TOML: {error}", robot.source, BY_HAND)
+        _refuse(f"the corrected robot is not valid TOML: {error}", robot.source, BY_HAND_REMEDY)
     expected = {**robot.declared, **{path: edit.value for path, edit in edits.items()}}
     sigmas = {path: quantity.sigma for path, quantity in robot.quantities.items()}
     sigmas.update({path: edit.sigma for path, edit in edits.items() if edit.sigma is not None})
@@ -270,29 +281,33 @@ def _check(text: str, robot: Robot, edits: Mapping[str, Correction], tables: Seq
     added = tuple(path.rpartition(".")[0] + "." for path in edits if path.startswith(EFFECTS))
     declared = {
         path: value
-        for path, value in after.declared.items()
+        for path, value in read_back.declared.items()
         if path in expected or not path.startswith(added)
     }
     for path in {**expected, **declared}:
         value, intended = declared.get(path), expected.get(path)
-        sigma = after.quantities[path].sigma if path in after.quantities else None
-        same = _close(value, intended, CLOSE) if path in changed else value == intended
-        if not same or not _close(sigma, sigmas.get(path), CLOSE_SIGMA):
+        sigma = read_back.quantities[path].sigma if path in read_back.quantities else None
+        is_same = _is_close(value, intended, VALUE_TOLERANCE) if path in changed else value == intended
+        if not is_same or not _is_close(sigma, sigmas.get(path), SIGMA_TOLERANCE):
             problem = f"expected {intended} with sigma {sigmas.get(path)}, found {value} with {sigma}"
-            _refuse(f"the corrected value does not read back: {problem}", f"{robot.source}: {path}", BY_HAND)
+            _refuse(
+                f"the corrected value does not read back: {problem}",
+                f"{robot.source}: {path}",
+                BY_HAND_REMEDY,
+            )
     # Tables are the same to the digits written.
-    same = [table.paths for table in after.covariance] == [table.paths for table in tables] and all(
-        np.allclose(first.correlation, second.correlation, rtol=0.0, atol=CLOSE)
+    is_same = [table.paths for table in read_back.covariance] == [table.paths for table in tables] and all(
+        np.allclose(first.correlation, second.correlation, rtol=0.0, atol=VALUE_TOLERANCE)
         and (first.sigmas is None) == (second.sigmas is None)
         and np.allclose(first.sigmas or (), second.sigmas or (), rtol=10.0 ** (1 - SIGMA_DIGITS), atol=0.0)
-        for first, second in zip(after.covariance, tables, strict=True)
+        for first, second in zip(read_back.covariance, tables, strict=True)
     )
-    if not same:
+    if not is_same:
         problem = "the correlations do not read back"
-        _refuse(problem, f"{robot.source}: {COVARIANCE}", BY_HAND)
+        _refuse(problem, f"{robot.source}: {COVARIANCE}", BY_HAND_REMEDY)
 
 
-def _close(value: object, expected: object, tolerance: float) -> bool:
+def _is_close(value: object, expected: object, tolerance: float) -> bool:
     if isinstance(value, float) and isinstance(expected, float):
         return abs(value - expected) <= tolerance * abs(expected)
     return value == expected

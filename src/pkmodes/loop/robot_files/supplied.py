@@ -10,21 +10,21 @@ from pkmodes.core.base.errors import PkmodesError
 
 ROBOTS, EXAMPLES = "robots", "examples"
 #: Where the build of a wheel (``hatch_build.py``) puts the two folders, and where they lie in a checkout.
-PLACES = (Path(__file__).parents[2] / "supplied", Path(__file__).parents[4])
+ROOTS = (Path(__file__).parents[2] / "supplied", Path(__file__).parents[4])
 
 
-def supplied(*places: str) -> dict[str, bytes]:
+def supplied(*names_requested: str) -> dict[str, bytes]:
     """Return the content of files that come with pkmodes by their names, such as ``robots/clavel-delta.toml``.
 
-    - *places: folders, or files in them
+    - *names_requested: folders, or files in them
 
     Raises PkmodesError if pkmodes was installed without them.
     """
-    root = next((root for root in PLACES if (root / ROBOTS).is_dir()), None)
+    root = next((root for root in ROOTS if (root / ROBOTS).is_dir()), None)
     if root is None:
         problem = "found no robot files and examples beside the installed program"
-        raise PkmodesError(problem, str(PLACES[0]), "install pkmodes again, from its wheel")
-    paths = (file for place in places for file in (root / place, *(root / place).rglob("*")))
+        raise PkmodesError(problem, str(ROOTS[0]), "install pkmodes again, from its wheel")
+    paths = (file for place in names_requested for file in (root / place, *(root / place).rglob("*")))
     names = {file.relative_to(root): file for file in paths if file.is_file()}
     return {
         name.as_posix(): names[name].read_bytes()

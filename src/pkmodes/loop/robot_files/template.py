@@ -26,7 +26,7 @@ from pkmodes.core.robot.units import DIMENSIONS, SHOWN, with_unit
 from pkmodes.core.robot.usable import RADIUS, SINGULAR_ANGLE, USABLE, limits_written
 from pkmodes.core.robot.variants import document_of
 from pkmodes.core.support.ordering import joined
-from pkmodes.loop.robot_files.measuring import way_of
+from pkmodes.loop.robot_files.measuring import measuring_method
 from pkmodes.loop.robot_files.supplied import robot_of
 from pkmodes_description import Effect, Key, Table
 
@@ -44,25 +44,25 @@ NOTATION = (
     "key.",
 )
 #: Texts of sections that no table of a mechanism describes.
-OVERRIDES = "Where this {} differs from the tables that all share:"
-IN_USE = "where the machine is used; without limits, wherever it can go"
-LIMITS = {
+OVERRIDES_TEXT = "Where this {} differs from the tables that all share:"
+USABLE_TEXT = "where the machine is used; without limits, wherever it can go"
+LIMIT_TEXTS = {
     RADIUS: "largest distance from the z axis",
     SINGULAR_ANGLE: "least angle of every rod to its singular direction",
 }
-HEAD_OF_REPORTS = "what the head of every report says; nothing is computed from it"
-TOGETHER = "values of this file with correlated errors; without this table they are independent"
-IN_USE_OF_MOTORS = (
+REPORT_TEXT = "what the head of every report says; nothing is computed from it"
+COVARIANCE_TEXT = "values of this file with correlated errors; without this table they are independent"
+MOTORS_TEXT = (
     'Motors of the machine in use: "held" where position loops or stepper motors hold the shafts, "free" where they '
     "turn freely, as in the paper.  Every command takes this unless --drives, or a file of measurements, says "
     "otherwise."
 )
 SERVO_STIFFNESS = "servo_stiffness"
-MOTORS_ON_SPRINGS = (
+SERVO_TEXT = (
     f"  A motor that gives way is on a spring, [{EFFECTS}.{SERVO_STIFFNESS}] below, which takes "
     f'{STATE_OF_MOTORS}="{FREE}".'
 )
-OF_EFFECTS = (
+EFFECTS_TEXT = (
     "Effects: physical causes beyond the model above; 0 is none.  They need not be known: pkmodes diagnose finds "
     "which of them measured modes show, and how large they are."
 )
@@ -74,30 +74,36 @@ def template(mechanism: Mechanism, commands: Sequence[str] = ()) -> str:
     - commands: commands that show what the file describes, for its head
     """
     document = _with_usual_sigmas(mechanism, example_document(mechanism))
-    lines = [*_prose(f"A robot file of the mechanism {mechanism.name}: {mechanism.title}."), "#"]
+    lines = [*_comment_lines(f"A robot file of the mechanism {mechanism.name}: {mechanism.title}."), "#"]
     for paragraph in NOTATION:
-        lines += [*_prose(paragraph), "#"]
+        lines += [*_comment_lines(paragraph), "#"]
     if commands:
-        lines += [*_prose("The file works at every step:"), *(f"#   {command}" for command in commands)]
+        lines += [
+            *_comment_lines("The file works at every step:"),
+            *(f"#   {command}" for command in commands),
+        ]
     lines += ["", f"format = {FORMAT}", f"name = {_toml(document['name'])}"]
-    lines += [f"mechanism = {_toml(mechanism.name)}", *_state_of_motors(mechanism, document)]
-    lines += ["", *_key(GRAVITY, GRAVITY.name, document)]
+    lines += [f"mechanism = {_toml(mechanism.name)}", *_motor_state_lines(mechanism, document)]
+    lines += ["", *_key_lines(GRAVITY, GRAVITY.name, document)]
     for table in mechanism.tables:
-        lines += _repeated(mechanism, table, document) if table.count else _single(table, document)
-    lines += _common(mechanism, document)
-    lines += ["", *_prose(OF_EFFECTS)]
+        lines += (
+            _repeated_table_lines(mechanism, table, document)
+            if table.count
+            else _table_lines(table, document)
+        )
+    lines += _common_lines(mechanism, document)
+    lines += ["", *_comment_lines(EFFECTS_TEXT)]
     for effect in mechanism.effects.values():
-        lines += _effect(mechanism, effect, document.get(EFFECTS, {}))
+        lines += _effect_lines(mechanism, effect, document.get(EFFECTS, {}))
     return "\n".join(lines) + "\n"
 
 
-def _state_of_motors(mechanism: Mechanism, document: Mapping[str, Any]) -> Iterator[str]:
+def _motor_state_lines(mechanism: Mechanism, document: Mapping[str, Any]) -> Iterator[str]:
     """Yield the key that says how the machine is used, without one if the mechanism has a table of its name."""
     if STATE_OF_MOTORS not in [table.name for table in mechanism.tables]:
-        springs = MOTORS_ON_SPRINGS if SERVO_STIFFNESS in mechanism.effects else ""
-        yield from ("", *_prose(IN_USE_OF_MOTORS + springs))
-        given = document.get(STATE_OF_MOTORS)
-        yield f"{'' if given else '#'}{STATE_OF_MOTORS} = {_toml(given or FREE)}"
+        yield from ("", *_comment_lines(MOTORS_TEXT + SERVO_TEXT * (SERVO_STIFFNESS in mechanism.effects)))
+        drives = document.get(STATE_OF_MOTORS)
+        yield f"{'' if drives else '#'}{STATE_OF_MOTORS} = {_toml(drives or FREE)}"
 
 
 def example_document(mechanism: Mechanism) -> dict[str, Any]:
@@ -110,14 +116,14 @@ def example_document(mechanism: Mechanism) -> dict[str, Any]:
     parameters = sample(mechanism)
     for item in items(mechanism):
         if item.index is not None and item.key.field:
-            raw = _sampled(item, getattr(parameters, item.key.field))
+            raw = _sample_value(item, getattr(parameters, item.key.field))
             # Values that the entries of a repeated table share are those of the first entry.
             if values.setdefault(item.shared or item.path, raw) != raw:
                 values[item.path] = raw
     return document_of(mechanism, name, values)
 
 
-def _sampled(item: Item, field: Any) -> Any:
+def _sample_value(item: Item, field: Any) -> Any:
     """Return the value of a sample as a robot file has it."""
     numbers = np.asarray(field, dtype=float)[item.index].tolist()
     if item.key.kind == "one_of":
@@ -141,46 +147,46 @@ def _with_usual_sigmas(mechanism: Mechanism, document: Mapping[str, Any]) -> dic
     """Return the document with a standard deviation of each quantity that usually has one and is not 0."""
     completed = deepcopy(dict(document))
     for item in items(mechanism):
-        raw, key = _at(completed, item), item.key
+        raw, key = _value_in(completed, item), item.key
         path = item.shared or ".".join(part for part in item.place if isinstance(part, str))
-        sigma = way_of(path, key.dimension).sigma
+        sigma = measuring_method(path, key.dimension).sigma
         if raw is None or isinstance(raw, Mapping) or key.kind != "quantity" or not sigma:
             continue
         if schema.quantity(raw, key.dimension).value:
-            _at(completed, item, up=1)[key.name] = {"value": raw, "sigma": sigma}
+            _value_in(completed, item, levels_up=1)[key.name] = {"value": raw, "sigma": sigma}
     return completed
 
 
-def _at(document: Mapping[str, Any], item: Item, up: int = 0) -> Any:
+def _value_in(document: Mapping[str, Any], item: Item, levels_up: int = 0) -> Any:
     """Return the value of a key in a parsed file, or the table that has it; None if there is none."""
     node: Any = document
-    for part in item.place[: len(item.place) - up]:
+    for part in item.place[: len(item.place) - levels_up]:
         node = node[part] if isinstance(part, int) else node.get(part)
         if node is None:
             return None
     return node
 
 
-def _single(table: Table, document: Mapping[str, Any]) -> Iterator[str]:
+def _table_lines(table: Table, document: Mapping[str, Any]) -> Iterator[str]:
     section = document.get(table.name)
     yield ""
-    of = f"; of each [[{table.shared_by}]] without its own" if table.shared_by else ""
-    yield f"{'' if section else '#'}[{table.name}]  # {table.description}{of}"
+    scope = f"; of each [[{table.shared_by}]] without its own" if table.shared_by else ""
+    yield f"{'' if section else '#'}[{table.name}]  # {table.description}{scope}"
     for key in table.keys:
-        yield from _key(key, f"{table.name}.{key.name}", section or {}, table.description)
+        yield from _key_lines(key, f"{table.name}.{key.name}", section or {}, table.description)
 
 
-def _repeated(mechanism: Mechanism, table: Table, document: Mapping[str, Any]) -> Iterator[str]:
+def _repeated_table_lines(mechanism: Mechanism, table: Table, document: Mapping[str, Any]) -> Iterator[str]:
     """Yield the entries of a repeated table; the first explains the keys, and what else an entry may have."""
     for j, entry in enumerate(document[table.name]):
         yield ""
         yield f"[[{table.name}]]  # {table.description}; {j + 1} of {table.count}"
         for key in table.keys:
-            lines = list(_key(key, f"{table.name}.{key.name}", entry, table.description))
+            lines = list(_key_lines(key, f"{table.name}.{key.name}", entry, table.description))
             yield from lines if j == 0 else lines[-1:]
         overriding = [candidate for candidate in mechanism.tables if candidate.shared_by == table.name]
         if overriding and j == 0:
-            yield from _prose(OVERRIDES.format(table.name.replace("_", " ")))
+            yield from _comment_lines(OVERRIDES_TEXT.format(table.name.replace("_", " ")))
         for shared_table in overriding:
             override, shared = entry.get(shared_table.name, {}), document.get(shared_table.name, {})
             if override or j == 0:
@@ -190,21 +196,24 @@ def _repeated(mechanism: Mechanism, table: Table, document: Mapping[str, Any]) -
                         yield _line(key, override.get(key.name), shared.get(key.name))
 
 
-def _key(key: Key, path: str, section: Mapping[str, Any], table_description: str = "") -> Iterator[str]:
+def _key_lines(key: Key, path: str, section: Mapping[str, Any], table_description: str = "") -> Iterator[str]:
     """Yield the comment of a key and its line; `table_description` is what the comment of its table says already."""
     description = key.name if key.description == table_description else key.description
-    how = way_of(path, key.dimension).how
+    instruction = measuring_method(path, key.dimension).instruction
     description += f"; by default the middle of {key.middle_of}" if key.middle_of else ""
-    both = f"{description} [{_accepted(key)}]" + (f"; {how}" if how else "")
+    comment = f"{description} [{_accepted_values(key)}]" + (f"; {instruction}" if instruction else "")
     yield from (
-        _prose(both)
-        if len(both) <= WIDTH - 2
-        else [*_prose(f"{description} [{_accepted(key)}];"), *_prose(how, "#   ")]
+        _comment_lines(comment)
+        if len(comment) <= WIDTH - 2
+        else [
+            *_comment_lines(f"{description} [{_accepted_values(key)}];"),
+            *_comment_lines(instruction, "#   "),
+        ]
     )
     yield _line(key, section.get(key.name))
 
 
-def _accepted(key: Key) -> str:
+def _accepted_values(key: Key) -> str:
     """Return the SI unit of a key and its bounds, or its choices."""
     if key.kind in ("choice", "one_of", "signs"):
         return f"{'each ' if key.kind == 'signs' else ''}{' or '.join(map(str, key.choices))}"
@@ -218,8 +227,10 @@ def _accepted(key: Key) -> str:
         for sign, bound in bounds.items()
         if bound is not None
     ]
-    named = ", ".join(key.elements) if all(map(str.isalpha, key.elements)) else f"{len(key.elements)} values"
-    names = "" if key.kind == "quantity" else f"{named}; "
+    element_names = (
+        ", ".join(key.elements) if all(map(str.isalpha, key.elements)) else f"{len(key.elements)} values"
+    )
+    names = "" if key.kind == "quantity" else f"{element_names}; "
     return ", ".join([names + ("a number" if unit == "1" else unit), *parts])
 
 
@@ -235,7 +246,7 @@ def _line(key: Key, raw: Any, default: Any = None) -> str:
     return f"#{key.name} = {_toml(default)}"
 
 
-def _effect(mechanism: Mechanism, effect: Effect, section: Mapping[str, Any]) -> Iterator[str]:
+def _effect_lines(mechanism: Mechanism, effect: Effect, section: Mapping[str, Any]) -> Iterator[str]:
     """Yield the table of an effect, without a parameter that another table declares or that replaces another."""
     name, values = f"{EFFECTS}.{effect.name}", section.get(effect.name)
     present: Mapping[str, Any] = values or {}
@@ -250,7 +261,9 @@ def _effect(mechanism: Mechanism, effect: Effect, section: Mapping[str, Any]) ->
         if replaced and parameter.name not in present:
             continue
         if path in lent(mechanism):
-            yield from _prose(f"{parameter.name} is that of [{lent(mechanism)[path].rpartition('.')[0]}]")
+            yield from _comment_lines(
+                f"{parameter.name} is that of [{lent(mechanism)[path].rpartition('.')[0]}]"
+            )
             continue
         key = Key(
             parameter.name,
@@ -262,28 +275,28 @@ def _effect(mechanism: Mechanism, effect: Effect, section: Mapping[str, Any]) ->
             below=parameter.less_than,
             default=0.0,
         )
-        yield from _key(key, path, present)
+        yield from _key_lines(key, path, present)
 
 
-def _common(mechanism: Mechanism, document: Mapping[str, Any]) -> Iterator[str]:
+def _common_lines(mechanism: Mechanism, document: Mapping[str, Any]) -> Iterator[str]:
     """Yield the optional tables of every robot file, without one whose name the mechanism uses for its own."""
-    descriptions = LIMITS | {component.name: component.description for component in mechanism.pose}
+    descriptions = LIMIT_TEXTS | {component.name: component.description for component in mechanism.pose}
     limits = [f"{line}  # {descriptions[name]}" for name, line in limits_written(mechanism).items()]
     tables: dict[str, tuple[str, Iterable[str]]] = {
-        f"[{USABLE}]": (IN_USE, limits),
-        f"[{REPORT}]": (HEAD_OF_REPORTS, (f'{name} = "..."' for name in TITLES)),
-        f"[[{COVARIANCE}]]": (TOGETHER, _covariance(mechanism, document)),
+        f"[{USABLE}]": (USABLE_TEXT, limits),
+        f"[{REPORT}]": (REPORT_TEXT, (f'{name} = "..."' for name in TITLES)),
+        f"[[{COVARIANCE}]]": (COVARIANCE_TEXT, _covariance_lines(mechanism, document)),
     }
     for head, (description, lines) in tables.items():
         if head.strip("[]") not in [table.name for table in mechanism.tables]:
             yield from ("", f"#{head}  # {description}", *(f"#{line}" for line in lines))
 
 
-def _covariance(mechanism: Mechanism, document: Mapping[str, Any]) -> list[str]:
+def _covariance_lines(mechanism: Mechanism, document: Mapping[str, Any]) -> list[str]:
     """Return the table of the first two values that have a standard deviation."""
     sigmas: dict[str, Any] = {}
     for item in items(mechanism):
-        raw = _at(document, item)
+        raw = _value_in(document, item)
         if isinstance(raw, Mapping) and raw.get("sigma"):
             sigmas[item.path] = raw["sigma"]
     paths = list(sigmas)[:2]
@@ -294,7 +307,7 @@ def _covariance(mechanism: Mechanism, document: Mapping[str, Any]) -> list[str]:
     ]
 
 
-def _prose(text: str, indent: str = "# ") -> list[str]:
+def _comment_lines(text: str, indent: str = "# ") -> list[str]:
     return textwrap.wrap(text, WIDTH, initial_indent=indent, subsequent_indent=indent, break_on_hyphens=False)
 
 

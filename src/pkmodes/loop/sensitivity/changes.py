@@ -1,7 +1,7 @@
-"""What a small change of each quantity does to the frequencies at a pose: by one per cent, or by one sigma.
+"""Changes of the frequencies at a pose for a small change of each quantity: by one per cent, or by one sigma.
 
-The changes are derivatives times the change, exact to first order; a fall changes the frequencies by as much as a
-rise, the other way.
+The changes are derivatives times the step, exact to first order; a decrease changes the frequencies by as much as an
+increase, in the other direction.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.model import Model
 from pkmodes.loop.sensitivity.paths import resolve_all
-from pkmodes.loop.sensitivity.relative import alike_around, rates_of, scalable
+from pkmodes.loop.sensitivity.relative import equivalent_around, rates_of, scalable_quantities
 from pkmodes.loop.sensitivity.spread import frequency_sigmas, stated_sigmas
 
 Array = NDArray[np.float64]
@@ -29,18 +29,18 @@ CORRELATED = (
 ROUNDING = 1e-11
 
 
-def coinciding(groups: Sequence[int], rigid: int, noun: str) -> list[str]:
-    """Say which modes of vibration coincide, and what their numbers then are.
+def coinciding(groups: Sequence[int], rigid: int, quantity: str) -> list[str]:
+    """Return a sentence on each group of coinciding modes of vibration, and on the meaning of their numbers.
 
     - groups: a number for each mode, the same for the members of a group
     - rigid: number of rigid-body modes, which come first
-    - noun: the numbers: derivatives, or changes
+    - quantity: what the numbers are: derivatives, or changes
     """
     by_group = dict[int, list[str]]()
     for number, group in enumerate(groups[rigid:], start=1):
         by_group.setdefault(group, []).append(str(number))
     return [
-        f"modes {', '.join(members)} coincide: the {noun} are those of the branches into which they split, in "
+        f"modes {', '.join(members)} coincide: the {quantity} are those of the branches into which they split, in "
         "ascending order"
         for members in by_group.values()
         if len(members) > 1
@@ -56,7 +56,7 @@ class Changes:
     - names: the same as they are shown, length T: ``1/...`` for one that acts like the reciprocal
     - frequencies: in Hz, (m,)
     - changes: for a rise of each quantity, (T, m) [Hz]
-    - together: by sigma, (m,): the standard deviation of each frequency, from all quantities [Hz]
+    - combined: by sigma, (m,): the standard deviation of each frequency, from all quantities [Hz]
     """
 
     by: str
@@ -64,15 +64,15 @@ class Changes:
     names: tuple[tuple[str, ...], ...]
     frequencies: Array
     changes: Array
-    together: Array | None
+    combined: Array | None
 
     def largest(self, mode: int, limit: int | None = None) -> list[int]:
         """Return the quantities that change a mode (counted from 0), the largest change first."""
         size = np.abs(self.changes[:, mode])
-        acting = size > ROUNDING * abs(self.frequencies[mode])
+        has_effect = size > ROUNDING * abs(self.frequencies[mode])
         # Equal to six digits counts as equal: rounding does not order them.
         rounded = [float(f"{value:.6g}") for value in size.tolist()]
-        order = sorted(np.flatnonzero(acting).tolist(), key=lambda i: -rounded[i])
+        order = sorted(np.flatnonzero(has_effect).tolist(), key=lambda i: -rounded[i])
         return order[:limit]
 
     def largest_of_all(self, limit: int | None = None) -> list[int]:
@@ -86,7 +86,7 @@ class Changes:
 def changes_at(
     model: Model, pose: ArrayLike, drives: str, by: str = PERCENT, paths: Sequence[str] | None = None
 ) -> Changes:
-    """Compute what a change of each quantity does to the frequencies of vibration.
+    """Compute the changes of the frequencies of vibration for a step of each quantity.
 
     - pose: in SI units, (d,)
     - by: by sigma, only the quantities with a standard deviation count, "percent" or "sigma"
@@ -97,14 +97,14 @@ def changes_at(
     """
     rigid = model.solved(drives).rigid_modes
     if by == PERCENT:
-        candidates, combined = scalable(model.robot) if paths is None else list(paths), None
-        alike_groups = alike_around(model, pose, candidates, drives)
+        candidates, combined_sigmas = scalable_quantities(model.robot) if paths is None else list(paths), None
+        alike_groups = equivalent_around(model, pose, candidates, drives)
         members = tuple(tuple(candidates[i] for i in group.members) for group in alike_groups)
         names = tuple(tuple(group.names(candidates)) for group in alike_groups)
-        values = resolve_all(model.robot, [group[0] for group in members])
-        steps = [0.01 * path.value for path in values]
+        first_paths = resolve_all(model.robot, [group[0] for group in members])
+        steps = [0.01 * path.value for path in first_paths]
     elif by == SIGMA:
-        combined = frequency_sigmas(model, pose, drives=drives)[rigid:]
+        combined_sigmas = frequency_sigmas(model, pose, drives=drives)[rigid:]
         sigmas = stated_sigmas(model.robot)
         steps = list(sigmas.values())
         names = members = tuple((path,) for path in sigmas)
@@ -114,4 +114,4 @@ def changes_at(
         )
     rates = rates_of(model, pose, [group[0] for group in members], drives, "raise")[:, rigid:]
     frequencies = model.frequencies(pose, drives=drives)[rigid:]
-    return Changes(by, members, names, frequencies, rates * np.array(steps)[:, None], combined)
+    return Changes(by, members, names, frequencies, rates * np.array(steps)[:, None], combined_sigmas)

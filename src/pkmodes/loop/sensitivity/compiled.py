@@ -21,9 +21,9 @@ from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.solve.batch import Job
 from pkmodes.core.solve.solver import EIGENVALUES, Codes, Solver
 from pkmodes.core.system.evaluation import Evaluation, ExtendedSystem, may_be_refused, number_of_modes
-from pkmodes.loop.sensitivity.locked import Locked, joints_of
+from pkmodes.loop.sensitivity.locked import LockedJoints, joints_of
 from pkmodes.loop.sensitivity.matrices import POSE, MatrixDerivatives, effect_fields
-from pkmodes.loop.sensitivity.modes import ROUNDING, separate
+from pkmodes.loop.sensitivity.modes import ROUNDING, are_separate
 from pkmodes.loop.sensitivity.paths import ParameterPath
 
 Array = NDArray[np.float64]
@@ -44,27 +44,27 @@ def terms_of(system: ExtendedSystem, paths: Sequence[ParameterPath]) -> Terms:
 def terms_of_all(systems: Sequence[ExtendedSystem], paths: Sequence[Sequence[ParameterPath]]) -> Terms:
     """Return the terms of several robots with the same free coordinates, each with equally many paths."""
     system = systems[0]
-    values, parameters = _places(system.mechanism)
+    values, parameters = _gradient_indices(system.mechanism)
     pose = len(values)
     joints, free = pose + len(system.mechanism.pose), frozenset(system.free.tolist())
-    of_paths = [
-        list(_terms(robot_system, path, values, free))
+    terms_by_path = [
+        list(_path_terms(robot_system, path, values, free))
         for robot_system, robot_paths in zip(systems, paths, strict=True)
         for path in robot_paths
     ]
-    places = [place for terms in of_paths for place, _ in terms]
-    count, ends = len(paths[0]), np.cumsum([0, *map(len, of_paths)], dtype=np.int32)
+    gradient_indices = [index for terms in terms_by_path for index, _ in terms]
+    count, ends = len(paths[0]), np.cumsum([0, *map(len, terms_by_path)], dtype=np.int32)
     return Terms(
         first=ends[np.arange(len(systems))[:, None] * count + np.arange(count + 1)],
-        places=np.array(places, dtype=np.int32),
-        weights=np.array([weight for terms in of_paths for _, weight in terms], dtype=float),
+        places=np.array(gradient_indices, dtype=np.int32),
+        weights=np.array([weight for terms in terms_by_path for _, weight in terms], dtype=float),
         effects=np.array([flat(robot_system.effects) for robot_system in systems]),
-        all_coordinates=any(parameters <= place < pose or place >= joints for place in places),
-        locked_joints=any(place >= joints and place - joints not in free for place in places),
+        all_coordinates=any(parameters <= index < pose or index >= joints for index in gradient_indices),
+        locked_joints=any(index >= joints and index - joints not in free for index in gradient_indices),
     )
 
 
-def _terms(
+def _path_terms(
     system: ExtendedSystem, path: ParameterPath, values: Mapping[Slot, int], free: frozenset[int]
 ) -> Iterator[tuple[int, float]]:
     """Yield place and weight of the terms of a path."""
@@ -82,7 +82,7 @@ def _terms(
 
 
 @cache
-def _places(mechanism: Mechanism) -> tuple[dict[Slot, int], int]:
+def _gradient_indices(mechanism: Mechanism) -> tuple[dict[Slot, int], int]:
     """Return the place of each number of a robot in a gradient, and how many of them are parameters."""
     dotted, parameters = effect_fields(mechanism), 0
     slots: list[Slot] = []
@@ -118,16 +118,16 @@ def rates_job(
     modes = number_of_modes(system)
 
     def compute(points: Array, rows: Mapping[str, Array], threads: int) -> Codes:
-        at = RobotAtPoses(system, points, source, {})
+        robot_at_poses = RobotAtPoses(system, points, source, {})
         if not rows:
-            return solver.compute(at, rows, threads)
+            return solver.compute(robot_at_poses, rows, threads)
         eigenvalues = np.empty((len(points), modes))
         written = {RATES[name]: array for name, array in rows.items()}
-        codes = solver.rates(at, {**written, EIGENVALUES: eigenvalues}, terms, threads)
+        codes = solver.rates(robot_at_poses, {**written, EIGENVALUES: eigenvalues}, terms, threads)
         for start in range(0, len(codes), CHUNK):
-            part = slice(start, start + CHUNK)
-            coincident = _coincide(eigenvalues[part], system, close, "eigenvalues" in requested)
-            codes[part][(codes[part] == 0) & coincident] = UNSOLVED
+            chunk = slice(start, start + CHUNK)
+            is_coincident = _coincident_modes(eigenvalues[chunk], system, close, "eigenvalues" in requested)
+            codes[chunk][(codes[chunk] == 0) & is_coincident] = UNSOLVED
         return codes
 
     tail = (len(terms.first) - 1, modes)
@@ -141,13 +141,15 @@ def rates_job(
     )
 
 
-def _coincide(eigenvalues: Array, system: Evaluation, close: float, of_zero: bool) -> NDArray[np.bool_]:
-    """Return where modes form a group; with `of_zero` also of those whose frequency is zero to rounding."""
+def _coincident_modes(
+    eigenvalues: Array, system: Evaluation, close: float, include_zero: bool
+) -> NDArray[np.bool_]:
+    """Return where modes form a group; with `include_zero` also of those whose frequency is zero to rounding."""
     sizes = magnitude(eigenvalues, system.first, system.rigid_modes, system.loose_motions)
-    coincident = ~separate(eigenvalues, close, sizes)
-    if not of_zero:
-        moving = np.abs(eigenvalues) > ROUNDING * sizes
-        coincident &= moving[:, 1:] | moving[:, :-1]
+    coincident = ~are_separate(eigenvalues, close, sizes)
+    if not include_zero:
+        is_nonzero = np.abs(eigenvalues) > ROUNDING * sizes
+        coincident &= is_nonzero[:, 1:] | is_nonzero[:, :-1]
     return np.asarray(coincident.any(axis=1))
 
 
@@ -155,7 +157,7 @@ class CompiledDerivatives(MatrixDerivatives):
     """Derivatives of given modes, evaluated together for all poses, robots and paths.
 
     - system, p, paths, matrices, locked: as for `MatrixDerivatives`
-    - along: what the kernel evaluated of the modes for which derivatives will be requested
+    - evaluated: what the kernel evaluated of the modes for which derivatives will be requested
       (`pkmodes.core.compiled.evaluator.Evaluator.along`).  NumPy evaluates other fields where they are read.
     """
 
@@ -164,12 +166,12 @@ class CompiledDerivatives(MatrixDerivatives):
         system: ExtendedSystem,
         p: Array,
         paths: Sequence[Sequence[ParameterPath]],
-        along: Mapping[str, Array],
+        evaluated: Mapping[str, Array],
         matrices: tuple[Array, Array] | None = None,
-        locked: Locked | None = None,
+        locked: LockedJoints | None = None,
     ) -> None:
         super().__init__(system, p, paths, matrices, locked)
-        self._compiled = along
+        self._compiled = evaluated
 
     @cached_property
     def _all_coordinates(self) -> tuple[Array, Array]:
@@ -184,7 +186,7 @@ class CompiledDerivatives(MatrixDerivatives):
             return super()._dense
         dM, dK = (self._compiled[name] for name in RATES_OF_MATRICES)
         for matrix in (dM, dK):
-            matrix[:, list(self.locked)] = np.nan
+            matrix[:, list(self.locked_paths)] = np.nan
         return dM, dK
 
     def eigenvalues(self, eigenvalues: Array, shapes: Array) -> Array:
@@ -215,7 +217,7 @@ def derivatives_of(
     fields: Sequence[str],
     *,
     matrices: tuple[Array, Array] | None = None,
-    locked: Locked | None = None,
+    locked: LockedJoints | None = None,
 ) -> MatrixDerivatives:
     """Return the derivatives of modes along paths, from one call of a compiled solver if it has them.
 
@@ -225,9 +227,9 @@ def derivatives_of(
     - terms: of the paths, if there is a solver
     - fields: what the solver evaluates, as of `pkmodes.core.solve.solver.Solver.along`; nothing, if empty
     """
-    along = None
+    evaluated = None
     if solver is not None and terms is not None and fields:
-        along = solver.along(RobotAtPoses(system, p, "", {}), modes, terms, fields)
-    if along is None:
+        evaluated = solver.along(RobotAtPoses(system, p, "", {}), modes, terms, fields)
+    if evaluated is None:
         return MatrixDerivatives(system, p, paths, matrices, locked)
-    return CompiledDerivatives(system, p, paths, along, matrices, locked)
+    return CompiledDerivatives(system, p, paths, evaluated, matrices, locked)

@@ -1,4 +1,4 @@
-r"""Released joints that are locked: what their compliances change, although they are not part of the matrices.
+r"""Locked joints: derivatives with respect to their compliances, which are not part of the matrices.
 
 To first order in the compliance c
 
@@ -31,18 +31,18 @@ def joints_of(mechanism: Mechanism) -> dict[Slot, tuple[int, ...]]:
     """Return the coordinates that each compliance, of all joints or a single one, releases in the extended model."""
     joints: dict[Slot, tuple[int, ...]] = {}
     for effect in mechanism.effects.values():
-        place = {q.name: mechanism.extended.COORDINATES.index(q.name) for q in effect.coordinates}
+        coordinate_index = {q.name: mechanism.extended.COORDINATES.index(q.name) for q in effect.coordinates}
         for parameter in effect.parameters:
             if parameter.releases:
                 joints[f"{effect.name}.{parameter.name}", ()] = tuple(
-                    place[name] for name in parameter.releases
+                    coordinate_index[name] for name in parameter.releases
                 )
-        for name, coordinate in place.items():
+        for name, coordinate in coordinate_index.items():
             joints[f"{effect.name}.{effect.parameters[0].name}.{name}", ()] = (coordinate,)
     return joints
 
 
-class Locked(NamedTuple):
+class LockedJoints(NamedTuple):
     """The locked joints that parameter paths would release.
 
     - paths: indices of these paths, length L
@@ -57,23 +57,23 @@ class Locked(NamedTuple):
     springs: Array
 
 
-def locked_joints(system: ExtendedSystem, paths: Sequence[ParameterPath]) -> Locked:
+def locked_joints(system: ExtendedSystem, paths: Sequence[ParameterPath]) -> LockedJoints:
     """Return the locked joints that paths would release."""
     free, joints_of_slot = frozenset(system.free.tolist()), joints_of(system.mechanism)
-    of_path: dict[int, dict[int, float]] = {}
+    weights_by_path: dict[int, dict[int, float]] = {}
     for t, path in enumerate(paths):
         for slot, weight in path.weights.items():
             for q in joints_of_slot.get(slot, ()):
                 if q not in free:
-                    moved = of_path.setdefault(t, {})
-                    moved[q] = moved.get(q, 0.0) + weight
-    joints = sorted({q for moved in of_path.values() for q in moved})
-    weights = np.zeros((len(of_path), len(joints)))
-    springs = np.zeros((len(of_path), system.joint_rates.shape[-1]))
-    for row, spring, (t, moved) in zip(weights, springs, of_path.items(), strict=True):
-        row[:] = [moved.get(q, 0.0) for q in joints]
+                    joint_weights = weights_by_path.setdefault(t, {})
+                    joint_weights[q] = joint_weights.get(q, 0.0) + weight
+    joints = sorted({q for joint_weights in weights_by_path.values() for q in joint_weights})
+    weights = np.zeros((len(weights_by_path), len(joints)))
+    springs = np.zeros((len(weights_by_path), system.joint_rates.shape[-1]))
+    for row, spring, (t, joint_weights) in zip(weights, springs, weights_by_path.items(), strict=True):
+        row[:] = [joint_weights.get(q, 0.0) for q in joints]
         spring[:] = springs_along(paths[t], joints_of_slot, free, np.atleast_2d(system.joint_rates)[0])
-    return Locked(tuple(of_path), np.array(joints, dtype=np.intp), weights, springs)
+    return LockedJoints(tuple(weights_by_path), np.array(joints, dtype=np.intp), weights, springs)
 
 
 def springs_along(
@@ -88,7 +88,7 @@ def springs_along(
     return springs
 
 
-def released(
+def released_changes(
     matrices: tuple[Array, Array],
     free: Index,
     joints: Index,
@@ -96,7 +96,7 @@ def released(
     eigenvalues: Array,
     shapes: Array,
 ) -> tuple[Array, Array, Array]:
-    """Return what compliances of locked joints change.
+    """Return the changes due to compliances of locked joints.
 
     - matrices: M and K in all coordinates, each (N, e, e)
     - free: (n,)

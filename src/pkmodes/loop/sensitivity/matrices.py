@@ -16,7 +16,13 @@ from pkmodes.core.mechanism.stepped import STEP
 from pkmodes.core.robot.layout import Slot
 from pkmodes.core.system.entry_rates import Entries, entries_of, rates_by_steps
 from pkmodes.core.system.evaluation import ExtendedSystem
-from pkmodes.loop.sensitivity.locked import Locked, joints_of, locked_joints, released, springs_along
+from pkmodes.loop.sensitivity.locked import (
+    LockedJoints,
+    joints_of,
+    locked_joints,
+    released_changes,
+    springs_along,
+)
 from pkmodes.loop.sensitivity.paths import ParameterPath
 
 Array = NDArray[np.float64]
@@ -24,11 +30,11 @@ Index = NDArray[np.intp]
 #: Field name of slots for pose components: they are not parameters, but the matrices depend on them in the same way.
 POSE = "pose"
 
-#: Relative size of the rounding left when a spring is eliminated.
-TAKEN_OUT = 1e-12
+#: Relative size of the rounding that remains when a spring is eliminated.
+ELIMINATION_ROUNDING = 1e-12
 
 
-def _listed(mechanism: Mechanism) -> tuple[Any, ...]:
+def _differentiated_parameters(mechanism: Mechanism) -> tuple[Any, ...]:
     """Return the generated parameters with derivatives: field, index, entries of M and K; the geometry comes last."""
     return (*mechanism.extended.VALUE_SENSITIVITIES, *mechanism.extended.GEOMETRY_SENSITIVITIES)
 
@@ -47,12 +53,15 @@ def effect_fields(mechanism: Mechanism) -> dict[str, str]:
 def _slots(mechanism: Mechanism) -> dict[Slot, int]:
     """Return the index of each generated parameter with derivatives."""
     dotted = effect_fields(mechanism)
-    return {(dotted.get(field, field), index): i for i, (field, index, *_) in enumerate(_listed(mechanism))}
+    return {
+        (dotted.get(field, field), index): i
+        for i, (field, index, *_) in enumerate(_differentiated_parameters(mechanism))
+    }
 
 
 @cache
 def _entries(mechanism: Mechanism, matrix: int) -> Entries:
-    return entries_of(_listed(mechanism), matrix)
+    return entries_of(_differentiated_parameters(mechanism), matrix)
 
 
 @cache
@@ -61,10 +70,10 @@ def geometry_of(mechanism: Mechanism) -> frozenset[str]:
     fields = {field for field, *_ in mechanism.extended.GEOMETRY_SENSITIVITIES}
     fields |= {field for field, counterpart in mechanism.differences.items() if counterpart in fields}
     # Effect parameters that change that motion of the sample robot at a regular pose.
-    plain, extended, p = sample(mechanism), mechanism.extended, sample_pose(mechanism)
+    parameters, extended, p = sample(mechanism), mechanism.extended, sample_pose(mechanism)
     for field, dotted in effect_fields(mechanism).items():
-        moved = extended.Effects(**{field: STEP * 1j})
-        motion = Generated(extended, plain, moved).extended_platform_motion(p)
+        stepped_effects = extended.Effects(**{field: STEP * 1j})
+        motion = Generated(extended, parameters, stepped_effects).extended_platform_motion(p)
         if np.imag(motion).any():
             fields.add(dotted)
     return frozenset(fields)
@@ -79,7 +88,7 @@ class MatrixDerivatives:
     - p: valid poses, robot by robot, (N, d)
     - paths: T paths for each robot, length B
     - matrices: M and K in all coordinates, if they were evaluated already
-    - locked: from `locked_joints`, if known
+    - locked_paths: from `locked_joints`, if known
 
     Its attributes:
     - size: e, the number of base and all released coordinates
@@ -93,20 +102,20 @@ class MatrixDerivatives:
         p: Array,
         paths: Sequence[Sequence[ParameterPath]],
         matrices: tuple[Array, Array] | None = None,
-        locked: Locked | None = None,
+        locked: LockedJoints | None = None,
     ) -> None:
         self.system, self._p = system, p
         self.free, self.size = system.free, len(system.mechanism.extended.COORDINATES)
         self._matrices = matrices
         self.locked_joints = locked_joints(system, paths[0]) if locked is None else locked
-        if self.locked and len(paths) > 1:
+        if self.locked_paths and len(paths) > 1:
             raise ValueError(
                 "robots with derivatives with respect to locked joints must be evaluated one by one"
             )
-        self._paths, self._each = paths, (len(paths), len(p) // len(paths))
+        self._paths, self._robots_and_poses = paths, (len(paths), len(p) // len(paths))
 
     @property
-    def locked(self) -> tuple[int, ...]:
+    def locked_paths(self) -> tuple[int, ...]:
         """Indices of the paths that are compliances of locked joints."""
         return self.locked_joints.paths
 
@@ -117,9 +126,9 @@ class MatrixDerivatives:
         shape = len(paths), len(paths[0])
         springs, shift = np.zeros((*shape, self.size)), np.zeros((*shape, self._p.shape[-1]))
         slots, joints = _slots(system.mechanism), joints_of(system.mechanism)
-        rates = np.atleast_2d(system.joint_rates)[:: self._each[1] or 1]
+        rates = np.atleast_2d(system.joint_rates)[:: self._robots_and_poses[1] or 1]
         free = frozenset(system.free.tolist())
-        along = np.zeros((shape[0], len(slots), shape[1]))
+        path_weights = np.zeros((shape[0], len(slots), shape[1]))
         for b, t in np.ndindex(shape):
             springs[b, t] = springs_along(paths[b][t], joints, free, rates[b])
             for slot, weight in paths[b][t].weights.items():
@@ -128,54 +137,56 @@ class MatrixDerivatives:
                 if slot[0] == POSE:
                     shift[b, t, slot[1]] += weight
                 elif slot in slots:
-                    along[b, slots[slot], t] += weight
+                    path_weights[b, slots[slot], t] += weight
                 else:  # the field enters only as the difference from another field
-                    along[b, slots[system.mechanism.differences[slot[0]], slot[1]], t] -= weight
-        return springs, along, shift
+                    path_weights[b, slots[system.mechanism.differences[slot[0]], slot[1]], t] -= weight
+        return springs, path_weights, shift
 
     @property
     def _springs(self) -> Array:
         return self._directions[0]
 
     @property
-    def _shift(self) -> Array:
+    def _pose_shift(self) -> Array:
         return self._directions[2]
 
     @cached_property
-    def _along(self) -> tuple[Array, Array]:
-        along, mechanism = self._directions[1], self.system.mechanism
-        return along[:, _entries(mechanism, 0).slot], along[:, _entries(mechanism, 1).slot]
+    def _path_weights(self) -> tuple[Array, Array]:
+        path_weights, mechanism = self._directions[1], self.system.mechanism
+        return path_weights[:, _entries(mechanism, 0).slot], path_weights[:, _entries(mechanism, 1).slot]
 
     @cached_property
-    def _values(self) -> tuple[Array, Array]:
+    def _entry_rates(self) -> tuple[Array, Array]:
         """Derivatives of the entries of M and K, each (N, entries).
 
         Those with respect to the geometry come last and take most of the time; they are zero if no path needs them.
         """
         extended = self.system.mechanism.extended
         if not self.system.generated.has("value_sensitivities"):
-            moved = np.flatnonzero(self._directions[1].any(axis=(0, 2)))
-            system, listed = self.system, _listed(self.system.mechanism)
-            return rates_by_steps(system.mechanism, system.parameters, system.effects, self._p, listed, moved)
+            changing = np.flatnonzero(self._directions[1].any(axis=(0, 2)))
+            system, parameters = self.system, _differentiated_parameters(self.system.mechanism)
+            return rates_by_steps(
+                system.mechanism, system.parameters, system.effects, self._p, parameters, changing
+            )
         values = self.system.single("value_sensitivities", self._p)
         if self._directions[1][:, len(extended.VALUE_SENSITIVITIES) :].any():
             geometry = self.system.single("geometry_sensitivities", self._p)
         else:
             counts = (sum(len(entry[k]) for entry in extended.GEOMETRY_SENSITIVITIES) for k in (2, 3))
             geometry = tuple(np.zeros((len(self._p), count)) for count in counts)
-        of_M, of_K = (np.hstack(both) for both in zip(values, geometry, strict=True))
+        of_M, of_K = (np.hstack(arrays) for arrays in zip(values, geometry, strict=True))
         return of_M, of_K
 
     @cached_property
-    def _by_pose(self) -> tuple[Array, Array] | None:
+    def _pose_rates(self) -> tuple[Array, Array] | None:
         """Derivatives of M and K in all coordinates with respect to the pose, each (N, d, e, e), if a path moves it.
 
         They are computed by complex step, which is exact to rounding: the generated functions accept complex poses.
         """
-        if not self._shift.any():
+        if not self._pose_shift.any():
             return None
-        moved = self._p + STEP * 1j * np.eye(self._p.shape[-1])[:, None]
-        M, K_el, K_g = self.system.generated.extended_matrices(moved)
+        stepped_poses = self._p + STEP * 1j * np.eye(self._p.shape[-1])[:, None]
+        M, K_el, K_g = self.system.generated.extended_matrices(stepped_poses)
         dM, dK = (np.moveaxis(np.imag(a) / STEP, 0, 1) for a in (M, K_el + K_g))
         return dM, dK
 
@@ -205,25 +216,29 @@ class MatrixDerivatives:
         return self._dense_at(slice(None))
 
     def _dense_at(self, poses: Index | slice) -> tuple[Array, Array]:
-        robot = np.repeat(np.arange(self._each[0]), self._each[1])[poses]
+        robot = np.repeat(np.arange(self._robots_and_poses[0]), self._robots_and_poses[1])[poses]
         derivatives = []
         for matrix in (0, 1):
             _, row, column = _entries(self.system.mechanism, matrix)
-            along, values = self._along[matrix], self._values[matrix][poses]
-            full = np.zeros((len(values), along.shape[-1], self.size, self.size))
-            entry, t = np.nonzero(along.any(axis=0))
-            place = (t * self.size + row[entry]) * self.size + column[entry]
-            for of_pose, change in zip(full, values[:, entry] * along[:, entry, t][robot], strict=True):
+            path_weights, entry_rates = self._path_weights[matrix], self._entry_rates[matrix][poses]
+            full = np.zeros((len(entry_rates), path_weights.shape[-1], self.size, self.size))
+            entry, t = np.nonzero(path_weights.any(axis=0))
+            flat_index = (t * self.size + row[entry]) * self.size + column[entry]
+            for pose_matrices, change in zip(
+                full, entry_rates[:, entry] * path_weights[:, entry, t][robot], strict=True
+            ):
                 # Numbers that a path moves together may change one entry.
-                of_pose[...] = np.bincount(place, change, of_pose.size).reshape(of_pose.shape)
+                pose_matrices[...] = np.bincount(flat_index, change, pose_matrices.size).reshape(
+                    pose_matrices.shape
+                )
             full += np.swapaxes(np.triu(full, 1), -1, -2)
-            if self._by_pose is not None:
-                full += np.einsum("ntd,ndab->ntab", self._shift[robot], self._by_pose[matrix][poses])
+            if self._pose_rates is not None:
+                full += np.einsum("ntd,ndab->ntab", self._pose_shift[robot], self._pose_rates[matrix][poses])
             full = self.system.in_basis(full)
             if matrix == 1:
                 diagonal = np.arange(full.shape[-1])
                 full[..., diagonal, diagonal] += self._springs[robot]
-            full[:, list(self.locked)] = np.nan
+            full[:, list(self.locked_paths)] = np.nan
             derivatives.append(full[..., self.free[:, None], self.free])
         return derivatives[0], derivatives[1]
 
@@ -241,26 +256,28 @@ class MatrixDerivatives:
         parts = []
         for matrix in (0, 1):
             # The entries that change along any path.
-            changing = np.flatnonzero(self._along[matrix].any(axis=(0, 2)))
+            changing = np.flatnonzero(self._path_weights[matrix].any(axis=(0, 2)))
             _, row, column = (indices[changing] for indices in _entries(self.system.mechanism, matrix))
-            both = phi[..., row] * phi[..., column] * np.where(row == column, 1.0, 2.0)
-            both *= self._values[matrix][:, None, changing]
-            part = self._of_each(both) @ self._along[matrix][:, changing]
-            if self._by_pose is not None:
-                moved = np.einsum("nia,ndab,nib->nid", phi, self._by_pose[matrix], phi, optimize=True)
-                part += self._of_each(moved) @ np.swapaxes(self._shift, 1, 2)
+            products = phi[..., row] * phi[..., column] * np.where(row == column, 1.0, 2.0)
+            products *= self._entry_rates[matrix][:, None, changing]
+            part = self._by_robot(products) @ self._path_weights[matrix][:, changing]
+            if self._pose_rates is not None:
+                pose_products = np.einsum(
+                    "nia,ndab,nib->nid", phi, self._pose_rates[matrix], phi, optimize=True
+                )
+                part += self._by_robot(pose_products) @ np.swapaxes(self._pose_shift, 1, 2)
             parts.append(part)
-        strained = self._of_each(phi**2) @ np.swapaxes(self._springs, 1, 2)
-        rates = (parts[1] + strained).reshape(*shapes.shape[:2], self._springs.shape[1])
+        spring_products = self._by_robot(phi**2) @ np.swapaxes(self._springs, 1, 2)
+        rates = (parts[1] + spring_products).reshape(*shapes.shape[:2], self._springs.shape[1])
         rates -= eigenvalues[..., None] * parts[0].reshape(rates.shape)
         self._add_locked(rates, eigenvalues, shapes)
         return np.asarray(rates)
 
     def _add_locked(self, rates: Array, eigenvalues: Array, shapes: Array) -> None:
         """Add the derivatives of eigenvalues with respect to the compliances of locked joints, (N, m, T)."""
-        if self.locked:
+        if self.locked_paths:
             force, _, _ = self._released(eigenvalues, shapes)
-            rates[..., list(self.locked)] -= force**2 @ self.locked_joints.weights.T
+            rates[..., list(self.locked_paths)] -= force**2 @ self.locked_joints.weights.T
 
     def changes(self, eigenvalues: Array, shapes: Array, poses: Index | None = None) -> tuple[Array, Array]:
         """Evaluate (dK - lambda dM) phi, (N, T, m, n), and phi^T dM phi, (N, T, m), along each path.
@@ -269,12 +286,12 @@ class MatrixDerivatives:
         - poses: those requested, by default all
         """
         dM, dK = self.dense(poses)
-        chosen = slice(None) if poses is None else poses
-        modes = np.swapaxes(shapes[chosen], -1, -2)[:, None]
+        selected = slice(None) if poses is None else poses
+        modes = np.swapaxes(shapes[selected], -1, -2)[:, None]
         inertia = dM @ modes
-        change = np.swapaxes(dK @ modes - inertia * eigenvalues[chosen, None, None], -1, -2)
-        norm = np.einsum("nia,ntai->nti", shapes[chosen], inertia)
-        return self._with_locked(change, norm, eigenvalues, shapes, chosen)
+        change = np.swapaxes(dK @ modes - inertia * eigenvalues[selected, None, None], -1, -2)
+        norm = np.einsum("nia,ntai->nti", shapes[selected], inertia)
+        return self._with_locked(change, norm, eigenvalues, shapes, selected)
 
     def _with_locked(
         self,
@@ -285,14 +302,14 @@ class MatrixDerivatives:
         poses: Index | slice = slice(None),
     ) -> tuple[Array, Array]:
         """Insert the changes by compliances of locked joints into the results of `changes`."""
-        if self.locked:
+        if self.locked_paths:
             # -B^T B phi at each mode's eigenvalue, plus the springs of the path's joints that are not locked, and
             # the change of the modal mass due to the motion of the joint.
-            _, of_locked, norm_of_locked = self._released(eigenvalues, shapes)
+            _, locked_change, locked_norm = self._released(eigenvalues, shapes)
             springs = self.locked_joints.springs[:, self.free]
-            of_locked = springs[:, None] * shapes[:, None] + of_locked
-            locked = list(self.locked)
-            change[:, locked], norm[:, locked] = of_locked[poses], norm_of_locked[poses]
+            locked_change = springs[:, None] * shapes[:, None] + locked_change
+            locked = list(self.locked_paths)
+            change[:, locked], norm[:, locked] = locked_change[poses], locked_norm[poses]
         return change, norm
 
     def motions(self, shapes: Array) -> Array | None:
@@ -302,13 +319,13 @@ class MatrixDerivatives:
     def locked_motions(self, eigenvalues: Array, shapes: Array) -> Array:
         """Compute the deflection of locked joints under their forces along the paths in `locked`, (N, L, m, e)."""
         force, locked = self._released(eigenvalues, shapes)[0], self.locked_joints
-        motions = np.zeros((len(shapes), len(self.locked), shapes.shape[1], self.size))
+        motions = np.zeros((len(shapes), len(self.locked_paths), shapes.shape[1], self.size))
         motions[..., locked.joints] = -force[:, None] * locked.weights[:, None]
         return motions
 
     def _released(self, eigenvalues: Array, shapes: Array) -> tuple[Array, Array, Array]:
         matrices, locked = (self.mass, self.stiffness), self.locked_joints
-        return released(matrices, self.free, locked.joints, locked.weights, eigenvalues, shapes)
+        return released_changes(matrices, self.free, locked.joints, locked.weights, eigenvalues, shapes)
 
     def stiff_change(self, pose: int, eigenvalues: Array, shapes: Array, dM: Array, dK: Array) -> Array:
         """Compute (dK - lambda dM) phi for modes of stiff joints, up to a multiple of M phi, which rotates no shape.
@@ -326,18 +343,18 @@ class MatrixDerivatives:
         free, diagonal = self.free, np.arange(len(self.free))
         springs, joints = self._springs[0][:, free], self.system.joints[free]
         _, K = self.system.without_springs(self._p[pose : pose + 1])
-        rest = shapes @ K[0][np.ix_(free, free)]
+        without_springs_force = shapes @ K[0][np.ix_(free, free)]
         without_springs = dK.copy()
         without_springs[:, diagonal, diagonal] -= springs
-        strained = shapes**2 @ joints
-        factor = -(shapes**2 @ springs.T) / np.where(strained > 0.0, strained, 1.0)[:, None]
+        strain = shapes**2 @ joints
+        factor = -(shapes**2 @ springs.T) / np.where(strain > 0.0, strain, 1.0)[:, None]
         remainder = springs[:, None] + factor.T[..., None] * joints
-        remainder[np.abs(remainder) < TAKEN_OUT * np.abs(springs[:, None])] = 0.0
+        remainder[np.abs(remainder) < ELIMINATION_ROUNDING * np.abs(springs[:, None])] = 0.0
         change = np.einsum("tab,ib->tia", without_springs, shapes)
         change -= eigenvalues[:, None] * np.einsum("tab,ib->tia", dM, shapes)
-        return np.asarray(change + remainder * shapes + factor.T[..., None] * rest)
+        return np.asarray(change + remainder * shapes + factor.T[..., None] * without_springs_force)
 
-    def _of_each(self, values: Array) -> Array:
+    def _by_robot(self, values: Array) -> Array:
         """Reshape (N, m, ...) to (B, N m / B, ...), one block for each robot."""
-        robots, poses = self._each
+        robots, poses = self._robots_and_poses
         return values.reshape(robots, poses * values.shape[1], values.shape[-1])

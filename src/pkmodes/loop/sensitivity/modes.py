@@ -25,7 +25,7 @@ Index = NDArray[np.intp]
 ROUNDING = 1e-13
 
 
-def groups(eigenvalues: Array, close: float, magnitude: Array) -> Index:
+def group_modes(eigenvalues: Array, close: float, magnitude: Array) -> Index:
     """Number the groups of modes whose eigenvalues differ by less than a fraction of their size.
 
     - eigenvalues: ascending, (..., m)
@@ -35,42 +35,42 @@ def groups(eigenvalues: Array, close: float, magnitude: Array) -> Index:
 
     Returns (..., m): the same number for the members of a group, ascending from 0.
     """
-    apart = separate(eigenvalues, close, magnitude)
+    is_separate = are_separate(eigenvalues, close, magnitude)
     first = np.zeros((*eigenvalues.shape[:-1], 1), dtype=np.intp)
-    return np.concatenate([first, np.cumsum(apart, axis=-1)], axis=-1)
+    return np.concatenate([first, np.cumsum(is_separate, axis=-1)], axis=-1)
 
 
-def separate(eigenvalues: Array, close: float, magnitude: Array) -> NDArray[np.bool_]:
-    """Return which neighbouring modes do not belong to one group, (..., m - 1); see `groups`."""
+def are_separate(eigenvalues: Array, close: float, magnitude: Array) -> NDArray[np.bool_]:
+    """Return which neighbouring modes do not belong to one group, (..., m - 1); see `group_modes`."""
     size = np.abs(eigenvalues)
     rounding = ROUNDING * magnitude[..., 1:]
     larger = np.maximum(size[..., 1:], size[..., :-1])
     return np.asarray(np.diff(eigenvalues, axis=-1) > np.maximum(close * larger, rounding))
 
 
-def branches(change: Array, shapes: Array, group: Index) -> Array:
+def branch_rates(change: Array, shapes: Array, group: Index) -> Array:
     """Compute the eigenvalue derivatives of one system; in each group those of its branches, ascending.
 
     - change: (dK - lambda_i dM) phi_i for each parameter, (T, m, n)
     - shapes: (m, n)
-    - group: from `groups`, (m,)
+    - group: from `group_modes`, (m,)
 
     Returns (T, m).
     """
     rates = np.empty(change.shape[:2])
     for number in np.unique(group):
         members = np.flatnonzero(group == number)
-        rates[:, members] = np.linalg.eigvalsh(_symmetric(_inside(change, shapes, members)))
+        rates[:, members] = np.linalg.eigvalsh(_symmetric(_projected_change(change, shapes, members)))
     return rates
 
 
-def _inside(change: Array, shapes: Array, members: Index) -> Array:
+def _projected_change(change: Array, shapes: Array, members: Index) -> Array:
     """Compute Phi^T (dK - lambda dM) Phi over a group of r modes, (T, r, r)."""
     return np.asarray(np.einsum("tin,jn->tij", change[:, members], shapes[members]))
 
 
-def _symmetric(inside: Array) -> Array:
-    return 0.5 * (inside + np.swapaxes(inside, 1, 2))
+def _symmetric(matrices: Array) -> Array:
+    return 0.5 * (matrices + np.swapaxes(matrices, 1, 2))
 
 
 def mode_derivatives(
@@ -90,8 +90,8 @@ def mode_derivatives(
     - shapes: mass-normalised, (m, n)
     - change: (dK - lambda_i dM) phi_i for each parameter, (T, m, n)
     - norm: phi_i^T dM phi_i, (T, m)
-    - group: from `groups`, (m,)
-    - magnitude: as for `groups`, (m,); each mode's equations are scaled with it
+    - group: from `group_modes`, (m,)
+    - magnitude: as for `group_modes`, (m,); each mode's equations are scaled with it
 
     Returns, in this order:
     - d_eigenvalues: in a group, those of the branches, ascending, (T, m)
@@ -99,16 +99,16 @@ def mode_derivatives(
     """
     sizes = np.bincount(group)
     if len(sizes) == len(group):
-        return _of_simple(M, K, eigenvalues, shapes, change, norm, magnitude)
+        return _simple_mode_derivatives(M, K, eigenvalues, shapes, change, norm, magnitude)
     d_eigenvalues, d_shapes = np.empty(change.shape[:2]), np.empty(change.shape)
     simple = np.flatnonzero(sizes[group] == 1)
-    d_eigenvalues[:, simple], d_shapes[:, simple] = _of_simple(
+    d_eigenvalues[:, simple], d_shapes[:, simple] = _simple_mode_derivatives(
         M, K, eigenvalues[simple], shapes[simple], change[:, simple], norm[:, simple], magnitude[simple]
     )
     for number in np.flatnonzero(sizes > 1):
         members = np.flatnonzero(group == number)
-        inside = _inside(change, shapes, members)
-        d_eigenvalues[:, members] = np.linalg.eigvalsh(_symmetric(inside))
+        projected = _projected_change(change, shapes, members)
+        d_eigenvalues[:, members] = np.linalg.eigvalsh(_symmetric(projected))
         scale = 1.0 / np.sqrt(np.abs(np.diagonal(K)) + magnitude[members].max() * np.diagonal(M))
         momenta = shapes[members] @ M
         border = momenta * scale
@@ -119,14 +119,14 @@ def mode_derivatives(
             system[: len(scale), : len(scale)] = (K - eigenvalues[i] * M) * scale[:, None] * scale
             system[: len(scale), len(scale) :] = border.T
             system[len(scale) :, : len(scale)] = border
-            right = np.zeros((size, len(change)))
-            right[: len(scale)] = (inside[:, k] @ momenta - change[:, i]).T * scale[:, None]
-            outside = np.linalg.solve(system, right)[: len(scale)].T * scale
-            d_shapes[:, i] = outside - 0.5 * norm[:, i, None] * shapes[i]
+            right_sides = np.zeros((size, len(change)))
+            right_sides[: len(scale)] = (projected[:, k] @ momenta - change[:, i]).T * scale[:, None]
+            particular = np.linalg.solve(system, right_sides)[: len(scale)].T * scale
+            d_shapes[:, i] = particular - 0.5 * norm[:, i, None] * shapes[i]
     return d_eigenvalues, d_shapes
 
 
-def _of_simple(
+def _simple_mode_derivatives(
     M: Array, K: Array, eigenvalues: Array, shapes: Array, change: Array, norm: Array, magnitude: Array
 ) -> tuple[Array, Array]:
     """Compute derivatives of k modes that form no group, from their bordered systems together."""
@@ -136,9 +136,9 @@ def _of_simple(
     border = momenta * scale
     border /= np.linalg.norm(border, axis=1, keepdims=True)
     k, n = shapes.shape
-    system, right = np.zeros((k, n + 1, n + 1)), np.zeros((k, n + 1, len(change)))
+    system, right_sides = np.zeros((k, n + 1, n + 1)), np.zeros((k, n + 1, len(change)))
     system[:, :n, :n] = (K - eigenvalues[:, None, None] * M) * scale[:, :, None] * scale[:, None]
     system[:, :n, n] = system[:, n, :n] = border
-    right[:, :n] = np.moveaxis((rates[..., None] * momenta - change) * scale, 0, -1)
-    outside = np.moveaxis(np.linalg.solve(system, right)[:, :n], -1, 0) * scale
-    return rates, outside - 0.5 * norm[..., None] * shapes
+    right_sides[:, :n] = np.moveaxis((rates[..., None] * momenta - change) * scale, 0, -1)
+    particular = np.moveaxis(np.linalg.solve(system, right_sides)[:, :n], -1, 0) * scale
+    return rates, particular - 0.5 * norm[..., None] * shapes

@@ -19,7 +19,7 @@ from pkmodes.core.robot.parameter_groups import group_items, group_value, group_
 from pkmodes.core.robot.robot import Robot
 
 #: The unit of a path, and the weight with which each number changes along it.
-Moves = tuple[str, Mapping[Slot, float]]
+UnitAndWeights = tuple[str, Mapping[Slot, float]]
 
 
 @dataclass(frozen=True)
@@ -40,7 +40,7 @@ class ParameterPath:
 
 def paths(robot: Robot) -> tuple[str, ...]:
     """Return every path that `resolve` accepts for this robot: shared quantities, those of each entry, effects."""
-    return tuple(_available(robot))
+    return tuple(_variable_quantities(robot))
 
 
 def resolve(robot: Robot, path: str) -> ParameterPath:
@@ -56,13 +56,14 @@ def resolve(robot: Robot, path: str) -> ParameterPath:
 
 def resolve_all(robot: Robot, requested: Iterable[str | ParameterPath]) -> list[ParameterPath]:
     """Resolve several paths, as `resolve` does; those that are resolved already stay as they are."""
-    available = _available(robot)
+    available = _variable_quantities(robot)
     return [
-        path if isinstance(path, ParameterPath) else _resolved(robot, path, available) for path in requested
+        path if isinstance(path, ParameterPath) else _resolve_one(robot, path, available)
+        for path in requested
     ]
 
 
-def _resolved(robot: Robot, path: str, available: Mapping[str, Moves]) -> ParameterPath:
+def _resolve_one(robot: Robot, path: str, available: Mapping[str, UnitAndWeights]) -> ParameterPath:
     if not isinstance(path, str):
         raise PkmodesError(f"expected a parameter path, found {shown(path)}", "parameters", "give strings")
     if path not in available and path in changeable(robot):
@@ -92,7 +93,7 @@ def _resolved(robot: Robot, path: str, available: Mapping[str, Moves]) -> Parame
     return ParameterPath(path, value, unit, weights)
 
 
-def moved(robot: Robot, changes: Iterable[tuple[ParameterPath, float]]) -> Robot:
+def change_quantities(robot: Robot, changes: Iterable[tuple[ParameterPath, float]]) -> Robot:
     """Return the robot with quantities changed by (not to) these amounts."""
     steps: dict[Slot, float] = {}
     for path, amount in changes:
@@ -115,26 +116,28 @@ def moved(robot: Robot, changes: Iterable[tuple[ParameterPath, float]]) -> Robot
     return replace(robot, parameters=robot.parameters._replace(**values), effects=effects)
 
 
-def _available(robot: Robot) -> dict[str, Moves]:
+def _variable_quantities(robot: Robot) -> dict[str, UnitAndWeights]:
     """Return all quantities that can vary: of the robot as a whole and shared ones, groups, entries, and effects."""
-    mechanism, available = robot.mechanism, dict[str, Moves]()
+    mechanism, available = robot.mechanism, dict[str, UnitAndWeights]()
     items_by_path, shared = by_path(mechanism), takers(mechanism)
     for item in items(mechanism):
         if item.path in shared:
-            following = [taker for taker in shared[item.path] if taker.path not in robot.quantities]
-            slots = [number.slot for taker in following for number in taker.numbers]
+            items_without_own_value = [
+                taker for taker in shared[item.path] if taker.path not in robot.quantities
+            ]
+            slots = [number.slot for taker in items_without_own_value for number in taker.numbers]
             if slots and (item.path in robot.quantities or item.key.default is not None):
                 weights = {slot: 1.0 for slot in slots if slot is not None}
                 available[item.path] = item.numbers[0].unit, weights
         elif item.entry is None:
-            available |= _single(item)
+            available |= _paths_of_item(item)
     # The ends of a pair whose middle is the value of a key that the file does not give: it moves with them.
-    for borrowed, table_path in lent(mechanism).items():
+    for effect_path, table_path in lent(mechanism).items():
         pair = items_by_path[table_path].key.middle_of
-        if pair and not {table_path, borrowed} & robot.quantities.keys():
+        if pair and not {table_path, effect_path} & robot.quantities.keys():
             for end in items_by_path[pair].numbers:
                 unit, weights_of_end = available[end.path]
-                middle = (borrowed.removeprefix(f"{EFFECTS}."), ())
+                middle = (effect_path.removeprefix(f"{EFFECTS}."), ())
                 available[end.path] = unit, {**weights_of_end, middle: 0.5}
     available |= {
         group.path: (group.unit, group_weights(robot, group)) for group in mechanism.parameter_groups
@@ -142,13 +145,13 @@ def _available(robot: Robot) -> dict[str, Moves]:
     # The quantities of single entries, whether they override the shared value or take it.
     entries = [item for item in items(mechanism) if item.entry is not None]
     for item in sorted(entries, key=lambda item: (item.entry, not item.shared)):
-        available |= _single(item)
+        available |= _paths_of_item(item)
     for path, unit in effect_parameters(mechanism).items():
         available[path] = unit, {(path.removeprefix(f"{EFFECTS}."), ()): 1.0}
     return available
 
 
-def _single(item: Item) -> dict[str, Moves]:
+def _paths_of_item(item: Item) -> dict[str, UnitAndWeights]:
     return {
         number.path: (number.unit, {number.slot: 1.0}) for number in item.numbers if number.slot is not None
     }

@@ -29,15 +29,15 @@ from pkmodes.core.support.solutions import solved
 from pkmodes.core.system.evaluation import ExtendedSystem, evaluation
 from pkmodes.core.system.motors import MotorsHeld, solved_system
 from pkmodes.loop.sensitivity.compiled import RATES, derivatives_of, rates_job, terms_of
-from pkmodes.loop.sensitivity.locked import Locked, locked_joints
+from pkmodes.loop.sensitivity.locked import LockedJoints, locked_joints
 from pkmodes.loop.sensitivity.matrices import MatrixDerivatives
-from pkmodes.loop.sensitivity.modes import ROUNDING, branches, groups, mode_derivatives
+from pkmodes.loop.sensitivity.modes import ROUNDING, branch_rates, group_modes, mode_derivatives
 from pkmodes.loop.sensitivity.paths import ParameterPath, paths, resolve_all
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
 #: Number of poses differentiated together: the matrices of one pose take a few hundred kilobytes.
-TOGETHER = 64
+POSES_PER_PART = 64
 #: The fields that do not depend on modes.
 MATRICES = frozenset({"mass_matrix", "stiffness_matrix"})
 
@@ -103,7 +103,7 @@ class Sensitivities(ChosenFields):
     eigenvalues: Array = field(init=False)
     frequencies: Array = field(init=False)
     shapes: Array = field(init=False)
-    groups: NDArray[np.intp] = field(init=False)
+    group_modes: NDArray[np.intp] = field(init=False)
 
 
 class ResolvedPaths:
@@ -123,7 +123,7 @@ class ResolvedPaths:
     def __init__(
         self, robot: Robot, parameters: Sequence[str | ParameterPath] | None, drives: str = FREE
     ) -> None:
-        self.robot, self.paths, self.drives = robot, _chosen(robot, parameters), drives
+        self.robot, self.paths, self.drives = robot, _chosen_paths(robot, parameters), drives
         self.names = tuple(path.path for path in self.paths)
         self.units = tuple(path.unit for path in self.paths)
         self.values = np.array([path.value for path in self.paths])
@@ -135,7 +135,7 @@ class ResolvedPaths:
         return self.system if isinstance(self.system, ExtendedSystem) else ExtendedSystem.of(self.robot)
 
     @cached_property
-    def listed(self) -> ExtendedSystem:
+    def free_motor_system(self) -> ExtendedSystem:
         """The extended system with free motors, in whose coordinates the results are given."""
         return ExtendedSystem.of(self.robot) if isinstance(self.system, MotorsHeld) else self.extended
 
@@ -145,18 +145,22 @@ class ResolvedPaths:
         return terms_of(self.extended, self.paths)
 
     @cached_property
-    def locked(self) -> Locked:
+    def locked(self) -> LockedJoints:
         """The locked joints that paths would release."""
         return locked_joints(self.extended, self.paths)
 
     @cached_property
-    def terms_of_listed(self) -> Terms:
+    def free_motor_terms(self) -> Terms:
         """The paths as the compiled evaluator takes them with free motors."""
-        return self.terms if self.listed is self.extended else terms_of(self.listed, self.paths)
+        return (
+            self.terms
+            if self.free_motor_system is self.extended
+            else terms_of(self.free_motor_system, self.paths)
+        )
 
 
 class _Solvers(NamedTuple):
-    """The solver of the system that is solved, with shapes in its own coordinates, and that with free motors."""
+    """Solver of the system with its actual drives, in its own coordinates, and of that with free motors."""
 
     solved: Solver
     free: Solver
@@ -216,8 +220,8 @@ def sensitivities_at(
         in `modes`.
     """
     drives = model.robot.resolve_drives(drives)
-    resolved = _resolved(model, parameters, drives)
-    solver, count = model.solver(backend, drives).inner, checked_threads(threads)
+    resolved = _resolve_parameters(model, parameters, drives)
+    solver, thread_count = model.solver(backend, drives).inner, checked_threads(threads)
     solvers = _Solvers(solver, solver if drives == FREE else model.solver(backend, FREE))
     robot, system = resolved.robot, resolved.system
     if not (isinstance(close, int | float | np.integer | np.floating) and 0.0 <= close < 1.0):
@@ -232,17 +236,17 @@ def sensitivities_at(
             resolved.terms,
             limit,
             requested,
-            lambda p: _in_parts(lambda part: _at(resolved, part, limit, requested, solvers), p),
+            lambda p: _in_parts(lambda part: _fields_at(resolved, part, limit, requested, solvers), p),
         )
-        checked, arrays = run_job(job, robot, model.max_condition, poses, on_error, out, count)
+        checked, arrays = run_job(job, robot, model.max_condition, poses, on_error, out, thread_count)
     else:
         checked = model.checked(poses, on_error)
-        aside = on_error == "raise" and len(system.coordinates) > system.first
-        of_poses = FieldArrays(checked.batch, out, aside=aside, blank=bool(checked.codes.any()))
+        is_buffered = on_error == "raise" and len(system.coordinates) > system.first
+        field_arrays = FieldArrays(checked.batch, out, aside=is_buffered, blank=bool(checked.codes.any()))
         # In parts of equal size: a single pose is evaluated differently, which gives repeated modes another basis.
-        for where, p in checked.parts(TOGETHER, even=True):
-            of_poses.put(where, _at(resolved, p, limit, requested, solvers))
-        arrays = of_poses.finish()
+        for where, p in checked.parts(POSES_PER_PART, even=True):
+            field_arrays.put(where, _fields_at(resolved, p, limit, requested, solvers))
+        arrays = field_arrays.finish()
     return Sensitivities(
         codes=checked.codes.reshape(checked.batch),
         known=checked.reasons,
@@ -254,7 +258,9 @@ def sensitivities_at(
     )
 
 
-def _resolved(model: Model, parameters: Sequence[str | ParameterPath] | None, drives: str) -> ResolvedPaths:
+def _resolve_parameters(
+    model: Model, parameters: Sequence[str | ParameterPath] | None, drives: str
+) -> ResolvedPaths:
     """Resolve parameter paths; those of the last call are kept with the model."""
     if parameters is None:
         names: tuple[str, ...] | None = None
@@ -269,55 +275,55 @@ def _resolved(model: Model, parameters: Sequence[str | ParameterPath] | None, dr
     return resolved
 
 
-def _in_parts(at: Callable[[Array], Mapping[str, Array]], p: Array) -> dict[str, Array]:
+def _in_parts(evaluate: Callable[[Array], Mapping[str, Array]], p: Array) -> dict[str, Array]:
     """Evaluate fields at many poses."""
-    parts = [at(p[start : start + TOGETHER]) for start in range(0, len(p), TOGETHER)]
+    parts = [evaluate(p[start : start + POSES_PER_PART]) for start in range(0, len(p), POSES_PER_PART)]
     return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
 
 
-def _chosen(robot: Robot, parameters: Sequence[str | ParameterPath] | None) -> list[ParameterPath]:
+def _chosen_paths(robot: Robot, parameters: Sequence[str | ParameterPath] | None) -> list[ParameterPath]:
     if parameters is None or is_all(parameters):
         mechanism = robot.mechanism
         # A zero vector has no direction along which its radius could change; it was not requested by name.
-        still = {
-            whole.path
-            for whole in mechanism.parameter_groups
-            if whole.kind == "radius" and not getattr(robot.parameters, whole.field).any(axis=1).all()
+        excluded = {
+            group.path
+            for group in mechanism.parameter_groups
+            if group.kind == "radius" and not getattr(robot.parameters, group.field).any(axis=1).all()
         }
         dissipating = mechanism.effects.keys() - mechanism.conservative_effects.keys()
-        still |= {path for path in effect_parameters(mechanism) if path.split(".")[1] in dissipating}
-        return resolve_all(robot, [path for path in paths(robot) if path not in still])
+        excluded |= {path for path in effect_parameters(mechanism) if path.split(".")[1] in dissipating}
+        return resolve_all(robot, [path for path in paths(robot) if path not in excluded])
     requested = listed(parameters, "parameter paths", "parameters", '"platform.mass"')
     return resolve_all(robot, requested)
 
 
-def _at(
+def _fields_at(
     resolved: ResolvedPaths, p: Array, close: float, requested: Collection[str], solvers: _Solvers
 ) -> dict[str, NDArray[Any]]:
     """Compute the requested fields at some poses."""
     derivatives, fields = None, dict[str, NDArray[Any]]()
     if not MATRICES.issuperset(requested):
-        derivatives, fields = _of_modes(resolved, p, close, requested, solvers.solved)
+        derivatives, fields = _mode_rates(resolved, p, close, requested, solvers.solved)
     if not MATRICES.isdisjoint(requested):
         # M and K are those with free motors.
         if derivatives is None or isinstance(resolved.extended, MotorsHeld):
-            terms = resolved.terms_of_listed
+            terms = resolved.free_motor_terms
             derivatives = derivatives_of(
-                solvers.free, resolved.listed, p, [resolved.paths], None, terms, RATES_OF_MATRICES
+                solvers.free, resolved.free_motor_system, p, [resolved.paths], None, terms, RATES_OF_MATRICES
             )
         fields["mass_matrix"], fields["stiffness_matrix"] = derivatives.dense()
     return {name: fields[name] for name in requested}
 
 
-def _of_modes(
+def _mode_rates(
     resolved: ResolvedPaths, p: Array, close: float, requested: Collection[str], solver: Solver
 ) -> tuple[MatrixDerivatives, dict[str, NDArray[Any]]]:
     """Return the derivatives of M and K at the modes, and the fields that follow from them."""
     robot, system, extended = resolved.robot, resolved.system, resolved.extended
     with_shapes = "shapes" in requested
     # Bitwise the matrices of `Model.modes`, so that repeated modes have the same basis.
-    at = solved(solver, system, p, robot.source, *(sorted(MATRICES) if with_shapes else ()))
-    eigenvalues, shapes = at["eigenvalues"], at["shapes"]
+    solved_poses = solved(solver, system, p, robot.source, *(sorted(MATRICES) if with_shapes else ()))
+    eigenvalues, shapes = solved_poses["eigenvalues"], solved_poses["shapes"]
     along_fields = list[str]()
     if with_shapes:
         along_fields += ["changes", "norms", *(ALL_COORDINATES if resolved.terms.locked_joints else ())]
@@ -326,60 +332,66 @@ def _of_modes(
     derivatives = derivatives_of(
         solver,
         extended,
-        at.points,
+        solved_poses.points,
         [resolved.paths],
         (eigenvalues, shapes),
         resolved.terms,
         along_fields,
-        matrices=at.evaluated("all_coordinates") if extended is system else None,
+        matrices=solved_poses.evaluated("all_coordinates") if extended is system else None,
         locked=resolved.locked,
     )
     sizes = magnitude(eigenvalues, system.first, system.rigid_modes, system.loose_motions)
-    group = groups(eigenvalues, close, sizes)
+    group = group_modes(eigenvalues, close, sizes)
     fields: dict[str, NDArray[Any]] = {"groups": group}
     if with_shapes:
-        fields["eigenvalues"], fields["shapes"] = _of_shapes(derivatives, at, group, sizes)
+        fields["eigenvalues"], fields["shapes"] = _eigenvalue_and_shape_rates(
+            derivatives, solved_poses, group, sizes
+        )
         if isinstance(extended, MotorsHeld):
             fields["shapes"] = extended.to_free_motor_coordinates(fields["shapes"])
     elif {"eigenvalues", "frequencies"} & set(requested):
-        fields["eigenvalues"] = _rates(derivatives, eigenvalues, shapes, group)
+        fields["eigenvalues"] = _eigenvalue_rates(derivatives, eigenvalues, shapes, group)
     if "frequencies" in requested:
         size = np.abs(eigenvalues)
-        nothing = size <= ROUNDING * sizes  # sqrt has no derivative at 0
-        twice = 4.0 * np.pi * np.sqrt(np.where(nothing, np.nan, size))
-        fields["frequencies"] = fields["eigenvalues"] / twice[:, None]
+        is_zero = size <= ROUNDING * sizes  # sqrt has no derivative at 0
+        denominator = 4.0 * np.pi * np.sqrt(np.where(is_zero, np.nan, size))
+        fields["frequencies"] = fields["eigenvalues"] / denominator[:, None]
     return derivatives, fields
 
 
-def _of_shapes(
-    derivatives: MatrixDerivatives, at: RobotAtPoses, group: Index, sizes: Array
+def _eigenvalue_and_shape_rates(
+    derivatives: MatrixDerivatives, solved_poses: RobotAtPoses, group: Index, sizes: Array
 ) -> tuple[Array, Array]:
     """Compute the derivatives of eigenvalues, (N, T, m), and shapes, (N, T, m, n)."""
     modes = M, K, eigenvalues, shapes = tuple(
-        at[name] for name in ("mass_matrix", "stiffness_matrix", "eigenvalues", "shapes")
+        solved_poses[name] for name in ("mass_matrix", "stiffness_matrix", "eigenvalues", "shapes")
     )
     change, norm = derivatives.changes(eigenvalues, shapes)
-    rates, turned = np.empty(norm.shape), np.empty(change.shape)
+    rates, shape_rates = np.empty(norm.shape), np.empty(change.shape)
     for i, arguments in enumerate(zip(*modes, change, norm, group, sizes, strict=True)):
-        rates[i], turned[i] = mode_derivatives(*arguments)
-    first = at.system.first
-    stiff = np.flatnonzero(has_stiff_joint(eigenvalues, first, at.system.rigid_modes))
-    if len(stiff):
-        evaluated = np.setdiff1d(np.arange(norm.shape[1]), derivatives.locked)
-        for i, dM, dK in zip(stiff.tolist(), *derivatives.dense(stiff), strict=True):
+        rates[i], shape_rates[i] = mode_derivatives(*arguments)
+    first = solved_poses.system.first
+    stiff_poses = np.flatnonzero(has_stiff_joint(eigenvalues, first, solved_poses.system.rigid_modes))
+    if len(stiff_poses):
+        evaluated = np.setdiff1d(np.arange(norm.shape[1]), derivatives.locked_paths)
+        for i, dM, dK in zip(stiff_poses.tolist(), *derivatives.dense(stiff_poses), strict=True):
             mode = eigenvalues[i], shapes[i]
             forces = derivatives.stiff_change(i, *mode, dM, dK)[evaluated]
-            _, again = mode_derivatives(M[i], K[i], *mode, forces, norm[i, evaluated], group[i], sizes[i])
-            turned[i, evaluated, first:] = again[:, first:]
-    return rates, turned
+            _, stiff_rates = mode_derivatives(
+                M[i], K[i], *mode, forces, norm[i, evaluated], group[i], sizes[i]
+            )
+            shape_rates[i, evaluated, first:] = stiff_rates[:, first:]
+    return rates, shape_rates
 
 
-def _rates(derivatives: MatrixDerivatives, eigenvalues: Array, shapes: Array, group: Index) -> Array:
+def _eigenvalue_rates(
+    derivatives: MatrixDerivatives, eigenvalues: Array, shapes: Array, group: Index
+) -> Array:
     """Compute only the eigenvalue derivatives, (N, T, m), from the entries that change, without linear systems."""
     rates = np.swapaxes(derivatives.eigenvalues(eigenvalues, shapes), -1, -2)
     repeated = np.flatnonzero(group[:, -1] < group.shape[1] - 1)
     if len(repeated):
         change, _ = derivatives.changes(eigenvalues, shapes, repeated)
-        for i, of_pose in zip(repeated, change, strict=True):
-            rates[i] = branches(of_pose, shapes[i], group[i])
+        for i, pose_change in zip(repeated, change, strict=True):
+            rates[i] = branch_rates(pose_change, shapes[i], group[i])
     return rates

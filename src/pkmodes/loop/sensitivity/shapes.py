@@ -38,26 +38,26 @@ def shape_derivatives(
     deflect; then the motions, per unit of the coordinates as they are.
     """
     change, norm = derivatives.changes(eigenvalues, shapes)
-    share = modal_expansion(change, norm, eigenvalues, shapes)
+    expansion = modal_expansion(change, norm, eigenvalues, shapes)
     free, size = derivatives.free, derivatives.size
     channels = np.zeros((*shapes.shape[:2], size + (0 if motions is None else motions.shape[-1])))
     channels[..., free] = shapes
     if motions is not None:
         channels[..., size:] = motions
-    rates: Array = share @ channels[:, None]
-    r = np.flatnonzero(derivatives.system.massless)
-    if not (len(r) or derivatives.locked):
+    rates: Array = expansion @ channels[:, None]
+    massless = np.flatnonzero(derivatives.system.massless)
+    if not (len(massless) or derivatives.locked_paths):
         rates[..., :size] = derivatives.system.of_model(rates[..., :size])
         return rates
-    beyond = np.zeros((*share.shape[:3], size))
-    if len(r):
-        K = derivatives.stiffness[:, free[r][:, None], free[r]]
-        beyond[..., free[r]] -= np.swapaxes(
-            np.linalg.solve(K[:, None], np.swapaxes(change[..., r], -1, -2)), -1, -2
+    static_motion = np.zeros((*expansion.shape[:3], size))
+    if len(massless):
+        K = derivatives.stiffness[:, free[massless][:, None], free[massless]]
+        static_motion[..., free[massless]] -= np.swapaxes(
+            np.linalg.solve(K[:, None], np.swapaxes(change[..., massless], -1, -2)), -1, -2
         )
-    if derivatives.locked:
-        beyond[:, list(derivatives.locked)] += derivatives.locked_motions(eigenvalues, shapes)
-    rates[..., :size] = derivatives.system.of_model(rates[..., :size] + beyond)
+    if derivatives.locked_paths:
+        static_motion[:, list(derivatives.locked_paths)] += derivatives.locked_motions(eigenvalues, shapes)
+    rates[..., :size] = derivatives.system.of_model(rates[..., :size] + static_motion)
     if motion is not None:
-        rates[..., size:] += beyond @ np.swapaxes(motion(), -1, -2)[:, None]
+        rates[..., size:] += static_motion @ np.swapaxes(motion(), -1, -2)[:, None]
     return rates

@@ -26,9 +26,9 @@ from pkmodes.core.model import Model
 from pkmodes.core.robot.layout import Slot, lent
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.support.covariance import covariance_of, root_of, sigmas_by_path
-from pkmodes.loop.sensitivity.modes import groups
+from pkmodes.loop.sensitivity.modes import group_modes
 from pkmodes.loop.sensitivity.paths import ParameterPath, paths
-from pkmodes.loop.sensitivity.relative import CLOSE, rates_of
+from pkmodes.loop.sensitivity.relative import REPEATED_FRACTION, rates_of
 from pkmodes.loop.sensitivity.sensitivities import ResolvedPaths
 
 Array = NDArray[np.float64]
@@ -46,26 +46,28 @@ def spread_of(
     poses: ArrayLike,
     drives: str,
     on_error: str = "raise",
-    known: Collection[str] = (),
+    exact: Collection[str] = (),
 ) -> Array | None:
     """Return the standard deviations of all frequencies, (..., m) [Hz]; None where the robot file states none.
 
     See `pkmodes.Model.frequency_sigmas`.
 
-    - known: paths of values that are known exactly all the same, such as those that a sweep sets
+    - exact: paths of values that are exact although the file states a sigma, such as those that a sweep sets
     """
-    owners = {table_path for path, table_path in lent(model.robot.mechanism).items() if path in known}
-    names = [path for path in stated_sigmas(model.robot) if path not in known and path not in owners]
+    lending_paths = {table_path for path, table_path in lent(model.robot.mechanism).items() if path in exact}
+    names = [path for path in stated_sigmas(model.robot) if path not in exact and path not in lending_paths]
     if not names:
         return None
-    moves, root = _independent(model, names, drives)
-    rates = rates_of(model, poses, moves, drives, on_error)
+    directions, root = _independent_directions(model, names, drives)
+    rates = rates_of(model, poses, directions, drives, on_error)
     spread = np.asarray(np.linalg.norm(np.swapaxes(root, -1, -2) @ rates, axis=-2))
     frequencies = model.frequencies(poses, "nan", drives=drives)
-    return _shared(spread, frequencies)
+    return _average_repeated(spread, frequencies)
 
 
-def _independent(model: Model, names: list[str], drives: str) -> tuple[Sequence[str | ParameterPath], Array]:
+def _independent_directions(
+    model: Model, names: list[str], drives: str
+) -> tuple[Sequence[str | ParameterPath], Array]:
     """Return directions in the space of the values with independent errors, and a root of the covariance along them.
 
     Correlated values err along lines of their own, one for each column of a root L of their covariance C = L L^T, by
@@ -82,8 +84,8 @@ def _independent(model: Model, names: list[str], drives: str) -> tuple[Sequence[
     lines: list[ParameterPath] = []
     for column in root.T:
         weights: dict[Slot, float] = {}
-        for move, size in zip(resolved.paths, column.tolist(), strict=True):
-            for slot, weight in move.weights.items() if size else ():
+        for path, size in zip(resolved.paths, column.tolist(), strict=True):
+            for slot, weight in path.weights.items() if size else ():
                 weights[slot] = weights.get(slot, 0.0) + size * weight
         lines.append(ParameterPath("", 0.0, "1", weights))
     return lines, np.eye(len(lines))
@@ -135,7 +137,7 @@ def frequency_sigmas(
     return spread
 
 
-def _shared(spread: Array, frequencies: Array) -> Array:
+def _average_repeated(spread: Array, frequencies: Array) -> Array:
     """Give repeated modes one standard deviation: the root mean square over their group.
 
     A group changes as the eigenvalues of sum_i dp_i A_i.  Their mean square is trace(A^2) over the size of the group,
@@ -145,7 +147,7 @@ def _shared(spread: Array, frequencies: Array) -> Array:
     flat, f = spread.reshape(-1, spread.shape[-1]), frequencies.reshape(-1, frequencies.shape[-1])
     eigenvalues = np.nan_to_num(f) * np.abs(np.nan_to_num(f))
     size = np.broadcast_to(np.abs(eigenvalues).max(axis=-1, initial=0.0)[:, None], eigenvalues.shape)
-    group = groups(eigenvalues, CLOSE, size)
+    group = group_modes(eigenvalues, REPEATED_FRACTION, size)
     for i in np.flatnonzero(group[:, -1] < group.shape[1] - 1).tolist():
         for number in np.unique(group[i]):
             members = np.flatnonzero(group[i] == number)

@@ -95,12 +95,12 @@ def diagnose(
         If a pose cannot be reached, or a name is unknown.
     """
     if states is not None:
-        first = MeasuredRobot.of(robot, data)
-        (trusted, setups), later = setups_by_state(first.data, states)
+        measured_robot = MeasuredRobot.of(robot, data)
+        (trusted, setups), later = setups_by_state(measured_robot.data, states)
         return changed(
-            first.robot,
+            measured_robot.robot,
             data.at(setups),
-            {name: data.at(places) for name, places in later.items()},
+            {name: data.at(setups_of_state) for name, setups_of_state in later.items()},
             candidates=candidates,
             holdout=holdout,
             priors=priors,
@@ -109,8 +109,8 @@ def diagnose(
             name=trusted,
         )
     measured = MeasuredRobot.of(robot, data).where_usable()
-    suspected = measured.structure(candidates, priors)
-    return diagnosis.diagnose(suspected, measured.data, holdout=holdout, progress=progress, terms=terms)
+    structure = measured.structure(candidates, priors)
+    return diagnosis.diagnose(structure, measured.data, holdout=holdout, progress=progress, terms=terms)
 
 
 @one_blas_thread()
@@ -157,14 +157,14 @@ def _with_damping(result: Comparison, measured: MeasuredRobot) -> Comparison:
         return result
     rows = list(result.rows)
     for c, case in enumerate(loads.cases):
-        mine = [int(i) for i in with_damping if loads.of[data.pose[i]] == c]
-        if not mine:
+        case_rows = [int(i) for i in with_damping if loads.case_index[data.pose[i]] == c]
+        if not case_rows:
             continue
-        model, setups = Model(case.robot), sorted({int(data.pose[i]) for i in mine})
+        model, setups = Model(case.robot), sorted({int(data.pose[i]) for i in case_rows})
         modes = model.modes(data.points[setups], drives=case.drives, fields=["damping_ratios"])
         # Partners count the most rigid modes that any setup has.
-        ratios, first = modes.damping_ratios, result.rigid - modes.rigid_modes
-        for i in mine:
+        ratios, missing_rigid_modes = modes.damping_ratios, result.rigid - modes.rigid_modes
+        for i in case_rows:
             partner = rows[i].partner
             rows[i] = structs.replace(
                 rows[i],
@@ -172,6 +172,6 @@ def _with_damping(result: Comparison, measured: MeasuredRobot) -> Comparison:
                 sigma_damping=float(data.damping_sigma[i]),
                 predicted_damping=None
                 if partner is None
-                else float(ratios[setups.index(int(data.pose[i])), partner - 1 - first]),
+                else float(ratios[setups.index(int(data.pose[i])), partner - 1 - missing_rigid_modes]),
             )
     return replace(result, rows=tuple(rows))

@@ -1,12 +1,13 @@
 """Parameters and candidate causes of a robot: its nuisances, the catalogue of effects, and suspected values.
 
 A declared value with a standard deviation is a nuisance, a value without one may be suspected, and a value with a
-standard deviation of 0 is known.  The elements of a whole (``axis.span``) are suspected together, under its path.
+standard deviation of 0 is known.  The elements of a parameter group (``axis.span``) are suspected together, under the
+path of the group.
 
-Candidates that concern one of several equal parts are remote: a value of one axis if the file gives one for all, and
-a compliance of the catalogue in a single joint, which has no name in the catalogue.  A compliance with a separate
-value in each joint is not a candidate either, but the general form against which the shared one is tested.  An effect
-that a file may give joint by joint, such as a frame by direction, has a named candidate for each.
+Candidates that concern one of several equal parts are remote: a value of one axis if the file gives one for all axes,
+and a compliance of the catalogue in a single joint, which has no name in the catalogue.  A compliance with a separate
+value in each joint is no candidate: it is the general form against which the shared compliance is tested.  An effect
+that a file may declare joint by joint, such as a frame by direction, has a named candidate for each joint.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ from pkmodes.loop.updating import frame
 from pkmodes.loop.updating.joints import joints_of
 from pkmodes.loop.updating.kinds import with_kinds
 from pkmodes.loop.updating.load_cases import LoadCases
-from pkmodes.loop.updating.usual import usual, usual_factor
+from pkmodes.loop.updating.usual import plausible_range, plausible_relative_change
 from pkmodes_description import Effect, EffectParameter, ParameterGroup
 
 #: Prefix of suspected values as candidates.
@@ -38,7 +39,7 @@ PREFIX = "parameter:"
 EFFECTS = "effects."
 #: A suspected value is searched for between a third and three times the declared one: beyond that, the robot file
 #: describes another machine.
-FACTOR = 3.0
+SEARCH_FACTOR = 3.0
 
 
 def suspects(
@@ -54,40 +55,46 @@ def suspects(
 
     Raises PkmodesError if a name is unknown.
     """
-    loads = LoadCases.none(robot, 0) if loads is None else loads
-    nuisances = [path for path in _varying(robot) if robot.quantities[path].sigma]
-    candidates = _chosen(robot, chosen, loads)
+    loads = LoadCases.as_declared(robot, 0) if loads is None else loads
+    nuisances = [path for path in _varying_values(robot) if robot.quantities[path].sigma]
+    candidates = _chosen_candidates(robot, chosen, loads)
     if chosen is None:
-        candidates += _of_one_entry(robot)
+        candidates += _single_entry_candidates(robot)
     candidates = _with_assumptions(robot, candidates, loads)
     candidates += _with_another_constant(robot, candidates)
-    of_frame, frames = frame.suspects(robot.mechanism)
-    of_robot = [name for candidate in candidates if candidate not in frames for name in candidate.parameters]
-    moves = [resolve(robot, name) for name in dict.fromkeys([*nuisances, *of_robot])]
+    frame_parameters, frame_candidates = frame.suspects(robot.mechanism)
+    robot_parameters = [
+        name for candidate in candidates if candidate not in frame_candidates for name in candidate.parameters
+    ]
+    parameter_paths = [resolve(robot, name) for name in dict.fromkeys([*nuisances, *robot_parameters])]
     joints = _joints(robot) if candidates else {}
     if loads.settings:
-        set_paths = {move.path for move in moves if loads.always(move)}
-        moves = [move for move in moves if move.path not in set_paths]
-        joints = {name: move for name, move in joints.items() if not loads.always(move)}
-        candidates = _unknown(candidates, set_paths, chosen or ())
-    moves += joints.values()
-    named = {name for candidate in candidates for name in _released_alone(robot, candidate)}
+        set_paths = {path.path for path in parameter_paths if loads.is_always_set(path)}
+        parameter_paths = [path for path in parameter_paths if path.path not in set_paths]
+        joints = {name: path for name, path in joints.items() if not loads.is_always_set(path)}
+        candidates = _without_set_values(candidates, set_paths, chosen or ())
+    parameter_paths += joints.values()
+    released_names = {name for candidate in candidates for name in _single_joints_of(robot, candidate)}
     candidates += [
-        Candidate(name, (move.path,), f"{name} yields", remote=True, nameable=False)
-        for name, move in joints.items()
-        if name not in named
+        Candidate(name, (path.path,), f"{name} yields", remote=True, nameable=False)
+        for name, path in joints.items()
+        if name not in released_names
     ]
-    candidates += _unlike(robot, candidates, joints)
-    suspected = {name for candidate in candidates if candidate in frames for name in candidate.parameters}
+    candidates += _general_forms(robot, candidates, joints)
+    frame_names = {
+        name for candidate in candidates if candidate in frame_candidates for name in candidate.parameters
+    }
     priors = priors_of(robot)
-    parameters = [_parameter(robot, move, priors.get(move.path, Prior())) for move in moves]
-    parameters += [parameter for parameter in of_frame if parameter.name in suspected]
-    return parameters, with_kinds(candidates), {move.path: move for move in moves}
+    parameters = [_parameter(robot, path, priors.get(path.path, Prior())) for path in parameter_paths]
+    parameters += [parameter for parameter in frame_parameters if parameter.name in frame_names]
+    return parameters, with_kinds(candidates), {path.path: path for path in parameter_paths}
 
 
-def _unknown(candidates: Sequence[Candidate], set_paths: set[str], chosen: Sequence[str]) -> list[Candidate]:
+def _without_set_values(
+    candidates: Sequence[Candidate], set_paths: set[str], chosen: Sequence[str]
+) -> list[Candidate]:
     """Return the candidates without the parameters that the measurements set at every pose."""
-    kept = []
+    remaining_candidates = []
     for candidate in candidates:
         remaining = tuple(name for name in candidate.parameters if name not in set_paths)
         if not remaining and candidate.name in chosen:
@@ -97,14 +104,14 @@ def _unknown(candidates: Sequence[Candidate], set_paths: set[str], chosen: Seque
             raise PkmodesError(problem, "candidates", f"leave {candidate.name} out")
         if remaining == candidate.parameters or (remaining and not candidate.remote):
             joints = tuple(joint for joint in candidate.joints if joint.parameter in remaining)
-            kept.append(replace(candidate, parameters=remaining, joints=joints))
-    return kept
+            remaining_candidates.append(replace(candidate, parameters=remaining, joints=joints))
+    return remaining_candidates
 
 
-def _chosen(robot: Robot, chosen: Sequence[str] | None, loads: LoadCases) -> list[Candidate]:
+def _chosen_candidates(robot: Robot, chosen: Sequence[str] | None, loads: LoadCases) -> list[Candidate]:
     kinds = {
-        "effects": _effects(robot, loads),
-        "parameters": _suspected(robot),
+        "effects": _suspected_effects(robot, loads),
+        "parameters": _suspected_values(robot),
         "measurement": {candidate.name: candidate for candidate in frame.suspects(robot.mechanism)[1]},
     }
     available = {name: candidate for kind in kinds.values() for name, candidate in kind.items()}
@@ -120,24 +127,24 @@ def _chosen(robot: Robot, chosen: Sequence[str] | None, loads: LoadCases) -> lis
         elif name in available:
             candidates[name] = available[name]
         else:
-            candidates[name] = _asked_for(robot, name, [*available])
+            candidates[name] = _requested_candidate(robot, name, [*available])
     return list(candidates.values())
 
 
 def _with_assumptions(robot: Robot, candidates: Sequence[Candidate], loads: LoadCases) -> list[Candidate]:
-    """Return candidates, with the defaults that their effects assume where no file states a value."""
+    """Return candidates with the default values that their effects assume if the file states none."""
     assumed: dict[str, list[Assumption]] = {}
     for borrowed, lender in lent(robot.mechanism).items():
-        default, move = by_path(robot.mechanism)[lender].key.default, resolve(robot, borrowed)
-        if default and not {lender, borrowed} & robot.quantities.keys() and not loads.always(move):
-            words = f"a {lender} of {with_unit(default, move.unit)}"
+        default, path = by_path(robot.mechanism)[lender].key.default, resolve(robot, borrowed)
+        if default and not {lender, borrowed} & robot.quantities.keys() and not loads.is_always_set(path):
+            words = f"a {lender} of {with_unit(default, path.unit)}"
             for name in robot.mechanism.effects[borrowed.split(".")[1]].forms:
                 assumed.setdefault(name, []).append(Assumption(borrowed, lender, words))
     return [replace(candidate, assumes=tuple(assumed.get(candidate.name, ()))) for candidate in candidates]
 
 
 def _with_another_constant(robot: Robot, candidates: Sequence[Candidate]) -> list[Candidate]:
-    """Return effects with a wrong declared constant, such as the mass of a moving frame: alone they would not fit."""
+    """Return effects combined with a wrong constant, such as the mass of a moving frame: alone they would not fit."""
     with_constants = []
     for borrowed, lender in lent(robot.mechanism).items():
         _, name, constant = borrowed.split(".")
@@ -159,22 +166,22 @@ def _with_another_constant(robot: Robot, candidates: Sequence[Candidate]) -> lis
     return with_constants
 
 
-def _varying(robot: Robot) -> list[str]:
-    """Return the declared values that the robot depends on: not those that every entry overrides, lent ones once."""
+def _varying_values(robot: Robot) -> list[str]:
+    """Return the declared values on which the robot depends, without shared ones that every entry overrides."""
     varying = set(paths(robot))
     varying -= {borrowed for borrowed, lender in lent(robot.mechanism).items() if lender in robot.quantities}
     return [path for path in robot.quantities if path in varying]
 
 
-def _asked_for(robot: Robot, name: str, available: list[str]) -> Candidate:
+def _requested_candidate(robot: Robot, name: str, available: list[str]) -> Candidate:
     """Return a candidate that is not suspected by default, such as a value of one axis."""
     path = name.removeprefix(PREFIX)
     effects = robot.mechanism.effects
     effect = name.removeprefix(EFFECTS).partition(".")[0]
     if effect in effects and name in effects[effect].forms:
         form = effects[effect].forms[name]
-        refuse_declared(f"the effect {name}", _sigmas(robot, _paths(effects[effect], form)))
-        excluding = " and ".join(p for p in _excluding(effects[effect], form) if p in robot.quantities)
+        refuse_declared(f"the effect {name}", _sigmas(robot, _parameter_paths(effects[effect], form)))
+        excluding = " and ".join(p for p in _excluded_paths(effects[effect], form) if p in robot.quantities)
         if excluding:
             problem = f"{name} is not suspected: the robot file declares {excluding} in its place"
             raise PkmodesError(problem, "candidates", f"leave {name} out, or remove {excluding}")
@@ -185,8 +192,10 @@ def _asked_for(robot: Robot, name: str, available: list[str]) -> Candidate:
         suggestions = [*available, *losses, *(f"{PREFIX}{p}" for p in paths(robot))]
         remedy = nearest_name(name, suggestions, "use the names in docs/explanation/diagnosis.md")
         raise PkmodesError(f"unknown candidate {shown(name)}", "candidates", remedy)
-    whole, item = groups_by_path(robot.mechanism).get(path), by_path(robot.mechanism).get(path)
-    refuse_declared(path, _sigmas(robot, [path, *(_elements(robot, whole) if whole is not None else ())]))
+    group, item = groups_by_path(robot.mechanism).get(path), by_path(robot.mechanism).get(path)
+    refuse_declared(
+        path, _sigmas(robot, [path, *(_element_paths(robot, group) if group is not None else ())])
+    )
     shared = item.shared if item is not None else ""
     if (
         path not in robot.quantities
@@ -200,7 +209,7 @@ def _asked_for(robot: Robot, name: str, available: list[str]) -> Candidate:
             f"to suspect {path}, declare it in the robot file without a sigma",
         )
     resolve(robot, path)
-    return Candidate(name, (path,), _wrong(robot, path))
+    return Candidate(name, (path,), _wrong_value_sentence(robot, path))
 
 
 def _sigmas(robot: Robot, declared: Sequence[str]) -> list[float | None]:
@@ -223,77 +232,80 @@ def refuse_declared(subject: str, sigmas: Sequence[float | None]) -> None:
         )
 
 
-def _elements(robot: Robot, whole: ParameterGroup) -> list[str]:
+def _element_paths(robot: Robot, group: ParameterGroup) -> list[str]:
     """Return the paths of the elements of a whole."""
-    return [number.path for item in group_items(robot.mechanism, whole) for number in item.numbers]
+    return [number.path for item in group_items(robot.mechanism, group) for number in item.numbers]
 
 
-def _paths(effect: Effect, parameters: Iterable[EffectParameter]) -> list[str]:
+def _parameter_paths(effect: Effect, parameters: Iterable[EffectParameter]) -> list[str]:
     return [f"{EFFECTS}{effect.name}.{p.name}" for p in parameters]
 
 
-def _excluding(effect: Effect, form: Iterable[EffectParameter]) -> list[str]:
+def _excluded_paths(effect: Effect, form: Iterable[EffectParameter]) -> list[str]:
     """Return the paths that a robot file cannot have together with some parameters."""
-    return [path for p in form for path in _paths(effect, effect.excluded(p.name))]
+    return [path for p in form for path in _parameter_paths(effect, effect.excluded(p.name))]
 
 
-def _released_alone(robot: Robot, candidate: Candidate) -> list[str]:
-    """Return the joints, by the names of their own candidates, that a candidate of the catalogue releases alone."""
+def _single_joints_of(robot: Robot, candidate: Candidate) -> list[str]:
+    """Return the single joints that a candidate of the catalogue releases, by the names of their own candidates."""
     effect = robot.mechanism.effects.get(candidate.name.partition(".")[0])
     form = () if effect is None or candidate.name == effect.name else effect.forms.get(candidate.name, ())
-    return [_of_joint(effect.name, name) for p in form for name in p.releases] if effect is not None else []
+    return [_joint_name(effect.name, name) for p in form for name in p.releases] if effect is not None else []
 
 
-def _effects(robot: Robot, loads: LoadCases) -> dict[str, Candidate]:
+def _suspected_effects(robot: Robot, loads: LoadCases) -> dict[str, Candidate]:
     """Return the effects that the file does not declare, or declares without a standard deviation."""
     candidates = {}
     robots = (robot, *(case.robot for case in loads.cases))
     values_of = [{**variant.constants, **variant.effects} for variant in robots]
-    there = {path for values in values_of for path, value in values.items() if value}
+    nonzero = {path for values in values_of for path, value in values.items() if value}
     for effect in robot.mechanism.conservative_effects.values():
-        # A parameter that is multiplied by a constant given nowhere, such as a tension, has no effect.
+        # A parameter has no effect if the constant that multiplies it, such as a tension, is given nowhere.
         constants = [p.name for p in effect.parameters if not p.fitted and p.greater_than is not None]
-        absent = [name for name in constants if f"{effect.name}.{name}" not in there]
+        absent = [name for name in constants if f"{effect.name}.{name}" not in nonzero]
         for name, form in effect.forms.items():
-            paths = _paths(effect, form)
+            paths = _parameter_paths(effect, form)
             suspected = all(sigma is None for sigma in _sigmas(robot, paths))
-            declared = any(path in robot.quantities for path in _excluding(effect, form))
+            declared = any(path in robot.quantities for path in _excluded_paths(effect, form))
             if suspected and not absent and not declared:
-                whole = "" if name == effect.name else effect.name
-                sentence = effect.sentence if not whole else f"{effect.sentence}: {form[0].description}"
+                effect_name = "" if name == effect.name else effect.name
+                sentence = effect.sentence if not effect_name else f"{effect.sentence}: {form[0].description}"
                 joints = joints_of(robot.mechanism, paths, form, PREFIX)
-                candidates[name] = Candidate(name, tuple(paths), sentence, part_of=whole, joints=joints)
+                candidates[name] = Candidate(name, tuple(paths), sentence, part_of=effect_name, joints=joints)
     return candidates
 
 
-def _suspected(robot: Robot) -> dict[str, Candidate]:
-    """Return the candidates of values without a standard deviation; wholes in place of their elements."""
-    parts = {element for whole in robot.mechanism.parameter_groups for element in _elements(robot, whole)}
+def _suspected_values(robot: Robot) -> dict[str, Candidate]:
+    """Return the candidates of values without a standard deviation; groups in place of their elements."""
+    element_paths = {
+        element for group in robot.mechanism.parameter_groups for element in _element_paths(robot, group)
+    }
     suspected, items_by_path = [], by_path(robot.mechanism)
-    for path in _varying(robot):
+    for path in _varying_values(robot):
         item, quantity = items_by_path.get(path), robot.quantities[path]
-        if item is None or not item.key.suspected or quantity.sigma is not None or path in parts:
+        if item is None or not item.key.suspected or quantity.sigma is not None or path in element_paths:
             continue
         if item.key is not GRAVITY or quantity.value != 0.0:  # a gravity component of 0 is exact
             suspected.append(path)
-    for whole in robot.mechanism.parameter_groups:
-        free = all(robot.quantities[element].sigma is None for element in _elements(robot, whole))
-        if free and group_weights(robot, whole):
-            suspected.append(whole.path)
-    local = {path: any(part.isdigit() for part in path.split(".")) for path in suspected}
+    for group in robot.mechanism.parameter_groups:
+        is_free = all(robot.quantities[element].sigma is None for element in _element_paths(robot, group))
+        if is_free and group_weights(robot, group):
+            suspected.append(group.path)
+    is_local = {path: any(part.isdigit() for part in path.split(".")) for path in suspected}
     candidates = [
-        Candidate(f"{PREFIX}{path}", (path,), _wrong(robot, path), local=local[path]) for path in suspected
+        Candidate(f"{PREFIX}{path}", (path,), _wrong_value_sentence(robot, path), local=is_local[path])
+        for path in suspected
     ]
     return {candidate.name: candidate for candidate in candidates}
 
 
-def _wrong(robot: Robot, path: str) -> str:
+def _wrong_value_sentence(robot: Robot, path: str) -> str:
     """Return the sentence of a suspected value, in the words of the mechanism's description."""
     words = meaning_of(robot.mechanism, path).partition(",")[0]
     return f"the declared {words or f'value of {path}'} is wrong"
 
 
-def _of_one_entry(robot: Robot) -> list[Candidate]:
+def _single_entry_candidates(robot: Robot) -> list[Candidate]:
     """Return the values of single axes for which the file gives one shared value without a sigma."""
     candidates, all_paths = [], paths(robot)
     for path in all_paths:
@@ -314,27 +326,29 @@ def _joints(robot: Robot) -> dict[str, ParameterPath]:
     for effect in robot.mechanism.effects.values():
         name, unit = f"{effect.name}.{effect.parameters[0].name}", effect.parameters[0].unit
         for q in effect.coordinates if len(effect.coordinates) > 1 else ():
-            releasing = _paths(effect, (p for p in effect.parameters if q.name in p.releases))
+            releasing = _parameter_paths(effect, (p for p in effect.parameters if q.name in p.releases))
             if 0.0 in _sigmas(robot, releasing):  # known exactly
                 continue
             slot = (f"{name}.{q.name}", ())
             path = ParameterPath(f"{EFFECTS}{name}.{q.name}", 0.0, unit, {slot: 1.0})
-            joints[_of_joint(effect.name, q.name)] = path
+            joints[_joint_name(effect.name, q.name)] = path
     return joints
 
 
-def _of_joint(effect: str, coordinate: str) -> str:
+def _joint_name(effect: str, coordinate: str) -> str:
     return f"{effect} of {coordinate} alone"
 
 
-def _unlike(
+def _general_forms(
     robot: Robot, candidates: Sequence[Candidate], joints: Mapping[str, ParameterPath]
 ) -> list[Candidate]:
     """Return the general forms of candidate compliances, with a separate value in each joint."""
     general = []
     effects = robot.mechanism.effects
     for name in [candidate.name for candidate in candidates if candidate.name in effects]:
-        released = [joint for q in effects[name].coordinates if (joint := _of_joint(name, q.name)) in joints]
+        released = [
+            joint for q in effects[name].coordinates if (joint := _joint_name(name, q.name)) in joints
+        ]
         if len(released) > 1:
             parameters = tuple(joints[joint].path for joint in released)
             general_name = f"{name} with a separate value in each joint"
@@ -342,34 +356,38 @@ def _unlike(
     return general
 
 
-def _parameter(robot: Robot, move: ParameterPath, prior: Prior) -> Parameter:
+def _parameter(robot: Robot, path: ParameterPath, prior: Prior) -> Parameter:
     sigma = prior.sigma
-    item = by_path(robot.mechanism).get(move.path)
+    item = by_path(robot.mechanism).get(path.path)
     lower, upper = -np.inf, np.inf
-    believed = None
-    if move.path.startswith(EFFECTS):
-        _, effect, name, *_ = move.path.split(".")
-        least = next(p.greater_than for p in robot.mechanism.effects[effect].parameters if p.name == name)
-        lower = -np.inf if least is None else least
-        if sigma is None and lower == -1.0 and move.unit == "1":
-            believed = usual_factor(move.value)
+    value_range = None
+    if path.path.startswith(EFFECTS):
+        _, effect, name, *_ = path.path.split(".")
+        lower_limit = next(
+            p.greater_than for p in robot.mechanism.effects[effect].parameters if p.name == name
+        )
+        lower = -np.inf if lower_limit is None else lower_limit
+        if sigma is None and lower == -1.0 and path.unit == "1":
+            value_range = plausible_relative_change(path.value)
     elif item is None or not item.key.signed:
         lower = 0.0
-        if sigma is None and move.value > 0.0:
-            lower, upper = move.value / FACTOR, move.value * FACTOR
+        if sigma is None and path.value > 0.0:
+            lower, upper = path.value / SEARCH_FACTOR, path.value * SEARCH_FACTOR
     elif sigma is None:
         # The largest plausible deviation of an element is that of a vector that is wrong by a factor of three.
-        farthest = (FACTOR - 1.0) * _largest(robot, item) or np.inf
-        lower, upper = move.value - farthest, move.value + farthest
-    unit = move.unit.replace(" ", "*")
-    if sigma is None and not move.path.startswith(EFFECTS):
-        believed = usual(item, move.value, move.unit, 0.0 if item is None else _largest(robot, item))
+        largest_deviation = (SEARCH_FACTOR - 1.0) * _largest_element(robot, item) or np.inf
+        lower, upper = path.value - largest_deviation, path.value + largest_deviation
+    unit = path.unit.replace(" ", "*")
+    if sigma is None and not path.path.startswith(EFFECTS):
+        value_range = plausible_range(
+            item, path.value, path.unit, 0.0 if item is None else _largest_element(robot, item)
+        )
     return Parameter(
-        move.path, move.value, unit, sigma, lower, upper, usual=believed, correlated=prior.correlated
+        path.path, path.value, unit, sigma, lower, upper, usual=value_range, correlated=prior.correlated
     )
 
 
-def _largest(robot: Robot, item: Item) -> float:
+def _largest_element(robot: Robot, item: Item) -> float:
     """Return the largest element of a vector."""
     elements = [robot.quantities[n.path].value for n in item.numbers if n.path in robot.quantities]
     return max(map(abs, elements), default=0.0)

@@ -1,4 +1,4 @@
-"""What changed on a robot between campaigns of modal measurements, of which the first is trusted."""
+"""Changes of a robot between campaigns of modal measurements, of which the first is trusted."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from pkmodes.core.model import Model
 from pkmodes.core.robot.layout import Slot
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.support.threads import one_blas_thread
-from pkmodes.loop.diagnosis.fit.hypothesis import parallel
+from pkmodes.loop.diagnosis.fit.hypothesis import parallel_parameters
 from pkmodes.loop.diagnosis.problem import Candidate, Parameter, Structure
 from pkmodes.loop.diagnosis.search.additions import Progress
 from pkmodes.loop.diagnosis.states.changes import TrustedState, with_known_values
@@ -26,15 +26,15 @@ from pkmodes.loop.updating.candidates import EFFECTS, PREFIX
 from pkmodes.loop.updating.joints import joints_of
 from pkmodes.loop.updating.measured_robot import MeasuredRobot
 from pkmodes.loop.updating.robot_structure import RobotStructure
-from pkmodes.loop.updating.shared_values import axis_deviations, in_use, of_one_machine
+from pkmodes.loop.updating.shared_values import axis_deviations, changes_in_use, with_prior_of_one_machine
 
 #: Default names of the states; several later ones are numbered.
 BEFORE, AFTER = "before", "after"
-#: Standard deviation of the relative stiffness change that all transmissions of a kind may share from one day to
-#: another, as with temperature.
-DAY = 0.015
+#: Standard deviation of the relative change of stiffness from day to day, as with temperature, shared by all
+#: transmissions of a kind.
+DAY_TO_DAY_SIGMA = 0.015
 #: Odds of an exchanged or moved part relative to a change in use.
-EXCHANGED = 0.1
+EXCHANGE_ODDS = 0.1
 #: The stiffness of the equal parts of a transmission.
 STIFFNESS = "stiffness"
 
@@ -91,24 +91,30 @@ def changed(
         If a pose cannot be reached, a name is unknown, or the campaigns have no mode in common, the same rows, or
         motors in different states.
     """
-    names, campaigns = _named(trusted, later, name)
+    names, campaigns = _named_campaigns(trusted, later, name)
     first = MeasuredRobot.of(model, trusted)
-    wrong = axis_deviations(first.robot)
-    common = TrustedState.of(names[0], _extended(first.structure(candidates=()), wrong), trusted)
-    baseline = _as_trusted(first.robot, common.values)
+    deviations = axis_deviations(first.robot)
+    trusted_state = TrustedState.of(
+        names[0], _with_parameters(first.structure(candidates=()), deviations), trusted
+    )
+    baseline = _robot_of_trusted_state(first.robot, trusted_state.values)
     changes = {}
     for name, data in zip(names[1:], campaigns, strict=True):
         measured = MeasuredRobot.of(baseline, data).where_usable()
         if progress is not None and len(campaigns) > 1:
             progress(f"comparing {name} with {names[0]}")
-        measured_structure = _extended(measured.structure(candidates, priors), wrong)
+        measured_structure = _with_parameters(measured.structure(candidates, priors), deviations)
         # Values of the trusted state that are in no candidate.
         in_candidates = {p.name for p in measured_structure.parameters}
-        moves = {path: resolve(baseline, path) for path in common.values if path not in in_candidates}
-        parameters = [Parameter(path, move.value, move.unit) for path, move in moves.items()]
-        structure = with_known_values(_extended(measured_structure, (parameters, moves)), common.values)
-        ask = partial(
-            common.diagnose_change,
+        missing_paths = {
+            path: resolve(baseline, path) for path in trusted_state.values if path not in in_candidates
+        }
+        parameters = [Parameter(name, path.value, path.unit) for name, path in missing_paths.items()]
+        structure = with_known_values(
+            _with_parameters(measured_structure, (parameters, missing_paths)), trusted_state.values
+        )
+        diagnose_change = partial(
+            trusted_state.diagnose_change,
             name,
             data=measured.data,
             holdout=None
@@ -117,30 +123,32 @@ def changed(
             progress=progress,
             terms=terms,
         )
-        changes[name] = _explained_change(ask, _with_day(structure), everything=candidates is not None)
+        changes[name] = _explained_change(
+            diagnose_change, _with_daily_variation(structure), everything=candidates is not None
+        )
     return merge_changes(names[0], changes)
 
 
 def _explained_change(
-    ask: Callable[[Structure], Change], structure: RobotStructure, *, everything: bool
+    diagnose_change: Callable[[Structure], Change], structure: RobotStructure, *, everything: bool
 ) -> Change:
     """Return what changed: something that changes in use, or a part that was exchanged or moved.
 
-    Such a part is less likely: it is named in the class of what explains the difference, or where nothing else does.
+    A change of such a part is less likely: it is named only in a class of explanations, or if nothing else explains.
     """
     robot = structure.robot
-    chosen = [
-        of_one_machine(candidate)
+    candidates_in_use = [
+        with_prior_of_one_machine(candidate)
         for candidate in structure.candidates
-        if everything or in_use(robot, candidate)
+        if everything or changes_in_use(robot, candidate)
     ]
-    first = ask(structure.extended([], {}, chosen))
+    first = diagnose_change(structure.extended([], {}, candidates_in_use))
     settled = first.changed is False or first.verdict == AMBIGUOUS.word
     if everything or (settled and not first.explained):
         return first
-    parts = list(exchanged(structure))
-    second = ask(structure.extended([], {}, [*chosen, *parts]))
-    if not second.claimed & {part.name for part in parts}:
+    exchanges = list(exchange_candidates(structure))
+    second = diagnose_change(structure.extended([], {}, [*candidates_in_use, *exchanges]))
+    if not second.claimed & {part.name for part in exchanges}:
         return first
     if first.explained:
         return second
@@ -148,28 +156,30 @@ def _explained_change(
     return replace(second, notes=(note, *second.notes))
 
 
-def exchanged(structure: RobotStructure) -> Iterator[Candidate]:
+def exchange_candidates(structure: RobotStructure) -> Iterator[Candidate]:
     """Yield the candidates that need an exchanged or moved part, except those that act like a change in use."""
     robot = structure.robot
     single = [candidate for candidate in structure.candidates if len(candidate.parameters) == 1]
-    places = {p.name: i for i, p in enumerate(structure.parameters)}
+    indices = {p.name: i for i, p in enumerate(structure.parameters)}
     values = np.array([p.value for p in structure.parameters])
-    rates = structure.predict(values, [places[candidate.parameters[0]] for candidate in single]).rates
-    used = np.array([in_use(robot, candidate) for candidate in single])
-    same = {single[i].name for i in np.flatnonzero(parallel(rates)[:, used].any(axis=1))}
+    rates = structure.predict(values, [indices[candidate.parameters[0]] for candidate in single]).rates
+    is_in_use = np.array([changes_in_use(robot, candidate) for candidate in single])
+    equivalent_names = {
+        single[i].name for i in np.flatnonzero(parallel_parameters(rates)[:, is_in_use].any(axis=1))
+    }
     for candidate in structure.candidates:
-        if not in_use(robot, candidate) and candidate.name not in same:
-            yield replace(of_one_machine(candidate), odds=EXCHANGED)
+        if not changes_in_use(robot, candidate) and candidate.name not in equivalent_names:
+            yield replace(with_prior_of_one_machine(candidate), odds=EXCHANGE_ODDS)
 
 
-def _extended(
-    structure: RobotStructure, further: tuple[Sequence[Parameter], Mapping[str, ParameterPath]]
+def _with_parameters(
+    structure: RobotStructure, additions: tuple[Sequence[Parameter], Mapping[str, ParameterPath]]
 ) -> RobotStructure:
     """Return a structure with further parameters and their paths, and the same candidates."""
-    return structure.extended(*further, structure.candidates)
+    return structure.extended(*additions, structure.candidates)
 
 
-def _named(
+def _named_campaigns(
     trusted: Measurements,
     later: Measurements | Mapping[str, Measurements] | Sequence[Measurements],
     trusted_name: str,
@@ -181,20 +191,20 @@ def _named(
         problem = f"expected measurements, found {shown(later)}"
         raise PkmodesError(problem, "later", "give those of one state, or a list or mapping of several")
     data = list(later.values()) if isinstance(later, Mapping) else list(later)
-    for place, measurements in {
+    for argument, measurements in {
         "trusted": trusted,
-        **{f"later {i + 1}": x for i, x in enumerate(data)},
+        **{f"later {i + 1}": campaign_data for i, campaign_data in enumerate(data)},
     }.items():
         if not isinstance(measurements, Measurements):
             problem = f"expected measurements, found {shown(measurements)}"
-            raise PkmodesError(problem, place, "read them with pkmodes.loop.updating.read(path)")
+            raise PkmodesError(problem, argument, "read them with pkmodes.loop.updating.read(path)")
     first = trusted_name or trusted.state or BEFORE
     if isinstance(later, Mapping):
         names = list(map(str, later))
     else:
         single_names = [campaign.state or AFTER for campaign in data]
-        several = [campaign.state or f"{AFTER} {i + 1}" for i, campaign in enumerate(data)]
-        names = single_names if len(data) == 1 else several
+        numbered_names = [campaign.state or f"{AFTER} {i + 1}" for i, campaign in enumerate(data)]
+        names = single_names if len(data) == 1 else numbered_names
     for i, name in enumerate(names):
         if name in (first, *names[:i]):
             problem = f"two states are called {shown(name)}"
@@ -202,7 +212,7 @@ def _named(
     return [first, *names], data
 
 
-def _as_trusted(robot: Robot, values: Mapping[str, float]) -> Robot:
+def _robot_of_trusted_state(robot: Robot, values: Mapping[str, float]) -> Robot:
     """Return a robot with the values of the trusted state, none of which is uncertain: any may have changed."""
     uncertain = {path for path, quantity in robot.quantities.items() if quantity.sigma}
     without_sigma = {path: {"sigma": None} for path in uncertain - values.keys()}
@@ -210,19 +220,19 @@ def _as_trusted(robot: Robot, values: Mapping[str, float]) -> Robot:
     return robot.with_values({**without_sigma, **fitted})
 
 
-def _with_day(structure: RobotStructure) -> RobotStructure:
+def _with_daily_variation(structure: RobotStructure) -> RobotStructure:
     """Return a structure in which all transmissions of a kind may differ by the day-to-day variation."""
-    mechanism, common = structure.robot.mechanism, dict[str, ParameterPath]()
+    mechanism, common_paths = structure.robot.mechanism, dict[str, ParameterPath]()
     for effect in mechanism.conservative_effects.values():
         names = [f"{EFFECTS}{effect.name}.{p.name}" for p in effect.parameters]
         joints = joints_of(mechanism, names, effect.parameters, PREFIX)
         if not joints or joints[0].quantity.split()[-1] != STIFFNESS:
             continue
-        part = joints[0].words.rpartition(" ")[0]
-        name = f"day.{part.replace(' ', '_')}_{STIFFNESS}"
+        part_name = joints[0].words.rpartition(" ")[0]
+        name = f"day.{part_name.replace(' ', '_')}_{STIFFNESS}"
         slots: dict[Slot, float] = {(path.removeprefix(EFFECTS), ()): 1.0 for path in names}
-        common[name] = ParameterPath(name, 0.0, "1", slots)
-    parameters = [Parameter(name, 0.0, "1", DAY, lower=-0.5, upper=1.0) for name in common]
+        common_paths[name] = ParameterPath(name, 0.0, "1", slots)
+    parameters = [Parameter(name, 0.0, "1", DAY_TO_DAY_SIGMA, lower=-0.5, upper=1.0) for name in common_paths]
     return structure.extended(
-        parameters, common, [candidate_as_change(candidate) for candidate in structure.candidates]
+        parameters, common_paths, [candidate_as_change(candidate) for candidate in structure.candidates]
     )

@@ -1,6 +1,6 @@
 """The channels in which shapes of a robot are measured, and which of them are axes of one sensor.
 
-A sensor may be mounted in another direction than the file says.
+A sensor may be mounted in another direction than the file states.
 """
 
 from __future__ import annotations
@@ -25,16 +25,18 @@ def sensors(mechanism: Mechanism) -> tuple[Sensor, ...]:
     """
     axes = mechanism.directions
     components = tuple(component.name for component in mechanism.platform)
-    of_platform = (axes, components[: len(axes)]), (mechanism.rotations, components[len(axes) :])
+    platform_groups = (axes, components[: len(axes)]), (mechanism.rotations, components[len(axes) :])
     multi_axis = [
-        Sensor(mechanism.moving_body(), channels, along) for along, channels in of_platform if len(along) > 1
+        Sensor(mechanism.moving_body(), channels, axis_names)
+        for axis_names, channels in platform_groups
+        if len(axis_names) > 1
     ]
     if len(axes) < 2:
         return tuple(multi_axis)
     for effect in mechanism.effects_in_order:
         names = tuple(coordinate.name for coordinate in effect.coordinates)
         stem = names[0].removesuffix(axes[0]) if names else ""
-        alike = len({coordinate.unit for coordinate in effect.coordinates}) == 1
-        if alike and names == tuple(f"{stem}{axis}" for axis in axes):
+        same_unit = len({coordinate.unit for coordinate in effect.coordinates}) == 1
+        if same_unit and names == tuple(f"{stem}{axis}" for axis in axes):
             multi_axis.append(Sensor("", names, axes))
     return tuple(multi_axis)

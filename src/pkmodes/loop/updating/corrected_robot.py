@@ -1,4 +1,4 @@
-"""The robot file as a diagnosis corrects it."""
+"""The robot file corrected by a diagnosis."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ from pkmodes.loop.updating.saved_term import robot_with_term, term_to_save
 def corrections(robot: Robot, diagnosis: Diagnosis) -> Mapping[str, Correction]:
     """Return the changes of the robot file after a diagnosis: refitted values, causes, and their uncertainty.
 
-    The standard deviations include what candidates that the data do not show could have done to the values.  Losses
-    that the damping shows are among the changes; they change no other value.
+    The standard deviations include the possible effect of candidates that the data cannot detect.  Losses found from
+    the damping are among the changes; they change no other value.
     """
-    explained = {value.name for value in widened(diagnosis)}
+    widened_names = {value.name for value in widened_values(diagnosis)}
     causes = {
         v.name: finding.member(finding.name).assumed
         for finding in diagnosis.every_cause
@@ -43,7 +43,7 @@ def corrections(robot: Robot, diagnosis: Diagnosis) -> Mapping[str, Correction]:
         if assumed := causes.get(value.name):
             note += f", for {assumed}"
         unit = "" if value.unit == "1" else f" {value.unit}"
-        if value.name in explained and value.unseen is not None:
+        if value.name in widened_names and value.unseen is not None:
             agent = value.unseen.agent
             note += (
                 f"; sigma includes what {agent} could have done (fit alone: {plain(value.sigma, 2)}{unit})"
@@ -65,16 +65,16 @@ def corrections(robot: Robot, diagnosis: Diagnosis) -> Mapping[str, Correction]:
 def covariance(robot: Robot, diagnosis: Diagnosis) -> Covariance | None:
     """Return the covariance of the changed values of the robot file; None if none has a sigma.
 
-    The standard deviations are those of the fit.  What an unseen candidate could have done to a value, which is in
-    its own standard deviation, these data show in no frequency: the candidate and the value make up for each other.
+    The standard deviations are those of the fit, without the effect of unseen candidates on a value: that is part of
+    the saved standard deviation of the value, but changes no frequency, since candidate and value compensate.
     A group such as ``axis.span`` has no standard deviation in a file, so it is left out.
     """
     groups = groups_by_path(robot.mechanism)
     losses = {value.name for value in diagnosis.damping.corrected}
     fitted_values = [
-        (value, fit, place)
+        (value, fit, index)
         for fit in (diagnosis, diagnosis.damping)
-        for place, value in enumerate(fit.corrected)
+        for index, value in enumerate(fit.corrected)
         if not value.name.startswith(frame.OF_MEASUREMENT)
         and value.name not in groups
         and 0.0 < value.sigma < math.inf
@@ -85,7 +85,7 @@ def covariance(robot: Robot, diagnosis: Diagnosis) -> Covariance | None:
     return Covariance(
         tuple(value.name for value, _, _ in fitted_values),
         tuple(
-            # Frequencies say nothing of losses, and ratios nothing else: the errors of the two fits are independent.
+            # Frequencies depend on no loss, and ratios determine nothing else: errors of the fits are independent.
             tuple(fit.correlation[i][k] if fit is other_fit else 0.0 for _, other_fit, k in fitted_values)
             for _, fit, i in fitted_values
         ),
@@ -93,7 +93,7 @@ def covariance(robot: Robot, diagnosis: Diagnosis) -> Covariance | None:
     )
 
 
-def widened(diagnosis: Diagnosis) -> list[Corrected]:
+def widened_values(diagnosis: Diagnosis) -> list[Corrected]:
     """Return the values whose saved standard deviation is noticeably larger than that of the fit.
 
     Values of the measurement are left out: they are not in the robot file.
@@ -115,7 +115,7 @@ def corrected_robot(robot: Robot | Model, diagnosis: Diagnosis) -> str:
 
     Raises PkmodesError if there is nothing to correct, or the robot was not read from a file.
     """
-    robot = _correctable(robot, diagnosis, "corrected_robot")
+    robot = _correctable_robot(robot, diagnosis, "corrected_robot")
     return corrected_text(Path(robot.source), corrections(robot, diagnosis), covariance(robot, diagnosis))
 
 
@@ -140,14 +140,14 @@ def save_robot(robot: Robot | Model, found: Diagnosis, target: str | Path) -> No
     """
     robot = robot_of(robot)
     if term_to_save(found) is not None:
-        write_file(Path(target), robot_with_term(_from_file(robot), found))
+        write_file(Path(target), robot_with_term(_robot_from_file(robot), found))
         return
-    robot = _correctable(robot, found, str(target))
+    robot = _correctable_robot(robot, found, str(target))
     changes = corrections(robot, found)
     save_corrected(Path(robot.source), Path(target), changes, covariance(robot, found))
 
 
-def _correctable(robot_or_model: Robot | Model, diagnosis: Diagnosis, where: str) -> Robot:
+def _correctable_robot(robot_or_model: Robot | Model, diagnosis: Diagnosis, where: str) -> Robot:
     """Return a robot whose file a diagnosis corrects."""
     robot = robot_of(robot_or_model)
     if not diagnosis.settled:
@@ -156,10 +156,10 @@ def _correctable(robot_or_model: Robot | Model, diagnosis: Diagnosis, where: str
             where,
             "save a robot only where diagnosis.settled, or measure more",
         )
-    return _from_file(robot)
+    return _robot_from_file(robot)
 
 
-def _from_file(robot_or_model: Robot | Model) -> Robot:
+def _robot_from_file(robot_or_model: Robot | Model) -> Robot:
     robot = robot_of(robot_or_model)
     if not Path(robot.source).is_file():
         problem = f"expected a robot read from a file, found {shown(robot.source)}"

@@ -10,7 +10,7 @@ from pkmodes.core.model import Model
 from pkmodes.core.robot.robot import Robot
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.sensitivity.spread import spread_of, stated_sigmas
-from pkmodes.loop.updating.load_cases import load_cases
+from pkmodes.loop.updating.load_cases import load_cases_of
 
 Array = NDArray[np.float64]
 
@@ -26,18 +26,18 @@ def declared_spread(robot: Robot, data: Measurements) -> Array | None:
     """
     if not stated_sigmas(robot):
         return None
-    loads = load_cases(robot, data)
+    loads = load_cases_of(robot, data)
     spreads: dict[int, Array] = {}
     for c, case in enumerate(loads.cases):
-        setups = np.flatnonzero(loads.of == c)
+        setups = np.flatnonzero(loads.case_index == c)
         model = Model(case.robot, MAX_CONDITION)
         set_values = data.load(int(setups[0]))
         spread = spread_of(model, data.points[setups], case.drives, "nan", set_values)
         rigid = model.solved(case.drives).rigid_modes
         for i, setup in enumerate(setups.tolist()):
             spreads[setup] = np.empty(0) if spread is None else spread[i, rigid:]
-    longest = max((len(row) for row in spreads.values()), default=0)
-    padded = np.full((len(loads.of), longest), np.nan)
+    mode_count = max((len(row) for row in spreads.values()), default=0)
+    padded = np.full((len(loads.case_index), mode_count), np.nan)
     for setup, row in spreads.items():
         padded[setup, : len(row)] = row
     return padded

@@ -1,4 +1,4 @@
-"""The equal parts of which an effect changes each by a factor of its own, in the mechanism's words.
+"""Equal parts that an effect changes by one factor each, named in the words of the mechanism.
 
 "relative change of the stiffness of leg 3" is that of leg 3; the declared value that changes is the one whose key is
 a stiffness and whose description counts legs: ``axis.3.leg.stiffness``.
@@ -22,24 +22,24 @@ CHANGE = re.compile(r"relative change of the (\w[\w ]*) of (\w[\w ]*) (\d+)")
 def joints_of(
     mechanism: Mechanism, paths: Sequence[str], parameters: Sequence[EffectParameter], prefix: str
 ) -> tuple[Joint, ...]:
-    """Return the equal parts that the parameters of an effect change, one for each; none if they do anything else.
+    """Return the equal parts that the parameters of an effect change, one for each parameter; else none.
 
     - paths: of the parameters
     - prefix: of a term that is a declared value
     """
     matches = [CHANGE.fullmatch(p.description) for p in parameters]
     joints = []
-    for path, parts in zip(paths, matches, strict=True):
-        if parts is None or len(paths) < 2:
+    for path, match in zip(paths, matches, strict=True):
+        if match is None or len(paths) < 2:
             return ()
-        quantity, part, number = parts.groups()
-        counted = re.compile(rf"\b{re.escape(part)} {ENTRY}\b")
+        quantity, part, number = match.groups()
+        part_pattern = re.compile(rf"\b{re.escape(part)} {ENTRY}\b")
         declared_paths = [
             item.path
             for item in items(mechanism)
             if item.entry == int(number) - 1
             and item.key.name.split("_")[-1] == quantity.split()[-1]
-            and counted.search(item.key.description)
+            and part_pattern.search(item.key.description)
         ]
         term = f"{prefix}{declared_paths[0]}" if len(declared_paths) == 1 else ""
         joints.append(Joint(path, f"{part} {number}", quantity, term))

@@ -1,4 +1,4 @@
-"""What candidates of a robot have in common, in words: how a class of them is named.
+"""Kinds of candidates of a robot, in words, by which a class of candidates is named.
 
 A class whose members share a kind is named by it: "a compliance in series with the belt (clamps, gearboxes)".  A
 candidate that is not listed is named by its own sentence.
@@ -12,8 +12,8 @@ from dataclasses import replace
 
 from pkmodes.loop.diagnosis.problem import Candidate
 
-#: Kinds, each with its candidates and what they are among them; a candidate of a single axis or belt counts like that
-#: of all.
+#: Kinds, each with its candidates and their distinguishing words.  A candidate of a single axis or belt is described
+#: like that of all.
 KINDS: dict[str, dict[str, str]] = {
     "a compliance in series with the belt": {
         "clamp_compliance": "clamps",
@@ -53,7 +53,9 @@ def with_kinds(candidates: Iterable[Candidate]) -> list[Candidate]:
     described = []
     for candidate in candidates:
         name, entry = ENTRY.sub("parameter:", candidate.name), ENTRY.match(candidate.name)
-        of = f" of {entry[1].replace('_', ' ')} {entry[2]}" if entry else ""
+        entry_words = f" of {entry[1].replace('_', ' ')} {entry[2]}" if entry else ""
         kind = next((kind for kind, parts in KINDS.items() if name in parts), "")
-        described.append(replace(candidate, kind=kind, part=KINDS[kind][name] + of) if kind else candidate)
+        described.append(
+            replace(candidate, kind=kind, part=KINDS[kind][name] + entry_words) if kind else candidate
+        )
     return described

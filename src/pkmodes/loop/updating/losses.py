@@ -1,4 +1,4 @@
-"""What a robot dissipates, for the diagnosis: the losses that it may have, and the damping that each would give.
+"""Losses of a robot, for the diagnosis: those that it may have, and the damping ratios that each would give.
 
 Losses are the dissipating effects of the catalogue and the damping ratio common to all modes.  One that the file
 declares without a standard deviation, or an effect that it does not declare, may be suspected.  A common ratio that
@@ -22,13 +22,13 @@ from pkmodes.core.system.dissipation import Dissipation
 from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.loop.diagnosis.problem import Loss, Parameter
 from pkmodes.loop.updating.candidates import PREFIX, refuse_declared
-from pkmodes.loop.updating.predictions import Solved
+from pkmodes.loop.updating.predictions import SolvedRobots
 
 Array = NDArray[np.float64]
 #: Name of the common damping ratio as a candidate.
 RATIO = f"{PREFIX}{DAMPING_RATIO}"
 #: Value at which an effect is evaluated: a power of two below all bounds, which makes scaling exact.
-PART = 0.5
+EVALUATION_VALUE = 0.5
 
 
 def losses_of(robot: Robot, chosen: Sequence[str] | None = None) -> tuple[Loss, ...]:
@@ -39,7 +39,7 @@ def losses_of(robot: Robot, chosen: Sequence[str] | None = None) -> tuple[Loss, 
     Raises PkmodesError if a chosen loss has a sigma, so that it is not a candidate.
     """
     names = None if chosen is None else set(chosen)
-    losses = [_ratio(robot, names), *_effects(robot, names)]
+    losses = [_common_ratio(robot, names), *_dissipating_effects(robot, names)]
     return tuple(losses) if any(loss.candidate and loss.claimable for loss in losses) else ()
 
 
@@ -56,7 +56,7 @@ def is_loss(robot: Robot, name: object) -> bool:
     return name == RATIO or (isinstance(name, str) and name in effects and effects[name].dissipates)
 
 
-def _ratio(robot: Robot, names: set[str] | None) -> Loss:
+def _common_ratio(robot: Robot, names: set[str] | None) -> Loss:
     """Return the damping ratio that all modes have in common."""
     quantity = robot.quantities.get(DAMPING_RATIO)
     sigma = None if quantity is None else quantity.sigma
@@ -88,7 +88,7 @@ def _ratio(robot: Robot, names: set[str] | None) -> Loss:
     )
 
 
-def _effects(robot: Robot, names: set[str] | None) -> list[Loss]:
+def _dissipating_effects(robot: Robot, names: set[str] | None) -> list[Loss]:
     """Return the dissipating effects of the catalogue."""
     losses, priors = [], priors_of(robot)
     for effect in robot.mechanism.effects.values():
@@ -121,14 +121,14 @@ def _effects(robot: Robot, names: set[str] | None) -> list[Loss]:
     return losses
 
 
-def rates_of_losses(at: Solved, losses: Sequence[Loss]) -> Array:
+def rates_of_losses(solved: SolvedRobots, losses: Sequence[Loss]) -> Array:
     """Return the damping ratio of each mode per unit of each loss, (N, m, losses); NaN for rigid modes."""
-    rigid, count = at.system.rigid_modes, len(at.points) // len(at.robots)
-    rates = np.full((*at.eigenvalues.shape, len(losses)), np.nan)
-    size = at.system.joints.shape[-1]
-    for b, robot in enumerate(at.robots):
-        part = slice(b * count, (b + 1) * count)
-        modes = at.eigenvalues[part], at.channels[part, :, :size]
+    rigid, count = solved.system.rigid_modes, len(solved.points) // len(solved.robots)
+    rates = np.full((*solved.eigenvalues.shape, len(losses)), np.nan)
+    size = solved.system.joints.shape[-1]
+    for b, robot in enumerate(solved.robots):
+        rows = slice(b * count, (b + 1) * count)
+        modes = solved.eigenvalues[rows], solved.channels[rows, :, :size]
         catalogue = robot.mechanism.effects
         conservative = {
             name: value
@@ -137,12 +137,15 @@ def rates_of_losses(at: Solved, losses: Sequence[Loss]) -> Array:
         }
         for j, loss in enumerate(losses):
             if not loss.effect:
-                rates[part, rigid:, j] = 1.0
+                rates[rows, rigid:, j] = 1.0
                 continue
             # Only this effect dissipates.
-            lossy = replace(
-                robot, effects={**conservative, loss.parameter.name.removeprefix(f"{EFFECTS}."): PART}
+            robot_with_loss = replace(
+                robot,
+                effects={**conservative, loss.parameter.name.removeprefix(f"{EFFECTS}."): EVALUATION_VALUE},
             )
-            viscous, lost = Dissipation(lossy, ExtendedSystem.of(lossy)).of_model(at.points[part])
-            rates[part, :, j] = damping_ratios(*modes, viscous, lost, 0.0, rigid) / PART
+            viscous, loss_matrix = Dissipation(robot_with_loss, ExtendedSystem.of(robot_with_loss)).of_model(
+                solved.points[rows]
+            )
+            rates[rows, :, j] = damping_ratios(*modes, viscous, loss_matrix, 0.0, rigid) / EVALUATION_VALUE
     return rates

@@ -22,17 +22,17 @@ from pkmodes.core.robot.usable import USABLE, read_usable
 from pkmodes.core.support.ordering import joined
 from pkmodes.loop.diagnosis.arguments import check_measurements
 from pkmodes.loop.diagnosis.problem import Candidate, Loss, Parameter
-from pkmodes.loop.measured.columns import Stated, joined_with
+from pkmodes.loop.measured.columns import Stated, merge_stated
 from pkmodes.loop.measured.header import OTHER_MACHINE, SPREAD, owners
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.measured.rules import SHAPE
 from pkmodes.loop.updating.candidates import suspects
 from pkmodes.loop.updating.channels import channels
-from pkmodes.loop.updating.load_cases import LoadCases, load_cases, of_columns
+from pkmodes.loop.updating.load_cases import LoadCases, columns_in_words, load_cases_of
 from pkmodes.loop.updating.losses import is_loss, losses_of, without_losses
 from pkmodes.loop.updating.robot_structure import RobotStructure
 from pkmodes.loop.updating.robot_with_terms import ExtensibleRobot
-from pkmodes.loop.updating.usual import of_frame
+from pkmodes.loop.updating.usual import with_frame_ranges
 
 #: Factors for lengths in another unit than stated, and the remedy.
 OTHER_LENGTHS = {
@@ -76,7 +76,7 @@ class MeasuredRobot:
                     raise MeasurementError(problem, data.source, OTHER_MACHINE)
                 problem = f"{shown(name)} is not a coordinate of {robot.source}"
                 raise MeasurementError(problem, data.source, nearest_name(name, known_channels))
-        loads = load_cases(robot, data)
+        loads = load_cases_of(robot, data)
         check_reachable(robot, data, loads)
         return cls(robot, data, loads)
 
@@ -113,13 +113,13 @@ class MeasuredRobot:
                     problem = f"no damping was measured, and {name} changes nothing else"
                     remedy = "leave it out, or add a column damping to the measurements"
                     raise PkmodesError(problem, "candidates", remedy)
-        parameters, causes, moves = suspects(self.robot, without_losses(self.robot, candidates), self.loads)
-        parameters = of_frame(parameters, self.data)
+        parameters, causes, paths = suspects(self.robot, without_losses(self.robot, candidates), self.loads)
+        parameters = with_frame_ranges(parameters, self.data)
         cause_names = {cause.name for cause in causes}
-        # A prior of the measurements says nothing about a candidate that is not among those chosen.
+        # Priors that the measurements state for candidates outside the choice are ignored.
         stated = {n: prior for n, prior in self.data.priors.items() if candidates is None or n in cause_names}
-        causes = _with_priors(self.robot, parameters, causes, joined_with(stated, priors or {}, "priors"))
-        return ExtensibleRobot(self.robot, self.data.points, parameters, causes, moves, self.loads, losses)
+        causes = _with_priors(self.robot, parameters, causes, merge_stated(stated, priors or {}, "priors"))
+        return ExtensibleRobot(self.robot, self.data.points, parameters, causes, paths, self.loads, losses)
 
 
 def columns_of_others(excluded: Mechanism) -> dict[str, frozenset[str]]:
@@ -137,7 +137,7 @@ def columns_of_others(excluded: Mechanism) -> dict[str, frozenset[str]]:
 
 
 def robot_of(robot: Robot | Model) -> Robot:
-    """Return a robot, given as such or as a model."""
+    """Return a robot from a robot or a model."""
     if isinstance(robot, Model):
         return robot.robot
     if not isinstance(robot, Robot):
@@ -199,15 +199,15 @@ def _deviation(prior: float | str, parameter: Parameter, where: str) -> float:
                 value = float(value) / 100.0 * abs(parameter.value)
             else:
                 factor, powers = base_units(unit)
-                parameter_factor, same = base_units(parameter.unit)
-                if powers != same:
+                parameter_factor, parameter_powers = base_units(parameter.unit)
+                if powers != parameter_powers:
                     raise QuantityError(f"{shown(prior)} has the wrong dimension")
                 value = float(Decimal(number[1]) * factor / parameter_factor)
         except QuantityError as error:
             problem, expected = str(error), f"expected a standard deviation in {parameter.unit}"
             problem = problem if problem.startswith(expected) else f"{expected}: {problem}"
-            if number is not None and (meant := meant_as(unit, parameter.unit)) is not None:
-                remedy = f'write "{number[1]} {meant}"'
+            if number is not None and (likely_unit := meant_as(unit, parameter.unit)) is not None:
+                remedy = f'write "{number[1]} {likely_unit}"'
             raise PkmodesError(problem, where, error.remedy or remedy) from None
     if isinstance(value, bool) or not isinstance(value, int | float | np.integer | np.floating):
         raise PkmodesError(f"expected a standard deviation, found {shown(prior)}", where, remedy)
@@ -223,37 +223,37 @@ def check_reachable(robot: Robot, data: Measurements, loads: LoadCases) -> None:
     """
     valid = np.ones(len(data.points), dtype=bool)
     for c, case in enumerate(loads.cases):
-        rows = np.flatnonzero(loads.of == c)
-        valid[rows] = _reached(case.robot, data.points[rows])
+        rows = np.flatnonzero(loads.case_index == c)
+        valid[rows] = _is_reachable(case.robot, data.points[rows])
     if valid.all():
         return
     columns, first = f"columns {joined(data.components)}", int(np.argmin(valid))
     line = data.lines[int(np.argmax(data.pose == first))]
     where = f"{data.source}: line {line}, {columns}"
-    if (bad := int((~valid).sum())) > 1:
-        where += f", the first of {bad} bad poses"
+    if (unreachable_count := int((~valid).sum())) > 1:
+        where += f", the first of {unreachable_count} bad poses"
     if not valid.any():
         _refuse_another_unit(robot, data, where)
     load, remedy = data.load(first), f"check the row and {robot.source}"
-    if _reached(robot, data.points[first]).all():  # as declared, the robot reaches it
-        where, remedy = where.replace(columns, of_columns(load)), "check the set values"
-    loaded = loads.cases[loads.of[first]].robot
+    if _is_reachable(robot, data.points[first]).all():  # as declared, the robot reaches it
+        where, remedy = where.replace(columns, columns_in_words(load)), "check the set values"
+    loaded = loads.cases[loads.case_index[first]].robot
     try:
         check_poses(data.points[first], robot.mechanism, loaded.parameters, "raise")
     except PoseError as error:
-        label, place = shown(data.labels[first]), placed(robot.mechanism, data.points[first])
+        label, position = shown(data.labels[first]), placed(robot.mechanism, data.points[first])
         set_values = " with the set values" if load else ""
-        problem = f"pose {label} at {place} cannot be reached{set_values}: {error.what}"
+        problem = f"pose {label} at {position} cannot be reached{set_values}: {error.what}"
         raise MeasurementError(problem, where, f"{error.remedy}; {remedy}") from None
 
 
 def _refuse_another_unit(robot: Robot, data: Measurements, where: str) -> None:
     """Refuse poses that can all be reached with lengths in another unit than stated."""
     lengths = [component.unit == "m" for component in robot.mechanism.pose]
-    large = np.abs(data.points[:, lengths]).max(initial=0.0) >= LARGE
+    is_large = np.abs(data.points[:, lengths]).max(initial=0.0) >= LARGE
     for factor, remedy in OTHER_LENGTHS.items():
         scaled = data.points * np.where(lengths, factor, 1.0)
-        if (factor > 1.0 or large) and _reached(robot, scaled).all():
+        if (factor > 1.0 or is_large) and _is_reachable(robot, scaled).all():
             columns = ",".join(
                 f"{name} [mm]" if length else name
                 for name, length in zip(data.components, lengths, strict=True)
@@ -262,5 +262,5 @@ def _refuse_another_unit(robot: Robot, data: Measurements, where: str) -> None:
             raise MeasurementError(problem, where, remedy.format(columns, ",".join(data.components)))
 
 
-def _reached(robot: Robot, points: NDArray[np.float64]) -> NDArray[np.bool_]:
+def _is_reachable(robot: Robot, points: NDArray[np.float64]) -> NDArray[np.bool_]:
     return check_poses(points, robot.mechanism, robot.parameters, "nan").valid

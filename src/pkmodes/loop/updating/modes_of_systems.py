@@ -1,4 +1,4 @@
-"""Modes of several robots at once, for a diagnosis: with one solver where there is one for all of them.
+"""Modes of several robots at once, for a diagnosis: with one solver for all of them if there is one.
 
 They have the same free coordinates and differ only in numbers, so that they are solved as one system.
 """
@@ -47,13 +47,13 @@ class StackedSystems(ExtendedSystem):
     def parameters(self) -> Any:
         """The robots, as the generated model takes them."""
         sets = [s.parameters for s in self._systems]
-        return sets[0]._replace(**_different(sets, self._count))
+        return sets[0]._replace(**_differing_fields(sets, self._count))
 
     @cached_property
     def effects(self) -> Any:
         """Their effects."""
         sets = [s.effects for s in self._systems]
-        return sets[0]._replace(**_different(sets, self._count))
+        return sets[0]._replace(**_differing_fields(sets, self._count))
 
     @cached_property
     def joints(self) -> Array:  # type: ignore[override]
@@ -73,8 +73,8 @@ class StackedSystems(ExtendedSystem):
     def lanes(self) -> Lanes:
         """The robots as the compiled evaluator takes them."""
         return Lanes(
-            _flat_of_each([s.parameters for s in self._systems]),
-            _flat_of_each([s.effects for s in self._systems]),
+            _flat_rows([s.parameters for s in self._systems]),
+            _flat_rows([s.effects for s in self._systems]),
             np.array([s.joints for s in self._systems]),
             self.free.astype(np.int32),
             self.massless.astype(np.int8),
@@ -82,12 +82,12 @@ class StackedSystems(ExtendedSystem):
         )
 
 
-def stacked(systems: Sequence[ExtendedSystem], count: int) -> ExtendedSystem:
+def stack_systems(systems: Sequence[ExtendedSystem], count: int) -> ExtendedSystem:
     """Combine robots, see `StackedSystems`; a single one is returned as it is."""
     return systems[0] if len(systems) == 1 else StackedSystems(systems, count)
 
 
-def _different(sets: Sequence[tuple[Any, ...]], count: int) -> dict[str, Array]:
+def _differing_fields(sets: Sequence[tuple[Any, ...]], count: int) -> dict[str, Array]:
     """Return the fields in which the named tuples differ, each value repeated `count` times along a leading axis."""
     repeated = {}
     for name in sets[0]._fields:  # type: ignore[attr-defined]
@@ -97,7 +97,7 @@ def _different(sets: Sequence[tuple[Any, ...]], count: int) -> dict[str, Array]:
     return repeated
 
 
-def _flat_of_each(sets: Sequence[tuple[Any, ...]]) -> Array:
+def _flat_rows(sets: Sequence[tuple[Any, ...]]) -> Array:
     """Return the fields of each named tuple in a row; most of them are the same objects."""
     rows = np.tile(flat(sets[0]), (len(sets), 1))
     ends = np.cumsum([np.size(value) for value in sets[0]]).tolist()
@@ -133,24 +133,24 @@ def modes_of_systems(systems: Sequence[ExtendedSystem], points: Array) -> ModesO
     - systems: length B
     - points: n poses of each robot, robot by robot, (B n, d)
     """
-    system = stacked(systems, len(points) // len(systems))
+    system = stack_systems(systems, len(points) // len(systems))
     modes = _by_solvers(systems, system, np.ascontiguousarray(points))
     if modes is not None:
         return modes
-    at = RobotAtPoses(system, points, "", {})
+    robot_at_poses = RobotAtPoses(system, points, "", {})
     matrices = None
     try:
-        eigenvalues, shapes = modes_of(at)
-        matrices = at.all_coordinates
+        eigenvalues, shapes = modes_of(robot_at_poses)
+        matrices = robot_at_poses.all_coordinates
     except np.linalg.LinAlgError:  # a required inertia is missing: these values are not a machine
         eigenvalues = np.full((len(points), len(system.free)), np.nan)
         shapes = np.zeros((*eigenvalues.shape, len(system.free)))
-    return ModesOfSystems(system, eigenvalues, shapes, _motions(at, shapes), matrices, None)
+    return ModesOfSystems(system, eigenvalues, shapes, _motions(robot_at_poses, shapes), matrices, None)
 
 
 def modes_where_reached(systems: Sequence[ExtendedSystem], points: Array) -> ModesOfSystems | None:
-    """Evaluate the same at poses that may be out of reach; None if one is, or if no solver checks poses itself."""
-    system = stacked(systems, len(points) // len(systems))
+    """Evaluate the modes at poses that may be out of reach; None if one is, or if no solver checks poses."""
+    system = stack_systems(systems, len(points) // len(systems))
     return _by_solvers(systems, system, np.ascontiguousarray(points), checked=False)
 
 
@@ -172,28 +172,28 @@ def _by_solvers(
     tails = {EIGENVALUES: (m,), SHAPES: (m, n), MOTIONS: (m, len(system.mechanism.platform))}
     arrays = {name: np.empty((len(points), *tail)) for name, tail in tails.items()}
     codes = np.empty(len(points), dtype=np.int8)
-    filled = {name: array for name, array in arrays.items() if name in solver.fields}
+    solver_arrays = {name: array for name, array in arrays.items() if name in solver.fields}
     if solver.together:
-        codes[:] = solver.compute(RobotAtPoses(system, points, "", {}), filled)
+        codes[:] = solver.compute(RobotAtPoses(system, points, "", {}), solver_arrays)
     else:
         for b, (member, member_solver) in enumerate(zip(systems, solvers, strict=True)):
             part = slice(b * count, (b + 1) * count)
-            part_arrays = {name: array[part] for name, array in filled.items()}
+            part_arrays = {name: array[part] for name, array in solver_arrays.items()}
             codes[part] = member_solver.compute(RobotAtPoses(member, points[part], "", {}), part_arrays)
     if (codes > 0).any():
         return None
-    if MOTIONS not in filled:
+    if MOTIONS not in solver_arrays:
         arrays[MOTIONS] = _motions(RobotAtPoses(system, points, "", {}), arrays[SHAPES])
     failed = np.unique(np.flatnonzero(codes == UNSOLVED) // count)
     if len(failed):  # all poses of these robots
         rows = (failed[:, None] * count + np.arange(count)).ravel()
-        unsolved = RobotAtPoses(stacked([systems[b] for b in failed], count), points[rows], "", {})
+        failed_robots = RobotAtPoses(stack_systems([systems[b] for b in failed], count), points[rows], "", {})
         try:
-            eigenvalues, shapes = modes_of(unsolved)
+            eigenvalues, shapes = modes_of(failed_robots)
         except np.linalg.LinAlgError:
             return None
         arrays[EIGENVALUES][rows], arrays[SHAPES][rows] = eigenvalues, shapes
-        arrays[MOTIONS][rows] = _motions(unsolved, shapes)
+        arrays[MOTIONS][rows] = _motions(failed_robots, shapes)
     return ModesOfSystems(
         system,
         arrays[EIGENVALUES],
@@ -207,11 +207,11 @@ def _by_solvers(
 def solver_of_several(systems: Sequence[ExtendedSystem]) -> Solver | None:
     """Return the solver of several robots together, if there is one."""
     try:
-        solver = solver_of(stacked(systems, 1), MAX_CONDITION, chosen(AUTO)).inner
+        solver = solver_of(stack_systems(systems, 1), MAX_CONDITION, chosen(AUTO)).inner
     except UnavailableError:
         return None
     return solver if solver.together else None
 
 
-def _motions(at: RobotAtPoses, shapes: Array) -> Array:
-    return np.asarray(shapes @ np.swapaxes(at.platform_motion, -1, -2))
+def _motions(robot_at_poses: RobotAtPoses, shapes: Array) -> Array:
+    return np.asarray(shapes @ np.swapaxes(robot_at_poses.platform_motion, -1, -2))

@@ -29,19 +29,22 @@ from pkmodes.loop.updating.modes_of_systems import modes_of_systems, modes_where
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
 #: Padding for robots with fewer parameters than others that are evaluated with them.
-NOTHING = ParameterPath("", 0.0, "1", {})
-#: Eigenvalue of the first missing mode of a setup, far above all others, and the ratio between successive ones.
-LACKING, FARTHER = 1e40, 100.0
+NO_PATH = ParameterPath("", 0.0, "1", {})
+#: Eigenvalue of the first missing mode of a setup, far above all others, and ratio of successive ones.
+MISSING_EIGENVALUE, MISSING_RATIO = 1e40, 100.0
 
 
-class Moves(NamedTuple):
-    """Moves of k parameters of one robot: T paths, and the motion along each, (n, T, k); None for the identity."""
+class Motions(NamedTuple):
+    """Motions of k parameters of one robot along T paths.
+
+    - weights: change along each path per unit of each parameter, (n, T, k); None for the identity
+    """
 
     paths: tuple[ParameterPath, ...]
-    mix: Array | None
+    weights: Array | None
 
 
-class Solved(NamedTuple):
+class SolvedRobots(NamedTuple):
     """Modes of B robots that can be evaluated together, at n reachable poses each, the first robot first.
 
     The matrices, in all coordinates, are None where the modes were found without them.  The solver is that of all
@@ -58,12 +61,12 @@ class Solved(NamedTuple):
     channels: Array
     solver: Solver | None
 
-    def of(self, robot: int) -> Solved:
+    def of_robot(self, robot: int) -> SolvedRobots:
         """Return the modes of one robot."""
         count = len(self.points) // len(self.robots)
         part = slice(robot * count, (robot + 1) * count)
         matrices = None if self.matrices is None else (self.matrices[0][part], self.matrices[1][part])
-        return Solved(
+        return SolvedRobots(
             self.robots[robot : robot + 1],
             self.systems[robot : robot + 1],
             self.systems[robot],
@@ -77,18 +80,20 @@ class Solved(NamedTuple):
 
 
 @overload
-def solved_together(robots: Sequence[Robot], systems: Sequence[ExtendedSystem], points: Array) -> Solved: ...
+def solve_together(
+    robots: Sequence[Robot], systems: Sequence[ExtendedSystem], points: Array
+) -> SolvedRobots: ...
 @overload
-def solved_together(
+def solve_together(
     robots: Sequence[Robot], systems: Sequence[ExtendedSystem], points: Array, *, checked: bool
-) -> Solved | None: ...
-def solved_together(
+) -> SolvedRobots | None: ...
+def solve_together(
     robots: Sequence[Robot], systems: Sequence[ExtendedSystem], points: Array, *, checked: bool = True
-) -> Solved | None:
+) -> SolvedRobots | None:
     """Solve robots with the same free coordinates together, at (B n, d) poses.
 
-    Poses that were not checked are only solved by a solver that does; the result is None if there is no such
-    solver, or it refuses a pose.
+    If the poses were not checked, the solver must check them; the result is None if there is no such solver, or it
+    refuses a pose.
     """
     modes = modes_of_systems(systems, points) if checked else modes_where_reached(systems, points)
     if modes is None:
@@ -100,65 +105,80 @@ def solved_together(
     channels[..., of_model] = system.of_model(channels[..., of_model])
     channels[..., -motions.shape[-1] :] = motions
     fields = tuple(robots), tuple(systems), system, points, matrices, eigenvalues, shapes, channels, solver
-    return Solved(*fields)
+    return SolvedRobots(*fields)
 
 
-def derived(at: Solved, moves: Sequence[Moves], shape_rates: bool) -> Prediction:
-    """Return modes with their derivatives along the moves of each robot's parameters."""
-    if len(moves) > 1 and any(locked_joints(at.system, robot_moves.paths).paths for robot_moves in moves):
-        predictions = [derived(at.of(b), [robot_moves], shape_rates) for b, robot_moves in enumerate(moves)]
-        return concatenated(predictions)
-    longest = max(len(robot_moves.paths) for robot_moves in moves)
-    filled = {
-        id(robot_moves.paths): (*robot_moves.paths, *[NOTHING] * (longest - len(robot_moves.paths)))
-        for robot_moves in moves
+def predict_along(solved: SolvedRobots, motions: Sequence[Motions], shape_rates: bool) -> Prediction:
+    """Return modes with their derivatives along the motions of each robot's parameters."""
+    if len(motions) > 1 and any(
+        locked_joints(solved.system, robot_motions.paths).paths for robot_motions in motions
+    ):
+        predictions = [
+            predict_along(solved.of_robot(b), [robot_motions], shape_rates)
+            for b, robot_motions in enumerate(motions)
+        ]
+        return concatenate_predictions(predictions)
+    path_count = max(len(robot_motions.paths) for robot_motions in motions)
+    padded_paths = {
+        id(robot_motions.paths): (*robot_motions.paths, *[NO_PATH] * (path_count - len(robot_motions.paths)))
+        for robot_motions in motions
     }
-    paths = [filled[id(robot_moves.paths)] for robot_moves in moves]
-    rates = np.zeros((*at.eigenvalues.shape, longest))
-    along = np.zeros((*at.channels.shape, longest)) if shape_rates else None
-    if longest and np.isfinite(at.eigenvalues).all():
-        modes = at.eigenvalues, at.shapes
-        terms = None if at.solver is None else terms_of_all(at.systems, paths)
+    paths = [padded_paths[id(robot_motions.paths)] for robot_motions in motions]
+    rates = np.zeros((*solved.eigenvalues.shape, path_count))
+    channel_rates = np.zeros((*solved.channels.shape, path_count)) if shape_rates else None
+    if path_count and np.isfinite(solved.eigenvalues).all():
+        modes = solved.eigenvalues, solved.shapes
+        terms = None if solved.solver is None else terms_of_all(solved.systems, paths)
         derivatives = derivatives_of(
-            at.solver, at.system, at.points, paths, modes, terms, ALONG_OF_MODES, matrices=at.matrices
+            solved.solver,
+            solved.system,
+            solved.points,
+            paths,
+            modes,
+            terms,
+            ALONG_OF_MODES,
+            matrices=solved.matrices,
         )
-        rates = derivatives.eigenvalues(at.eigenvalues, at.shapes)
-        if along is not None:
-            along = _channel_rates(at, derivatives, paths)
-    if any(robot_moves.mix is not None for robot_moves in moves):
-        mix = _mixed(moves, longest, len(at.points) // len(moves))
-        rates, along = rates @ mix, None if along is None else along @ mix[:, None]
-    return Prediction(at.eigenvalues, rates, at.channels, at.system.rigid_modes, along)
+        rates = derivatives.eigenvalues(solved.eigenvalues, solved.shapes)
+        if channel_rates is not None:
+            channel_rates = _channel_rates(solved, derivatives, paths)
+    if any(robot_motions.weights is not None for robot_motions in motions):
+        combined_weights = _weights_of_robots(motions, path_count, len(solved.points) // len(motions))
+        rates, channel_rates = (
+            rates @ combined_weights,
+            None if channel_rates is None else channel_rates @ combined_weights[:, None],
+        )
+    return Prediction(solved.eigenvalues, rates, solved.channels, solved.system.rigid_modes, channel_rates)
 
 
-def joined_modes(parts: Sequence[tuple[Index, Prediction]], setups: int) -> Prediction:
+def join_modes(parts: Sequence[tuple[Index, Prediction]], setups: int) -> Prediction:
     """Join the modes of parts of the setups; NaN for a setup that is in no part.
 
     Robots of different load cases may differ in their numbers of modes and rigid modes.  Rigid modes come first,
-    padded to the largest number; missing elastic modes are placed far above (`LACKING`).
+    padded to the largest number; missing elastic modes are placed far above (`MISSING_EIGENVALUE`).
 
     - parts: setups and their modes
     - setups: number of all setups
     """
-    rows, only = parts[0]
+    rows, single_part = parts[0]
     if len(parts) == 1 and np.array_equal(rows, np.arange(setups)):
-        return only
+        return single_part
     rigid = max(part.rigid for _, part in parts)
     count = rigid + max(part.eigenvalues.shape[1] - part.rigid for _, part in parts)
     eigenvalues = np.full((setups, count), np.nan)
-    arrays = [np.full((setups, count, *a.shape[2:]), np.nan) for a in _arrays(only)]
+    arrays = [np.full((setups, count, *a.shape[2:]), np.nan) for a in _arrays(single_part)]
     for rows, part in parts:
         elastic = part.eigenvalues.shape[1] - part.rigid
-        lacking = LACKING * FARTHER ** np.arange(count - rigid - elastic)
-        place = np.r_[: part.rigid, rigid : rigid + elastic]
+        missing_eigenvalues = MISSING_EIGENVALUE * MISSING_RATIO ** np.arange(count - rigid - elastic)
+        columns = np.r_[: part.rigid, rigid : rigid + elastic]
         eigenvalues[np.ix_(rows, np.arange(part.rigid, rigid))] = 0.0
-        eigenvalues[np.ix_(rows, np.arange(rigid + elastic, count))] = lacking
-        eigenvalues[np.ix_(rows, place)] = part.eigenvalues
-        for whole, values in zip(arrays, _arrays(part), strict=True):
-            whole[rows] = 0.0
-            whole[np.ix_(rows, place)] = values
-    rates, shapes, *along = arrays
-    return Prediction(eigenvalues, rates, shapes, rigid, *along)
+        eigenvalues[np.ix_(rows, np.arange(rigid + elastic, count))] = missing_eigenvalues
+        eigenvalues[np.ix_(rows, columns)] = part.eigenvalues
+        for array, values in zip(arrays, _arrays(part), strict=True):
+            array[rows] = 0.0
+            array[np.ix_(rows, columns)] = values
+    rates, shapes, *shape_rates = arrays
+    return Prediction(eigenvalues, rates, shapes, rigid, *shape_rates)
 
 
 def _arrays(part: Prediction) -> list[Array]:
@@ -166,69 +186,71 @@ def _arrays(part: Prediction) -> list[Array]:
     return [part.rates, part.shapes, *([] if part.shape_rates is None else [part.shape_rates])]
 
 
-def concatenated(parts: Sequence[Prediction]) -> Prediction:
+def concatenate_predictions(parts: Sequence[Prediction]) -> Prediction:
     """Join the predictions of several robots with equally many modes, one after the other."""
-    along = [part.shape_rates for part in parts if part.shape_rates is not None]
+    shape_rates = [part.shape_rates for part in parts if part.shape_rates is not None]
     return Prediction(
         np.concatenate([part.eigenvalues for part in parts]),
         np.concatenate([part.rates for part in parts]),
         np.concatenate([part.shapes for part in parts]),
         parts[0].rigid,
-        np.concatenate(along) if along else None,
+        np.concatenate(shape_rates) if shape_rates else None,
     )
 
 
-def _mixed(moves: Sequence[Moves], longest: int, poses: int) -> Array:
-    """Return the motion of each parameter along each path, (N, T, k)."""
+def _weights_of_robots(motions: Sequence[Motions], path_count: int, poses: int) -> Array:
+    """Return the change along each path per unit of each parameter, (N, T, k)."""
     columns = max(
-        len(robot_moves.paths) if robot_moves.mix is None else robot_moves.mix.shape[-1]
-        for robot_moves in moves
+        len(robot_motions.paths) if robot_motions.weights is None else robot_motions.weights.shape[-1]
+        for robot_motions in motions
     )
-    mix = np.zeros((len(moves), poses, longest, columns))
-    for robot_moves, part in zip(moves, mix, strict=True):
-        motion = np.eye(len(robot_moves.paths)) if robot_moves.mix is None else robot_moves.mix
-        part[:, : motion.shape[-2], : motion.shape[-1]] = motion
-    return mix.reshape(-1, longest, columns)
+    all_weights = np.zeros((len(motions), poses, path_count, columns))
+    for robot_motions, padded_weights in zip(motions, all_weights, strict=True):
+        weights = np.eye(len(robot_motions.paths)) if robot_motions.weights is None else robot_motions.weights
+        padded_weights[:, : weights.shape[-2], : weights.shape[-1]] = weights
+    return all_weights.reshape(-1, path_count, columns)
 
 
 def _channel_rates(
-    at: Solved, derivatives: MatrixDerivatives, paths: Sequence[tuple[ParameterPath, ...]]
+    solved: SolvedRobots, derivatives: MatrixDerivatives, paths: Sequence[tuple[ParameterPath, ...]]
 ) -> Array:
     """Return the derivatives of the shapes at the channels along paths, (N, m, C, T)."""
-    mechanism = at.system.mechanism
+    mechanism = solved.system.mechanism
     components, geometry = len(mechanism.platform), geometry_of(mechanism)
-    motion = partial(at.system.motion_of_all, at.points)
+    motion = partial(solved.system.motion_of_all, solved.points)
     changes = shape_derivatives(
-        derivatives, at.eigenvalues, at.shapes, at.channels[..., -components:], motion
+        derivatives, solved.eigenvalues, solved.shapes, solved.channels[..., -components:], motion
     )
     rates = np.ascontiguousarray(np.moveaxis(changes, 1, -1))
-    moved = derivatives.motions(at.shapes)
-    if moved is not None:
-        rates[..., -components:, :] += np.moveaxis(moved, 1, -1)
+    platform_rates = derivatives.motions(solved.shapes)
+    if platform_rates is not None:
+        rates[..., -components:, :] += np.moveaxis(platform_rates, 1, -1)
         return rates
-    for robot, robot_paths, part in _alike(at, paths):
+    for robot, robot_paths, part in _group_equal_robots(solved, paths):
         for t, path in enumerate(robot_paths):
             # The Jacobian of the platform also changes with the geometry and the pose.
             if any(field in geometry or field == POSE for field, _ in path.weights):
                 numbers = robot.parameters, ExtendedSystem.of(robot).effects
                 parameters, effects, shift = stepped_along(mechanism, *numbers, path)
-                stepped = at.system.motion_of_all(at.points[part] + STEP * 1j * shift, parameters, effects)
+                stepped = solved.system.motion_of_all(
+                    solved.points[part] + STEP * 1j * shift, parameters, effects
+                )
                 rate = (stepped.imag / STEP)[..., derivatives.free]
-                rates[part, :, -components:, t] += at.shapes[part] @ np.swapaxes(rate, -1, -2)
+                rates[part, :, -components:, t] += solved.shapes[part] @ np.swapaxes(rate, -1, -2)
     return rates
 
 
-def _alike(
-    at: Solved, paths: Sequence[tuple[ParameterPath, ...]]
+def _group_equal_robots(
+    solved: SolvedRobots, paths: Sequence[tuple[ParameterPath, ...]]
 ) -> list[tuple[Robot, tuple[ParameterPath, ...], Index]]:
     """Group equal robots with equal paths, with the indices of all their poses."""
-    count = len(at.points) // len(at.robots)
+    count = len(solved.points) // len(solved.robots)
     groups: dict[tuple[int, int], list[int]] = {}
-    for b, robot in enumerate(at.robots):
+    for b, robot in enumerate(solved.robots):
         groups.setdefault((id(robot), id(paths[b])), []).append(b)
     return [
         (
-            at.robots[members[0]],
+            solved.robots[members[0]],
             paths[members[0]],
             np.concatenate([np.arange(b * count, (b + 1) * count) for b in members]),
         )
@@ -240,16 +262,16 @@ def stepped_along(
     mechanism: Mechanism, parameters: Any, effects: Any, path: ParameterPath
 ) -> tuple[Any, Any, Array]:
     """Return the parameters and effects of a robot with a complex step along a path, and the rates of the pose."""
-    shift = np.zeros(len(mechanism.pose))
+    pose_rates = np.zeros(len(mechanism.pose))
     values: dict[str, NDArray[np.complex128]] = {}
     dotted = {name: field for field, name in effect_fields(mechanism).items()}
     for (field, index), weight in path.weights.items():
         if field == POSE:
-            shift[index] = weight
+            pose_rates[index] = weight
         elif field in parameters._fields:
             values.setdefault(field, np.array(getattr(parameters, field), dtype=complex))
             values[field][index] += STEP * 1j * weight
         elif field in dotted:
-            moved = getattr(effects, dotted[field]) + STEP * 1j * weight
-            effects = effects._replace(**{dotted[field]: moved})
-    return parameters._replace(**values), effects, shift
+            stepped_effect = getattr(effects, dotted[field]) + STEP * 1j * weight
+            effects = effects._replace(**{dotted[field]: stepped_effect})
+    return parameters._replace(**values), effects, pose_rates

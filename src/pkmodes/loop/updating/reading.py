@@ -16,14 +16,14 @@ from pkmodes.core.mechanism.registry import Mechanism, mechanism, names
 from pkmodes.core.model import Model
 from pkmodes.core.robot.columns import parted
 from pkmodes.core.robot.robot import Robot
-from pkmodes.loop.measured.columns import joined_with
+from pkmodes.loop.measured.columns import merge_stated
 from pkmodes.loop.measured.csv_format import read_text, states_in
 from pkmodes.loop.measured.csv_rows import read_lines
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.measured.reading import read_measurements
 from pkmodes.loop.measured.rules import SHAPE
 from pkmodes.loop.updating.channels import channels
-from pkmodes.loop.updating.load_cases import settable
+from pkmodes.loop.updating.load_cases import settable_paths
 from pkmodes.loop.updating.measured_robot import columns_of_others, robot_of
 
 
@@ -71,22 +71,26 @@ def read(
     """
     if not isinstance(path, str | PathLike):
         raise PkmodesError(f"expected a path, found {shown(path)}", "read", "give the name of a CSV file")
-    of = None if robot is None else robot_of(robot)
-    mechanisms = [mechanism(name) for name in names()] if of is None else [of.mechanism]
+    checked_robot = None if robot is None else robot_of(robot)
+    mechanisms = [mechanism(name) for name in names()] if checked_robot is None else [checked_robot.mechanism]
     data = read_measurements(
         path,
         {name: unit for machine in mechanisms for name, unit in channels(machine).items()},
         components=[_components(machine) for machine in mechanisms],
-        settings={name: unit for machine in mechanisms for name, unit in settable(machine, of).items()},
+        settings={
+            name: unit
+            for machine in mechanisms
+            for name, unit in settable_paths(machine, checked_robot).items()
+        },
         drives=None if drives is None else checked_drives(drives),
-        usual_drives=FREE if of is None else of.drives,
+        usual_drives=FREE if checked_robot is None else checked_robot.drives,
         state=state,
-        others=dict if of is None else partial(columns_of_others, of.mechanism),
+        others=dict if checked_robot is None else partial(columns_of_others, checked_robot.mechanism),
     )
     return replace(
-        _within(band, data),
-        priors=joined_with(data.priors, priors, "priors"),
-        usable=joined_with(data.usable, usable, "usable"),
+        _with_band(band, data),
+        priors=merge_stated(data.priors, priors, "priors"),
+        usable=merge_stated(data.usable, usable, "usable"),
     )
 
 
@@ -132,10 +136,10 @@ def read_any(
     data = read_measurements(
         path, [name[len(SHAPE) :] for name in file_shapes], positions=False, drives=drives
     )
-    return _within(band, data)
+    return _with_band(band, data)
 
 
-def _within(band: tuple[float, float] | None, data: Measurements) -> Measurements:
+def _with_band(band: tuple[float, float] | None, data: Measurements) -> Measurements:
     """Return measurements with the band of an argument, which may not contradict theirs."""
     if band is None:
         return data

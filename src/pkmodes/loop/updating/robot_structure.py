@@ -23,30 +23,30 @@ from pkmodes.core.system.motors import motor_springs_among
 from pkmodes.loop.diagnosis.problem import Batch, Candidate, Loss, Parameter, Prediction, Sensor
 from pkmodes.loop.sensitivity.locked import locked_joints
 from pkmodes.loop.sensitivity.matrices import POSE
-from pkmodes.loop.sensitivity.paths import ParameterPath, moved
+from pkmodes.loop.sensitivity.paths import ParameterPath, change_quantities
 from pkmodes.loop.updating import frame
 from pkmodes.loop.updating.candidates import EFFECTS
 from pkmodes.loop.updating.channels import channels, sensors
 from pkmodes.loop.updating.load_cases import LoadCase, LoadCases, payloads
 from pkmodes.loop.updating.losses import rates_of_losses
-from pkmodes.loop.updating.predictions import Moves, Solved, derived, joined_modes, solved_together
+from pkmodes.loop.updating.predictions import Motions, SolvedRobots, join_modes, predict_along, solve_together
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
 #: Number of poses drawn around the measured ones for the next measurement, and the random seed.
 DRAWS, SEED = 400, 7
-#: Smallest angle of a rod to its singular direction there [rad].
-LEAST_ANGLE = float(np.radians(10.0))
-#: Kinds of keys of the robot file that define a location or orientation, whatever their dimension.
-WHERE = ("direction", "choice", "signs", "pair")
+#: Smallest angle of a rod to its singular direction at a proposed pose [rad].
+MIN_ROD_ANGLE = float(np.radians(10.0))
+#: Kinds of keys of the robot file that define a location or orientation, regardless of their dimension.
+GEOMETRY_KINDS = ("direction", "choice", "signs", "pair")
 
 
 class Machines(NamedTuple):
-    """The robots of all load cases with one set of values, what is solved for each, and all poses."""
+    """The robots of all load cases with one set of values, the system of each, and all poses."""
 
     robots: list[Robot]
     systems: list[ExtendedSystem]
-    where: Array
+    points: Array
 
 
 class _SolvedSetups(NamedTuple):
@@ -54,16 +54,15 @@ class _SolvedSetups(NamedTuple):
 
     rows: Index
     owners: list[int]
-    at: Solved
+    modes: SolvedRobots
 
 
 class RobotStructure:
     """A robot at P platform poses.
 
     - points: poses, (P, d)
-    - parameters, candidates, moves: from `pkmodes.loop.updating.candidates.suspects`; parameters of the measurement
-    frame
-      have no move
+    - parameters, candidates, parameter_paths: from `pkmodes.loop.updating.candidates.suspects`; parameters of the
+      measurement frame have no path
     - loads: values set at the poses; by default none
     - losses: from `pkmodes.loop.updating.losses.losses_of`; empty if damping is not to be diagnosed
     """
@@ -74,7 +73,7 @@ class RobotStructure:
         points: Array,
         parameters: Sequence[Parameter],
         candidates: Sequence[Candidate],
-        moves: Mapping[str, ParameterPath],
+        parameter_paths: Mapping[str, ParameterPath],
         loads: LoadCases | None = None,
         losses: Sequence[Loss] = (),
     ) -> None:
@@ -89,17 +88,17 @@ class RobotStructure:
             ParameterPath(f"{POSE}.{component.name}", 0.0, component.unit, {(POSE, (i,)): 1.0})
             for i, component in enumerate(self._mechanism.pose)
         )
-        self._moves = dict(moves)
-        self.loads = LoadCases.none(robot, len(self.points)) if loads is None else loads
+        self._path_of = dict(parameter_paths)
+        self.loads = LoadCases.as_declared(robot, len(self.points)) if loads is None else loads
         self._free_paths = [
-            {name: case.reduced(path) for name, path in self._moves.items()} for case in self.loads.cases
+            {name: case.reduced(path) for name, path in self._path_of.items()} for case in self.loads.cases
         ]
-        self._last: tuple[bytes, list[_SolvedSetups]] | None = None
-        self._latest: tuple[object, Prediction] | None = None
+        self._cached_modes: tuple[bytes, list[_SolvedSetups]] | None = None
+        self._cached_prediction: tuple[object, Prediction] | None = None
 
     def __getstate__(self) -> dict[str, object]:
         # The last modes hold their solver, which cannot be pickled.
-        return {**self.__dict__, "_last": None, "_latest": None}
+        return {**self.__dict__, "_cached_modes": None, "_cached_prediction": None}
 
     @property
     def sensors(self) -> tuple[Sensor, ...]:
@@ -113,17 +112,17 @@ class RobotStructure:
 
     def at(self, points: Array, loads: LoadCases | None = None) -> RobotStructure:
         """Return the same robot at other poses, as declared, or with load cases."""
-        arguments = self.parameters, self.candidates, self._moves
+        arguments = self.parameters, self.candidates, self._path_of
         return type(self)(self.robot, points, *arguments, loads, self.losses)
 
     def extended(
         self,
         parameters: Sequence[Parameter],
-        moves: Mapping[str, ParameterPath],
+        parameter_paths: Mapping[str, ParameterPath],
         candidates: Sequence[Candidate],
     ) -> RobotStructure:
         """Return the same robot with further parameters, the path of each, and other candidates."""
-        arguments = (*self.parameters, *parameters), candidates, {**self._moves, **moves}
+        arguments = (*self.parameters, *parameters), candidates, {**self._path_of, **parameter_paths}
         return type(self)(self.robot, self.points, *arguments, self.loads, self.losses)
 
     def subset(self, setups: Sequence[int]) -> RobotStructure:
@@ -141,34 +140,34 @@ class RobotStructure:
 
     def may_be_held(self, causes: Collection[str]) -> bool:
         """Return whether a measurement with held motors may be proposed: motors that give way only if some were."""
-        if any(self.loads.cases[c].drives == HELD for c in set(self.loads.of.tolist())):
+        if any(self.loads.cases[c].drives == HELD for c in set(self.loads.case_index.tolist())):
             return True
         return not (motors_give_way(self.robot) or motor_springs_among(self._mechanism, causes))
 
     def loaded(self) -> list[tuple[dict[str, float], RobotStructure]]:
         """Return payloads (values by path), each with the robot at its poses under it."""
-        first = np.zeros(len(self.points), dtype=np.intp)
+        case_index = np.zeros(len(self.points), dtype=np.intp)
         cases = [
             (load, LoadCase.of(self.robot, load, self.drives)) for load in payloads(self.robot, self.points)
         ]
-        return [(load, self.at(self.points, LoadCases(tuple(load), (case,), first))) for load, case in cases]
+        return [
+            (load, self.at(self.points, LoadCases(tuple(load), (case,), case_index))) for load, case in cases
+        ]
 
     @np.errstate(over="ignore", invalid="ignore", divide="ignore")  # a fit may try impossible values
     def predict(self, values: Array, by: Sequence[int], *, shape_rates: bool = False) -> Prediction:
         """Return the modes at all poses, with derivatives with respect to some of the parameters."""
         request = values.tobytes(), tuple(by), shape_rates
-        if (
-            self._latest is not None and self._latest[0] == request
-        ):  # a fit evaluates the same values more than once
-            return self._latest[1]
-        prediction = self._joined(
-            [
-                (part.rows, derived(part.at, self.moved_by(values, by, part.rows, part.owners), shape_rates))
-                for part in self._at_values(values)
-            ]
-        )
+        # A fit evaluates the same values more than once.
+        if self._cached_prediction is not None and self._cached_prediction[0] == request:
+            return self._cached_prediction[1]
+        parts = []
+        for part in self._at_values(values):
+            motions = self.motions_of(values, by, part.rows, part.owners)
+            parts.append((part.rows, predict_along(part.modes, motions, shape_rates)))
+        prediction = join_modes(parts, len(self.points))
         if by:
-            self._latest = request, prediction
+            self._cached_prediction = request, prediction
         return prediction
 
     @np.errstate(over="ignore", invalid="ignore", divide="ignore")  # a fit may try impossible values
@@ -181,39 +180,42 @@ class RobotStructure:
         """
         machines = [self.machines(v) for v in values]
         groups: dict[object, list[int]] = {}
-        for k, (at, chosen) in enumerate(zip(machines, by, strict=True)):
-            apart = any(locked_joints(at.systems[c], paths).paths for c, paths in self._paths(chosen).items())
-            groups.setdefault(k if apart else tuple(map(self._key, at.systems)), []).append(k)
-        everywhere = np.ones(len(self.points), dtype=bool)
+        for k, (machine, indices) in enumerate(zip(machines, by, strict=True)):
+            paths = self._paths(indices)
+            is_separate = any(locked_joints(machine.systems[c], paths[c]).paths for c in paths)
+            key = k if is_separate else tuple(map(self._evaluation_key, machine.systems))
+            groups.setdefault(key, []).append(k)
+        all_poses = np.ones(len(self.points), dtype=bool)
         count, batches = len(self.points), []
-        for alike in groups.values():
-            blocks = self._blocks(machines[alike[0]], everywhere)
-            batched = alike if len(alike) > 1 else []
-            parts = _solved_blocks([machines[k] for k in batched], blocks, checked=False)
+        for members in groups.values():
+            blocks = self._blocks(machines[members[0]], all_poses)
+            batch = members if len(members) > 1 else []
+            parts = _solved_blocks([machines[k] for k in batch], blocks, checked=False)
             if parts is None:
-                batched = [k for k in batched if self.reachable(machines[k]).all()]
-                parts = _solved_blocks([machines[k] for k in batched], blocks, checked=True)
+                batch = [k for k in batch if self.reachable(machines[k]).all()]
+                parts = _solved_blocks([machines[k] for k in batch], blocks, checked=True)
             if parts is None or not all(np.isfinite(part.eigenvalues).all() for part in parts):
-                batched = []
-            for k in (k for k in alike if k not in batched):
+                batch = []
+            for k in (k for k in members if k not in batch):
                 batches.append(Batch(np.array([k]), self.predict(values[k], by[k], shape_rates=shape_rates)))
-            if batched:
+            if batch:
                 assert parts is not None
-                first = count * np.arange(len(batched))[:, None]
+                first_rows = count * np.arange(len(batch))[:, None]
                 predictions = []
                 for part, (rows, owners) in zip(parts, blocks, strict=True):
-                    moves = [m for k in batched for m in self.moved_by(values[k], by[k], rows, owners)]
-                    predictions.append(((first + rows).ravel(), derived(part, moves, shape_rates)))
-                batches.append(Batch(np.array(batched), joined_modes(predictions, count * len(batched))))
+                    motions = [m for k in batch for m in self.motions_of(values[k], by[k], rows, owners)]
+                    prediction = predict_along(part, motions, shape_rates)
+                    predictions.append(((first_rows + rows).ravel(), prediction))
+                batches.append(Batch(np.array(batch), join_modes(predictions, count * len(batch))))
         return batches
 
     def position_rates(self, values: Array, *, shape_rates: bool = False) -> Prediction:
         """Return the modes at all poses, with derivatives with respect to the platform's position."""
-        moves = Moves(self.shifts, None)
-        parts = self._at_values(values)
-        return self._joined(
-            [(part.rows, derived(part.at, [moves] * len(part.owners), shape_rates)) for part in parts]
-        )
+        parts = []
+        for part in self._at_values(values):
+            motions = [Motions(self.shifts, None)] * len(part.owners)
+            parts.append((part.rows, predict_along(part.modes, motions, shape_rates)))
+        return join_modes(parts, len(self.points))
 
     def damping_rates(self, values: Array) -> Array:
         """Return the damping ratio of each elastic mode per unit of each loss, (P, m, losses).
@@ -224,27 +226,30 @@ class RobotStructure:
         count = prediction.eigenvalues.shape[1] - prediction.rigid
         rates = np.full((len(self.points), count, len(self.losses)), np.nan)
         for part in self._at_values(values):
-            elastic = rates_of_losses(part.at, self.losses)[:, part.at.system.rigid_modes :]
+            elastic = rates_of_losses(part.modes, self.losses)[:, part.modes.system.rigid_modes :]
             rates[part.rows, : elastic.shape[1]] = elastic
         for c, case in enumerate(self.loads.cases):
-            set_losses = [case.knows((loss.parameter.name.removeprefix(EFFECTS), ())) for loss in self.losses]
-            rates[np.ix_(self.loads.of == c, np.arange(count), np.array(set_losses, dtype=bool))] = np.nan
+            set_losses = [
+                case.is_set((loss.parameter.name.removeprefix(EFFECTS), ())) for loss in self.losses
+            ]
+            setups = self.loads.case_index == c
+            rates[np.ix_(setups, np.arange(count), np.array(set_losses, dtype=bool))] = np.nan
         return rates
 
     @property
     def surroundings(self) -> str:
         """What `elsewhere` offers, in words."""
         limits = ["are within [usable]"] if self.robot.usable else []
-        limits += [f"have {not_singular(self._least_angle)}"] if rods_of(self._mechanism) else []
+        limits += [f"have {not_singular(self._min_rod_angle)}"] if rods_of(self._mechanism) else []
         return "reachable poses around the measured ones" + (
             f" that {' and '.join(limits)}" if limits else ""
         )
 
     @property
-    def _least_angle(self) -> float:
+    def _min_rod_angle(self) -> float:
         """Least angle of a rod to its singular direction at a proposed pose [rad]."""
         stated = [bound.value for bound in self.robot.usable.values() if isinstance(bound, SingularAngle)]
-        return max([LEAST_ANGLE, *stated])
+        return max([MIN_ROD_ANGLE, *stated])
 
     def elsewhere(self, count: int) -> tuple[Array, RobotStructure]:
         """Return reachable poses in and around the measured ones, and the robot there, as declared.
@@ -260,68 +265,69 @@ class RobotStructure:
         low, high = np.clip(low - margin, lowest, highest), np.clip(high + margin, lowest, highest)
         low = np.where(low == high, np.maximum(low - margin, lowest), low)
         high = np.where(high == lowest, np.minimum(high + margin, highest), high)
-        drawn = rng.uniform(low, high, (DRAWS, len(low)))
-        check = check_poses(drawn, self._mechanism, self.robot.parameters, "nan", MAX_CONDITION / 1e5)
-        drawn = drawn[check.valid]
-        angles = singular_angles(self._mechanism, self.robot.parameters, drawn)
-        drawn = drawn[inside(self.robot, drawn) & (angles >= self._least_angle).all(axis=-1)][:count]
-        return drawn, self.at(drawn, LoadCases.none(self.robot, len(drawn), self.drives))
+        poses = rng.uniform(low, high, (DRAWS, len(low)))
+        check = check_poses(poses, self._mechanism, self.robot.parameters, "nan", MAX_CONDITION / 1e5)
+        poses = poses[check.valid]
+        angles = singular_angles(self._mechanism, self.robot.parameters, poses)
+        poses = poses[inside(self.robot, poses) & (angles >= self._min_rod_angle).all(axis=-1)][:count]
+        return poses, self.at(poses, LoadCases.as_declared(self.robot, len(poses), self.drives))
 
-    def moved_by(self, values: Array, by: Sequence[int], rows: Index, owners: Sequence[int]) -> list[Moves]:
-        """Return the moves of some parameters in the robots of some cases, each at an equal number of setups."""
+    def motions_of(
+        self, values: Array, by: Sequence[int], rows: Index, owners: Sequence[int]
+    ) -> list[Motions]:
+        """Return the motions of some parameters in the robots of some cases, each at an equal number of setups."""
         names, paths = [self.parameters[i].name for i in by], self._paths(by)
-        moving = [name for name in names if name in self._moves]
-        if len(moving) == len(names):
-            return [Moves(paths[c], None) for c in owners]
+        robot_names = [name for name in names if name in self._path_of]
+        if len(robot_names) == len(names):
+            return [Motions(paths[c], None) for c in owners]
         # A parameter of the frame moves all poses, each according to its distance from the frame's origin.
-        column_of = {name: k for k, name in enumerate(moving)}
-        mix = np.zeros((len(self.points), len(moving) + len(self.shifts), len(by)))
+        column_of = {name: k for k, name in enumerate(robot_names)}
+        motions = np.zeros((len(self.points), len(robot_names) + len(self.shifts), len(by)))
         for column, name in enumerate(names):
             if name in column_of:
-                mix[:, column_of[name], column] = 1.0
+                motions[:, column_of[name], column] = 1.0
             else:
-                mix[:, len(moving) :, column] = frame.rate(
-                    self._mechanism, name, self.points, self._frame(values)
+                motions[:, len(robot_names) :, column] = frame.pose_rates(
+                    self._mechanism, name, self.points, self._frame_values(values)
                 )
         with_shifts = {c: (*case_paths, *self.shifts) for c, case_paths in paths.items()}
         blocks = rows.reshape(len(owners), -1)
-        return [Moves(with_shifts[c], mix[block]) for c, block in zip(owners, blocks, strict=True)]
+        return [Motions(with_shifts[c], motions[block]) for c, block in zip(owners, blocks, strict=True)]
 
     def _paths(self, by: Sequence[int]) -> dict[int, tuple[ParameterPath, ...]]:
         """Return the paths of some parameters of the robot in each load case."""
         names = [self.parameters[i].name for i in by]
         return {
-            c: tuple(free_paths[name] for name in names if name in self._moves)
+            c: tuple(free_paths[name] for name in names if name in self._path_of)
             for c, free_paths in enumerate(self._free_paths)
         }
 
-    def _frame(self, values: Array) -> dict[str, float]:
+    def _frame_values(self, values: Array) -> dict[str, float]:
         """Return the values of the parameters of the measurement frame."""
-        named = zip(self.parameters, values, strict=True)
-        return {p.name: float(value) for p, value in named if p.name not in self._moves}
+        pairs = zip(self.parameters, values, strict=True)
+        return {p.name: float(value) for p, value in pairs if p.name not in self._path_of}
 
     def machines(self, values: Array) -> Machines:
         """Return the robot of each load case with these values of the parameters."""
         changed = [
-            (p.name, value - self._moves[p.name].value)
+            (p.name, value - self._path_of[p.name].value)
             for p, value in zip(self.parameters, values, strict=True)
-            if p.name in self._moves and value != self._moves[p.name].value
+            if p.name in self._path_of and value != self._path_of[p.name].value
         ]
         cases = self.loads.cases
         robots = [
-            moved(case.robot, [(free_paths[name], step) for name, step in changed])
+            change_quantities(case.robot, [(free_paths[name], step) for name, step in changed])
             for case, free_paths in zip(cases, self._free_paths, strict=True)
         ]
         systems = [case.system(robot) for case, robot in zip(cases, robots, strict=True)]
-        where = frame.true_points(self._mechanism, self.points, self._frame(values))
-        return Machines(robots, systems, where)
+        true_points = frame.true_points(self._mechanism, self.points, self._frame_values(values))
+        return Machines(robots, systems, true_points)
 
     def _at_values(self, values: Array) -> list[_SolvedSetups]:
         """Return the modes for one set of values; robots that can be are evaluated together."""
         key = values.tobytes()
-        if (
-            self._last is None or self._last[0] != key
-        ):  # derivatives are mostly requested where the modes are known
+        # Derivatives are mostly requested where the modes are known.
+        if self._cached_modes is None or self._cached_modes[0] != key:
             machines = self.machines(values)
             blocks = self._blocks(machines, np.ones(len(self.points), dtype=bool))
             parts = _solved_blocks([machines], blocks, checked=False)
@@ -329,47 +335,45 @@ class RobotStructure:
                 blocks = self._blocks(machines, self.reachable(machines))
                 parts = _solved_blocks([machines], blocks, checked=True)
             assert parts is not None
-            self._last = key, [_SolvedSetups(*block, part) for block, part in zip(blocks, parts, strict=True)]
-        return self._last[1]
+            solved = [_SolvedSetups(*block, part) for block, part in zip(blocks, parts, strict=True)]
+            self._cached_modes = key, solved
+        return self._cached_modes[1]
 
     def _blocks(self, machines: Machines, valid: NDArray[np.bool_]) -> list[tuple[Index, list[int]]]:
         """Return the valid setups of the cases that can be evaluated together, with the cases in their order."""
-        alike: dict[object, list[int]] = {}
+        cases_by_key: dict[object, list[int]] = {}
         for c, system in enumerate(machines.systems):
-            alike.setdefault(self._key(system), []).append(c)
-        return [self.loads.arranged(cases, valid) for cases in alike.values()]
+            cases_by_key.setdefault(self._evaluation_key(system), []).append(c)
+        return [self.loads.setup_blocks(cases, valid) for cases in cases_by_key.values()]
 
-    def _joined(self, parts: Sequence[tuple[Index, Prediction]]) -> Prediction:
-        return joined_modes(parts, len(self.points))
-
-    def _key(self, system: ExtendedSystem) -> object:
+    def _evaluation_key(self, system: ExtendedSystem) -> object:
         """Return a key that is the same for robots that can be evaluated together."""
-        several = len(self.loads.cases) > 1 and len(system.free) > system.first
-        massless = system.massless.tobytes() if several else b""
+        has_several_cases = len(self.loads.cases) > 1 and len(system.free) > system.first
+        massless = system.massless.tobytes() if has_several_cases else b""
         return system.free.tobytes(), system.rigid_modes, massless, system.basis is None
 
     def reachable(self, machines: Machines) -> NDArray[np.bool_]:
         """Return a mask of the poses that these robots of the cases reach; declared ones were checked before."""
-        points = machines.where
+        points = machines.points
         reached = np.ones(len(points), dtype=bool)
-        measured = np.array_equal(points, self.points)
+        is_as_measured = np.array_equal(points, self.points)
         for c, (robot, case) in enumerate(zip(machines.robots, self.loads.cases, strict=True)):
-            if not (measured and _same_geometry(self._mechanism, robot, case.robot)):
-                rows = np.flatnonzero(self.loads.of == c)
+            if not (is_as_measured and _same_geometry(self._mechanism, robot, case.robot)):
+                rows = np.flatnonzero(self.loads.case_index == c)
                 reached[rows] = check_poses(points[rows], self._mechanism, robot.parameters, "nan").valid
         return reached
 
 
 def _solved_blocks(
     sets: Sequence[Machines], blocks: Sequence[tuple[Index, list[int]]], *, checked: bool
-) -> list[Solved] | None:
+) -> list[SolvedRobots] | None:
     """Return the modes of each block of cases for all sets of values; None if not all are solved."""
     parts = []
     for rows, owners in blocks:
-        robots = [at.robots[c] for at in sets for c in owners]
-        systems = [at.systems[c] for at in sets for c in owners]
-        points = [at.where[rows] for at in sets]
-        part = solved_together(robots, systems, np.concatenate(points), checked=checked) if sets else None
+        robots = [machines.robots[c] for machines in sets for c in owners]
+        systems = [machines.systems[c] for machines in sets for c in owners]
+        points = [machines.points[rows] for machines in sets]
+        part = solve_together(robots, systems, np.concatenate(points), checked=checked) if sets else None
         if part is None:
             return None
         parts.append(part)
@@ -379,7 +383,11 @@ def _solved_blocks(
 @cache
 def _geometry(mechanism: Mechanism) -> tuple[str, ...]:
     """Return the generated parameters that determine which poses a robot reaches."""
-    keys = [key for key in declared(mechanism) if key.kind in WHERE or key.dimension in ("length", "angle")]
+    keys = [
+        key
+        for key in declared(mechanism)
+        if key.kind in GEOMETRY_KINDS or key.dimension in ("length", "angle")
+    ]
     return tuple(dict.fromkeys(key.field for key in keys))
 
 

@@ -1,4 +1,4 @@
-"""What a diagnosis found beyond the catalogue, to keep it: an effect for the derivation, and the robot with it."""
+"""Saves a term that a diagnosis found beyond the catalogue: an effect for the derivation, and the robot with it."""
 
 from __future__ import annotations
 
@@ -35,17 +35,17 @@ def effect_text(result: Diagnosis, where: str = "effect_text") -> str:
 
     Raises OutputError if no class was found, or its best member is a declared value or an effect of the catalogue.
     """
-    best, term = _best(result, where)
+    best, term = _best_member(result, where)
     form, _, place = term.partition(":")
     if best.forms[term] == DECLARED:
         problem = f"there is no effect to write: {term} is a value of the robot file"
         raise OutputError(problem, where, "write the robot with that value: --save-robot FILE.toml")
-    ends, _, along = place.partition(".")
+    ends, _, direction = place.partition(".")
     noun = best.finding.member(term).words
     values = ", ".join(
         f"{best.quantity(term, value)} {value.rounded} {value.unit}" for value in best.finding.parameters
     )
-    arguments = [*(f'"{end}"' for end in ends.split("/")), *([f'along="{along}"'] if along else [])]
+    arguments = [*(f'"{end}"' for end in ends.split("/")), *([f'along="{direction}"'] if direction else [])]
     arguments += [f'name="{effect_name(term)}"', f'sentence="there is {noun}"']
     lines = "".join(f"    {argument},\n" for argument in arguments)
     return (
@@ -82,7 +82,7 @@ def robot_with_term(robot: Robot | Model, result: Diagnosis) -> str:
     Raises OutputError if no class was found.
     """
     declared = robot_of(robot)
-    best, term = _best(result, declared.source)
+    best, term = _best_member(result, declared.source)
     term_values = {value.name for value in best.finding.parameters}
     changes: dict[str, Correction] = {}
     added: list[Corrected] = []
@@ -119,7 +119,7 @@ def is_declared(terms: TermClass) -> bool:
     return terms.forms[terms.finding.name] == DECLARED
 
 
-def _best(result: Diagnosis, where: str) -> tuple[TermClass, str]:
+def _best_member(result: Diagnosis, where: str) -> tuple[TermClass, str]:
     """Return the class that was found, and the name of its best member, which is a term."""
     terms = None if result.beyond is None else result.beyond.found
     if terms is None:

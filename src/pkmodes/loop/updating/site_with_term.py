@@ -14,15 +14,15 @@ from numpy.typing import NDArray
 
 from pkmodes.core.linalg.eigen import condensed_eigh
 from pkmodes.core.system.evaluation import ExtendedSystem
-from pkmodes.loop.updating.term_changes import ADDING, Surroundings, change_of, strains
+from pkmodes.loop.updating.term_changes import FORMS_WITH_COORDINATE, Surroundings, change_of, strains
 from pkmodes_description import Term
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
 #: A spring strains a rigid motion if by more than this fraction of its strain in other motions.
-STRAINED = 1e-7
+MIN_STRAIN = 1e-7
 #: Ratio of the largest to the lowest eigenvalue up to which the lowest has the accuracy that a fit needs.
-LOSSY = 1e9
+MAX_EIGENVALUE_RATIO = 1e9
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ class PlacedTerm:
 class PresentTerm(NamedTuple):
     """A term that is present, and the values of its parameters."""
 
-    place: PlacedTerm
+    placed_term: PlacedTerm
     values: Array
 
 
@@ -47,7 +47,7 @@ class Site(NamedTuple):
     system: ExtendedSystem
     points: Array
     matrices: tuple[Array, Array]
-    around: Surroundings
+    surroundings: Surroundings
 
 
 class TermMatrices(NamedTuple):
@@ -90,35 +90,35 @@ def without_term(site: Site) -> TermModes | None:
     return TermModes(matrices, *solution)
 
 
-def matrices_with(site: Site, present: PresentTerm, held: int) -> TermMatrices:
+def matrices_with(site: Site, present: PresentTerm, held_count: int) -> TermMatrices:
     """Return M and K of a site with a term, which holds some of the rigid motions (`held_motions`)."""
     system = site.system
-    change = change_of(present.place.term, present.values, site.around)
+    change = change_of(present.placed_term.term, present.values, site.surroundings)
     e = site.matrices[0].shape[-1]  # coordinates of the robot; the term may add further ones
     M, K = (
-        np.array(np.broadcast_to(added, (len(matrix), *added.shape[1:])), dtype=float)
-        for matrix, added in zip(site.matrices, change, strict=True)
+        np.array(np.broadcast_to(contribution, (len(matrix), *contribution.shape[1:])), dtype=float)
+        for matrix, contribution in zip(site.matrices, change, strict=True)
     )
     M[:, :e, :e] += site.matrices[0]
     K[:, :e, :e] += site.matrices[1]
     term_coordinates = np.arange(e, M.shape[-1])
     free = np.concatenate([system.free, term_coordinates]).astype(np.intp)
     massless = np.concatenate([system.massless, ~change.M[:, term_coordinates].any(axis=(0, 2))])
-    return TermMatrices(M, K, free, massless, system.rigid_modes - held)
+    return TermMatrices(M, K, free, massless, system.rigid_modes - held_count)
 
 
 def held_motions(site: Site, term: Term) -> int | None:
-    """Return how many rigid motions of a site a spring holds; None where the robot itself is not a machine."""
+    """Return the number of rigid motions of a site that a spring holds; None if the robot itself is not a machine."""
     system = site.system
     if term.form != "spring" or not system.rigid_modes:
         return 0
     modes = without_term(site)
     if modes is None:
         return None
-    strained = strains(term, site.around)[0][:, system.free] @ modes.shapes[0].T
-    size = np.abs(strained).max(initial=0.0)
-    held = np.linalg.svd(strained[:, : system.rigid_modes], compute_uv=False)
-    return int((held > STRAINED * size).sum()) if size > 0.0 else 0
+    strain = strains(term, site.surroundings)[0][:, system.free] @ modes.shapes[0].T
+    size = np.abs(strain).max(initial=0.0)
+    singular_values = np.linalg.svd(strain[:, : system.rigid_modes], compute_uv=False)
+    return int((singular_values > MIN_STRAIN * size).sum()) if size > 0.0 else 0
 
 
 def eigenmodes(first: int, matrices: TermMatrices, M: Array, K: Array) -> tuple[Array, Array] | None:
@@ -134,9 +134,11 @@ def eigenmodes(first: int, matrices: TermMatrices, M: Array, K: Array) -> tuple[
     try:
         eigenvalues, shapes = condensed_eigh(M, K, M.shape[-1], rigid, massless)
         if rigid < eigenvalues.shape[1]:
-            lost = eigenvalues[:, -1] > LOSSY * np.abs(eigenvalues[:, rigid])
-            if lost.any():
-                eigenvalues[lost], shapes[lost] = condensed_eigh(M[lost], K[lost], first, rigid, massless)
+            is_inaccurate = eigenvalues[:, -1] > MAX_EIGENVALUE_RATIO * np.abs(eigenvalues[:, rigid])
+            if is_inaccurate.any():
+                eigenvalues[is_inaccurate], shapes[is_inaccurate] = condensed_eigh(
+                    M[is_inaccurate], K[is_inaccurate], first, rigid, massless
+                )
     except np.linalg.LinAlgError:
         return None
     return (eigenvalues, shapes) if np.isfinite(eigenvalues).all() else None
@@ -148,14 +150,14 @@ def term_modes(site: Site, matrices: TermMatrices) -> TermModes | None:
     return None if solution is None else TermModes(matrices, *solution)
 
 
-def platform_with(term: Term | None, around: Surroundings) -> NDArray[Any]:
+def platform_with(term: Term | None, surroundings: Surroundings) -> NDArray[Any]:
     """Return the motion of the platform per unit of all coordinates and that of a term, (N, components, e + a)."""
-    if term is None or term.form not in ADDING:
-        return around.platform
-    term_motion = np.zeros((*around.platform.shape[:-1], 1))
+    if term is None or term.form not in FORMS_WITH_COORDINATE:
+        return surroundings.platform
+    term_motion = np.zeros((*surroundings.platform.shape[:-1], 1))
     if term.form == "mount":
-        term_motion = around.mounts.platform[:, term.mount][..., None]
-    return np.concatenate([around.platform, term_motion], axis=-1)
+        term_motion = surroundings.mounts.platform[:, term.mount][..., None]
+    return np.concatenate([surroundings.platform, term_motion], axis=-1)
 
 
 def in_all_coordinates(matrices: TermMatrices, shapes: Array) -> Array:
@@ -171,7 +173,9 @@ def channels_of(system: ExtendedSystem, platform: Array, motions: Array) -> Arra
     - platform: as returned by `platform_with`, (N, components, e + a)
     - motions: (N, ..., e + a)
     """
-    across = np.swapaxes(platform, -1, -2)
-    across = across.reshape(len(across), *(1,) * (motions.ndim - 3), *across.shape[1:])
+    transposed_platform = np.swapaxes(platform, -1, -2)
+    transposed_platform = transposed_platform.reshape(
+        len(transposed_platform), *(1,) * (motions.ndim - 3), *transposed_platform.shape[1:]
+    )
     coordinates = system.of_model(motions[..., : len(system.mechanism.extended.COORDINATES)])
-    return np.concatenate([coordinates, motions @ across], axis=-1)
+    return np.concatenate([coordinates, motions @ transposed_platform], axis=-1)

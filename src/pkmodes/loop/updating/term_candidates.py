@@ -22,30 +22,30 @@ from pkmodes_description import Named, Term
 
 Array = NDArray[np.float64]
 #: Largest undeclared mass, relative to the effective mass at its place.
-HEAVIEST = 2.0
+MAX_MASS_RATIO = 2.0
 #: Largest undeclared spring stiffness, relative to the stiffness of the machine at its place.
-STIFFEST = 10.0
+MAX_STIFFNESS_RATIO = 10.0
 #: Masses from which the fit of a resonator starts, relative to the effective mass at its place.
-PARTS = (0.03, 0.15, 0.6)
+START_MASS_RATIOS = (0.03, 0.15, 0.6)
 #: Number of frequencies from which its fit starts, and their range relative to the lowest and highest frequency of
 #: the machine.
-FREQUENCIES, LOWEST, HIGHEST = 20, 0.6, 1.15
-#: Frequencies above that range from which the fit of a support's mode starts, relative to the highest of the machine:
-#: the support is then hardly more than a spring in series.
-ABOVE = (1.4, 2.0, 3.0, 5.0, 8.0)
+START_FREQUENCY_COUNT, LOWEST_START, HIGHEST_START = 20, 0.6, 1.15
+#: Further frequencies from which the fit of a support's mode starts, relative to the machine's highest one: there
+#: the support is hardly more than a spring in series.
+STARTS_ABOVE = (1.4, 2.0, 3.0, 5.0, 8.0)
 #: Compliances of a bearing without mass of its own, relative to that of the belt there.
-YIELDS = (0.003, 0.01, 0.03, 0.1, 0.3, 1.0, 3.0)
+START_COMPLIANCE_RATIOS = (0.003, 0.01, 0.03, 0.1, 0.3, 1.0, 3.0)
 #: A row of displacements below this fraction of the largest counts as zero; rows that differ by less are the same.
-ZERO = 1e-9
+ZERO_FRACTION = 1e-9
 #: An inertia matrix, scaled to a unit diagonal, is singular if it has an eigenvalue below this.
-SINGULAR = 1e-6
+MIN_EIGENVALUE = 1e-6
 
 
 class _Machine(NamedTuple):
     """The declared machine at one of its poses: effective masses and compliances of its places."""
 
     system: ExtendedSystem
-    around: Surroundings
+    surroundings: Surroundings
     M: Array
     eigenvalues: Array
     shapes: Array
@@ -55,9 +55,9 @@ class _Machine(NamedTuple):
         if term.form == "mount":
             return np.zeros((0, len(self.system.free)))
         if term.form == "spring":
-            return np.asarray(strains(term, self.around)[0][:, self.system.free])
-        which = list(term.rows) or ([term.swings] if term.swings >= 0 else [])
-        return np.asarray(self.around.motion[0][which][:, self.system.free])
+            return np.asarray(strains(term, self.surroundings)[0][:, self.system.free])
+        row_indices = list(term.rows) or ([term.swings] if term.swings >= 0 else [])
+        return np.asarray(self.surroundings.motion[0][row_indices][:, self.system.free])
 
     def has_inertia(self, term: Term) -> bool:
         """Return whether the motion that a mount releases has its own inertia: else the catalogue has it as a joint.
@@ -65,15 +65,15 @@ class _Machine(NamedTuple):
         A rail that yields along itself moves the same as its carriage; without any inertia it is condensed.
         """
         values = [1.0] * len(term.parameters)
-        added = change_of(term, values, self.around).M[0]
-        e = len(added) - 1
+        added_mass = change_of(term, values, self.surroundings).M[0]
+        e = len(added_mass) - 1
         free = [*self.system.free, e]
-        M = added.copy()
+        M = added_mass.copy()
         M[:e, :e] += self.M
-        heavy = [q for q in free if M[q, q] > 0.0]
-        M = M[np.ix_(heavy, heavy)]
+        with_inertia = [q for q in free if M[q, q] > 0.0]
+        M = M[np.ix_(with_inertia, with_inertia)]
         size = np.sqrt(np.diagonal(M))
-        return bool(np.linalg.eigvalsh(M / np.outer(size, size))[0] > SINGULAR)
+        return bool(np.linalg.eigvalsh(M / np.outer(size, size))[0] > MIN_EIGENVALUE)
 
     def mobility(self, row: Array) -> float:
         """Return the inverse of the effective mass of a displacement."""
@@ -85,10 +85,10 @@ class _Machine(NamedTuple):
         return float(((self.shapes[first:] @ row) ** 2 / self.eigenvalues[first:]).sum())
 
     @property
-    def heft(self) -> float:
+    def smallest_effective_mass(self) -> float:
         """The smallest effective mass of a displaced body [kg]."""
-        heavy = [term for term in self.system.mechanism.terms if term.form == "mass" and term.rows]
-        rows = [row for term in heavy if term.parameters[0].unit == "kg" for row in self.rows(term)]
+        mass_terms = [term for term in self.system.mechanism.terms if term.form == "mass" and term.rows]
+        rows = [row for term in mass_terms if term.parameters[0].unit == "kg" for row in self.rows(term)]
         return 1.0 / max(map(self.mobility, rows))
 
     @property
@@ -110,29 +110,29 @@ def term_candidates(structure: RobotStructure) -> TermCandidates:
     """Return the terms of a robot at its poses that change something there, each once."""
     declared = np.array([p.value for p in structure.parameters])
     machines = structure.machines(declared)
-    case = int(np.argmax(np.bincount(structure.loads.of)))
-    row = int(np.flatnonzero(structure.loads.of == case)[0])
-    system, point = machines.systems[case], machines.where[row : row + 1]
+    case = int(np.argmax(np.bincount(structure.loads.case_index)))
+    row = int(np.flatnonzero(structure.loads.case_index == case)[0])
+    system, point = machines.systems[case], machines.points[row : row + 1]
     matrices = system.all_coordinates(point)
     M, K = (system.free_part(a) for a in matrices)
     eigenvalues, shapes = condensed_eigh(M, K, system.first, system.rigid_modes, system.massless)
     machine = _Machine(system, Surroundings(system, point), matrices[0][0], eigenvalues[0], shapes[0])
-    kept: list[tuple[Term, tuple[Parameter, ...]]] = []
+    terms: list[tuple[Term, tuple[Parameter, ...]]] = []
     candidates = []
-    for term in _different(structure.robot.mechanism.terms, machine):
-        parameters = tuple(_parameter(term, named, machine) for named in term.parameters)
+    for term in _distinct_terms(structure.robot.mechanism.terms, machine):
+        parameters = tuple(_parameter(term, named_parameter, machine) for named_parameter in term.parameters)
         starts = tuple(_STARTS[term.form](term, machine)) if term.form in _STARTS else ()
         names = tuple(p.name for p in parameters)
-        kept.append((term, parameters))
+        terms.append((term, parameters))
         candidates.append(
             Candidate(term.name, names, term.sentence, remote=True, form=term.form, starts=starts)
         )
     return TermCandidates(
-        kept, candidates, [_of_robot(structure, candidate) for candidate in structure.candidates]
+        terms, candidates, [_as_term(structure, candidate) for candidate in structure.candidates]
     )
 
 
-def _different(terms: Sequence[Term], machine: _Machine) -> Iterator[Term]:
+def _distinct_terms(terms: Sequence[Term], machine: _Machine) -> Iterator[Term]:
     """Yield the terms that change the machine.
 
     A spring between two bodies is left out where it is the same as one from a single body to ground: where one of the
@@ -149,39 +149,42 @@ def _different(terms: Sequence[Term], machine: _Machine) -> Iterator[Term]:
             yield term
             continue
         size = float(np.abs(rows).max(initial=0.0))
-        if size <= ZERO:
+        if size <= ZERO_FRACTION:
             continue
         if term.form == "spring" and len(rows) == 1:
             direction = rows[0] / np.linalg.norm(rows[0])
-            between = len(term.strains[0]) == 2
-            if between and any(abs(abs(earlier @ direction) - 1.0) <= ZERO for earlier in grounded):
+            is_between_bodies = len(term.strains[0]) == 2
+            if is_between_bodies and any(
+                abs(abs(direction_to_ground @ direction) - 1.0) <= ZERO_FRACTION
+                for direction_to_ground in grounded
+            ):
                 continue
-            if not between:
+            if not is_between_bodies:
                 grounded.append(direction)
         yield term
 
 
-def _parameter(term: Term, named: Named, machine: _Machine) -> Parameter:
-    name, unit = f"{term.name}.{named.name}", named.unit.replace(" ", "*")
+def _parameter(term: Term, named_parameter: Named, machine: _Machine) -> Parameter:
+    name, unit = f"{term.name}.{named_parameter.name}", named_parameter.unit.replace(" ", "*")
     rows = machine.rows(term)
-    if named.name == "frequency":
-        low, *_, high = _band(machine)
+    if named_parameter.name == "frequency":
+        low, *_, high = _start_frequencies(machine)
         middle = float(np.sqrt(low * high))
         return Parameter(name, middle, unit, lower=0.3 * low, upper=3.0 * high)
     upper = None
-    if named.name in ("mass", "inertia") and len(rows):
-        felt = max(machine.mobility(row) for row in rows)
-        upper = HEAVIEST / felt if felt > 0.0 else None
-    if named.name == "stiffness":
-        yields = max(machine.flexibility(row) for row in rows)
-        upper = STIFFEST / yields if yields > 0.0 else None
+    if named_parameter.name in ("mass", "inertia") and len(rows):
+        largest_mobility = max(machine.mobility(row) for row in rows)
+        upper = MAX_MASS_RATIO / largest_mobility if largest_mobility > 0.0 else None
+    if named_parameter.name == "stiffness":
+        largest_flexibility = max(machine.flexibility(row) for row in rows)
+        upper = MAX_STIFFNESS_RATIO / largest_flexibility if largest_flexibility > 0.0 else None
     return Parameter(name, 0.0, unit, lower=0.0, usual=None if upper is None else (0.0, upper))
 
 
-def _band(machine: _Machine) -> Array:
+def _start_frequencies(machine: _Machine) -> Array:
     f = machine.frequencies
-    low = LOWEST * float(f.min())
-    return np.geomspace(low, max(HIGHEST * float(f.max()), 2.0 * low), FREQUENCIES)
+    low = LOWEST_START * float(f.min())
+    return np.geomspace(low, max(HIGHEST_START * float(f.max()), 2.0 * low), START_FREQUENCY_COUNT)
 
 
 def _starts_of_mount(term: Term, machine: _Machine) -> Iterator[tuple[float, ...]]:
@@ -189,30 +192,33 @@ def _starts_of_mount(term: Term, machine: _Machine) -> Iterator[tuple[float, ...
     e = len(machine.M)
     masses = [0.0]
     if len(term.parameters) > 1:
-        masses += [part * machine.heft for part in PARTS]
+        masses += [part * machine.smallest_effective_mass for part in START_MASS_RATIOS]
     for mass in masses:
-        change = change_of(term, [1.0, mass][: len(term.parameters)], machine.around)
+        change = change_of(term, [1.0, mass][: len(term.parameters)], machine.surroundings)
         M = change.M[0].copy()
         M[:e, :e] += machine.M
-        inertial = [q for q in (*machine.system.free, e) if M[q, q] > 0.0]
-        further = (mass,) if len(term.parameters) > 1 else ()
-        if e in inertial:
-            inertia = 1.0 / np.linalg.inv(M[np.ix_(inertial, inertial)])[-1, -1]
-            for frequency in (*_band(machine), *(np.array(ABOVE) * machine.frequencies.max())):
-                yield 1.0 / (inertia * (2.0 * np.pi * float(frequency)) ** 2), *further
-        else:  # no mode of its own: what it gives way beside the springs there
+        with_inertia = [q for q in (*machine.system.free, e) if M[q, q] > 0.0]
+        mass_value = (mass,) if len(term.parameters) > 1 else ()
+        if e in with_inertia:
+            inertia = 1.0 / np.linalg.inv(M[np.ix_(with_inertia, with_inertia)])[-1, -1]
+            for frequency in (
+                *_start_frequencies(machine),
+                *(np.array(STARTS_ABOVE) * machine.frequencies.max()),
+            ):
+                yield 1.0 / (inertia * (2.0 * np.pi * float(frequency)) ** 2), *mass_value
+        else:  # without a mode of its own: compliances relative to those of the springs there
             stiffness = float(change.K[0, e, e]) - 1.0
-            for part in YIELDS if stiffness > 0.0 else ():
-                yield part / stiffness, *further
+            for part in START_COMPLIANCE_RATIOS if stiffness > 0.0 else ():
+                yield part / stiffness, *mass_value
 
 
 def _starts_of_resonator(term: Term, machine: _Machine) -> Iterator[tuple[float, float]]:
     """Yield masses and frequencies from which a resonator is fitted."""
-    swings = machine.around.motion[0][term.swings][machine.system.free]
-    felt = 1.0 / machine.mobility(swings)
-    for frequency in _band(machine):
-        for part in PARTS:
-            yield part * felt, float(frequency)
+    displacement = machine.surroundings.motion[0][term.swings][machine.system.free]
+    effective_mass = 1.0 / machine.mobility(displacement)
+    for frequency in _start_frequencies(machine):
+        for part in START_MASS_RATIOS:
+            yield part * effective_mass, float(frequency)
 
 
 _STARTS: dict[str, Callable[[Term, _Machine], Iterator[tuple[float, ...]]]] = {
@@ -221,7 +227,7 @@ _STARTS: dict[str, Callable[[Term, _Machine], Iterator[tuple[float, ...]]]] = {
 }
 
 
-def _of_robot(structure: RobotStructure, candidate: Candidate) -> Candidate:
+def _as_term(structure: RobotStructure, candidate: Candidate) -> Candidate:
     """Return a candidate of the robot; what acts at one joint or axis alone as a term."""
     if not candidate.remote or len(candidate.parameters) != 1:
         return candidate

@@ -1,4 +1,4 @@
-r"""What a term changes in M and K of a robot at poses: one form at one place, beyond the effects of the catalogue.
+r"""Changes of M and K of a robot at poses by a term: one form at one place, beyond the effects of the catalogue.
 
 With the displacements J of the place (generated as ``place_motion``), a mass adds :math:`m \sum J^T J` and the
 Hessian of its weight, a spring :math:`k\,J^T J`.  A mount and a resonator add a coordinate of their own: the rows of
@@ -30,11 +30,11 @@ Array = NDArray[Any]
 #: Values of the parameters of a term, which may be complex.
 Values = Sequence[Any] | Array
 #: Forms that add a coordinate.
-ADDING = ("mount", "resonator")
+FORMS_WITH_COORDINATE = ("mount", "resonator")
 #: The generated parameter on which weights depend.
 GRAVITY = "gravity"
-#: A resonance nearer to a mode than this fraction of its eigenvalue counts as this far away.
-NEAR = 1e-3
+#: A resonance closer to a mode than this fraction of its eigenvalue is treated as being this far away.
+NEAREST_RESONANCE = 1e-3
 
 
 class TermContribution(NamedTuple):
@@ -64,7 +64,7 @@ class Mounts(NamedTuple):
 
 
 class Surroundings:
-    """What terms need of a robot at N poses; each quantity is evaluated when it is needed.
+    """Quantities of a robot at N poses on which terms depend, each evaluated when it is first needed.
 
     - system: the robot, with free or held motors
     - points: (N, d)
@@ -127,8 +127,10 @@ class Surroundings:
         """Return M and the Hessian of gravity per unit of a declared inertia, (N, e, e), in which both are linear."""
         if declared not in self._inertias:
             M, G = self._mass_and_weight(self._parameters, self._effects)
-            raised = (_raised(numbers, *declared) for numbers in (self._parameters, self._effects))
-            more_M, more_G = self._mass_and_weight(*raised)
+            raised_numbers = (
+                _with_unit_more(numbers, *declared) for numbers in (self._parameters, self._effects)
+            )
+            more_M, more_G = self._mass_and_weight(*raised_numbers)
             self._inertias[declared] = more_M - M, more_G - G
         return self._inertias[declared]
 
@@ -139,7 +141,7 @@ class Surroundings:
         return self.system.in_basis(self._at_poses(M, shape)), self.system.in_basis(self._at_poses(G, shape))
 
 
-def _raised(numbers: Any, field: str, index: int) -> Any:
+def _with_unit_more(numbers: Any, field: str, index: int) -> Any:
     if field not in numbers._fields:
         return numbers
     value = np.array(getattr(numbers, field))
@@ -148,52 +150,52 @@ def _raised(numbers: Any, field: str, index: int) -> Any:
 
 
 def changes_along(term: Term, system: ExtendedSystem, path: ParameterPath) -> bool:
-    """Return whether what a term changes, or the motion of the platform, depends on what a path moves."""
+    """Return whether the change by a term, or the motion of the platform, varies along a path."""
     moving = {*geometry_of(system.mechanism), POSE, GRAVITY}
     return term.form == "mount" or any(field in moving for field, _ in path.weights)
 
 
-def change_of(term: Term, values: Values, at: Surroundings) -> TermContribution:
-    """Return what a term changes, for values of its parameters."""
-    return _FORMS[term.form](term, values, at)
+def change_of(term: Term, values: Values, surroundings: Surroundings) -> TermContribution:
+    """Return the change of M and K by a term with given values of its parameters."""
+    return _FORMS[term.form](term, values, surroundings)
 
 
-def _mass(term: Term, values: Values, at: Surroundings) -> TermContribution:
+def _mass(term: Term, values: Values, surroundings: Surroundings) -> TermContribution:
     (m,) = values
-    M, G = _inertia(term, at)
+    M, G = _inertia(term, surroundings)
     return TermContribution(m * M, m * G)
 
 
-def _inertia(term: Term, at: Surroundings) -> tuple[Array, Array]:
+def _inertia(term: Term, surroundings: Surroundings) -> tuple[Array, Array]:
     """Return M and the Hessian of gravity per unit of the inertia of a mass or resonator, (N, e, e)."""
-    rows = at.motion[:, list(term.rows)]
+    rows = surroundings.motion[:, list(term.rows)]
     M = np.swapaxes(rows, -1, -2) @ rows
     if term.declared is None:
         return M, np.zeros_like(M)
-    of_M, G = at.of_inertia(term.declared)
+    of_M, G = surroundings.of_inertia(term.declared)
     return (M if term.rows else of_M), G
 
 
-def strains(term: Term, at: Surroundings) -> Array:
-    """Return what strains a spring, per unit of every coordinate, (N, directions, e)."""
-    motion = at.motion
+def strains(term: Term, surroundings: Surroundings) -> Array:
+    """Return the strain of a spring per unit of every coordinate, (N, directions, e)."""
+    motion = surroundings.motion
     rows = [motion[:, s[0]] - motion[:, s[1]] if len(s) == 2 else motion[:, s[0]] for s in term.strains]
     return np.stack(rows, axis=1)
 
 
-def _spring(term: Term, values: Values, at: Surroundings) -> TermContribution:
+def _spring(term: Term, values: Values, surroundings: Surroundings) -> TermContribution:
     (k,) = values
-    rows = strains(term, at)
+    rows = strains(term, surroundings)
     K = k * (np.swapaxes(rows, -1, -2) @ rows)
     return TermContribution(np.zeros_like(K), K)
 
 
-def _mount(term: Term, values: Values, at: Surroundings) -> TermContribution:
+def _mount(term: Term, values: Values, surroundings: Surroundings) -> TermContribution:
     """Return the rows of a mount with its spring 1/c; without it for an infinite one."""
-    c, mounts, w = values[0], at.mounts, term.mount
+    c, mounts, w = values[0], surroundings.mounts, term.mount
     M, M_own = mounts.M[:, w], mounts.M_own[:, w]
     if len(values) > 1:
-        of_M, of_M_own = at.of_masses
+        of_M, of_M_own = surroundings.of_masses
         M, M_own = M + values[1] * of_M[w], M_own + values[1] * of_M_own[w]
     spring = 1.0 / c if c != 0.0 else 0.0
     return TermContribution(_bordered(M, M_own), _bordered(mounts.K[:, w], mounts.K_own[:, w] + spring))
@@ -208,10 +210,10 @@ def _bordered(row: Array, diagonal: Array) -> Array:
     return matrix
 
 
-def _resonator(term: Term, values: Values, at: Surroundings) -> TermContribution:
+def _resonator(term: Term, values: Values, surroundings: Surroundings) -> TermContribution:
     m, f = values
-    M, G = _inertia(term, at)
-    swing = at.motion[:, term.swings]
+    M, G = _inertia(term, surroundings)
+    swing = surroundings.motion[:, term.swings]
     unit, e = np.ones(len(swing)), M.shape[-1]
     inertia = _bordered(m * swing, m * unit)
     stiffness = _bordered(0.0 * m * G[:, 0], m * (2.0 * np.pi * f) ** 2 * unit)
@@ -227,7 +229,7 @@ _FORMS: dict[str, Callable[[Term, Values, Surroundings], TermContribution]] = {
 }
 
 
-class AtNull(NamedTuple):
+class AbsentTermRates(NamedTuple):
     """The rates of (K - lambda M) phi and of phi^T M phi with the size of a term that is absent.
 
     - change: (N, m, e)
@@ -240,7 +242,9 @@ class AtNull(NamedTuple):
     motion: Array | None
 
 
-def at_null(term: Term, values: Values, at: Surroundings, eigenvalues: Array, shapes: Array) -> AtNull:
+def absent_term_rates(
+    term: Term, values: Values, surroundings: Surroundings, eigenvalues: Array, shapes: Array
+) -> AbsentTermRates:
     """Return the rates with respect to the size of an absent term.
 
     - values: of its parameters; the first is 0
@@ -248,28 +252,30 @@ def at_null(term: Term, values: Values, at: Surroundings, eigenvalues: Array, sh
     - shapes: in all coordinates, mass-normalised, (N, m, e)
     """
     if term.form == "mount":
-        mounts, w = at.mounts, term.mount
-        row = mounts.M[:, w] + (values[1] * at.of_masses[0][w] if len(values) > 1 else 0.0)
+        mounts, w = surroundings.mounts, term.mount
+        row = mounts.M[:, w] + (values[1] * surroundings.of_masses[0][w] if len(values) > 1 else 0.0)
         stiff = mounts.K[:, w]
         force = np.einsum("nie,ne->ni", shapes, stiff) - eigenvalues * np.einsum("nie,ne->ni", shapes, row)
         change = -force[..., None] * (stiff[:, None] - eigenvalues[..., None] * row[:, None])
         norm = -2.0 * force * np.einsum("nie,ne->ni", shapes, row)
-        return AtNull(change, norm, -force[..., None] * mounts.platform[:, w][:, None])
+        return AbsentTermRates(change, norm, -force[..., None] * mounts.platform[:, w][:, None])
     if term.form == "resonator":
-        M, G = _inertia(term, at)
-        swing = at.motion[:, term.swings]
+        M, G = _inertia(term, surroundings)
+        swing = surroundings.motion[:, term.swings]
         resonance = (2.0 * np.pi * values[1]) ** 2
-        apart, least = resonance - eigenvalues, NEAR * resonance
-        apart = np.where(np.abs(apart) < least, np.where(apart < 0.0, -least, least), apart)
-        moved = np.einsum("nie,ne->ni", shapes, swing)
-        along = moved[..., None] * swing[:, None]
+        distance, min_distance = resonance - eigenvalues, NEAREST_RESONANCE * resonance
+        distance = np.where(
+            np.abs(distance) < min_distance, np.where(distance < 0.0, -min_distance, min_distance), distance
+        )
+        displacement = np.einsum("nie,ne->ni", shapes, swing)
+        displacement_rows = displacement[..., None] * swing[:, None]
         inertia = shapes @ M
-        factor = eigenvalues / apart
-        change = shapes @ G - eigenvalues[..., None] * (inertia + factor[..., None] * along)
-        slope = (2.0 * eigenvalues * apart + eigenvalues**2) / apart**2
-        norm = np.einsum("nie,nie->ni", inertia, shapes) + slope * moved**2
-        return AtNull(change, norm, None)
-    unit = change_of(term, (1.0,), at)
+        factor = eigenvalues / distance
+        change = shapes @ G - eigenvalues[..., None] * (inertia + factor[..., None] * displacement_rows)
+        slope = (2.0 * eigenvalues * distance + eigenvalues**2) / distance**2
+        norm = np.einsum("nie,nie->ni", inertia, shapes) + slope * displacement**2
+        return AbsentTermRates(change, norm, None)
+    unit = change_of(term, (1.0,), surroundings)
     inertia = shapes @ unit.M
     change = shapes @ unit.K - eigenvalues[..., None] * inertia
-    return AtNull(change, np.einsum("nie,nie->ni", inertia, shapes), None)
+    return AbsentTermRates(change, np.einsum("nie,nie->ni", inertia, shapes), None)

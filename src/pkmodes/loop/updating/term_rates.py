@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 from pkmodes.core.mechanism.stepped import STEP
 from pkmodes.core.support.expansion import modal_expansion
 from pkmodes.loop.diagnosis.problem import Prediction
-from pkmodes.loop.sensitivity.locked import released
+from pkmodes.loop.sensitivity.locked import released_changes
 from pkmodes.loop.sensitivity.matrices import MatrixDerivatives
 from pkmodes.loop.sensitivity.paths import ParameterPath
-from pkmodes.loop.updating.predictions import Moves
+from pkmodes.loop.updating.predictions import Motions
 from pkmodes.loop.updating.site_with_term import (
     PlacedTerm,
     PresentTerm,
@@ -28,7 +28,7 @@ from pkmodes.loop.updating.site_with_term import (
 from pkmodes.loop.updating.term_changes import (
     Surroundings,
     TermContribution,
-    at_null,
+    absent_term_rates,
     change_of,
     changes_along,
 )
@@ -61,21 +61,21 @@ class TermRates:
 
     def __init__(self, site: Site, modes: TermModes, present: PresentTerm | None) -> None:
         self.site, self.modes, self.present = site, modes, present
-        self._term = None if present is None else present.place.term
-        self._platform = np.real(platform_with(self._term, site.around))
+        self._term = None if present is None else present.placed_term.term
+        self._platform = np.real(platform_with(self._term, site.surroundings))
 
-    def of_robot(self, moves: Moves, shape_rates: bool) -> Prediction:
-        """Return the modes with derivatives along moves of the robot."""
-        prediction = self._prediction(list(self._along(moves.paths)), shape_rates)
-        if moves.mix is None:
+    def of_robot(self, motions: Motions, shape_rates: bool) -> Prediction:
+        """Return the modes with derivatives along motions of the robot."""
+        prediction = self._prediction(list(self._rates_along(motions.paths)), shape_rates)
+        if motions.weights is None:
             return prediction
-        along = prediction.shape_rates
+        channel_rates = prediction.shape_rates
         return Prediction(
             prediction.eigenvalues,
-            prediction.rates @ moves.mix,
+            prediction.rates @ motions.weights,
             prediction.shapes,
             prediction.rigid,
-            None if along is None else along @ moves.mix[:, None],
+            None if channel_rates is None else channel_rates @ motions.weights[:, None],
         )
 
     def of_terms(self, parameters: Sequence[tuple[PlacedTerm, int, Array]], shape_rates: bool) -> Prediction:
@@ -98,69 +98,77 @@ class TermRates:
     def _prediction(self, rates: Sequence[_Rates], shape_rates: bool) -> Prediction:
         eigenvalues, shapes = self.modes.eigenvalues, self.modes.shapes
         slopes = np.zeros((*eigenvalues.shape, len(rates)))
-        along = np.zeros((*self._channels.shape, len(rates))) if shape_rates else None
+        channel_rates = np.zeros((*self._channels.shape, len(rates))) if shape_rates else None
         if rates:
-            change = np.stack([of_one.change for of_one in rates], axis=1)
+            change = np.stack([rate.change for rate in rates], axis=1)
             slopes = np.einsum("ntmi,nmi->nmt", change, shapes)
-            if along is not None:
-                along = self._shape_rates(change, rates)
-        return Prediction(eigenvalues, slopes, self._channels, self.modes.matrices.rigid, along)
+            if channel_rates is not None:
+                channel_rates = self._shape_rates(change, rates)
+        return Prediction(eigenvalues, slopes, self._channels, self.modes.matrices.rigid, channel_rates)
 
-    def _along(self, paths: Sequence[ParameterPath]) -> Iterator[_Rates]:
+    def _rates_along(self, paths: Sequence[ParameterPath]) -> Iterator[_Rates]:
         """Yield the rates along paths of the robot, which has a term."""
         if not paths:
             return
         assert self.present is not None  # without a term, the robot itself is evaluated
-        term, values = self.present.place.term, self.present.values
+        term, values = self.present.placed_term.term, self.present.values
         site, matrices = self.site, self.modes.matrices
         derivatives = MatrixDerivatives(site.system, site.points, [paths], site.matrices)
         dM, dK = derivatives.dense()
         n = dM.shape[-1]
         for t, path in enumerate(paths):
             of_M, of_K = (np.zeros_like(matrix) for matrix in matrices.in_free())
-            if t not in derivatives.locked:
+            if t not in derivatives.locked_paths:
                 of_M[:, :n, :n], of_K[:, :n, :n] = dM[:, t], dK[:, t]
             motion = None
             if path.weights and changes_along(term, site.system, path):
                 stepped = Surroundings(site.system, site.points, path)
-                change = self._free(change_of(term, values, stepped).rates())
+                change = self._in_free_coordinates(change_of(term, values, stepped).rates())
                 of_M, of_K = of_M + change.M, of_K + change.K
-                turned = np.imag(platform_with(term, stepped)) / STEP
-                motion = self._motions @ np.swapaxes(turned, -1, -2)
-            rates = self._linear(of_M, of_K)._replace(motion=motion)
-            if t in derivatives.locked:
+                platform_rates = np.imag(platform_with(term, stepped)) / STEP
+                motion = self._motions @ np.swapaxes(platform_rates, -1, -2)
+            rates = self._rates_of_change(of_M, of_K)._replace(motion=motion)
+            if t in derivatives.locked_paths:
                 locked = derivatives.locked_joints
-                rates = self._released(rates, locked.joints, locked.weights[derivatives.locked.index(t)])
+                rates = self._with_locked_joints(
+                    rates, locked.joints, locked.weights[derivatives.locked_paths.index(t)]
+                )
             yield rates
 
-    def _with_parameter(self, place: PlacedTerm, k: int, values: Array) -> _Rates:
+    def _with_parameter(self, placed_term: PlacedTerm, k: int, values: Array) -> _Rates:
         """Return the rates with parameter k of a term, from the values of all its parameters."""
-        if self.present is not None and place is self.present.place:
+        if self.present is not None and placed_term is self.present.placed_term:
             stepped = values.astype(complex)
             stepped[k] += STEP * 1j
-            return self._linear(*self._free(change_of(place.term, stepped, self.site.around).rates()))
+            return self._rates_of_change(
+                *self._in_free_coordinates(
+                    change_of(placed_term.term, stepped, self.site.surroundings).rates()
+                )
+            )
         if k > 0:  # the term is absent whatever this parameter is
             return _Rates(np.zeros_like(self.modes.shapes), np.zeros_like(self.modes.eigenvalues))
         motions, e = self._motions, self.site.matrices[0].shape[-1]
-        rates = at_null(place.term, values, self.site.around, self.modes.eigenvalues, motions[..., :e])
+        rates = absent_term_rates(
+            placed_term.term, values, self.site.surroundings, self.modes.eigenvalues, motions[..., :e]
+        )
         change = np.zeros_like(motions)
         change[..., :e] = rates.change
         return _Rates(change[..., self.modes.matrices.free], rates.norm, rates.motion)
 
-    def _free(self, change: TermContribution) -> TermContribution:
+    def _in_free_coordinates(self, change: TermContribution) -> TermContribution:
         free = self.modes.matrices.free
         return TermContribution(change.M[:, free[:, None], free], change.K[:, free[:, None], free])
 
-    def _linear(self, dM: Array, dK: Array) -> _Rates:
+    def _rates_of_change(self, dM: Array, dK: Array) -> _Rates:
         shapes, eigenvalues = self.modes.shapes, self.modes.eigenvalues
         inertia = shapes @ dM
         change = shapes @ dK - eigenvalues[..., None] * inertia
         return _Rates(change, np.einsum("nmi,nmi->nm", inertia, shapes))
 
-    def _released(self, rates: _Rates, joints: Index, weights: Array) -> _Rates:
+    def _with_locked_joints(self, rates: _Rates, joints: Index, weights: Array) -> _Rates:
         """Return rates with those of compliances of locked joints, (r,): each deflects under its force."""
         modes, matrices = self.modes, self.modes.matrices
-        force, change, norm = released(
+        force, change, norm = released_changes(
             (matrices.M, matrices.K),
             matrices.free,
             joints,
@@ -175,23 +183,23 @@ class TermRates:
     def _shape_rates(self, change: Array, rates: Sequence[_Rates]) -> Array:
         """Return the derivatives of the channels, (N, m, C, T)."""
         modes, matrices = self.modes, self.modes.matrices
-        norm = np.stack([of_one.norm for of_one in rates], axis=1)
+        norm = np.stack([rate.norm for rate in rates], axis=1)
         share = modal_expansion(change, norm, modes.eigenvalues, modes.shapes)
-        along = share @ self._channels[:, None]
+        channel_rates = share @ self._channels[:, None]
         # Coordinates without inertia, and locked ones, are in no mode.
-        follow = np.zeros((*share.shape[:3], matrices.M.shape[-1]))
+        static_motion = np.zeros((*share.shape[:3], matrices.M.shape[-1]))
         r = np.flatnonzero(matrices.massless)
         if len(r):
             q = matrices.free[r]
             K = matrices.K[:, q[:, None], q]
             solution = np.linalg.solve(K[:, None], np.swapaxes(change[..., r], -1, -2))
-            follow[..., q] -= np.swapaxes(solution, -1, -2)
-        for t, of_one in enumerate(rates):
-            if of_one.deflection is not None:
-                follow[:, t] += of_one.deflection
-        along += channels_of(self.site.system, self._platform, follow)
+            static_motion[..., q] -= np.swapaxes(solution, -1, -2)
+        for t, rate in enumerate(rates):
+            if rate.deflection is not None:
+                static_motion[:, t] += rate.deflection
+        channel_rates += channels_of(self.site.system, self._platform, static_motion)
         components = self._platform.shape[-2]
-        for t, of_one in enumerate(rates):
-            if of_one.motion is not None:
-                along[:, t, :, -components:] += of_one.motion
-        return np.ascontiguousarray(np.moveaxis(along, 1, -1))
+        for t, rate in enumerate(rates):
+            if rate.motion is not None:
+                channel_rates[:, t, :, -components:] += rate.motion
+        return np.ascontiguousarray(np.moveaxis(channel_rates, 1, -1))

@@ -14,7 +14,7 @@ from pkmodes.core.robot.columns import column_of
 from pkmodes.loop.measured.cells import TableNotation
 from pkmodes.loop.measured.csv_format import read_text
 from pkmodes.loop.measured.csv_rows import read_lines
-from pkmodes.loop.measured.rules import PRINTABLE
+from pkmodes.loop.measured.rules import PRINTABLE_REMEDY
 from pkmodes.machine.maps.poses import Poses
 
 LABEL_COLUMN = "pose"
@@ -55,7 +55,7 @@ def read_poses(path: str | PathLike[str], mechanism: Mechanism) -> Poses:
         label = cells[names.index(LABEL_COLUMN)] if labelled else ""
         if not label.isprintable():
             raise MeasurementError(
-                f"expected a label, found {shown(label)}", f"{where}, column {LABEL_COLUMN}", PRINTABLE
+                f"expected a label, found {shown(label)}", f"{where}, column {LABEL_COLUMN}", PRINTABLE_REMEDY
             )
         table[(label, *map(repr, point))] = point
         if labelled and point_of_label.setdefault(label, point) != point:

@@ -252,7 +252,7 @@ def _at_poses(
             problem, "poses", "give poses in the workspace, at which the modes that count oscillate"
         )
     points = checked.points[good]
-    sigmas = spread_of(model, points, drives, known=fixed_paths)
+    sigmas = spread_of(model, points, drives, exact=fixed_paths)
     return Ringing(
         points,
         f[good],

@@ -13,9 +13,9 @@ from pkmodes.core.base.errors import MeasurementError, PkmodesError, nearest_nam
 from pkmodes.core.model import Model
 from pkmodes.core.robot.reading import read_robot
 from pkmodes.core.robot.report_fields import read_report
-from pkmodes.loop.measured.rules import PRINTABLE, is_label
+from pkmodes.loop.measured.rules import PRINTABLE_REMEDY, is_label
 from pkmodes.loop.updating.channels import channels
-from pkmodes.loop.updating.load_cases import settable
+from pkmodes.loop.updating.load_cases import settable_paths
 from pkmodes.modaltest.campaign.boards import Clock, read_clocks
 from pkmodes.modaltest.campaign.description import (
     CampaignTable,
@@ -242,7 +242,7 @@ def _record(
         raise MeasurementError("expected a label, found none", f"{where}.pose", 'for example: pose = "P1"')
     if not is_label(record_table.pose):
         raise MeasurementError(
-            f"expected a label, found {shown(record_table.pose)}", f"{where}.pose", PRINTABLE
+            f"expected a label, found {shown(record_table.pose)}", f"{where}.pose", PRINTABLE_REMEDY
         )
     if record_table.pose.lstrip().startswith("#"):
         problem = f"expected a label that does not begin with #, found {shown(record_table.pose)}"
@@ -331,7 +331,7 @@ def _settings(record_table: RecordTable, model: Model | None, where: str) -> dic
             problem = "a structure without a robot has no parameters"
             raise MeasurementError(problem, f"{where}.set", "leave it out, or give the robot file")
         return {}
-    settable_units = settable(model.mechanism, model.robot)
+    settable_units = settable_paths(model.mechanism, model.robot)
     values = {}
     for path, value in record_table.settings.items():
         if path not in settable_units:

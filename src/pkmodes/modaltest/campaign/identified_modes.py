@@ -20,7 +20,7 @@ from pkmodes.core.support.ordering import joined
 from pkmodes.loop.measured.cells import TableNotation
 from pkmodes.loop.measured.csv_format import read_text
 from pkmodes.loop.measured.csv_rows import read_lines
-from pkmodes.loop.measured.meanings import likely_meaning, worded
+from pkmodes.loop.measured.meanings import likely_meaning, split_unit
 from pkmodes.loop.measured.rules import SHAPE
 from pkmodes.modaltest.campaign.campaign import Campaign, Record
 from pkmodes.modaltest.campaign.grouping import MAX_FREQUENCY_DIFFERENCE
@@ -166,7 +166,7 @@ def _column_indices(
     for i, cell in enumerate(names):
         name, unit = parted(cell, [*key_by_name, *NUMERIC_COLUMNS, "pose"])
         if name in key_by_name and unit is None:
-            unit = worded(cell)[1] or None  # "Damping ratio in %"
+            unit = split_unit(cell)[1] or None  # "Damping ratio in %"
         name = key_by_name.get(name, key_by_name.get(cell, name))
         if name.startswith(SHAPE) and name.removeprefix(SHAPE) not in channels:
             channel = name.removeprefix(SHAPE)
@@ -191,7 +191,7 @@ def _column_indices(
         standard_columns = [*NUMERIC_COLUMNS, *(f"{SHAPE}{name}" for name in channels)]
         meanings: dict[str, str] = {}
         for cell in names:
-            meaning = worded(likely_meaning(cell, standard_columns, {*indices, *meanings}))[0]
+            meaning = split_unit(likely_meaning(cell, standard_columns, {*indices, *meanings}))[0]
             meanings |= {meaning: cell} if meaning else {}
         likely = meanings if "frequency" in meanings else {"frequency": "f0", **meanings}
         example = ", ".join(

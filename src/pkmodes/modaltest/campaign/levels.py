@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from scipy.stats import t as student
 
 from pkmodes.core.base.numbers import plain
-from pkmodes.loop.measured.amplitude import DIFFER
+from pkmodes.loop.measured.amplitude import MIN_LEVEL_RATIO
 from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate
 from pkmodes.modaltest.identification.level import FALSE_ALARM, MIN_CHANGE, LevelShift
 
@@ -57,7 +57,7 @@ def _regression(modes: Sequence[ModeEstimate]) -> _Regression | None:
     if len(modes) < MIN_FILES or not all(mode.level > 0.0 for mode in modes):
         return None
     level, f = (np.log([getattr(mode, name) for mode in modes]) for name in ("level", "frequency"))
-    if np.ptp(level) < math.log(DIFFER):
+    if np.ptp(level) < math.log(MIN_LEVEL_RATIO):
         return None
     slope, constant = np.polyfit(level - level.mean(), f, 1)
     fitted = constant + slope * (level - level.mean())

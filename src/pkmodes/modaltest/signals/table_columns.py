@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.core.robot.columns import parted
 from pkmodes.core.support.ordering import listed
-from pkmodes.loop.measured.meanings import worded
+from pkmodes.loop.measured.meanings import split_unit
 from pkmodes.modaltest.signals.functions import FORCE, MAX_NAMES, FunctionKind, SignalRequest
 from pkmodes.modaltest.signals.units import hertz_in, seconds_in, unit_text
 
@@ -127,8 +127,8 @@ def _head(cell: str, request: SignalRequest) -> tuple[str, str]:
     if label is None and (match := IN_PARENTHESES.fullmatch(cell)) is not None:
         has_unit = unit_text(match[2]) is not None or match[2].lower().startswith(DECIBELS)
         name, label = (match[1], match[2]) if has_unit else (cell, None)
-    if label is None and unit_text(worded(cell)[1]) is not None:
-        name, label = worded(cell)
+    if label is None and unit_text(split_unit(cell)[1]) is not None:
+        name, label = split_unit(cell)
     is_name = cell in (request.sensors or ()) or cell in request.names.values()
     return (cell if is_name else name), label or ""
 

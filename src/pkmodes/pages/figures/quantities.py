@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.support.mac import mass_weighted_mac
-from pkmodes.loop.sensitivity.alike import alike
-from pkmodes.loop.sensitivity.relative import scalable
+from pkmodes.loop.sensitivity.alike import equivalent_parameters
+from pkmodes.loop.sensitivity.relative import scalable_quantities
 from pkmodes.loop.sensitivity.sensitivities import sensitivities_at
 from pkmodes.loop.sensitivity.spread import spread_of
 from pkmodes.machine.maps.workspace import box_of, limits_test, usable_box
@@ -32,11 +32,11 @@ def relative_sensitivities(model: Model, plane: Plane, drives: str) -> tuple[lis
     """Return the relative sensitivities of the frequencies of vibration on a coarser grid of the plane.
 
     Returns, in this order:
-    - names: quantities of the robot (`scalable`); those that act as one at all these poses have a common name, such
-      as ``belt.specific_stiffness, belt.width``
+    - names: quantities of the robot (`scalable_quantities`); those that act as one at all these poses have a common
+      name, such as ``belt.specific_stiffness, belt.width``
     - relative: d ln f / d ln p, (along, across, parameters, modes)
     """
-    paths = scalable(model.robot)
+    paths = scalable_quantities(model.robot)
     few = coarser(plane)
     points = points_of(model, few)
     sensitivities = sensitivities_at(
@@ -46,7 +46,7 @@ def relative_sensitivities(model: Model, plane: Plane, drives: str) -> tuple[lis
     rates = sensitivities.frequencies[..., -modes:]
     frequency = few.dataset["frequency"].values
     relative = rates * sensitivities.values[:, None] / frequency[..., None, :]
-    groups = alike(relative)
+    groups = equivalent_parameters(relative)
     return [group.name(paths) for group in groups], relative[..., [group.members[0] for group in groups], :]
 
 

@@ -70,6 +70,6 @@ def describe(changes: Changes) -> str:
         f"The change of each frequency for {step}, to first order, the largest on top: filled bars for more of it, "
         f"open bars for less; at most {MAX_BARS} in a panel."
     )
-    if changes.together is not None:
+    if changes.combined is not None:
         text += " The grey bar is the standard deviation of the frequency from all values together."
     return text

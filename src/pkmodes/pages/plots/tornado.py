@@ -42,7 +42,7 @@ def tornado(changes: Changes, modes: Sequence[int] | None = None) -> Drawing:
     shown_modes = range(len(changes.frequencies)) if modes is None else modes
     columns = min(MAX_COLUMNS, len(shown_modes))
     rows = -(-len(shown_modes) // columns)
-    bars = max(len(_shown_quantities(changes, mode)) for mode in shown_modes) + (changes.together is not None)
+    bars = max(len(_shown_quantities(changes, mode)) for mode in shown_modes) + (changes.combined is not None)
     height = rows * (BAR_PITCH * bars + PANEL_PADDING) + 0.3
 
     def draw(sheet: Sheet) -> None:
@@ -58,7 +58,7 @@ def tornado(changes: Changes, modes: Sequence[int] | None = None) -> Drawing:
             Patch(label=f"{step} more", facecolor=INCREASE_STYLE["color"], edgecolor=BLUE),
             Patch(label=f"{step} less", facecolor=DECREASE_STYLE["color"], edgecolor=BLUE),
         ]
-        if changes.together is not None:
+        if changes.combined is not None:
             handles.append(
                 Patch(label=f"{TOGETHER_LABEL}: standard deviation", facecolor=GREY, edgecolor=GREY)
             )
@@ -92,8 +92,8 @@ def _draw_panel(panel: Panel, changes: Changes, mode: int, bars: int) -> None:
         change = float(changes.changes[i, mode])
         panel.bar(row, 0.0, change, label=f"{step} more", **style, **INCREASE_STYLE)
         panel.bar(row, 0.0, -change, label=f"{step} less", **style, **DECREASE_STYLE)
-    if changes.together is not None:
-        sigma = float(changes.together[mode])
+    if changes.combined is not None:
+        sigma = float(changes.combined[mode])
         panel.bar(len(names), -sigma, sigma, label=TOGETHER_LABEL, **style, **TOGETHER_STYLE)
         names, wrapped_labels = [*names, TOGETHER_LABEL], [*wrapped_labels, TOGETHER_LABEL]
     panel.axes.axvline(0.0, color=INK, linewidth=0.8)
@@ -103,7 +103,7 @@ def _draw_panel(panel: Panel, changes: Changes, mode: int, bars: int) -> None:
     axes.grid(visible=False, axis="y")
     longest = max(
         [float(np.abs(changes.changes[largest, mode]).max(initial=0.0))]
-        + ([] if changes.together is None else [float(changes.together[mode])])
+        + ([] if changes.combined is None else [float(changes.combined[mode])])
     )
     if longest > 0.0:
         axes.set_xlim(-AXIS_MARGIN * longest, AXIS_MARGIN * longest)

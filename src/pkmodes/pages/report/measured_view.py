@@ -24,7 +24,7 @@ from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.updating import frame
 from pkmodes.loop.updating.channels import channels
 from pkmodes.loop.updating.corrected_robot import corrected_robot
-from pkmodes.loop.updating.load_cases import settable
+from pkmodes.loop.updating.load_cases import settable_paths
 from pkmodes.pages.view import Scene
 from pkmodes.pages.view.evaluating import scene_of
 from pkmodes.pages.view.measured_modes import Channel, MeasuredMode
@@ -93,7 +93,7 @@ def measured_scene(
         return None
     kept = [kept[k] for k in in_order([data.labels[i] for i in kept])]  # as in tables and figures
     scene = scene_of([models[loads[i]] for i in kept], points[kept], drives=drives)
-    quantities, units = settable(shown.robot.mechanism), channels(shown.robot.mechanism)
+    quantities, units = settable_paths(shown.robot.mechanism), channels(shown.robot.mechanism)
     labels = []
     for i in kept:  # with the values that are set there
         values = [

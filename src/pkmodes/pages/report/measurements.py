@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from pkmodes.core.base.numbers import p_text, plain
 from pkmodes.loop.measured.comparison import MeasurementsCompared, ModePair
-from pkmodes.loop.measured.significance import LEAST_COMMON, LEVEL, CommonChange
+from pkmodes.loop.measured.significance import LEVEL, MIN_COMMON_SIGMAS, CommonChange
 from pkmodes.pages.report.blocks import Cell, Column, Summary, Table
 from pkmodes.pages.report.formatting import NOTHING, number, p_value, plural, pointer, shortened, three_digits
 from pkmodes.pages.report.measured_shapes import deviations_in_words, mode_name, where
@@ -138,7 +138,7 @@ def _noticeable(result: MeasurementsCompared) -> str:
     if largest is not smallest:
         text += f" ({mode_name(smallest)}) to {plain(100.0 * largest.noticeable, 2)} % ({mode_name(largest)})"
     if result.common is not None and result.common.sigma is not None:
-        text += f", or of all modes by {plain(100.0 * LEAST_COMMON * result.common.sigma, 2)} %"
+        text += f", or of all modes by {plain(100.0 * MIN_COMMON_SIGMAS * result.common.sigma, 2)} %"
     return f"{text}."
 
 

@@ -122,7 +122,7 @@ def _remark(row: Row | ComparedRow, evidence: PlottedEvidence, i: int) -> str:
     words = []
     if isinstance(row, Row):
         words += ["held out"] * row.held_out + ["set aside"] * row.outlier
-    elif row.no_evidence:
+    elif row.shape_differs:
         words.append("damping of another shape")
     if evidence.stages and not evidence.last.paired[i]:
         words.append("unmatched")

@@ -70,7 +70,7 @@ def sensitivities_summary(
     at = placed(model.mechanism, np.array(content["pose"]), "g").replace("-", MINUS)
     doing, facts, rigid = motors_in_words(model.robot, content["drives"]), [], content["rigid_modes"]
     for mode, frequency in enumerate(percent.frequencies.tolist()):
-        error = 0.0 if sigma is None or sigma.together is None else float(sigma.together[mode])
+        error = 0.0 if sigma is None or sigma.combined is None else float(sigma.combined[mode])
         place = pointer("frequencies_hz", rigid + mode)
         cell = uncertain_cell(frequency, error, place) if error > 0.0 else hertz(frequency, place)
         facts.append((f"mode {mode + 1} [Hz]", cell))
@@ -122,14 +122,14 @@ def per_cent_table(
 
 def per_sigma_table(model: Model, changes: Changes) -> Table:
     """Return what one standard deviation more of each value does to every frequency, and all of them together."""
-    assert changes.together is not None
+    assert changes.combined is not None
     sigmas, rows = stated_sigmas(model.robot), []
     for i in changes.largest_of_all():
         (path,) = changes.names[i]
         symbol = model.robot.quantities[path].unit
         row = [_quantity(model, [path]), quantity_cell(sigmas[path], symbol, 3)]
         rows.append([*row, *(number(float(value), "+.3f") for value in changes.changes[i])])
-    combined = [number(float(value), ".3f", strong=True) for value in changes.together]
+    combined = [number(float(value), ".3f", strong=True) for value in changes.combined]
     rows.append([Cell("all together", strong=True), Cell(""), *combined])
     how = CORRELATED if model.robot.covariance else "the root of the sum of squares, for independent errors"
     return Table(

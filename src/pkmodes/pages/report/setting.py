@@ -11,7 +11,7 @@ from pkmodes.core.robot.robot import Robot
 from pkmodes.core.support.motors import motors_in_words
 from pkmodes.core.support.words import meaning_of
 from pkmodes.loop.measured.measurements import Measurements
-from pkmodes.loop.updating.load_cases import settable
+from pkmodes.loop.updating.load_cases import settable_paths
 from pkmodes.pages.plots.evidence import PlottedEvidence
 from pkmodes.pages.report.blocks import Cell, Section
 from pkmodes.pages.report.formatting import clean, plural, quantity_cell, shortened
@@ -48,7 +48,7 @@ class ReportSetting:
 
     @cached_property
     def _units(self) -> dict[str, str]:
-        return {} if self.robot is None else settable(self.robot.mechanism)
+        return {} if self.robot is None else settable_paths(self.robot.mechanism)
 
     def words(self, path: str) -> str:
         """Return what the path of a value means; empty where the robot does not describe it."""

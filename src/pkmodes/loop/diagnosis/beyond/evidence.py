@@ -1,4 +1,4 @@
-"""Evidence for the rules beyond the catalogue: the best term, its class, and what else remains."""
+"""Evidence for the rules beyond the catalogue: the best term, its class, and its rivals."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from functools import cached_property
 import numpy as np
 from scipy import stats
 
-from pkmodes.loop.diagnosis.beyond.specificity import Law, like_a_law, p_outside
-from pkmodes.loop.diagnosis.beyond.tried import Tried
+from pkmodes.loop.diagnosis.beyond.specificity import Law, competing_law, p_outside
+from pkmodes.loop.diagnosis.beyond.term_fits import TermFits
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.problem import Candidate
@@ -26,12 +26,12 @@ from pkmodes.loop.diagnosis.verdict.possible import describe_member, violated_us
 from pkmodes.loop.diagnosis.verdict.reasons import causes_in_words
 from pkmodes.loop.diagnosis.verdict.stability import Trial, trials
 
-#: Number of equally good terms that a reason mentions.
-MENTIONED = 3
+#: Largest number of equally good terms that a reason names.
+MAX_TERMS_NAMED = 3
 #: Number of explanations outside its class with which a claim is compared, under other errors and at all setups.
-CONTENDERS = 6
-#: Explanations whose criteria differ by less are equally good: only the last digits of their residuals differ.
-EQUAL = 1e-6
+MAX_CONTENDERS = 6
+#: Explanations whose criteria differ by less are equally good: the difference is rounding of their residuals.
+CRITERION_TOLERANCE = 1e-6
 
 
 class TermEvidence(Evidence):
@@ -40,18 +40,18 @@ class TermEvidence(Evidence):
     - groups: classes of the explanations that leave noise, that of the best one first
     """
 
-    def __init__(self, tried: Tried) -> None:
-        search, store = tried.search, tried.search.store
-        self.tried = tried
-        rivals = best_first(store, [*tried.fits, *tried.carried])
+    def __init__(self, term_fits: TermFits) -> None:
+        search, store = term_fits.search, term_fits.search.store
+        self.term_fits = term_fits
+        rivals = sort_best_first(store, [*term_fits.fits, *term_fits.catalogue_fits])
         surviving = survivors(search, rivals)
-        groups = [_ordered(search, group) for group in classes(store, surviving)]
+        groups = [_order_class(search, group) for group in classes(store, surviving)]
         self.groups = groups
-        best = next(iter(best_first(store, tried.fits)), tried.plain)
-        final = _named(search, groups[0]) if groups else best
-        p_value = _p_value(tried, final)
+        best = next(iter(sort_best_first(store, term_fits.fits)), term_fits.baseline)
+        final = _representative(search, groups[0]) if groups else best
+        p_value = _p_value(term_fits, final)
         causes = dict.fromkeys(cause for group in groups for fit in group for cause in fit.causes)
-        plausible = plausible_sizes(store.fitter, tried.plain, list(causes))
+        plausible = plausible_sizes(store.fitter, term_fits.baseline, list(causes))
         implausible = {
             name_of_explanation(fit)
             for group in groups
@@ -66,42 +66,46 @@ class TermEvidence(Evidence):
             max_deviations=plausible,
             implausible_names=frozenset(implausible),
         )
-        outcome = Outcome(tried.plain, search.gate(tried.plain), final, claim.last_gate)
-        super().__init__(tried.setups, search, outcome, claim)
+        outcome = Outcome(term_fits.baseline, search.gate(term_fits.baseline), final, claim.last_gate)
+        super().__init__(term_fits.setups, search, outcome, claim)
 
     @property
-    def found(self) -> bool:
+    def has_term(self) -> bool:
         """Whether some term, alone or in the class of the best explanation, leaves noise."""
         return any(cause.form for group in self.groups[:1] for fit in group for cause in fit.causes)
 
     @property
-    def words(self) -> str:
+    def term_names(self) -> str:
         """The best term in words, with its name, and those that are equally good."""
         reference = self.store.criterion(self.final)
-        equal = [fit for fit in self.tried.fits if abs(self.store.criterion(fit) - reference) < EQUAL]
-        ranked = best_first(self.store, equal) or [self.final]
-        words = " or ".join(causes_in_words(fit.causes) for fit in ranked[:MENTIONED])
-        return words if len(ranked) <= MENTIONED else f"{words} or {len(ranked) - MENTIONED} more"
+        equal_fits = [
+            fit
+            for fit in self.term_fits.fits
+            if abs(self.store.criterion(fit) - reference) < CRITERION_TOLERANCE
+        ]
+        ranked = sort_best_first(self.store, equal_fits) or [self.final]
+        words = " or ".join(causes_in_words(fit.causes) for fit in ranked[:MAX_TERMS_NAMED])
+        return words if len(ranked) <= MAX_TERMS_NAMED else f"{words} or {len(ranked) - MAX_TERMS_NAMED} more"
 
     def finding(self, k: int) -> Finding:
         """Return a class with its values, as a part of a result."""
         fitter, group = self.fitter, self.groups[k]
-        index = [tuple(i for cause in fit.causes for i in fitter.indices(cause)) for fit in group]
+        parameter_indices = [tuple(i for cause in fit.causes for i in fitter.indices(cause)) for fit in group]
         labels = [name_of_explanation(fit) for fit in group]
         alternatives = {
             name: fitted_values(fitter, fit, indices)
-            for name, fit, indices in zip(labels, group, index, strict=True)
+            for name, fit, indices in zip(labels, group, parameter_indices, strict=True)
         }
         covariances = {
             name: tuple(map(tuple, fit.covariance_of(indices).tolist()))
-            for name, fit, indices in zip(labels, group, index, strict=True)
+            for name, fit, indices in zip(labels, group, parameter_indices, strict=True)
         }
         return Finding(
             name=labels[0],
             members=tuple(labels),
             parameters=alternatives[labels[0]],
             alternatives=alternatives,
-            p_value=_p_value(self.tried, group[0]),
+            p_value=_p_value(self.term_fits, group[0]),
             sentence=group[0].causes[-1].sentence,
             covariances=covariances,
             about={
@@ -120,16 +124,16 @@ class TermEvidence(Evidence):
         members = {name_of_explanation(fit) for group in self.groups[:1] for fit in group}
         store = self.store
         limit = store.criterion(self.final) + self.criteria.claim.near
-        outside = [
+        other_fits = [
             fit
-            for fit in (*self.tried.fits, *self.tried.carried)
+            for fit in (*self.term_fits.fits, *self.term_fits.catalogue_fits)
             if name_of_explanation(fit) not in members and not fit.at_bound and store.criterion(fit) < limit
         ]
-        return best_first(store, outside)[:CONTENDERS]
+        return sort_best_first(store, other_fits)[:MAX_CONTENDERS]
 
     @cached_property
     def trials(self) -> list[Trial]:
-        """The best explanations with other errors and priors."""
+        """The best explanations if errors and priors were different."""
         return trials(self.search, self.final, self.groups[:1], self.contenders)
 
     @cached_property
@@ -140,22 +144,22 @@ class TermEvidence(Evidence):
     @cached_property
     def p_outside(self) -> float:
         """Probability that an effect that no term describes would look like a term."""
-        return p_outside(self.tried, self.final)
+        return p_outside(self.term_fits, self.final)
 
     @cached_property
     def law(self) -> Law | None:
         """A law that explains the data as well."""
-        return like_a_law(self.tried, self.final)
+        return competing_law(self.term_fits, self.final)
 
     @cached_property
-    def pointed(self) -> tuple[Candidate, float] | None:
+    def remaining_term(self) -> tuple[Candidate, float] | None:
         """The term to which the remaining residual points, with the p-value of its score; None if there is none."""
-        terms = [term for term in self.tried.terms if not term.starts and term not in self.final.causes]
+        terms = [term for term in self.term_fits.terms if not term.starts and term not in self.final.causes]
         scores = score(self.fitter, self.final, terms)
-        best = min(scores.by_candidate, key=lambda entry: entry.p_value, default=None)
-        if best is None or scores.p_value > self.criteria.gate.surely:
+        best_entry = min(scores.by_candidate, key=lambda entry: entry.p_value, default=None)
+        if best_entry is None or scores.p_value > self.criteria.gate.surely:
             return None
-        return best.candidate, scores.p_value
+        return best_entry.candidate, scores.p_value
 
 
 def name_of_explanation(fit: Fit) -> str:
@@ -163,13 +167,13 @@ def name_of_explanation(fit: Fit) -> str:
     return " + ".join(cause.name for cause in fit.causes)
 
 
-def best_first(store: FitStore, fits: Sequence[Fit]) -> list[Fit]:
+def sort_best_first(store: FitStore, fits: Sequence[Fit]) -> list[Fit]:
     """Return explanations by their criteria, equally good ones by their names."""
     by_name = sorted(fits, key=name_of_explanation)
-    return sorted(by_name, key=lambda fit: float(np.round(store.criterion(fit) / EQUAL)))
+    return sorted(by_name, key=lambda fit: float(np.round(store.criterion(fit) / CRITERION_TOLERANCE)))
 
 
-def _ordered(search: Search, group: Sequence[Fit]) -> list[Fit]:
+def _order_class(search: Search, group: Sequence[Fit]) -> list[Fit]:
     """Return the members of a class, the best first, plausible ones before others.
 
     A term with more parameters that explains no more than another term is left out: a resonator of a high frequency
@@ -177,32 +181,34 @@ def _ordered(search: Search, group: Sequence[Fit]) -> list[Fit]:
     """
     store = search.store
     terms = [fit for fit in group if all(cause.form for cause in fit.causes)]
-    best = min(map(store.criterion, terms or group))
-    fewest = min(len(store.added(fit)) for fit in group)
-    kept = [
+    best_criterion = min(map(store.criterion, terms or group))
+    fewest_parameters = min(len(store.added_parameters(fit)) for fit in group)
+    members = [
         fit
         for fit in group
-        if fit not in terms or len(store.added(fit)) == fewest or store.criterion(fit) <= best
+        if fit not in terms
+        or len(store.added_parameters(fit)) == fewest_parameters
+        or store.criterion(fit) <= best_criterion
     ]
     fitter = store.fitter
-    return sorted(best_first(store, kept), key=lambda fit: bool(violated_usual_range(fitter, fit)))
+    return sorted(sort_best_first(store, members), key=lambda fit: bool(violated_usual_range(fitter, fit)))
 
 
-def _named(search: Search, group: Sequence[Fit]) -> Fit:
+def _representative(search: Search, group: Sequence[Fit]) -> Fit:
     """Return the first member of a class whose residual is noise in all respects, a term before others."""
     level = search.criteria.gate.surely
-    noise = [fit for fit in group if search.gate(fit).passes_at(level)]
-    terms = [fit for fit in noise if all(cause.form for cause in fit.causes)]
-    return next(iter([*terms, *noise]), group[0])
+    noise_fits = [fit for fit in group if search.gate(fit).passes_at(level)]
+    terms = [fit for fit in noise_fits if all(cause.form for cause in fit.causes)]
+    return next(iter([*terms, *noise_fits]), group[0])
 
 
-def _p_value(tried: Tried, final: Fit) -> float:
-    """Return the p-value of a likelihood-ratio test of the best term, corrected for all that was tried."""
+def _p_value(term_fits: TermFits, final: Fit) -> float:
+    """Return the p-value of a likelihood-ratio test of the best term, corrected for the number of candidates."""
     cause = next(iter(final.causes), None)
     if cause is None:
         return 1.0
-    fitter, gain = tried.search.store.fitter, max(tried.plain.deviance - final.deviance, 0.0)
-    p = float(stats.chi2.sf(gain, sum(len(added.parameters) for added in final.causes)))
+    fitter, gain = term_fits.search.store.fitter, max(term_fits.baseline.deviance - final.deviance, 0.0)
+    p = float(stats.chi2.sf(gain, sum(len(added_cause.parameters) for added_cause in final.causes)))
     if len(final.causes) == 1 and allowed_sign(fitter, cause):
         p *= 0.5
-    return min(p_of_smallest(tried.directions, p), 1.0)
+    return min(p_of_smallest(term_fits.directions, p), 1.0)

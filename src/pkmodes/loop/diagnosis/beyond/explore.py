@@ -1,4 +1,4 @@
-"""Test whether one form at one place explains what the catalogue does not."""
+"""Test whether a term, one form at one place, explains what the catalogue does not."""
 
 from __future__ import annotations
 
@@ -7,10 +7,14 @@ from dataclasses import replace
 
 import numpy as np
 
+from pkmodes.loop.diagnosis.beyond.competing_terms import (
+    competing_term,
+    has_many_alternatives,
+    terms_may_compete,
+)
 from pkmodes.loop.diagnosis.beyond.evidence import TermEvidence, name_of_explanation
-from pkmodes.loop.diagnosis.beyond.instead import instead, may_compete, one_of_many
 from pkmodes.loop.diagnosis.beyond.rules import BEYOND
-from pkmodes.loop.diagnosis.beyond.tried import tried
+from pkmodes.loop.diagnosis.beyond.term_fits import try_terms
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.problem import Extensible
 from pkmodes.loop.diagnosis.search.additions import Progress
@@ -29,41 +33,47 @@ class TermSearch:
     """A search among terms, run when it is first needed.
 
     - structure: at all measured setups
-    - held: held-out setups
+    - held_out: held-out setups
     """
 
-    def __init__(self, structure: Extensible, held: Sequence[int], progress: Progress | None) -> None:
-        self.structure, self.held, self.progress = structure, held, progress
-        self._found: tuple[Evidence, TermEvidence | None] | None = None
+    def __init__(self, structure: Extensible, held_out: Sequence[int], progress: Progress | None) -> None:
+        self.structure, self.held_out, self.progress = structure, held_out, progress
+        self._cached_evidence: tuple[Evidence, TermEvidence | None] | None = None
 
     def evidence(self, catalogue: Evidence) -> TermEvidence | None:
-        """Return the evidence for terms beside what the catalogue found."""
-        if self._found is None or self._found[0] is not catalogue:
-            explored = tried(self.structure.with_terms(), catalogue, self.held, self.progress)
-            self._found = catalogue, None if explored is None else TermEvidence(explored)
-        return self._found[1]
+        """Return the evidence for terms beside that for the catalogue; None if there are no terms."""
+        if self._cached_evidence is None or self._cached_evidence[0] is not catalogue:
+            term_fits = try_terms(self.structure.with_terms(), catalogue, self.held_out, self.progress)
+            self._cached_evidence = catalogue, None if term_fits is None else TermEvidence(term_fits)
+        return self._cached_evidence[1]
 
-    def instead(self, catalogue: Evidence) -> Fit | None:
+    def replacement_fit(self, catalogue: Evidence) -> Fit | None:
         """Return the fit with one term that explains the data in place of the causes of the catalogue."""
-        terms_compete = one_of_many(catalogue) or in_one_joint(self.structure, catalogue)
-        if not terms_compete and not may_compete(self.structure.with_terms(), catalogue, self.held):
+        alternatives_compete = has_many_alternatives(catalogue) or has_terms_of_joints(
+            self.structure, catalogue
+        )
+        if not alternatives_compete and not terms_may_compete(
+            self.structure.with_terms(), catalogue, self.held_out
+        ):
             return None
-        of_terms = self.evidence(catalogue)
-        return None if of_terms is None else instead(of_terms, catalogue)
+        term_evidence = self.evidence(catalogue)
+        return None if term_evidence is None else competing_term(term_evidence, catalogue)
 
-    def after(self, catalogue: Evidence, decision: Decision[Evidence, Answer]) -> TermEvidence | None:
+    def evidence_after(
+        self, catalogue: Evidence, decision: Decision[Evidence, Answer]
+    ) -> TermEvidence | None:
         """Return the evidence for terms; None where the catalogue's verdict leaves nothing to try."""
         open_to_terms = (
             decision.verdict in (AMBIGUOUS, UNEXPLAINED) and not decision.answer.decided_by_reading
         )
         claimed = decision.verdict is EFFECT_FOUND
-        if not open_to_terms and not (claimed and in_one_joint(self.structure, catalogue)):
+        if not open_to_terms and not (claimed and has_terms_of_joints(self.structure, catalogue)):
             return None
         return self.evidence(catalogue)
 
 
-def in_one_joint(structure: Extensible, catalogue: Evidence) -> bool:
-    """Return whether a claimed cause has a value for each joint, and several terms have one of these values each."""
+def has_terms_of_joints(structure: Extensible, catalogue: Evidence) -> bool:
+    """Return whether a claimed cause has a value for each joint, and several terms are one of these values each."""
     causes = catalogue.final.causes
     if len(causes) != 1 or len(causes[0].parameters) < 2:
         return False
@@ -71,28 +81,28 @@ def in_one_joint(structure: Extensible, catalogue: Evidence) -> bool:
     return len(joints.intersection(causes[0].parameters)) > 1
 
 
-def with_beyond(result: Diagnosis, evidence: TermEvidence | None, catalogue: Evidence) -> Diagnosis:
-    """Return a diagnosis of the catalogue with what terms explain."""
+def with_term_result(result: Diagnosis, evidence: TermEvidence | None, catalogue: Evidence) -> Diagnosis:
+    """Return a diagnosis by the catalogue, extended by the verdict on terms."""
     if evidence is None:
         return result
     decision = first_decision(BEYOND, evidence)
     assert decision is not None  # the last rule always applies
-    status, count = decision.verdict, len(evidence.tried.terms)
+    status, count = decision.verdict, len(evidence.term_fits.terms)
     groups = [] if status is NOTHING else evidence.groups
     classes = _classes(evidence, groups)
     # The best explanation of the catalogue, claimed or not, with its errors.
-    fits = [fit for fit in catalogue.store.tried() if fit.causes and not fit.hypothesis.remote]
+    fits = [fit for fit in catalogue.store.all_fits() if fit.causes and not fit.hypothesis.remote]
     best = min(fits, key=catalogue.store.criterion, default=None)
-    named = None if best is None else (name_of_explanation(best), error_of(catalogue, best))
-    beyond = Beyond(status.word, decision.reason, count, classes, named, decision.rule.name)
+    catalogue_best = None if best is None else (name_of_explanation(best), error_of(catalogue, best))
+    beyond = Beyond(status.word, decision.reason, count, classes, catalogue_best, decision.rule.name)
     if sum(map(len, groups)) > 1:
         remaining = [[(name_of_explanation(fit), fit) for fit in group] for group in groups]
         proposed, not_separated = next_measurement(evidence.store, None, remaining)
         result = replace(result, next_measurement=proposed, not_separated=not_separated)
     elif status is FOUND:
         # Notes on the fit without the term do not apply to the fit with it.
-        remarks = tuple(notes(evidence.store, evidence.final, adequate=True))
-        result = replace(result, next_measurement=None, not_separated=status.nothing_next, notes=remarks)
+        term_notes = tuple(notes(evidence.store, evidence.final, adequate=True))
+        result = replace(result, next_measurement=None, not_separated=status.nothing_next, notes=term_notes)
     reason = f"{words}; {result.reason}" if (words := beyond.words()) else result.reason
     return replace(result, beyond=beyond, reason=reason)
 
@@ -101,8 +111,8 @@ def _classes(evidence: TermEvidence, groups: Sequence[Sequence[Fit]]) -> tuple[T
     """Return classes as parts of a result, each with its probability relative to the others."""
     store, builder = evidence.store, DiagnosisBuilder(evidence.setups)
     criteria = [np.array([store.criterion(fit) for fit in group]) for group in groups]
-    least = min((float(values.min()) for values in criteria), default=0.0)
-    weights = np.array([np.exp(-0.5 * (values - least)).sum() for values in criteria])
+    lowest_criterion = min((float(values.min()) for values in criteria), default=0.0)
+    weights = np.array([np.exp(-0.5 * (values - lowest_criterion)).sum() for values in criteria])
     return tuple(
         TermClass(
             finding=evidence.finding(k),

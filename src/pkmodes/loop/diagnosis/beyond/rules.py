@@ -1,8 +1,8 @@
 """The rules beyond the catalogue, in a table: the first that applies decides whether a term is found.
 
 A term is claimed on the same conditions as a cause of the catalogue (`verdict.rules`), and on two more, since so many
-are tried: what it leaves points to no other term, and nothing that varies with the position, the order of the setups
-or the frequency explains as much.
+are tried: its residual points to no other term, and nothing that varies with the position, the order of the setups or
+the frequency explains as much.
 """
 
 from __future__ import annotations
@@ -21,47 +21,53 @@ def nothing(e: TermEvidence) -> str:
     """No term leaves noise."""
     if e.groups:
         return ""
-    count = f"none of the {len(e.tried.terms)} terms, each one form at one place, explains the measurements"
+    sentence = (
+        f"none of the {len(e.term_fits.terms)} terms, each one form at one place, explains the measurements"
+    )
     if not e.final.causes:
-        return count
-    best = f"the best, {e.words}, is refused"
+        return sentence
+    best = f"the best, {e.term_names}, is refused"
     if e.final.at_bound:
-        return f"{count}: {best}, because {', '.join(e.final.at_bound)} is at its bound"
+        return f"{sentence}: {best}, because {', '.join(e.final.at_bound)} is at its bound"
     squares, degrees = e.store.frequency_misfit(e.final)
     p_value = e.store.p_value(e.final)
     if p_value <= e.criteria.gate.surely < e.store.frequency_p_value(e.final):
-        return f"{count}: the best, {e.words}, leaves frequencies as measured, but not shapes ({p_in_words(p_value)})"
+        p = p_in_words(p_value)
+        return f"{sentence}: the best, {e.term_names}, leaves frequencies as measured, but not shapes ({p})"
     if p_value <= e.criteria.gate.surely:
         factor = ratio_in_words((squares / max(degrees, 1.0)) ** 0.5)
-        return f"{count}: the best, {e.words}, leaves a residual {factor} the stated errors ({p_in_words(p_value)})"
+        p = p_in_words(p_value)
+        return f"{sentence}: the best, {e.term_names}, leaves a residual {factor} the stated errors ({p})"
     if not are_added_modes_credible(e.search, e.final):
-        return f"{count}: {best}, because it adds modes between the measured ones that were not measured"
-    return f"{count}: {best}, because it does not help to predict setups left out of the fit"
+        return f"{sentence}: {best}, because it adds modes between the measured ones that were not measured"
+    return f"{sentence}: {best}, because it does not help to predict setups left out of the fit"
 
 
 def in_the_catalogue(e: TermEvidence) -> str:
     """The best explanation that leaves noise is one of the catalogue, and no term is in its class."""
-    if e.found:
+    if e.has_term:
         return ""
     return (
-        f"none of the {len(e.tried.terms)} terms, each one form at one place, explains the measurements as well as "
-        f"{names(e.final.causes)} of the catalogue"
+        f"none of the {len(e.term_fits.terms)} terms, each one form at one place, explains the measurements as "
+        f"well as {names(e.final.causes)} of the catalogue"
     )
 
 
 def leaves_more(e: TermEvidence) -> str:
     """What the best term leaves is not noise in all respects, or points to another term."""
     gate, level = e.claim.last_gate, e.criteria.gate.surely
-    start = f"{e.words} would explain nearly all of the residual, but"
+    opening = f"{e.term_names} would explain nearly all of the residual, but"
     if gate.unpaired:
-        return f"{start} leaves {gate.unpaired} measured mode{'' if gate.unpaired == 1 else 's'} unmatched"
+        return f"{opening} leaves {gate.unpaired} measured mode{'' if gate.unpaired == 1 else 's'} unmatched"
     if gate.p_unmeasured <= level:
-        return f"{start} adds modes between the measured ones that were not measured"
+        return f"{opening} adds modes between the measured ones that were not measured"
     if not gate.passes_at(level):
-        return f"{start} what it leaves still points to a cause of the catalogue ({p_in_words(gate.p_candidates)})"
-    if e.pointed is not None:
-        term, p_value = e.pointed
-        return f"{start} what it leaves still points to {term.sentence or term.name} ({p_in_words(p_value)})"
+        return f"{opening} what it leaves still points to a cause of the catalogue ({p_in_words(gate.p_candidates)})"
+    if e.remaining_term is not None:
+        term, p_value = e.remaining_term
+        return (
+            f"{opening} what it leaves still points to {term.sentence or term.name} ({p_in_words(p_value)})"
+        )
     return ""
 
 
@@ -70,7 +76,7 @@ def like_a_law(e: TermEvidence) -> str:
     law = e.law
     if law is None:
         return ""
-    return f"{e.words} would explain the residual, but so would {law.quantity}, if it varied {law.along}"
+    return f"{e.term_names} would explain the residual, but so would {law.quantity}, if it varied {law.dependence}"
 
 
 def not_specific(e: TermEvidence) -> str:
@@ -78,8 +84,8 @@ def not_specific(e: TermEvidence) -> str:
     if e.p_outside <= e.criteria.claim.specific_term:
         return ""
     return (
-        f"{e.words} would explain the residual, but the data are too few to rule out something that no term has: "
-        f"{plain(100 * e.p_outside, 2)} % of such residuals would look like some term; measure more"
+        f"{e.term_names} would explain the residual, but the data are too few to rule out something that no term "
+        f"has: {plain(100 * e.p_outside, 2)} % of such residuals would look like some term; measure more"
     )
 
 
@@ -88,45 +94,45 @@ def implausible(e: TermEvidence) -> str:
     finding = e.finding(0)
     if any(finding.plausible.values()):
         return ""
-    why = finding.member(finding.name).implausible
-    return f"{e.words} would explain the residual, but no such part has its value: {why}"
+    reason = finding.member(finding.name).implausible
+    return f"{e.term_names} would explain the residual, but no such part has its value: {reason}"
 
 
 def several(e: TermEvidence) -> str:
     """Several classes leave noise, or one of more than five members."""
     if len(e.groups) > 1:
-        best = "; ".join(_any_of(e, k) for k in range(min(len(e.groups), rules.MAX_CAUSES_MENTIONED)))
+        best = "; ".join(_member_list(e, k) for k in range(min(len(e.groups), rules.MAX_CAUSES_MENTIONED)))
         unlisted = len(e.groups) - rules.MAX_CAUSES_MENTIONED
-        rest = f"; and {unlisted} more" if unlisted > 0 else ""
-        return f"{len(e.groups)} different explanations remain: {best}{rest}"
+        unlisted_clause = f"; and {unlisted} more" if unlisted > 0 else ""
+        return f"{len(e.groups)} different explanations remain: {best}{unlisted_clause}"
     members = count_distinct_causes(e.groups[0])
     if members <= e.criteria.claim.most_members:
         return ""
-    return f"these data cannot tell {members} explanations apart: {_any_of(e, 0)}"
+    return f"these data cannot tell {members} explanations apart: {_member_list(e, 0)}"
 
 
 def found(e: TermEvidence) -> Answer:
     """One class of at most five members is left."""
     setting_aside = errors_in_words(e.final, e.fitter.data.lines)
-    aside = f"; {setting_aside}" if setting_aside else ""
+    outlier_clause = f"; {setting_aside}" if setting_aside else ""
     first = e.outcome.first_gate
     p = p_in_words(min(first.p_value, first.p_candidates))
     text = explanation_in_words([e.finding(0)])
     return Answer(
         f"{text}; the residual of the declared model is not noise ({p}), and the tests leave no other of "
-        f"{len(e.tried.terms)} terms, each one form at one place{aside}"
+        f"{len(e.term_fits.terms)} terms, each one form at one place{outlier_clause}"
     )
 
 
-def _any_of(e: TermEvidence, k: int) -> str:
+def _member_list(e: TermEvidence, k: int) -> str:
     """Return the members of a class, and how many more it has."""
     group = e.groups[k]
-    listed = [
+    member_names = [
         names(fit.causes) + (" (implausible)" if fit.causes[-1].name in e.claim.implausible_names else "")
         for fit in group[: e.criteria.claim.most_members]
     ]
-    unlisted = len(group) - len(listed)
-    return " or ".join(listed) + (f" or {unlisted} more" if unlisted > 0 else "")
+    unlisted = len(group) - len(member_names)
+    return " or ".join(member_names) + (f" or {unlisted} more" if unlisted > 0 else "")
 
 
 #: Rules for what was tried beyond the catalogue.

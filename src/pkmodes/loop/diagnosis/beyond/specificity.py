@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pkmodes.loop.diagnosis.beyond.tried import Tried
+from pkmodes.loop.diagnosis.beyond.term_fits import TermFits
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit, orthonormal
 from pkmodes.loop.diagnosis.problem import Array
 from pkmodes.loop.diagnosis.search.score import Directions
@@ -32,82 +32,96 @@ from pkmodes.loop.diagnosis.verdict.specificity import (
     modal_changes,
 )
 
-#: Relative size below which what remains of a signature is negligible.
-SAME = 1e-3
+#: The part of a signature outside the span of the uncertain values is negligible below this relative size.
+NEGLIGIBLE_REMAINDER = 1e-3
 
 
 class Law(NamedTuple):
-    """A law: in words, what varies and with what; its signature, and that of its constant part, (D,)."""
+    """A law: what varies, and with what, in words; its signature, and that of its constant part, (D,)."""
 
     quantity: str
-    along: str
+    dependence: str
     varying: Array
     constant: Array
 
 
-def p_outside(tried: Tried, final: Fit) -> float:
+def p_outside(term_fits: TermFits, final: Fit) -> float:
     """Return the largest probability, over the kinds, that an effect that no term describes looks like some term."""
-    search, plain, directions = tried.search, tried.plain, tried.directions
-    fitter, gain = search.store.fitter, plain.chi2 - final.chi2
+    search, baseline, directions = term_fits.search, term_fits.baseline, term_fits.directions
+    fitter, gain = search.store.fitter, baseline.chi2 - final.chi2
     if gain <= 0.0:
         return 1.0
     rng, data = np.random.default_rng(SEED), slice(0, fitter.prior_rows.start)
-    used, many = fitter.used(final.hypothesis), search.criteria.claim.many
-    degrees = float(fitter.observations.degrees_of_freedom(used) - plain.leverage[data].sum())
-    drawn = arbitrary_draws(fitter, plain, DRAWS, rng)
-    kinds = [coincidence(search, final, gain, drawn, directions, degrees, final.chi2)]
-    # A few directions do not represent what else may be wrong: their combinations are not informative.
-    varying = _unit(plain, [law.varying for law in laws(tried)])
-    changes = modal_changes(fitter, plain)
-    common = np.vstack([changes, np.zeros((len(plain.white) - len(changes), changes.shape[1]))])
-    for subspace, few in ((directions, many), (varying, many), (_unit(plain, common.T), 1)):
-        if len(subspace) < few:
+    used, min_directions = fitter.used_rows(final.hypothesis), search.criteria.claim.many
+    degrees = float(fitter.observations.degrees_of_freedom(used) - baseline.leverage[data].sum())
+    draws = arbitrary_draws(fitter, baseline, DRAWS, rng)
+    probabilities = [coincidence(search, final, gain, draws, directions, degrees, final.chi2)]
+    # Combinations of only a few directions do not represent other errors of the model.
+    law_directions = _unit_directions(baseline, [law.varying for law in laws(term_fits)])
+    changes = modal_changes(fitter, baseline)
+    common_changes = np.vstack([changes, np.zeros((len(baseline.white) - len(changes), changes.shape[1]))])
+    for subspace, min_count in (
+        (directions, min_directions),
+        (law_directions, min_directions),
+        (_unit_directions(baseline, common_changes.T), 1),
+    ):
+        if len(subspace) < min_count:
             continue
         plausible = PlausibleChanges.of(subspace, float(np.sqrt(gain)))
-        if plausible.direction_count >= min(few, len(plausible.axes)):
-            along = [(plausible.axes.T @ axes, sign) for axes, sign in directions]
+        if plausible.direction_count >= min(min_count, len(plausible.axes)):
+            projected_directions = [(plausible.axes.T @ axes, sign) for axes, sign in directions]
             combined, squares = plausible.draws(DRAWS, rng), plausible.squares(final.white)
-            kinds.append(coincidence(search, final, gain, combined, along, plausible.resolved_count, squares))
-    return max(kinds)
+            probabilities.append(
+                coincidence(
+                    search, final, gain, combined, projected_directions, plausible.resolved_count, squares
+                )
+            )
+    return max(probabilities)
 
 
-def like_a_law(tried: Tried, final: Fit) -> Law | None:
+def competing_law(term_fits: TermFits, final: Fit) -> Law | None:
     """Return the law that explains the data best, if it does so as well as a term; else None.
 
     The signatures of the law and of its constant part are fitted, linearised.  For changes, a law must be better by
     three standard deviations.
     """
-    store, plain, best = tried.search.store, tried.plain, None
+    store, baseline, best_law = term_fits.search.store, term_fits.baseline, None
     criteria = store.fitter.criteria
-    price = float(np.log(store.fitter.observations.degrees_of_freedom(store.fitter.used(final.hypothesis))))
-    survives = criteria.search.survives
+    price = float(
+        np.log(store.fitter.observations.degrees_of_freedom(store.fitter.used_rows(final.hypothesis)))
+    )
+    margin = criteria.search.survives
     limit = final.chi2 + price * len(final.causes[0].parameters)
-    limit += survives if criteria.claim.laws_survive else -survives
-    for law in laws(tried):
-        both = np.stack([_beside(plain, law.constant), _beside(plain, law.varying)], axis=1)
-        basis = orthonormal(both)
-        residual = plain.white - basis @ (basis.T @ plain.white)
+    limit += margin if criteria.claim.laws_survive else -margin
+    for law in laws(term_fits):
+        signatures = np.stack([_remainder(baseline, law.constant), _remainder(baseline, law.varying)], axis=1)
+        basis = orthonormal(signatures)
+        residual = baseline.white - basis @ (basis.T @ baseline.white)
         cost = float(residual @ residual) + 2.0 * price
         if cost <= limit:
-            best, limit = law, cost
-    return best
+            best_law, limit = law, cost
+    return best_law
 
 
-def laws(tried: Tried) -> Iterator[Law]:
+def laws(term_fits: TermFits) -> Iterator[Law]:
     """Yield the laws: each claimable cause of one parameter, and all frequencies alike, varying from row to row."""
-    fitter, plain = tried.search.store.fitter, tried.plain
+    fitter, baseline = term_fits.search.store.fitter, term_fits.baseline
     data, rows = slice(0, fitter.prior_rows.start), fitter.observations.frequency_rows
-    single = [
+    one_parameter_causes = [
         (candidate.name, fitter.indices(candidate)[0])
-        for candidate in tried.search.candidates
+        for candidate in term_fits.search.candidates
         if len(candidate.parameters) == 1
     ]
-    raw = fitter.signatures(plain, [i for _, i in single])[1] if single else np.zeros((len(plain.white), 0))
-    alike = np.zeros((len(plain.white), 1))
-    alike[rows, 0] = fitter.used(plain.hypothesis) / fitter.observations.sigma
-    names = [*(name for name, _ in single), "all frequencies alike"]
-    signatures = np.nan_to_num(np.hstack([raw, alike]))
-    for along, function in _functions(tried):
+    raw = (
+        fitter.signatures(baseline, [i for _, i in one_parameter_causes])[1]
+        if one_parameter_causes
+        else np.zeros((len(baseline.white), 0))
+    )
+    uniform_change = np.zeros((len(baseline.white), 1))
+    uniform_change[rows, 0] = fitter.used_rows(baseline.hypothesis) / fitter.observations.sigma
+    names = [*(name for name, _ in one_parameter_causes), "all frequencies alike"]
+    signatures = np.nan_to_num(np.hstack([raw, uniform_change]))
+    for dependence, function in _row_functions(term_fits):
         for name, g in zip(names, signatures.T, strict=True):
             constant = np.zeros_like(g)
             constant[data] = g[data]
@@ -115,13 +129,13 @@ def laws(tried: Tried) -> Iterator[Law]:
             varying = np.zeros_like(g)
             if squares.any():
                 varying[rows] = constant[rows] * (function - (squares @ function) / squares.sum())
-            if np.linalg.norm(varying) > SAME * np.linalg.norm(constant):
-                yield Law(name, along, varying, constant)
+            if np.linalg.norm(varying) > NEGLIGIBLE_REMAINDER * np.linalg.norm(constant):
+                yield Law(name, dependence, varying, constant)
 
 
-def _functions(tried: Tried) -> Iterator[tuple[str, Array]]:
-    """Yield what laws may vary with, in words and as values in the rows, of order 1."""
-    fitter = tried.search.store.fitter
+def _row_functions(term_fits: TermFits) -> Iterator[tuple[str, Array]]:
+    """Yield the functions of the rows with which laws vary: in words, and as values of order 1."""
+    fitter = term_fits.search.store.fitter
     data = fitter.data
     points = np.nan_to_num(data.points[data.pose])
     for component, x in zip(data.components, points.T, strict=True):
@@ -137,13 +151,19 @@ def _functions(tried: Tried) -> Iterator[tuple[str, Array]]:
         yield "with frequency", (log - log.mean()) / float(log.std())
 
 
-def _unit(plain: Fit, signatures: Iterable[Array]) -> Directions:
+def _unit_directions(baseline: Fit, signatures: Iterable[Array]) -> Directions:
     """Return the directions of signatures beside the uncertain values, without those that vanish there."""
-    projected = [(_beside(plain, signature), float(np.linalg.norm(signature))) for signature in signatures]
-    sizes = [(remainder, float(np.linalg.norm(remainder)), whole) for remainder, whole in projected]
-    return [(remainder[:, None] / size, 0) for remainder, size, whole in sizes if size > SAME * whole]
+    projected = [
+        (_remainder(baseline, signature), float(np.linalg.norm(signature))) for signature in signatures
+    ]
+    sizes = [(remainder, float(np.linalg.norm(remainder)), full_size) for remainder, full_size in projected]
+    return [
+        (remainder[:, None] / size, 0)
+        for remainder, size, full_size in sizes
+        if size > NEGLIGIBLE_REMAINDER * full_size
+    ]
 
 
-def _beside(plain: Fit, signature: Array) -> Array:
+def _remainder(baseline: Fit, signature: Array) -> Array:
     """Return the part of a signature that the uncertain values cannot produce."""
-    return np.asarray(signature - plain.basis @ (plain.basis.T @ signature))
+    return np.asarray(signature - baseline.basis @ (baseline.basis.T @ signature))

@@ -15,9 +15,9 @@ from pkmodes.loop.diagnosis.criteria import Criteria
 from pkmodes.loop.diagnosis.damping import words
 from pkmodes.loop.diagnosis.damping.evidence import LossEvidence
 from pkmodes.loop.diagnosis.damping.fit import LossFitter
-from pkmodes.loop.diagnosis.damping.observations import observed, usable
-from pkmodes.loop.diagnosis.damping.outcome import undiagnosed, with_outcome
-from pkmodes.loop.diagnosis.damping.rules import DOUBTS, LOSSES, ROUGH_DOUBTS, ROUGHLY, judge
+from pkmodes.loop.diagnosis.damping.observations import damping_observations, usable_mask
+from pkmodes.loop.diagnosis.damping.outcome import undiagnosed_damping, with_damping_result
+from pkmodes.loop.diagnosis.damping.rules import DAMPING_RULES, DOUBTS, TRIAL_DOUBTS, TRIAL_RULES, judge
 from pkmodes.loop.diagnosis.damping.stage import DampingStage
 from pkmodes.loop.diagnosis.problem import Array, Damped, Structure
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
@@ -25,7 +25,7 @@ from pkmodes.loop.diagnosis.verdict.stability import CHANGES
 from pkmodes.loop.measured.measurements import Measurements
 
 #: Logarithm of a factor of a hundred, and the largest distance from it that counts as one.
-HUNDRED, CLOSE = float(np.log(100.0)), 0.7
+LOG_HUNDRED, MAX_LOG_DISTANCE = float(np.log(100.0)), 0.7
 
 
 def with_damping(
@@ -36,56 +36,62 @@ def with_damping(
     if np.isnan(data.damping).all():
         return result
     if not isinstance(structure, Damped) or not structure.losses:
-        return replace(result, damping=undiagnosed((), words.NO_LOSSES_REASON))
+        return replace(result, damping=undiagnosed_damping((), words.NO_LOSSES_REASON))
     if not result.settled or result.stages is None:
-        return replace(result, damping=undiagnosed(structure.losses, words.UNSETTLED_REASON))
+        return replace(result, damping=undiagnosed_damping(structure.losses, words.UNSETTLED_REASON))
     predicted = result.stages.after or result.stages.refit
     assert predicted is not None
-    all_rows = observed(structure, data, predicted.mode, _states(structure, result), c)
-    strange = predicted.mac[all_rows.index] < c.shapes.strange_mac  # not where no shape was measured: NaN
-    held = np.array([row.held_out for row in result.rows])[all_rows.index]
-    aside = np.array([row.outlier for row in result.rows])[all_rows.index]
-    informative = usable(all_rows)
-    good = informative & ~strange
-    rows = all_rows.some(good & ~held & ~aside)
+    all_rows = damping_observations(structure, data, predicted.mode, _parameter_states(structure, result), c)
+    other_shape = predicted.mac[all_rows.index] < c.shapes.strange_mac  # not where no shape was measured: NaN
+    held_out = np.array([row.held_out for row in result.rows])[all_rows.index]
+    outliers = np.array([row.outlier for row in result.rows])[all_rows.index]
+    informative = usable_mask(all_rows)
+    usable_rows = informative & ~other_shape
+    rows = all_rows.select(usable_rows & ~held_out & ~outliers)
     fitter = LossFitter(rows, tuple(structure.losses), c)
     notes = []
     if not informative.all():
         notes.append(words.uninformative_note(data.lines[all_rows.index[~informative]].tolist()))
-    if strange.any():
+    if other_shape.any():
         notes.append(
-            words.other_shape_note(data.lines[all_rows.index[strange]].tolist(), c.shapes.strange_mac)
+            words.other_shape_note(data.lines[all_rows.index[other_shape]].tolist(), c.shapes.strange_mac)
         )
-    median = float(np.median(rows.ratio[rows.above])) if rows.above.any() else 0.0
+    median = float(np.median(rows.ratio[rows.resolved])) if rows.resolved.any() else 0.0
     if median > c.damping.most:
-        return replace(result, damping=undiagnosed(structure.losses, words.per_cent_reason(median), notes))
+        return replace(
+            result, damping=undiagnosed_damping(structure.losses, words.per_cent_reason(median), notes)
+        )
     trials = {
-        change: judge(LossEvidence(fitter.with_changes(errors, priors), ROUGH_DOUBTS), ROUGHLY)
+        change: judge(LossEvidence(fitter.with_changes(errors, priors), TRIAL_DOUBTS), TRIAL_RULES)
         for change, (errors, priors) in CHANGES.items()
     }
-    judged = judge(LossEvidence(fitter, DOUBTS, trials, all_rows.some(held & good)), LOSSES)
-    if judged.final.outlier is not None:
-        i = int(rows.index[judged.final.outlier])
+    judgement = judge(
+        LossEvidence(fitter, DOUBTS, trials, all_rows.select(held_out & usable_rows)), DAMPING_RULES
+    )
+    if judgement.final.outlier is not None:
+        i = int(rows.index[judgement.final.outlier])
         notes.append(
             words.outlier_note(int(data.lines[i]), data.labels[data.pose[i]], float(data.damping[i]))
         )
-    if power := _hundreds(fitter):
-        notes.append(words.factor_hundred_note(above=power > 0))
-    return with_outcome(
-        result, data, DampingStage(fitter, all_rows, held & good, strange, judged, trials, tuple(notes))
+    if sign := _factor_hundred_sign(fitter):
+        notes.append(words.factor_hundred_note(above=sign > 0))
+    return with_damping_result(
+        result,
+        data,
+        DampingStage(fitter, all_rows, held_out & usable_rows, other_shape, judgement, trials, tuple(notes)),
     )
 
 
-def _hundreds(fitter: LossFitter) -> int:
+def _factor_hundred_sign(fitter: LossFitter) -> int:
     """Return 1 if measured ratios are about a hundred times those of the declared model, -1 if a hundredth, or 0."""
-    rows, above = fitter.observations, fitter.observations.above
+    rows, above = fitter.observations, fitter.observations.resolved
     if not above.any() or not rows.ratios(fitter.declared)[above].all():
         return 0
-    away = float(np.median((rows.logarithms - rows.predicted(fitter.declared))[above]))
-    return int(np.sign(away)) if abs(abs(away) - HUNDRED) < CLOSE else 0
+    log_ratio = float(np.median((rows.logarithms - rows.predicted(fitter.declared))[above]))
+    return int(np.sign(log_ratio)) if abs(abs(log_ratio) - LOG_HUNDRED) < MAX_LOG_DISTANCE else 0
 
 
-def _states(structure: Structure, result: Diagnosis) -> list[Array]:
+def _parameter_states(structure: Structure, result: Diagnosis) -> list[Array]:
     """Return the values of the final model, and with each fitted value moved by its standard deviation.
 
     It moves within its bounds, to the side where it can move farther.
@@ -96,8 +102,8 @@ def _states(structure: Structure, result: Diagnosis) -> list[Array]:
         final[index[value.name]] = value.value
     states = [final]
     for value in result.corrected:
-        p, moved = structure.parameters[index[value.name]], final.copy()
-        up, down = min(p.upper, value.value + value.sigma), max(p.lower, value.value - value.sigma)
-        moved[index[value.name]] = up if up - value.value >= value.value - down else down
-        states.append(moved)
+        p, moved_values = structure.parameters[index[value.name]], final.copy()
+        upper, lower = min(p.upper, value.value + value.sigma), max(p.lower, value.value - value.sigma)
+        moved_values[index[value.name]] = upper if upper - value.value >= value.value - lower else lower
+        states.append(moved_values)
     return [v for v in states if np.isfinite(structure.predict(v, ()).eigenvalues).all()]

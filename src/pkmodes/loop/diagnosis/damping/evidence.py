@@ -12,7 +12,7 @@ from scipy import stats
 
 from pkmodes.loop.diagnosis.criteria import Criteria
 from pkmodes.loop.diagnosis.damping.doubts import p_coincidence, p_of_trend
-from pkmodes.loop.diagnosis.damping.explanation import LossExplanation, explanation_of, p_of_one_more
+from pkmodes.loop.diagnosis.damping.explanation import LossExplanation, best_explanation, p_of_one_more
 from pkmodes.loop.diagnosis.damping.fit import LossFit, LossFitter
 from pkmodes.loop.diagnosis.damping.observations import DampingObservations
 from pkmodes.loop.diagnosis.problem import Array
@@ -35,12 +35,12 @@ class LossSays(Answer):
 
 @dataclass(frozen=True, eq=False)
 class DampingJudgement:
-    """A verdict on damping, and what it leaves.
+    """A verdict on damping, with the fits that belong to it.
 
-    - rule: that gave it
-    - base: with the declared losses
-    - final: with the causes; the base where none is found or remains
-    - places, p_values: those of the `LossExplanation` that is found or remains; otherwise empty
+    - rule: name of the rule that gave the verdict
+    - base: fit with the declared losses
+    - final: fit with the causes; the base where none is found or remains
+    - classes, p_values: from the `LossExplanation` that is found or remains; otherwise empty
     - says: why; empty for a claim, where several explanations remain, and where the declared losses leave noise
     """
 
@@ -48,7 +48,7 @@ class DampingJudgement:
     verdict: Verdict
     base: LossFit
     final: LossFit
-    places: tuple[tuple[LossFit, ...], ...]
+    classes: tuple[tuple[LossFit, ...], ...]
     p_values: tuple[float, ...]
     says: LossSays
 
@@ -58,8 +58,8 @@ class LossEvidence:
 
     - fitter: of the rows that take part
     - doubts: where one of these applies, nothing is claimed
-    - trials: by change of the errors or priors
-    - held: those of the held-out poses
+    - trials: verdicts with other errors or priors, by change
+    - held_out: ratios of the held-out poses
     """
 
     def __init__(
@@ -67,10 +67,10 @@ class LossEvidence:
         fitter: LossFitter,
         doubts: LossRules,
         trials: Mapping[str, DampingJudgement] | None = None,
-        held: DampingObservations | None = None,
+        held_out: DampingObservations | None = None,
     ) -> None:
         self.fitter, self.criteria = fitter, fitter.criteria
-        self.trials, self.held, self._doubts = trials or {}, held, doubts
+        self.trials, self.held_out, self._doubts = trials or {}, held_out, doubts
 
     def answer_with(self, text: str) -> LossSays:
         """Return a reason as an answer."""
@@ -82,12 +82,12 @@ class LossEvidence:
         return self.fitter.fit()
 
     @property
-    def resolved(self) -> int:
+    def resolved_count(self) -> int:
         """Number of ratios that are significantly above 0."""
-        return int(self.fitter.observations.above.sum())
+        return int(self.fitter.observations.resolved.sum())
 
     @cached_property
-    def chance(self) -> float:
+    def p_one_more(self) -> float:
         """The smallest p-value of one more loss, corrected for the number of candidates."""
         fits = [self.fitter.fit((j,)) for j in self.fitter.candidates]
         return min((p_of_one_more(self.fitter, self.base, fit) for fit in fits), default=1.0)
@@ -95,11 +95,11 @@ class LossEvidence:
     @cached_property
     def explanation(self) -> LossExplanation | None:
         """The best explanation by other losses than the declared ones."""
-        return explanation_of(self.fitter)
+        return best_explanation(self.fitter)
 
     @cached_property
     def claim(self) -> LossExplanation | None:
-        """The explanation, where no rule speaks against it."""
+        """The explanation, where no rule raises a doubt."""
         return None if first_decision(self._doubts, self) else self.explanation
 
     @cached_property
@@ -113,33 +113,35 @@ class LossEvidence:
         return p_coincidence(self.fitter, self.explanation.best) if self.explanation else 0.0
 
     @cached_property
-    def common(self) -> int | None:
+    def common_loss(self) -> int | None:
         """The loss that is the same ratio for all modes."""
         return next((j for j, loss in enumerate(self.fitter.losses) if not loss.effect), None)
 
     @property
-    def declares(self) -> bool:
+    def declares_losses(self) -> bool:
         """Whether the model declares any loss."""
         return any(loss.declared for loss in self.fitter.losses)
 
     def scatter_about(self, fit: LossFit) -> float:
         """Return how far ratios are from a fit beyond their stated errors: standard deviation of the logarithm."""
-        rows, above = self.fitter.observations, self.fitter.observations.above
-        deviation = (rows.logarithms - rows.predicted(fit.values))[above]
-        beyond = float(np.mean(deviation**2)) - float(np.mean(rows.stated[above] ** 2))
-        return math.sqrt(max(beyond, 0.0))
+        rows, resolved = self.fitter.observations, self.fitter.observations.resolved
+        deviation = (rows.logarithms - rows.predicted(fit.values))[resolved]
+        excess_variance = float(np.mean(deviation**2)) - float(np.mean(rows.stated_sigma[resolved] ** 2))
+        return math.sqrt(max(excess_variance, 0.0))
 
 
 #: A table of the verdict on damping.
 LossRules = tuple[Rule[LossEvidence, LossSays], ...]
 
 
-def contradicted(held: DampingObservations, values: Array, criteria: Criteria, scatter: float = 0.0) -> bool:
+def contradicts_held_out(
+    held_out: DampingObservations, values: Array, criteria: Criteria, scatter: float = 0.0
+) -> bool:
     """Return whether the rows of held-out poses contradict losses.
 
     - scatter: of the ratios beyond their stated errors, which the verdict allows for
     """
-    if not len(held.ratio) or not values.any():
+    if not len(held_out.ratio) or not values.any():
         return False
-    white = held.with_scatter(scatter).residual(values)
+    white = held_out.with_scatter(scatter).residual(values)
     return bool(stats.chi2.sf(float(white @ white), len(white)) <= criteria.gate.surely)

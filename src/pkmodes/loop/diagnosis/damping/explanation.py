@@ -14,37 +14,37 @@ import numpy as np
 from scipy import stats
 
 from pkmodes.core.base.numbers import plain
-from pkmodes.loop.diagnosis.damping.fit import NEARLY, LossFit, LossFitter
+from pkmodes.loop.diagnosis.damping.fit import AT_BOUND_FRACTION, LossFit, LossFitter
 
-#: Squared difference below which no measurement separates two explanations.
-SAME = 1.0
+#: No measurement separates two explanations whose squared difference is below this.
+MIN_SEPARATION = 1.0
 
 
 @dataclass(frozen=True, eq=False)
 class LossExplanation:
     """Losses that leave noise.
 
-    - places: for each cause, the fits of its class, the best explanation first
-    - rivals: explanations in no class that are as good, the best first
+    - classes: for each cause, the fits of its class, the best explanation first
+    - rivals: explanations that are as good and belong to no class, the best first
     - p_values: one for each cause
     """
 
     best: LossFit
-    places: tuple[tuple[LossFit, ...], ...]
+    classes: tuple[tuple[LossFit, ...], ...]
     rivals: tuple[LossFit, ...]
     p_values: tuple[float, ...]
 
     @property
-    def known(self) -> set[int]:
+    def losses_of_classes(self) -> set[int]:
         """All losses of its classes."""
-        return {j for place in self.places for fit in place for j in fit.causes}
+        return {j for class_fits in self.classes for fit in class_fits for j in fit.causes}
 
 
-def explanation_of(fitter: LossFitter) -> LossExplanation | None:
+def best_explanation(fitter: LossFitter) -> LossExplanation | None:
     """Return the best explanation by one loss, else by two if there are enough rows; None if none leaves noise."""
     c = fitter.criteria
     singles = [fitter.fit((j,)) for j in fitter.candidates]
-    sizes = (1, 2) if int(fitter.observations.above.sum()) >= c.claim.rows_for_two else (1,)
+    sizes = (1, 2) if int(fitter.observations.resolved.sum()) >= c.claim.rows_for_two else (1,)
     for size in sizes:
         fits = singles
         if size == 2:  # pairs in which each loss is needed beside the other
@@ -55,38 +55,49 @@ def explanation_of(fitter: LossFitter) -> LossExplanation | None:
             ]
         passing = [fit for fit in fits if _explains(fitter, fit, c.gate.level)]
         if passing:
-            return _among_rivals(fitter, fits, min(passing, key=lambda fit: fit.criterion))
+            return _with_rivals(fitter, fits, min(passing, key=lambda fit: fit.criterion))
     return None
 
 
-def _among_rivals(fitter: LossFitter, fits: Sequence[LossFit], best: LossFit) -> LossExplanation:
+def _with_rivals(fitter: LossFitter, fits: Sequence[LossFit], best: LossFit) -> LossExplanation:
     """Return the best explanation with the others of its size."""
     c = fitter.criteria
-    near = [fit for fit in fits if fit.criterion < best.criterion + c.search.survives]
-    survivors = [fit for fit in near if fit is best or _explains(fitter, fit, c.gate.surely)]
-    alike = [fit for fit in survivors if fitter.difference(best, fit) < c.claim.told_apart]
-    alike.sort(key=lambda fit: (not all(fitter.losses[j].effect for j in fit.causes), fit.criterion))
+    near_fits = [fit for fit in fits if fit.criterion < best.criterion + c.search.survives]
+    survivors = [fit for fit in near_fits if fit is best or _explains(fitter, fit, c.gate.surely)]
+    class_fits = [fit for fit in survivors if fitter.difference(best, fit) < c.claim.told_apart]
+    class_fits.sort(key=lambda fit: (not all(fitter.losses[j].effect for j in fit.causes), fit.criterion))
     # An effect names the class among explanations that no measurement separates, and in any class whose best member
     # is not a cause.
     claimable = all(fitter.losses[j].claimable for j in best.causes)
-    same = [fit for fit in alike if not claimable or fitter.difference(best, fit) < SAME]
-    best = same[0] if same else best
-    places = tuple(
-        (best, *(fit for fit in alike if fit is not best and set(best.causes) - {cause} < set(fit.causes)))
+    inseparable = [
+        fit for fit in class_fits if not claimable or fitter.difference(best, fit) < MIN_SEPARATION
+    ]
+    best = inseparable[0] if inseparable else best
+    classes = tuple(
+        (
+            best,
+            *(fit for fit in class_fits if fit is not best and set(best.causes) - {cause} < set(fit.causes)),
+        )
         for cause in best.causes
     )
-    rivals = [fit for fit in survivors if not any(fit is member for place in places for member in place)]
+    rivals = [
+        fit
+        for fit in survivors
+        if not any(fit is member for class_members in classes for member in class_members)
+    ]
     rivals.sort(key=lambda fit: fit.criterion)
-    rests = [tuple(j for j in best.causes if j != cause) for cause in best.causes]
-    p_values = tuple(p_of_one_more(fitter, fitter.fit(rest), best) for rest in rests)
-    return LossExplanation(best, places, tuple(rivals), p_values)
+    remaining_causes = [tuple(j for j in best.causes if j != cause) for cause in best.causes]
+    p_values = tuple(
+        p_of_one_more(fitter, fitter.fit(other_causes), best) for other_causes in remaining_causes
+    )
+    return LossExplanation(best, classes, tuple(rivals), p_values)
 
 
 def _explains(fitter: LossFitter, fit: LossFit, level: float) -> bool:
     """Return whether a fit leaves noise, and each of its causes is present."""
-    causes = [j for j in fit.causes if j in fit.absent and not fitter.declared[j]]
-    at_bound = [j for j in fit.causes if fit.values[j] > NEARLY * fitter.losses[j].parameter.upper]
-    return fit.p_value > level and not causes and not at_bound
+    absent_causes = [j for j in fit.causes if j in fit.absent and not fitter.declared[j]]
+    at_bound = [j for j in fit.causes if fit.values[j] > AT_BOUND_FRACTION * fitter.losses[j].parameter.upper]
+    return fit.p_value > level and not absent_causes and not at_bound
 
 
 def p_of_loss(fitter: LossFitter, loss: int) -> float:
@@ -100,11 +111,11 @@ def p_of_one_more(fitter: LossFitter, smaller: LossFit, larger: LossFit) -> floa
     These are the candidates, or their pairs if the fit has two, but not fewer than the candidates.
     """
     candidates = len(fitter.candidates)
-    number = max(comb(candidates, len(larger.causes)), candidates)
+    hypothesis_count = max(comb(candidates, len(larger.causes)), candidates)
     (added,) = set(larger.causes) - set(smaller.causes)
     gain = max(smaller.chi2 + smaller.price - larger.chi2 - larger.price, 0.0)
     one_sided = 1.0 if fitter.declared[added] else 0.5
-    return min(1.0, one_sided * float(stats.chi2.sf(gain, 1)) * number)
+    return min(1.0, one_sided * float(stats.chi2.sf(gain, 1)) * hypothesis_count)
 
 
 def nearest_loss(fitter: LossFitter) -> str:
@@ -114,7 +125,7 @@ def nearest_loss(fitter: LossFitter) -> str:
         return "no loss shows in these modes"
     best = min(fits, key=lambda fit: fit.chi2)
     deviation = (fitter.observations.logarithms - fitter.observations.predicted(best.values))[
-        fitter.observations.above
+        fitter.observations.resolved
     ]
     factor = float(np.exp(np.sqrt(np.mean(np.minimum(np.abs(deviation), 10.0) ** 2))))
     name = loss_names(fitter, best)

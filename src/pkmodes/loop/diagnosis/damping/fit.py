@@ -22,13 +22,13 @@ from pkmodes.loop.diagnosis.fit.hypothesis import Fitted
 from pkmodes.loop.diagnosis.fit.priors import Priors
 from pkmodes.loop.diagnosis.problem import Array, Loss
 
-#: A loss below this part of the value that alone would explain a typical mode is absent.
-ABSENT = 1e-4
-#: A loss above this part of its bound is at the bound.
-NEARLY = 0.999
-#: Start values of fitted losses, as parts of those that alone would explain a typical mode: that of the largest loss,
-#: and of the others.  Each loss is the largest in one start.
-PARTS = (0.9, 0.1)
+#: A loss is absent below this part of the value that would explain a typical mode alone.
+ABSENT_FRACTION = 1e-4
+#: A loss is at its bound above this part of it.
+AT_BOUND_FRACTION = 0.999
+#: Start values of the largest loss and of the others, as parts of the values that would explain a typical mode alone.
+#: Each loss is the largest in one start.
+START_FRACTIONS = (0.9, 0.1)
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,16 +85,18 @@ class LossFitter:
 
     @cached_property
     def candidates(self) -> tuple[int, ...]:
-        """Losses that are suspected and show in some row."""
-        return tuple(j for j, loss in enumerate(self.losses) if loss.candidate and self.typical[j] < np.inf)
+        """Losses that are suspected and affect some row."""
+        return tuple(
+            j for j, loss in enumerate(self.losses) if loss.candidate and self.typical_values[j] < np.inf
+        )
 
     @cached_property
-    def typical(self) -> Array:
-        """Value of each loss that alone would give a typical row its ratio, (J,); inf where it shows in none."""
+    def typical_values(self) -> Array:
+        """Value of each loss that would give a typical row its ratio alone, (J,); inf if it affects no row."""
         rows = self.observations
         with np.errstate(divide="ignore"):
-            sufficient = np.where(rows.by_loss > 0.0, rows.ratio[:, None] / rows.by_loss, np.inf)
-        sufficient = sufficient[rows.above] if rows.above.any() else sufficient
+            sufficient = np.where(rows.coefficients > 0.0, rows.ratio[:, None] / rows.coefficients, np.inf)
+        sufficient = sufficient[rows.resolved] if rows.resolved.any() else sufficient
         return (
             np.asarray(np.median(sufficient, axis=0))
             if len(sufficient)
@@ -106,7 +108,7 @@ class LossFitter:
         """Declared values, (J,)."""
         return np.array([loss.parameter.value for loss in self.losses])
 
-    def of(self, observations: DampingObservations) -> LossFitter:
+    def with_observations(self, observations: DampingObservations) -> LossFitter:
         """Return the fitter of other observations."""
         return replace(self, observations=observations, _fits={})
 
@@ -115,92 +117,103 @@ class LossFitter:
         observations = self.observations.with_errors(errors)
         return replace(self, observations=observations, widened=priors, _fits={})
 
-    def fit(self, causes: Sequence[int] = (), fixed: dict[int, float] | None = None) -> LossFit:
+    def fit(self, causes: Sequence[int] = (), fixed_values: dict[int, float] | None = None) -> LossFit:
         """Fit losses; a row that contradicts all others is set aside.
 
         - causes: losses that are fitted freely
-        - fixed: values of some losses, which are not fitted
+        - fixed_values: values of some losses, which are not fitted
         """
-        causes, fixed, c = tuple(causes), fixed or {}, self.criteria
-        key = causes, tuple(fixed.items())
+        causes, fixed_values, c = tuple(causes), fixed_values or {}, self.criteria
+        key = causes, tuple(fixed_values.items())
         if key in self._fits:
             return self._fits[key]
-        fit = self._fitted(causes, fixed, None)
+        fit = self._fit_once(causes, fixed_values, None)
         if fit.p_value <= c.gate.level and fit.count >= c.search.rows_to_set_aside:
-            worst = int(np.abs(fit.white[: fit.count]).argmax())
-            without = self._fitted(causes, fixed, worst)
-            gross = abs(self.observations.residual(without.values)[worst]) > c.damping.outlier
-            fit = without if gross and without.p_value > c.gate.level else fit
+            worst_row = int(np.abs(fit.white[: fit.count]).argmax())
+            fit_without_row = self._fit_once(causes, fixed_values, worst_row)
+            is_outlier = (
+                abs(self.observations.residual(fit_without_row.values)[worst_row]) > c.damping.outlier
+            )
+            fit = fit_without_row if is_outlier and fit_without_row.p_value > c.gate.level else fit
         self._fits[key] = fit
         return fit
 
-    def _fitted(self, causes: tuple[int, ...], fixed: dict[int, float], outlier: int | None) -> LossFit:
+    def _fit_once(
+        self, causes: tuple[int, ...], fixed_values: dict[int, float], outlier: int | None
+    ) -> LossFit:
         rows, count = self.observations, len(self.observations.ratio)
-        free = tuple(j for j in dict.fromkeys((*self.nuisances, *causes)) if j not in fixed)
+        free = tuple(j for j in dict.fromkeys((*self.nuisances, *causes)) if j not in fixed_values)
         index, values = list(free), self.declared.copy()
-        for j, value in fixed.items():
+        for j, value in fixed_values.items():
             values[j] = value
         used = np.where(np.arange(count) == outlier, 0.0, 1.0)
         parameters = [loss.parameter for loss in self.losses]
-        kept = [replace(p, sigma=None) if j in fixed else p for j, p in enumerate(parameters)]
-        priors = Priors(kept, (), self.widened)
+        prior_parameters = [
+            replace(p, sigma=None) if j in fixed_values else p for j, p in enumerate(parameters)
+        ]
+        priors = Priors(prior_parameters, (), self.widened)
 
-        def at(x: Array) -> Array:
-            full = values.copy()
-            full[index] = np.exp(x)
-            return full
+        def values_at(x: Array) -> Array:
+            all_values = values.copy()
+            all_values[index] = np.exp(x)
+            return all_values
 
         def residual(x: Array) -> Array:
-            full = at(x)
-            return np.concatenate([used * rows.residual(full), priors.residual(full)])
+            all_values = values_at(x)
+            return np.concatenate([used * rows.residual(all_values), priors.residual(all_values)])
 
-        def by_value(full: Array) -> Array:
-            return np.vstack([used[:, None] * rows.rates(full)[:, index], priors.rates(full, free)])
+        def jacobian(all_values: Array) -> Array:
+            return np.vstack(
+                [used[:, None] * rows.rates(all_values)[:, index], priors.rates(all_values, free)]
+            )
 
         def rates(x: Array) -> Array:
-            return np.asarray(by_value(at(x)) * np.exp(x))
+            return np.asarray(jacobian(values_at(x)) * np.exp(x))
 
-        lower = np.log([ABSENT * 1e-2 * self._scale(j) for j in free])
+        lower = np.log([ABSENT_FRACTION * 1e-2 * self._scale(j) for j in free])
         upper = np.log([max(parameters[j].upper, 0.0) for j in free])
         best, white = np.zeros(0), residual(np.zeros(0)) if not free else None
         for start in self._starts(free, causes):
-            first = np.clip(start, lower + 1e-9, upper - 1e-9)
+            start_point = np.clip(start, lower + 1e-9, upper - 1e-9)
             solution = least_squares(
-                residual, first, rates, (lower, upper), x_scale=1.0, xtol=1e-12, ftol=1e-12
+                residual, start_point, rates, (lower, upper), x_scale=1.0, xtol=1e-12, ftol=1e-12
             )
             if white is None or solution.fun @ solution.fun < white @ white:
                 best, white = solution.x, solution.fun
         assert white is not None
-        reached = at(best)
+        final_values = values_at(best)
         return LossFit(
-            values=reached,
+            values=final_values,
             free=free,
             white=white,
-            jacobian=by_value(reached),
+            jacobian=jacobian(final_values),
             causes=causes,
             count=count,
-            degrees=count - (outlier is not None) - sum(priors.of(j) is None for j in free),
+            degrees=count - (outlier is not None) - sum(priors.row_of(j) is None for j in free),
             outlier=outlier,
-            absent=tuple(j for j in free if reached[j] < ABSENT * self._scale(j)),
+            absent=tuple(j for j in free if final_values[j] < ABSENT_FRACTION * self._scale(j)),
         )
 
     def _scale(self, j: int) -> float:
         """Return a typical value of a loss."""
         declared_size = self.declared[j] + (self.losses[j].parameter.sigma or 0.0)
-        return float(self.typical[j] if np.isfinite(self.typical[j]) else declared_size or 1.0)
+        return float(self.typical_values[j] if np.isfinite(self.typical_values[j]) else declared_size or 1.0)
 
     def _starts(self, free: tuple[int, ...], causes: tuple[int, ...]) -> list[Array]:
         """Return start values of the logarithms of the fitted losses."""
         if not free:
             return []
         declared = {j: self.declared[j] or 0.1 * self._scale(j) for j in free}
-        shares = [{c: PARTS[0] if c == large else PARTS[1] for c in causes} for large in causes] or [{}]
+        fractions_by_start = [
+            {c: START_FRACTIONS[0] if c == largest_cause else START_FRACTIONS[1] for c in causes}
+            for largest_cause in causes
+        ] or [{}]
         return [
-            np.log([share[j] * self._scale(j) if j in share else declared[j] for j in free])
-            for share in shares
+            np.log([fractions[j] * self._scale(j) if j in fractions else declared[j] for j in free])
+            for fractions in fractions_by_start
         ]
 
     def difference(self, a: LossFit, b: LossFit) -> float:
         """Return the squared difference of the predictions of two fits in standard deviations."""
-        apart = self.observations.residual(a.values) - self.observations.residual(b.values)
-        return float(apart @ apart)
+        residual_difference = self.observations.residual(a.values) - self.observations.residual(b.values)
+        return float(residual_difference @ residual_difference)

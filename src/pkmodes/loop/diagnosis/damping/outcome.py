@@ -1,6 +1,6 @@
-"""The result of a diagnosis, extended by that of the damping, beside the verdict on frequencies and shapes.
+"""The result of a diagnosis extended by the verdict on damping.
 
-That verdict and all that belongs to it stay as they are: real machines have friction that no linear model has, and
+The verdict on frequencies and shapes stays as it is: real machines have friction that no linear model has, and
 neither a cause that the frequencies show nor a model that they confirm must be lost because of it.
 """
 
@@ -15,10 +15,10 @@ from scipy.optimize import brentq
 
 from pkmodes.core.support.grouping import grouped
 from pkmodes.loop.diagnosis.damping import words
-from pkmodes.loop.diagnosis.damping.evidence import DampingJudgement, contradicted
+from pkmodes.loop.diagnosis.damping.evidence import DampingJudgement, contradicts_held_out
 from pkmodes.loop.diagnosis.damping.explanation import loss_names, p_of_loss
-from pkmodes.loop.diagnosis.damping.fit import NEARLY, LossFit, LossFitter
-from pkmodes.loop.diagnosis.damping.observations import usable
+from pkmodes.loop.diagnosis.damping.fit import AT_BOUND_FRACTION, LossFit, LossFitter
+from pkmodes.loop.diagnosis.damping.observations import usable_mask
 from pkmodes.loop.diagnosis.damping.rules import NOT_PREDICTED
 from pkmodes.loop.diagnosis.damping.stage import DampingStage
 from pkmodes.loop.diagnosis.problem import Array, Loss
@@ -44,13 +44,13 @@ from pkmodes.loop.diagnosis.verdict.verdicts import (
 )
 from pkmodes.loop.measured.measurements import Measurements
 
-#: Largest number of explanations beside which limits are determined.
-MOST = 4
+#: Largest number of explanations for which limits of the other losses are determined.
+MAX_EXPLANATIONS = 4
 #: Largest number of doublings that bracket the end of a profile.
-DOUBLINGS = 60
+MAX_DOUBLINGS = 60
 
 
-def undiagnosed(losses: Sequence[Loss], reason: str, notes: Sequence[str] = ()) -> Damping:
+def undiagnosed_damping(losses: Sequence[Loss], reason: str, notes: Sequence[str] = ()) -> Damping:
     """Return the result where damping was measured but not diagnosed."""
     suspected = [loss for loss in losses if loss.candidate and loss.claimable]
     return Damping(
@@ -64,42 +64,44 @@ def undiagnosed(losses: Sequence[Loss], reason: str, notes: Sequence[str] = ()) 
     )
 
 
-def with_outcome(result: Diagnosis, data: Measurements, stage: DampingStage) -> Diagnosis:
+def with_damping_result(result: Diagnosis, data: Measurements, stage: DampingStage) -> Diagnosis:
     """Return a diagnosis with the result for its damping, and every measured ratio beside that of the model."""
-    fitter, judged = stage.fitter, stage.judged
-    effects = findings(fitter, judged)
-    above, used, held = stage.all_rows.above, stage.used, stage.held
+    fitter, judgement = stage.fitter, stage.judgement
+    effects = damping_findings(fitter, judgement)
+    resolved, used, held_out_rows = stage.all_rows.resolved, stage.used, stage.held_out
     with np.errstate(divide="ignore", invalid="ignore"):
         before, after = (np.log(stage.all_rows.ratio) - np.log(predicted) for predicted in stage.predicted)
-    held_out = _rms_factor(after[held & above])
+    held_out_factor = _rms_factor(after[held_out_rows & resolved])
     notes = list(stage.notes)
-    settled = judged.verdict in (ADEQUATE, EFFECT_FOUND)
-    held_rows = stage.all_rows.some(held)
+    settled = judgement.verdict in (ADEQUATE, EFFECT_FOUND)
+    held_out_observations = stage.all_rows.select(held_out_rows)
     if (
         settled
-        and held_out is not None
-        and contradicted(held_rows, stage.final.values, fitter.criteria, judged.says.scatter)
+        and held_out_factor is not None
+        and contradicts_held_out(
+            held_out_observations, stage.final.values, fitter.criteria, judgement.says.scatter
+        )
     ):
-        notes.append(words.not_predicted_note(held_out))
-    tests, limits = tested(stage, effects)
-    corrected = _corrected(stage)
+        notes.append(words.not_predicted_note(held_out_factor))
+    examined, limits = test_candidates(stage, effects)
+    corrected = _corrected_losses(stage)
     nuisances = {fitter.losses[j].parameter.name for j in fitter.nuisances}
     damping = Damping(
-        verdict=judged.verdict.word,
-        reason=words.damping_clause(fitter, judged, effects),
+        verdict=judgement.verdict.word,
+        reason=words.damping_clause(fitter, judgement, effects),
         effects=effects,
-        survivors=survivors(fitter, judged) if judged.verdict is AMBIGUOUS else (),
+        survivors=surviving_classes(fitter, judgement) if judgement.verdict is AMBIGUOUS else (),
         limits=limits,
         refitted=tuple(Refitted.of(v) for v in corrected if v.name in nuisances),
-        undetectable=tuple(test.name for test in tests if not test.detectable),
-        candidates=tuple(tests),
+        undetectable=tuple(test.name for test in examined if not test.detectable),
+        candidates=tuple(examined),
         notes=tuple(notes),
         stability=_stability(stage),
         fitted=int(used.sum()),
-        scatter=judged.says.scatter,
-        before=_rms_factor(before[used & above]),
-        after=_rms_factor(after[used & above]),
-        held_out=held_out,
+        scatter=judgement.says.scatter,
+        before=_rms_factor(before[used & resolved]),
+        after=_rms_factor(after[used & resolved]),
+        held_out=held_out_factor,
         corrected=corrected,
         correlation=tuple(map(tuple, stage.final.correlation.tolist())),
     )
@@ -107,7 +109,7 @@ def with_outcome(result: Diagnosis, data: Measurements, stage: DampingStage) -> 
 
 
 def _rms_factor(log_differences: Array) -> float | None:
-    """Return the root mean square of differences of logarithms as a factor; None without any."""
+    """Return the root mean square of differences of logarithms as a factor; None if there are none."""
     if not len(log_differences) or not np.isfinite(log_differences).all():
         return None
     return float(np.exp(np.sqrt(np.mean(log_differences**2))))
@@ -127,9 +129,9 @@ def _rows(result: Diagnosis, data: Measurements, stage: DampingStage) -> tuple[R
             damping_remark="the mode has no partner",
         )
     before, after = stage.predicted
-    sigma_used, informative = stage.sigma_used, usable(all_rows)
+    sigma_used, informative = stage.sigma_used, usable_mask(all_rows)
     for k, i in enumerate(all_rows.index.tolist()):
-        old, new, width = (
+        ratio_before, ratio_after, sigma_of_row = (
             float(value[k]) if np.isfinite(value[k]) else None for value in (before, after, sigma_used)
         )
         remark: str | None = None
@@ -138,16 +140,16 @@ def _rows(result: Diagnosis, data: Measurements, stage: DampingStage) -> tuple[R
                 remark = "held out"
             elif not informative[k]:
                 remark = "it says nothing about the losses"
-            elif stage.strange[k]:
+            elif stage.other_shape[k]:
                 remark = f"the shape is not that of its mode (MAC {rows[i].mac:.2f})"
             else:
                 remark = "the frequency is an outlier" if rows[i].outlier else "set aside"
         rows[i] = structs.replace(
             rows[i],
-            damping_before=old,
-            damping_after=new,
+            damping_before=ratio_before,
+            damping_after=ratio_after,
             damping_used=bool(used[k]),
-            sigma_damping_used=width,
+            sigma_damping_used=sigma_of_row,
             damping_remark=remark,
         )
     return tuple(rows)
@@ -155,12 +157,14 @@ def _rows(result: Diagnosis, data: Measurements, stage: DampingStage) -> tuple[R
 
 def _stability(stage: DampingStage) -> tuple[Stability, ...]:
     """Return the verdicts on the damping with other errors and priors."""
-    if stage.judged.verdict is INSUFFICIENT_DATA:
+    if stage.judgement.verdict is INSUFFICIENT_DATA:
         return ()
     entries = []
     for change, trial in stage.trials.items():
         claimed = trial.verdict is EFFECT_FOUND
-        if claimed and stage.judged.rule == NOT_PREDICTED:  # nor does it predict the held-out poses then
+        if (
+            claimed and stage.judgement.rule == NOT_PREDICTED
+        ):  # the trial does not predict the held-out poses either
             entries.append(Stability(change, UNEXPLAINED.word, ()))
             continue
         names = tuple(stage.fitter.losses[j].candidate for j in trial.final.causes) if claimed else ()
@@ -168,31 +172,33 @@ def _stability(stage: DampingStage) -> tuple[Stability, ...]:
     return tuple(entries)
 
 
-def _corrected(stage: DampingStage) -> tuple[Corrected, ...]:
+def _corrected_losses(stage: DampingStage) -> tuple[Corrected, ...]:
     """Return the fitted losses."""
     fitter, final, corrected = stage.fitter, stage.final, []
     for j in final.free:
         p, value = fitter.losses[j].parameter, loss_value(fitter, final, j)
-        at_bound = value.value >= NEARLY * p.upper
+        at_bound = value.value >= AT_BOUND_FRACTION * p.upper
         corrected.append(Corrected(value.name, value.value, value.sigma, p.unit, p.value, p.sigma, at_bound))
     return tuple(corrected)
 
 
-def findings(fitter: LossFitter, judged: DampingJudgement) -> tuple[Finding, ...]:
+def damping_findings(fitter: LossFitter, judgement: DampingJudgement) -> tuple[Finding, ...]:
     """Return the claimed losses with their classes."""
-    if judged.verdict is not EFFECT_FOUND:
+    if judgement.verdict is not EFFECT_FOUND:
         return ()
     findings = []
-    for cause, place, p_value in zip(judged.final.causes, judged.places, judged.p_values, strict=True):
-        rest = set(judged.final.causes) - {cause}
-        fits = {j: fit for fit in place for j in fit.causes if j not in rest}
+    for cause, class_fits, p_value in zip(
+        judgement.final.causes, judgement.classes, judgement.p_values, strict=True
+    ):
+        other_causes = set(judgement.final.causes) - {cause}
+        fits = {j: fit for fit in class_fits for j in fit.causes if j not in other_causes}
         name, members = fitter.losses[cause].candidate, {fitter.losses[j].candidate: j for j in fits}
         values: dict[str, tuple[Value, ...]] = {
             member: (loss_value(fitter, fits[j], j),) for member, j in members.items()
         }
-        spread = {member: ((fits[j].sigma_of(j) ** 2,),) for member, j in members.items()}
+        variances = {member: ((fits[j].sigma_of(j) ** 2,),) for member, j in members.items()}
         sentence = fitter.losses[cause].sentence
-        findings.append(Finding(name, tuple(members), values[name], values, p_value, sentence, spread))
+        findings.append(Finding(name, tuple(members), values[name], values, p_value, sentence, variances))
     return tuple(findings)
 
 
@@ -202,43 +208,49 @@ def loss_value(fitter: LossFitter, fit: LossFit, loss: int) -> Value:
     return Value(p.name, float(fit.values[loss]), fit.sigma_of(loss), p.unit)
 
 
-def survivors(fitter: LossFitter, judged: DampingJudgement) -> tuple[tuple[str, ...], ...]:
+def surviving_classes(fitter: LossFitter, judgement: DampingJudgement) -> tuple[tuple[str, ...], ...]:
     """Return the classes that remain, the best first."""
-    claimed = [fit for place in judged.places for fit in place] if len(judged.places) == 1 else []
+    class_members = (
+        [fit for class_fits in judgement.classes for fit in class_fits] if len(judgement.classes) == 1 else []
+    )
     remaining = [
-        *claimed,
-        *(fit for fit in judged.says.rivals if not any(fit is member for member in claimed)),
+        *class_members,
+        *(fit for fit in judgement.says.rivals if not any(fit is member for member in class_members)),
     ]
-    near = fitter.criteria.claim.told_apart
-    groups = grouped(remaining, lambda member, fit: fitter.difference(fit, member) < near)
+    threshold = fitter.criteria.claim.told_apart
+    groups = grouped(remaining, lambda member, fit: fitter.difference(fit, member) < threshold)
     return tuple(tuple(loss_names(fitter, fit) for fit in group) for group in groups)
 
 
-def members(findings: Sequence[Finding]) -> set[str]:
+def member_names(findings: Sequence[Finding]) -> set[str]:
     """Return the names of all members of the classes of findings."""
     return {member for finding in findings for member in finding.members}
 
 
-def tested(stage: DampingStage, findings: Sequence[Finding]) -> tuple[list[Examined], dict[str, Limit]]:
+def test_candidates(
+    stage: DampingStage, findings: Sequence[Finding]
+) -> tuple[list[Examined], dict[str, Limit]]:
     """Return the tests and limits of the candidates that are not claimed."""
-    fitter, judged, claimed = stage.fitter, stage.judged, members(findings)
+    fitter, judgement, claimed = stage.fitter, stage.judgement, member_names(findings)
     tests, limits = [], {}
-    beside = judged.says.rivals[:MOST] or (judged.final,)
-    remain = {fitter.losses[j].candidate for fit in judged.says.rivals for j in fit.causes}
-    remain = remain if judged.verdict is AMBIGUOUS else set()
+    base_fits = judgement.says.rivals[:MAX_EXPLANATIONS] or (judgement.final,)
+    remaining_names = {fitter.losses[j].candidate for fit in judgement.says.rivals for j in fit.causes}
+    remaining_names = remaining_names if judgement.verdict is AMBIGUOUS else set()
     for j, loss in enumerate(fitter.losses):
         if not loss.candidate or not loss.claimable:
             continue
-        shown = j in fitter.candidates and judged.verdict is not INSUFFICIENT_DATA
-        p_value = p_of_loss(fitter, j) if shown else 1.0
+        is_tested = j in fitter.candidates and judgement.verdict is not INSUFFICIENT_DATA
+        p_value = p_of_loss(fitter, j) if is_tested else 1.0
         limit = (
-            _limit_of(fitter, beside, j)
+            _limit_of(fitter, base_fits, j)
             if j in fitter.candidates
             else Limit(loss.candidate, None, loss.parameter.unit)
         )
-        explaining = loss.candidate in claimed | remain
-        bounded = limit.value is not None
-        tests.append(_examined(fitter, judged.final, j, p_value, bounded=bounded, shown=explaining))
+        explains = loss.candidate in claimed | remaining_names
+        is_bounded = limit.value is not None
+        tests.append(
+            _test_of_loss(fitter, judgement.final, j, p_value, is_bounded=is_bounded, explains=explains)
+        )
         if loss.candidate not in claimed:
             limits[limit_key(loss.parameter)] = limit
     return tests, limits
@@ -250,29 +262,29 @@ def _limit_of(fitter: LossFitter, fits: Sequence[LossFit], loss: int) -> Limit:
     It is the one-sided end of the profile likelihood; there is none if even critical damping of a mode is allowed.
     """
     parameter, candidate = fitter.losses[loss].parameter, fitter.losses[loss].candidate
-    if not np.isfinite(fitter.typical[loss]):
+    if not np.isfinite(fitter.typical_values[loss]):
         return Limit(candidate, None, parameter.unit)
-    sizes = [_size(fitter, fit, loss) for fit in fits]
+    sizes = [_profile_limit(fitter, fit, loss) for fit in fits]
     if any(size is None for size in sizes):
         return Limit(candidate, None, parameter.unit)
     return Limit(candidate, max(size for size in sizes if size is not None), parameter.unit)
 
 
-def _size(fitter: LossFitter, fit: LossFit, loss: int) -> float | None:
-    fitter = _as_large_as_left(fitter, fit)
-    rest = tuple(j for j in fit.causes if j != loss)
+def _profile_limit(fitter: LossFitter, fit: LossFit, loss: int) -> float | None:
+    fitter = _with_errors_of_residual(fitter, fit)
+    other_causes = tuple(j for j in fit.causes if j != loss)
     declared = float(fitter.declared[loss])
-    best = fitter.fit((*rest, loss))
-    start, least = best.values[loss], min(best.chi2, fitter.fit(rest).chi2)
+    best = fitter.fit((*other_causes, loss))
+    start, least_chi2 = best.values[loss], min(best.chi2, fitter.fit(other_causes).chi2)
     critical = min(
-        fitter.losses[loss].parameter.upper, 1.0 / float(fitter.observations.by_loss[:, loss].max())
+        fitter.losses[loss].parameter.upper, 1.0 / float(fitter.observations.coefficients[:, loss].max())
     )
 
     def excess(value: float) -> float:
-        return fitter.fit(rest, {loss: value}).chi2 - least - ONE_SIDED**2
+        return fitter.fit(other_causes, {loss: value}).chi2 - least_chi2 - ONE_SIDED**2
 
-    upper = max(start, 1e-3 * fitter.typical[loss])
-    for _ in range(DOUBLINGS):
+    upper = max(start, 1e-3 * fitter.typical_values[loss])
+    for _ in range(MAX_DOUBLINGS):
         if upper >= critical:
             break
         if excess(upper) > 0.0:
@@ -290,38 +302,40 @@ def _size(fitter: LossFitter, fit: LossFit, loss: int) -> float | None:
     return max(highest - declared, declared - lowest)
 
 
-def _as_large_as_left(fitter: LossFitter, fit: LossFit) -> LossFitter:
+def _with_errors_of_residual(fitter: LossFitter, fit: LossFit) -> LossFitter:
     """Return a fitter with errors as large as the residual of a fit, where that is more than noise."""
     ratio = fit.chi2 / max(fit.degrees, 1)
     if fit.p_value > fitter.criteria.gate.surely or ratio <= 1.0:
         return fitter
     scale = float(np.sqrt(ratio))
     rows = fitter.observations
-    return fitter.of(replace(rows, stated=scale * rows.stated, unstated=scale * rows.unstated))
+    return fitter.with_observations(
+        replace(rows, stated_sigma=scale * rows.stated_sigma, unstated_sigma=scale * rows.unstated_sigma)
+    )
 
 
-def _examined(
-    fitter: LossFitter, final: LossFit, loss: int, p_value: float, *, bounded: bool, shown: bool
+def _test_of_loss(
+    fitter: LossFitter, final: LossFit, loss: int, p_value: float, *, is_bounded: bool, explains: bool
 ) -> Examined:
     """Return the test of a loss, its smallest visible value beside a fit, and whether it is detectable.
 
-    - bounded: whether the data bound it
-    - shown: whether it is claimed, in the class of a claim, or remains as an explanation
+    - is_bounded: whether the data bound it
+    - explains: whether it is claimed, in the class of a claim, or remains as an explanation
     """
     c, suspect = fitter.criteria, fitter.losses[loss]
-    sigma = _sigma(fitter, final, loss)
+    sigma = _linear_sigma(fitter, final, loss)
     size = c.claim.seen * sigma
-    detectable = shown or bounded or p_value <= c.gate.surely
-    if not (bounded or shown) or not np.isfinite(size) or size > suspect.parameter.upper:
+    detectable = explains or is_bounded or p_value <= c.gate.surely
+    if not (is_bounded or explains) or not np.isfinite(size) or size > suspect.parameter.upper:
         return Examined(suspect.candidate, p_value, (), detectable, suspect.sentence)
     visible = Value(suspect.parameter.name, float(size), float(sigma), suspect.parameter.unit)
     return Examined(suspect.candidate, p_value, (visible,), detectable, suspect.sentence)
 
 
-def _sigma(fitter: LossFitter, fit: LossFit, loss: int) -> float:
+def _linear_sigma(fitter: LossFitter, fit: LossFit, loss: int) -> float:
     """Return the standard deviation that a loss would have beside a fit, in the linear model; inf if invisible."""
     rows = fitter.observations
-    weighted = rows.by_loss / ((rows.ratios(fit.values) + rows.least) * rows.sigma)[:, None]
+    weighted = rows.coefficients / ((rows.ratios(fit.values) + rows.ratio_floor) * rows.sigma)[:, None]
     signature, fitted = weighted[:, loss], weighted[:, [j for j in fit.free if j != loss]]
     remainder = signature - fitted @ np.linalg.lstsq(fitted, signature)[0] if fitted.shape[1] else signature
     size = float(np.linalg.norm(remainder))

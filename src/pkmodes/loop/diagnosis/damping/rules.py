@@ -1,13 +1,13 @@
 """The rules of the verdict on damping, in a table: the first that applies decides.
 
-What a claim needs is the same as for the frequencies: the explanation leaves noise, has no distinguishable rival,
+A claim needs the same as for the frequencies: the explanation leaves noise, has no distinguishable rival,
 improves significantly on the declared losses, and is specific.  Friction that depends on the amplitude, such as
 Coulomb friction, is not a loss of the catalogue; it is refused because it leaves more than noise, or a trend with
 frequency.
 
 Repeated tests of one machine give ratios that scatter from mode to mode by more than their stated errors.  A model
-that declares no loss says nothing about damping, so a ratio common to all modes contradicts nothing, and names no
-joint.  Neither does one that differs from the declared ratio by no more than repeated tests do.
+that declares no loss predicts no damping, so a ratio common to all modes contradicts nothing, and names no
+joint.  Neither does a common ratio that differs from the declared one by no more than repeated tests do.
 """
 
 from __future__ import annotations
@@ -21,9 +21,14 @@ from pkmodes.loop.diagnosis.damping.evidence import (
     LossEvidence,
     LossRules,
     LossSays,
-    contradicted,
+    contradicts_held_out,
 )
-from pkmodes.loop.diagnosis.damping.explanation import SAME, LossExplanation, loss_names, nearest_loss
+from pkmodes.loop.diagnosis.damping.explanation import (
+    MIN_SEPARATION,
+    LossExplanation,
+    loss_names,
+    nearest_loss,
+)
 from pkmodes.loop.diagnosis.damping.fit import LossFit
 from pkmodes.loop.diagnosis.verdict.evidence import Rule, first_decision
 from pkmodes.loop.diagnosis.verdict.verdicts import (
@@ -45,7 +50,7 @@ def judge(evidence: LossEvidence, rules: LossRules) -> DampingJudgement:
         decision.verdict,
         evidence.base,
         final=explanation.best if explanation else evidence.base,
-        places=explanation.places if explanation else (),
+        classes=explanation.classes if explanation else (),
         p_values=explanation.p_values if explanation else (),
         says=decision.answer,
     )
@@ -56,7 +61,7 @@ def judge(evidence: LossEvidence, rules: LossRules) -> DampingJudgement:
 
 def too_few(e: LossEvidence) -> str:
     """The resolved ratios are too few for the uncertain losses, a cause, and a test of it."""
-    count = e.resolved
+    count = e.resolved_count
     if count >= len(e.fitter.nuisances) + 1 + e.criteria.claim.redundancy:
         return ""
     subject = "1 resolved damping ratio is" if count == 1 else f"{count} resolved damping ratios are"
@@ -66,7 +71,7 @@ def too_few(e: LossEvidence) -> str:
 def as_declared(e: LossEvidence) -> LossSays | None:
     """The ratios are those of the declared losses, and no other loss improves on them."""
     level = e.criteria.gate.level
-    return LossSays("") if e.base.p_value > level and e.chance > level else None
+    return LossSays("") if e.base.p_value > level and e.p_one_more > level else None
 
 
 # Several explanations, or none that names a joint --------------------------------------------------------------
@@ -84,12 +89,12 @@ def several(e: LossEvidence) -> LossSays | None:
 
 def nearly_declared(e: LossEvidence) -> LossSays | None:
     """A common ratio other than the declared one explains them, and differs from it as repeated tests do."""
-    if e.claim is None or not e.declares or e.common is None or len(e.claim.places) != 1:
+    if e.claim is None or not e.declares_losses or e.common_loss is None or len(e.claim.classes) != 1:
         return None
-    fit = next((fit for fit in e.claim.places[0] if fit.causes == (e.common,)), None)
+    fit = next((fit for fit in e.claim.classes[0] if fit.causes == (e.common_loss,)), None)
     if fit is None:
         return None
-    ratio, declared = _fitted_loss(fit, e.common), float(e.fitter.declared[e.common])
+    ratio, declared = _fitted_loss(fit, e.common_loss), float(e.fitter.declared[e.common_loss])
     if not declared or abs(math.log(ratio[0] / declared)) > e.criteria.damping.scatter:
         return None
     return LossSays(words.nearly_declared_sentence(*ratio, declared), scatter=e.scatter_about(e.base))
@@ -97,31 +102,33 @@ def nearly_declared(e: LossEvidence) -> LossSays | None:
 
 def common_ratio(e: LossEvidence) -> str:
     """No damping is declared, and a ratio common to all modes, which names no joint, explains the measured ones."""
-    if e.declares or e.common is None:
+    if e.declares_losses or e.common_loss is None:
         return ""
-    fit = e.fitter.fit((e.common,))  # also where it is not among the chosen candidates
+    fit = e.fitter.fit((e.common_loss,))  # also where it is not among the chosen candidates
     if e.claim is None:
-        sole = fit.p_value > e.criteria.gate.level
+        is_only_explanation = fit.p_value > e.criteria.gate.level
     else:
-        sole = e.claim.best.causes == (e.common,) and not e.fitter.losses[e.common].claimable
-    return words.common_ratio_sentence(*_fitted_loss(fit, e.common)) if sole else ""
+        is_only_explanation = (
+            e.claim.best.causes == (e.common_loss,) and not e.fitter.losses[e.common_loss].claimable
+        )
+    return words.common_ratio_sentence(*_fitted_loss(fit, e.common_loss)) if is_only_explanation else ""
 
 
 def scattered(e: LossEvidence) -> LossSays | None:
     """Nothing is claimed, and ratios scatter about a common one, or about those declared, as in repeated tests."""
     if e.claim is not None:
         return None
-    if e.declares:
-        fit, about = e.base, None
-    elif e.common is not None:
-        fit = e.fitter.fit((e.common,))
-        about = _fitted_loss(fit, e.common)[0]
+    if e.declares_losses:
+        fit, center_ratio = e.base, None
+    elif e.common_loss is not None:
+        fit = e.fitter.fit((e.common_loss,))
+        center_ratio = _fitted_loss(fit, e.common_loss)[0]
     else:
         return None
     scatter = e.scatter_about(fit)
     if scatter > e.criteria.damping.scatter:
         return None
-    return LossSays(words.scatter_sentence(about, scatter), scatter=scatter)
+    return LossSays(words.scatter_sentence(center_ratio, scatter), scatter=scatter)
 
 
 def _fitted_loss(fit: LossFit, loss: int) -> tuple[float, float]:
@@ -137,9 +144,9 @@ def tells_nothing(e: LossEvidence) -> str:
     explanation = e.explanation
     if explanation is None or len(explanation.best.causes) != 1:
         return ""
-    alike = explanation.places[0]
-    differ = any(e.fitter.difference(alike[0], fit) >= SAME for fit in alike)
-    if not differ or {fit.causes[0] for fit in alike} != set(e.fitter.candidates):
+    class_fits = explanation.classes[0]
+    differ = any(e.fitter.difference(class_fits[0], fit) >= MIN_SEPARATION for fit in class_fits)
+    if not differ or {fit.causes[0] for fit in class_fits} != set(e.fitter.candidates):
         return ""
     return "the damping ratios are too few or too uncertain to tell any of the losses apart"
 
@@ -149,7 +156,7 @@ def may_be_chance(e: LossEvidence) -> str:
     explanation = e.explanation
     if explanation is None or max(explanation.p_values) <= e.criteria.claim.claimed:
         return ""
-    return _would(
+    return _would_explain(
         e, explanation, f"but the improvement may be chance (p = {plain(max(explanation.p_values), 2)})"
     )
 
@@ -159,11 +166,11 @@ def leaves_a_trend(e: LossEvidence) -> str:
     explanation = e.explanation
     if explanation is None or e.p_trend > e.criteria.gate.level:
         return ""
-    why = (
+    objection = (
         "but what it leaves follows the frequency: friction that depends on the amplitude, or something outside the "
         "candidates"
     )
-    return _would(e, explanation, why)
+    return _would_explain(e, explanation, objection)
 
 
 def not_specific(e: LossEvidence) -> str:
@@ -171,15 +178,15 @@ def not_specific(e: LossEvidence) -> str:
     explanation = e.explanation
     if explanation is None or e.coincidence <= e.criteria.damping.specific[len(explanation.best.causes) - 1]:
         return ""
-    why = (
+    objection = (
         "but the damping ratios are too few or too uncertain to rule out something outside the candidates: "
         f"{plain(100 * e.coincidence, 2)} % of such laws would look like a candidate"
     )
-    return _would(e, explanation, why)
+    return _would_explain(e, explanation, objection)
 
 
-def _would(e: LossEvidence, explanation: LossExplanation, why: str) -> str:
-    return f"{loss_names(e.fitter, explanation.best)} would explain it, {why}"
+def _would_explain(e: LossEvidence, explanation: LossExplanation, objection: str) -> str:
+    return f"{loss_names(e.fitter, explanation.best)} would explain it, {objection}"
 
 
 def unexplained(e: LossEvidence) -> str:
@@ -195,7 +202,7 @@ def other_errors(e: LossEvidence) -> LossSays | None:
     explanation = e.explanation
     assert explanation is not None  # `unexplained` stands before
     for change, trial in e.trials.items():
-        if trial.verdict is EFFECT_FOUND and not set(trial.final.causes) <= explanation.known:
+        if trial.verdict is EFFECT_FOUND and not set(trial.final.causes) <= explanation.losses_of_classes:
             text = f"with {change}, {loss_names(e.fitter, trial.final)} would explain it better"
             return LossSays(text, rivals=(explanation.best, e.fitter.fit(trial.final.causes)))
     return None
@@ -204,7 +211,11 @@ def other_errors(e: LossEvidence) -> LossSays | None:
 def not_predicted(e: LossEvidence) -> str:
     """The ratios of the held-out poses contradict the explanation."""
     explanation = e.explanation
-    if explanation is None or e.held is None or not contradicted(e.held, explanation.best.values, e.criteria):
+    if (
+        explanation is None
+        or e.held_out is None
+        or not contradicts_held_out(e.held_out, explanation.best.values, e.criteria)
+    ):
         return ""
     name = loss_names(e.fitter, explanation.best)
     return f"{name} would explain that of the fitted poses, but not that of the held-out ones"
@@ -217,7 +228,7 @@ def found(e: LossEvidence) -> LossSays:
 
 # The tables ----------------------------------------------------------------------------------------------------
 
-_BEFORE: LossRules = (
+_BEFORE_DOUBTS: LossRules = (
     Rule("damping.too_few", INSUFFICIENT_DATA, too_few),
     Rule("damping.adequate", ADEQUATE, as_declared),
     Rule("damping.several", AMBIGUOUS, several),
@@ -239,16 +250,16 @@ DOUBTS: LossRules = (
     Rule("damping.not_specific", UNEXPLAINED, not_specific),
     _UNEXPLAINED,
 )
-#: The same with other errors or priors: without the tests of chance, of a trend, and of how specific it is.
-ROUGH_DOUBTS: LossRules = (_TELLS_NOTHING, _UNEXPLAINED)
+#: Doubts in trials with other errors or priors: without the tests of chance, of a trend, and of specificity.
+TRIAL_DOUBTS: LossRules = (_TELLS_NOTHING, _UNEXPLAINED)
 
 #: The verdict on damping.
-LOSSES: LossRules = (
-    *_BEFORE,
+DAMPING_RULES: LossRules = (
+    *_BEFORE_DOUBTS,
     *DOUBTS,
     Rule("damping.other_errors", AMBIGUOUS, other_errors),
     Rule(NOT_PREDICTED, UNEXPLAINED, not_predicted),
     _FOUND,
 )
 #: The verdict with other errors or priors.
-ROUGHLY: LossRules = (*_BEFORE, *ROUGH_DOUBTS, _FOUND)
+TRIAL_RULES: LossRules = (*_BEFORE_DOUBTS, *TRIAL_DOUBTS, _FOUND)

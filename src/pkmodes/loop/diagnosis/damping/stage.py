@@ -18,25 +18,25 @@ from pkmodes.loop.diagnosis.verdict.verdicts import EFFECT_FOUND
 class DampingStage:
     """Damping at the final model.
 
-    - fitter: of the rows that take part
+    - fitter: of the rows that are fitted
     - all_rows: all rows with a damping ratio and a partner
-    - held: which of these are held out and informative
-    - strange: which of these differ in shape from the modes with which they are paired
-    - trials: by change of the errors or priors
+    - held_out: mask of the informative held-out rows among these
+    - other_shape: mask of the rows whose shapes differ from those of their partners
+    - trials: verdicts with other errors or priors, by change
     """
 
     fitter: LossFitter
     all_rows: DampingObservations
-    held: NDArray[np.bool_]
-    strange: NDArray[np.bool_]
-    judged: DampingJudgement
+    held_out: NDArray[np.bool_]
+    other_shape: NDArray[np.bool_]
+    judgement: DampingJudgement
     trials: dict[str, DampingJudgement]
     notes: tuple[str, ...]
 
     @property
     def final(self) -> LossFit:
-        """The losses with the claimed ones; as declared, within their priors, where nothing is claimed."""
-        return self.judged.final if self.judged.verdict is EFFECT_FOUND else self.judged.base
+        """The fit with the claimed losses, or that of the declared losses within their priors if none is claimed."""
+        return self.judgement.final if self.judgement.verdict is EFFECT_FOUND else self.judgement.base
 
     @property
     def used(self) -> NDArray[np.bool_]:
@@ -58,7 +58,7 @@ class DampingStage:
         others are parts of that of the model.
         """
         rows = self.all_rows
-        unstated = np.hypot(rows.unstated, self.judged.says.scatter)
-        of_model = np.where(rows.above, rows.ratio, self.predicted[1])
+        unstated_sigma = np.hypot(rows.unstated_sigma, self.judgement.says.scatter)
+        model_ratio = np.where(rows.resolved, rows.ratio, self.predicted[1])
         with np.errstate(invalid="ignore"):  # a ratio of 0 without a standard deviation has no logarithm
-            return np.asarray(np.hypot(rows.stated * rows.ratio, unstated * of_model))
+            return np.asarray(np.hypot(rows.stated_sigma * rows.ratio, unstated_sigma * model_ratio))

@@ -101,9 +101,9 @@ def factor_hundred_note(*, above: bool) -> str:
 
 
 def uninformative_note(lines: Sequence[int]) -> str:
-    """Return the note on rows whose damping says nothing about the losses."""
+    """Return the note on rows whose damping contains no information about the losses."""
     return (
-        f"{_of_lines(lines)} is not used: it is 0 without a standard deviation, or the measurements set the "
+        f"{_damping_of_lines(lines)} is not used: it is 0 without a standard deviation, or the measurements set the "
         "losses there"
     )
 
@@ -111,15 +111,15 @@ def uninformative_note(lines: Sequence[int]) -> str:
 def other_shape_note(lines: Sequence[int], mac_limit: float) -> str:
     """Return the note on rows whose shapes are not those of the modes with which they are paired."""
     return (
-        f"{_of_lines(lines)} is not used: the shape measured there is not that of its mode (MAC below "
+        f"{_damping_of_lines(lines)} is not used: the shape measured there is not that of its mode (MAC below "
         f"{mac_limit:g})"
     )
 
 
-def _of_lines(lines: Sequence[int]) -> str:
+def _damping_of_lines(lines: Sequence[int]) -> str:
     ellipsis = ", ..." if len(lines) > MAX_LISTED_LINES else ""
-    listed = ", ".join(map(str, lines[:MAX_LISTED_LINES])) + ellipsis
-    return f"the damping of line{'' if len(lines) == 1 else 's'} {listed}"
+    line_list = ", ".join(map(str, lines[:MAX_LISTED_LINES])) + ellipsis
+    return f"the damping of line{'' if len(lines) == 1 else 's'} {line_list}"
 
 
 def outlier_note(line: int, label: str, ratio: float) -> str:

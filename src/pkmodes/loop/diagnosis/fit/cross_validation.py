@@ -11,7 +11,7 @@ from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.problem import Array
 
 
-def left_out(fit: Fit, setups: Sequence[NDArray[np.intp]]) -> tuple[Array, Array]:
+def predict_left_out(fit: Fit, setups: Sequence[NDArray[np.intp]]) -> tuple[Array, Array]:
     """Predict each setup from a fit to the others, to first order.
 
     - setups: indices of the data of each setup
@@ -24,15 +24,15 @@ def left_out(fit: Fit, setups: Sequence[NDArray[np.intp]]) -> tuple[Array, Array
     squares, leverage = [], []
     for rows in setups:
         basis = fit.basis[rows]
-        inside = basis.T @ basis
-        predicted = deleted(basis, fit.white[rows])
-        squares.append(float(predicted @ predicted))
-        leverage.append(float(np.linalg.eigvalsh(inside)[-1]) if inside.size and len(rows) else 0.0)
+        gram = basis.T @ basis
+        residual = deleted_residual(basis, fit.white[rows])
+        squares.append(float(residual @ residual))
+        leverage.append(float(np.linalg.eigvalsh(gram)[-1]) if gram.size and len(rows) else 0.0)
     return np.array(squares), np.array(leverage)
 
 
-def deleted(basis: Array, white: Array) -> Array:
-    """Return the residual of n data of a linear fit if they are deleted from it, (n,).
+def deleted_residual(basis: Array, white: Array) -> Array:
+    """Return the residual of n data of a linear fit from which they are deleted, (n,).
 
     With H the projection onto the derivatives, it is (1 - H_ii)^-1 r_i: no refit is needed (Cook and Weisberg,
     Residuals and Influence in Regression, 1982).
@@ -41,8 +41,8 @@ def deleted(basis: Array, white: Array) -> Array:
     - white: their whitened residual r_i, (n,)
     """
     # (1 - B B^T)^-1 r = r + B (1 - B^T B)^-1 B^T r: as many equations as parameters, not as data.
-    inside = basis.T @ basis
-    if not inside.size:
+    gram = basis.T @ basis
+    if not gram.size:
         return white
-    complement = np.eye(len(inside)) - inside
+    complement = np.eye(len(gram)) - gram
     return np.asarray(white + basis @ np.linalg.lstsq(complement, basis.T @ white, rcond=1e-9)[0])

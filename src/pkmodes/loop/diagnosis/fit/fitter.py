@@ -26,7 +26,7 @@ from pkmodes.loop.diagnosis.problem import Array, Candidate, Parameter, Structur
 from pkmodes.loop.measured.measurements import Measurements
 
 #: If there are more than twice this many setups, start values are determined from this many.
-SCOUTED = 12
+SCOUT_SETUPS = 12
 
 
 class Fitter:
@@ -70,7 +70,7 @@ class Fitter:
         """Complete the values of the first parameters, from a fit with fewer of them, by declared values."""
         return np.concatenate([values, self.declared[len(values) :]])
 
-    def used(self, hypothesis: Hypothesis) -> NDArray[np.bool_]:
+    def used_rows(self, hypothesis: Hypothesis) -> NDArray[np.bool_]:
         """Return a mask of the rows that a hypothesis does not exclude."""
         used = self.observations.all_rows
         used[list(hypothesis.excluded)] = False
@@ -82,9 +82,9 @@ class Fitter:
     def scout(self) -> Fitter:
         """The same fitter at some of the setups if there are many: enough to find start values."""
         count = len(self.data.labels)
-        if count <= 2 * SCOUTED:
+        if count <= 2 * SCOUT_SETUPS:
             return self
-        return self.at([int((k + 0.5) * count / SCOUTED) for k in range(SCOUTED)])
+        return self.at([int((k + 0.5) * count / SCOUT_SETUPS) for k in range(SCOUT_SETUPS)])
 
     def at(self, setups: list[int]) -> Fitter:
         """Return the fitter of some of the setups."""
@@ -100,13 +100,13 @@ class Fitter:
         """Return sums of squares for several hypotheses and values without fit or priors; inf if not evaluable."""
         sums, noise = [np.inf] * len(trials), self.observations.noise
         values = np.array([start for _, start in trials])
-        used = [self.used(hypothesis) for hypothesis, _ in trials]
+        used = [self.used_rows(hypothesis) for hypothesis, _ in trials]
         for evaluation in self.observations.evaluate_many(self.structure, values, [()] * len(trials), used):
-            white = evaluation.residual / noise.stated
+            white = evaluation.residual / noise.stated_sigma
             sums[evaluation.set_index] = float(white @ white)
         return sums
 
-    def unfitted(self, values: Array, used: NDArray[np.bool_]) -> tuple[Pairing, Array, Array, float]:
+    def evaluate(self, values: Array, used: NDArray[np.bool_]) -> tuple[Pairing, Array, Array, float]:
         """Evaluate given values without any fit, including the errors of uncertain positions.
 
         Returns, in this order:
@@ -116,7 +116,7 @@ class Fitter:
         """
         prediction = self.structure.predict(values, ())
         pairing = self.observations.pairer.pair(prediction, used)
-        motion = self._motion(values, pairing, used)
+        motion = self._position_rates(values, pairing, used)
         residual = self.observations.residual(prediction, pairing, used)
         rows, noise = self.observations.frequency_rows, self.observations.noise
         white = noise.whitening(motion, used, 0.0).whitened(residual)[rows]
@@ -131,65 +131,69 @@ class Fitter:
         """
         values = np.array(self.declared if start is None else start)
         free = self._free(hypothesis)
-        used, tau, pairing, converged = self.used(hypothesis), 0.0, None, True
+        used, tau, pairing, converged = self.used_rows(hypothesis), 0.0, None, True
         for _ in range(self.criteria.fits.rounds):
             prediction = self.structure.predict(values, ())
             if not np.isfinite(prediction.eigenvalues).all():
                 return None
-            before, pairing = pairing, self.observations.pairer.pair(prediction, used, compare=False)
+            previous_pairing, pairing = (
+                pairing,
+                self.observations.pairer.pair(prediction, used, compare=False),
+            )
             if (
-                before is not None
-                and np.array_equal(before.partner, pairing.partner)
+                previous_pairing is not None
+                and np.array_equal(previous_pairing.partner, pairing.partner)
                 and not hypothesis.scatter
             ):
                 break
-            motion = self._motion(values, pairing, used)
+            motion = self._position_rates(values, pairing, used)
             whitening = self.observations.noise.whitening(motion, used, tau)
             values, converged = self._least_squares(values, free, pairing, used, whitening)
             if hypothesis.scatter:
                 residual = self.observations.residual(self.structure.predict(values, ()), pairing, used)
                 tau = self.observations.noise.shared_error(
-                    residual, self._motion(values, pairing, used), used
+                    residual, self._position_rates(values, pairing, used), used
                 )
-        return self._finished(hypothesis, values, free, used, tau, converged)
+        return self._fit_result(hypothesis, values, free, used, tau, converged)
 
-    def roughly(self, starts: Sequence[tuple[Hypothesis, Array]]) -> list[Descent]:
+    def rough_descents(self, starts: Sequence[tuple[Hypothesis, Array]]) -> list[Descent]:
         """Take a few steps from all starts in lockstep.
 
         Shared errors and position errors are neglected.
         """
         lockstep = Lockstep(self.structure, (self.lower, self.upper), self.observations, self.priors)
-        return lockstep.descended(
-            [(values, self._free(h), self.used(h)) for h, values in starts], self.criteria.fits.rough_steps
+        return lockstep.descend(
+            [(values, self._free(h), self.used_rows(h)) for h, values in starts],
+            self.criteria.fits.rough_steps,
         )
 
     def rough_fit(self, hypothesis: Hypothesis, descent: Descent) -> Fit | None:
         """Return the result of a descent as a fit; None if the structure cannot be evaluated."""
-        at = descent.at
-        if at is None:
+        evaluation = descent.evaluation
+        if evaluation is None:
             return None
-        used = self.used(hypothesis)
+        used = self.used_rows(hypothesis)
         return Fit(
             hypothesis=hypothesis,
             values=descent.values,
             free=descent.free,
             log_determinant=self.observations.noise.whitening(None, used, 0.0).log_determinant,
             scatter=0.0,
-            prediction=at.prediction,
-            pairing=self.observations.pairer.pair(at.prediction, used),
-            residual=at.residual,
-            white=at.white,
-            jacobian=at.jacobian,
+            prediction=evaluation.prediction,
+            pairing=self.observations.pairer.pair(evaluation.prediction, used),
+            residual=evaluation.residual,
+            white=evaluation.white,
+            jacobian=evaluation.jacobian,
             at_bound=self._at_bound(hypothesis, descent.values),
-            converged=descent.arrived,
+            converged=descent.converged,
         )
 
     def _free(self, hypothesis: Hypothesis) -> tuple[int, ...]:
         """Return the indices of the fitted parameters: nuisances, then those of the causes, which may share some."""
-        added = (i for cause in hypothesis.causes for i in self.indices(cause))
-        return tuple(dict.fromkeys([*self.nuisances, *added]))
+        cause_indices = (i for cause in hypothesis.causes for i in self.indices(cause))
+        return tuple(dict.fromkeys([*self.nuisances, *cause_indices]))
 
-    def _finished(
+    def _fit_result(
         self,
         hypothesis: Hypothesis,
         values: Array,
@@ -202,7 +206,7 @@ class Fitter:
         if not np.isfinite(prediction.eigenvalues).all():
             return None
         pairing = self.observations.pairer.pair(prediction, used)
-        whitening = self.observations.noise.whitening(self._motion(values, pairing, used), used, tau)
+        whitening = self.observations.noise.whitening(self._position_rates(values, pairing, used), used, tau)
         residual = self.observations.residual(prediction, pairing, used)
         white = np.concatenate([whitening.whitened(residual), self.priors.residual(values)])
         jacobian = np.vstack(
@@ -226,37 +230,37 @@ class Fitter:
             converged=converged,
         )
 
-    def evaluated(self, hypothesis: Hypothesis, values: Array, scatter: float) -> Fit | None:
+    def fit_at_values(self, hypothesis: Hypothesis, values: Array, scatter: float) -> Fit | None:
         """Return given values as a fit of a hypothesis; None if the structure cannot be evaluated.
 
         - scatter: standard deviation of the error that the modes of a setup share
         """
-        free, used = self._free(hypothesis), self.used(hypothesis)
-        return self._finished(hypothesis, values, free, used, scatter, True)
+        free, used = self._free(hypothesis), self.used_rows(hypothesis)
+        return self._fit_result(hypothesis, values, free, used, scatter, True)
 
     def difference(self, a: Fit, b: Fit) -> float:
         """Return the squared difference of the predictions and priors of two fits, whitened as for the first."""
-        used = self.used(a.hypothesis) & self.used(b.hypothesis)
+        used = self.used_rows(a.hypothesis) & self.used_rows(b.hypothesis)
         whitening = self.observations.noise.whitening(
-            self._motion(a.values, a.pairing, used), self.used(a.hypothesis), a.scatter
+            self._position_rates(a.values, a.pairing, used), self.used_rows(a.hypothesis), a.scatter
         )
-        between = whitening.whitened(
+        data_difference = whitening.whitened(
             np.where(self.observations.data_mask(used), a.residual - b.residual, 0.0)
         )
-        priors = self.priors.residual(a.values) - self.priors.residual(b.values)
-        return float(between @ between + priors @ priors)
+        prior_difference = self.priors.residual(a.values) - self.priors.residual(b.values)
+        return float(data_difference @ data_difference + prior_difference @ prior_difference)
 
     def whitening(self, fit: Fit) -> Whitening:
         """Return the square root of the covariance of the data at a fit."""
-        used = self.used(fit.hypothesis)
+        used = self.used_rows(fit.hypothesis)
         return self.observations.noise.whitening(
-            self._motion(fit.values, fit.pairing, used), used, fit.scatter
+            self._position_rates(fit.values, fit.pairing, used), used, fit.scatter
         )
 
     def signatures(self, fit: Fit, by: Sequence[int]) -> tuple[Array, Array]:
         """Return the derivatives of ln f with respect to parameters, (R, T), and of all data, whitened."""
         prediction = self.structure.predict(fit.values, by, shape_rates=self.observations.shape_rates)
-        used = self.used(fit.hypothesis)
+        used = self.used_rows(fit.hypothesis)
         rates = self.observations.rates(prediction, fit.pairing, used)
         whitening = self.whitening(fit)
         # The prior of a free parameter pulls it towards its declared value.
@@ -267,10 +271,10 @@ class Fitter:
     def misfit(self, fit: Fit, name: str, *, stated: bool) -> Misfit:
         """Return the misfit of a quantity beside the frequencies, with (or without) stated errors."""
         observations, quantity = self.observations, self.observations.other_quantities[name]
-        rows = self.used(fit.hypothesis) & quantity.known & (quantity.stated == stated)
+        rows = self.used_rows(fit.hypothesis) & quantity.known & (quantity.stated == stated)
         squares = (observations.by_row(name, fit.white) ** 2).sum(axis=1)
-        taken = observations.by_row(name, fit.leverage).sum(axis=1)
-        return Misfit(float(squares[rows].sum()), float(quantity.count[rows].sum() - taken[rows].sum()))
+        leverage = observations.by_row(name, fit.leverage).sum(axis=1)
+        return Misfit(float(squares[rows].sum()), float(quantity.count[rows].sum() - leverage[rows].sum()))
 
     def worst_rows(self, fit: Fit) -> tuple[NDArray[np.intp], Array]:
         """Return the rows, those with the largest frequency residuals first, and all residuals in sigma, (R,)."""
@@ -287,15 +291,15 @@ class Fitter:
     ) -> tuple[Array, bool]:
         """Return the least-squares values for a given pairing, and whether the solver converged."""
 
-        def residual(full: Array) -> Array:
-            prediction = self.structure.predict(full, ())
-            unwhitened = self.observations.residual(prediction, pairing.within(prediction), used)
-            return np.concatenate([whitening.whitened(unwhitened), self.priors.residual(full)])
+        def residual(all_values: Array) -> Array:
+            prediction = self.structure.predict(all_values, ())
+            unwhitened = self.observations.residual(prediction, pairing.limited_to(prediction), used)
+            return np.concatenate([whitening.whitened(unwhitened), self.priors.residual(all_values)])
 
-        def rates(full: Array) -> Array:
-            prediction = self.structure.predict(full, free, shape_rates=self.observations.shape_rates)
-            unwhitened = self.observations.rates(prediction, pairing.within(prediction), used)
-            return np.vstack([-whitening.whitened(unwhitened), self.priors.rates(full, free)])
+        def rates(all_values: Array) -> Array:
+            prediction = self.structure.predict(all_values, free, shape_rates=self.observations.shape_rates)
+            unwhitened = self.observations.rates(prediction, pairing.limited_to(prediction), used)
+            return np.vstack([-whitening.whitened(unwhitened), self.priors.rates(all_values, free)])
 
         bounds = self.lower[list(free)], self.upper[list(free)]
         return bounded_least_squares(residual, rates, values, free, bounds, self.criteria.fits.steps)
@@ -306,9 +310,9 @@ class Fitter:
             p.name for i, p in parameters for bound in reached_bounds(p, values[i]) if bound != p.value
         )
 
-    def _motion(self, values: Array, pairing: Pairing, used: NDArray[np.bool_]) -> Array | None:
+    def _position_rates(self, values: Array, pairing: Pairing, used: NDArray[np.bool_]) -> Array | None:
         """Return the derivatives of the data with respect to uncertain positions, (D, d); None if there are none."""
         if not self.observations.noise.uncertain:
             return None
-        moved = self.structure.position_rates(values, shape_rates=self.observations.shape_rates)
-        return None if moved is None else self.observations.rates(moved, pairing, used)
+        prediction = self.structure.position_rates(values, shape_rates=self.observations.shape_rates)
+        return None if prediction is None else self.observations.rates(prediction, pairing, used)

@@ -11,7 +11,7 @@ from pkmodes.loop.diagnosis.match.pairing import Pairer, Pairing
 from pkmodes.loop.diagnosis.problem import Array, Prediction
 
 #: Relative gap of eigenvalues below which the derivatives of single modes are not defined.
-REPEATED = 1e-7
+REPEATED_GAP = 1e-7
 
 
 @dataclass(frozen=True)
@@ -50,19 +50,19 @@ class FrequencyRows:
 
     def rates(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> Array:
         """Return the derivatives of ln f with respect to the requested parameters, (R, 1, T)."""
-        rates = _averaged(prediction)[self.pairer.pose, np.maximum(pairing.partner, 0)]
+        rates = _averaged_rates(prediction)[self.pairer.pose, np.maximum(pairing.partner, 0)]
         return np.where(((pairing.partner >= 0) & used)[:, None], rates, 0.0)[:, None]
 
 
-def _averaged(prediction: Prediction) -> Array:
+def _averaged_rates(prediction: Prediction) -> Array:
     """Return the derivatives of ln f; repeated modes, whose derivatives are not defined, get the group's mean."""
     rates = np.array(prediction.log_rates)
     eigenvalues = prediction.eigenvalues
-    gap = np.diff(eigenvalues, axis=1) <= REPEATED * np.abs(eigenvalues[:, 1:])
-    for setup in np.flatnonzero(gap.any(axis=1)):
-        number = np.concatenate([[0], np.cumsum(~gap[setup])])
-        for k in np.flatnonzero(np.bincount(number) > 1):
-            members = number == k
+    is_repeated = np.diff(eigenvalues, axis=1) <= REPEATED_GAP * np.abs(eigenvalues[:, 1:])
+    for setup in np.flatnonzero(is_repeated.any(axis=1)):
+        group = np.concatenate([[0], np.cumsum(~is_repeated[setup])])
+        for k in np.flatnonzero(np.bincount(group) > 1):
+            members = group == k
             if np.isfinite(rates[setup, members]).all():  # rigid modes have none at 0 Hz
                 rates[setup, members] = rates[setup, members].mean(axis=0)
     return rates

@@ -17,7 +17,7 @@ from pkmodes.loop.diagnosis.match.pairing import Pairing
 from pkmodes.loop.diagnosis.problem import Array, Candidate, Prediction
 
 #: Smallest cosine of the angle between the changes of all modes by two parameters that count as the same.
-PARALLEL = 1.0 - 1e-6
+MIN_COSINE = 1.0 - 1e-6
 
 
 class Misfit(NamedTuple):
@@ -58,16 +58,16 @@ class Hypothesis:
     def allows(self, cause: Candidate) -> bool:
         """Return whether a cause may be added: a whole and a part of it are one cause in two forms."""
         return not any(
-            cause.part_of == present.name or present.part_of == cause.name for present in self.causes
+            cause.part_of == own_cause.name or own_cause.part_of == cause.name for own_cause in self.causes
         )
 
-    def adding(self, cause: Candidate) -> Hypothesis:
+    def with_cause(self, cause: Candidate) -> Hypothesis:
         """Return the hypothesis with an additional cause."""
         return replace(self, causes=(*self.causes, cause))
 
-    def without(self, place: int) -> Hypothesis:
+    def without(self, index: int) -> Hypothesis:
         """Return the hypothesis without one of its causes."""
-        return replace(self, causes=(*self.causes[:place], *self.causes[place + 1 :]))
+        return replace(self, causes=(*self.causes[:index], *self.causes[index + 1 :]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,8 +102,8 @@ class Fitted:
 
     def covariance_of(self, index: Sequence[int]) -> Array:
         """Return the covariance of some of the fitted parameters."""
-        place = [self.free.index(i) for i in index]
-        return self.covariance[np.ix_(place, place)]
+        positions = [self.free.index(i) for i in index]
+        return self.covariance[np.ix_(positions, positions)]
 
     def sigma_of(self, i: int) -> float:
         """Return the standard deviation of a fitted parameter."""
@@ -156,7 +156,7 @@ class Fit(Fitted):
         return self.chi2 + self.log_determinant
 
 
-def parallel(rates: Array) -> NDArray[np.bool_]:
+def parallel_parameters(rates: Array) -> NDArray[np.bool_]:
     """Return which of T parameters change all modes alike, up to a factor, (T, T).
 
     - rates: derivatives of the eigenvalues, (S, m, T); modes for which some are unknown are left out
@@ -164,7 +164,7 @@ def parallel(rates: Array) -> NDArray[np.bool_]:
     finite = rates[np.isfinite(rates).all(axis=-1)]
     size = np.linalg.norm(finite, axis=0)
     unit = finite / np.where(size > 0.0, size, 1.0)
-    return np.asarray(np.abs(unit.T @ unit) >= PARALLEL)
+    return np.asarray(np.abs(unit.T @ unit) >= MIN_COSINE)
 
 
 def orthonormal(columns: Array) -> Array:

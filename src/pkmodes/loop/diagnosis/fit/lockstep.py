@@ -19,14 +19,14 @@ from pkmodes.loop.diagnosis.fit.observations import Observations
 from pkmodes.loop.diagnosis.fit.priors import Priors
 from pkmodes.loop.diagnosis.problem import Array, Prediction, Structure
 
-#: Initial damping, relative to the diagonal; its factors after a successful and after a failed step.
-DAMPING, LESS, MORE = 1e-3, 0.1, 10.0
-LEAST_DAMPING = 1e-8
+#: Initial damping relative to the diagonal, and its factors after a successful and after a failed step.
+INITIAL_DAMPING, DAMPING_DECREASE, DAMPING_INCREASE = 1e-3, 0.1, 10.0
+MIN_DAMPING = 1e-8
 #: A fit has converged if a step promises less than this sum of squares, or less than this part of the current one.
-ENOUGH, PART = 0.05, 1e-3
+CONVERGED_DECREASE, CONVERGED_FRACTION = 0.05, 1e-3
 
 
-class Evaluated(NamedTuple):
+class DescentEvaluation(NamedTuple):
     """A hypothesis evaluated at some values.
 
     - chi2: whitened sum of squares with priors
@@ -48,21 +48,21 @@ class Descent:
     - values: values of all parameters, (P,)
     - free: indices of the free parameters
     - used: used rows, (R,)
-    - at: evaluation at these values; None if the structure cannot be evaluated
-    - arrived: whether the descent has converged
+    - evaluation: evaluation at these values; None if the structure cannot be evaluated
+    - converged: whether the descent has converged
     """
 
     values: Array
     free: tuple[int, ...]
     used: NDArray[np.bool_]
-    at: Evaluated | None = None
-    damping: float = DAMPING
-    arrived: bool = False
+    evaluation: DescentEvaluation | None = None
+    damping: float = INITIAL_DAMPING
+    converged: bool = False
 
     @property
     def chi2(self) -> float:
         """Current sum of squares."""
-        return np.inf if self.at is None else self.at.chi2
+        return np.inf if self.evaluation is None else self.evaluation.chi2
 
 
 class Lockstep:
@@ -82,74 +82,82 @@ class Lockstep:
         self._structure, self._observations, self._priors = structure, observations, priors
         self._lower, self._upper = bounds
 
-    def descended(
+    def descend(
         self, starts: Sequence[tuple[Array, tuple[int, ...], NDArray[np.bool_]]], steps: int
     ) -> list[Descent]:
         """Take at most `steps` steps from each start: values, free parameters, and used rows."""
         fits = [
             Descent(np.clip(values, self._lower, self._upper), free, used) for values, free, used in starts
         ]
-        for fit, evaluated in zip(fits, self._evaluated(fits, [fit.values for fit in fits]), strict=True):
-            fit.at = evaluated
-        going = [fit for fit in fits if fit.free]
+        for fit, evaluation in zip(fits, self._evaluate(fits, [fit.values for fit in fits]), strict=True):
+            fit.evaluation = evaluation
+        active_fits = [fit for fit in fits if fit.free]
         for _ in range(steps):
-            tried, values = [], []
-            for fit in going:
-                if fit.at is None:
+            moving_fits, values = [], []
+            for fit in active_fits:
+                if fit.evaluation is None:
                     continue
-                there, promised = self._step(fit, fit.at)
-                fit.arrived = promised <= max(ENOUGH, PART * fit.at.chi2)
-                if not fit.arrived:
-                    tried.append(fit)
-                    values.append(there)
-            for fit, there, evaluated in zip(tried, values, self._evaluated(tried, values), strict=True):
-                if evaluated is not None and evaluated.chi2 < fit.chi2:
-                    fit.values, fit.at = there, evaluated
-                    fit.damping = max(fit.damping * LESS, LEAST_DAMPING)
+                new_values, predicted_decrease = self._step(fit, fit.evaluation)
+                fit.converged = predicted_decrease <= max(
+                    CONVERGED_DECREASE, CONVERGED_FRACTION * fit.evaluation.chi2
+                )
+                if not fit.converged:
+                    moving_fits.append(fit)
+                    values.append(new_values)
+            for fit, new_values, evaluation in zip(
+                moving_fits, values, self._evaluate(moving_fits, values), strict=True
+            ):
+                if evaluation is not None and evaluation.chi2 < fit.chi2:
+                    fit.values, fit.evaluation = new_values, evaluation
+                    fit.damping = max(fit.damping * DAMPING_DECREASE, MIN_DAMPING)
                 else:
-                    fit.damping *= MORE
-            going = tried
+                    fit.damping *= DAMPING_INCREASE
+            active_fits = moving_fits
         return fits
 
-    def _evaluated(self, fits: Sequence[Descent], values: Sequence[Array]) -> list[Evaluated | None]:
+    def _evaluate(self, fits: Sequence[Descent], values: Sequence[Array]) -> list[DescentEvaluation | None]:
         """Evaluate each fit at given values."""
-        evaluated: list[Evaluated | None] = [None] * len(fits)
-        free_parameters, sigma = [fit.free for fit in fits], self._observations.noise.stated
+        evaluations: list[DescentEvaluation | None] = [None] * len(fits)
+        free_parameters, sigma = [fit.free for fit in fits], self._observations.noise.stated_sigma
         evaluated_sets = self._observations.evaluate_many(
             self._structure, np.array(values), free_parameters, [fit.used for fit in fits]
         )
         for k, residual, rate, prediction in evaluated_sets:
             white = np.concatenate([residual / sigma, self._priors.residual(values[k])])
             jacobian = np.vstack([-rate / sigma[:, None], self._priors.rates(values[k], free_parameters[k])])
-            evaluated[k] = Evaluated(float(white @ white), white, jacobian, residual, prediction)
-        return evaluated
+            evaluations[k] = DescentEvaluation(float(white @ white), white, jacobian, residual, prediction)
+        return evaluations
 
-    def _step(self, fit: Descent, now: Evaluated) -> tuple[Array, float]:
+    def _step(self, fit: Descent, evaluation: DescentEvaluation) -> tuple[Array, float]:
         """Return the values after a step within the bounds, and the decrease that the linear model promises."""
         index = list(fit.free)
-        at, lower, upper = fit.values[index], self._lower[index], self._upper[index]
-        gradient = now.jacobian.T @ now.white
-        size = np.linalg.norm(now.jacobian, axis=0)
+        current, lower, upper = fit.values[index], self._lower[index], self._upper[index]
+        gradient = evaluation.jacobian.T @ evaluation.white
+        size = np.linalg.norm(evaluation.jacobian, axis=0)
         scale = 1.0 / np.where(size > 0.0, size, 1.0)
-        square = (now.jacobian.T @ now.jacobian) * scale[:, None] * scale
-        square[np.diag_indices_from(square)] = 1.0 + fit.damping
-        moving = ~(((at <= lower) & (gradient > 0.0)) | ((at >= upper) & (gradient < 0.0))) & (size > 0.0)
+        normal_matrix = (evaluation.jacobian.T @ evaluation.jacobian) * scale[:, None] * scale
+        normal_matrix[np.diag_indices_from(normal_matrix)] = 1.0 + fit.damping
+        is_free = ~(((current <= lower) & (gradient > 0.0)) | ((current >= upper) & (gradient < 0.0))) & (
+            size > 0.0
+        )
         step = np.zeros(len(index))
-        while moving.any():
-            active = np.flatnonzero(moving)
+        while is_free.any():
+            active = np.flatnonzero(is_free)
             step[:] = 0.0
             step[active] = -scale[active] * np.linalg.solve(
-                square[np.ix_(active, active)], gradient[active] * scale[active]
+                normal_matrix[np.ix_(active, active)], gradient[active] * scale[active]
             )
             # Parameters at a bound that the step would leave are fixed there.
-            held = moving & (((at <= lower) & (step < 0.0)) | ((at >= upper) & (step > 0.0)))
-            if not held.any():
+            reaches_bound = is_free & (
+                ((current <= lower) & (step < 0.0)) | ((current >= upper) & (step > 0.0))
+            )
+            if not reaches_bound.any():
                 break
-            moving &= ~held
+            is_free &= ~reaches_bound
             step[:] = 0.0
-        there = np.clip(at + step, lower, upper)
-        taken = there - at
-        linear = now.white + now.jacobian @ taken
+        new_values = np.clip(current + step, lower, upper)
+        bounded_step = new_values - current
+        linear_residual = evaluation.white + evaluation.jacobian @ bounded_step
         values = fit.values.copy()
-        values[index] = there
-        return values, now.chi2 - float(linear @ linear)
+        values[index] = new_values
+        return values, evaluation.chi2 - float(linear_residual @ linear_residual)

@@ -39,8 +39,8 @@ class Whitening:
     def whitened(self, values: Array) -> Array:
         """Divide by the square root of V: (D,) or (D, T)."""
         white: Array = (values.T / self.sigma).T
-        for place, factor in self.blocks:
-            white[place] = solve_triangular(factor, values[place], lower=True, check_finite=False)
+        for indices, factor in self.blocks:
+            white[indices] = solve_triangular(factor, values[indices], lower=True, check_finite=False)
         return white
 
 
@@ -52,7 +52,7 @@ class Noise:
 
     Its attributes:
     - sigma: stated standard deviations of ln f, (R,)
-    - stated: standard deviations of all data, without correlated errors, (D,)
+    - stated_sigma: standard deviations of all data, without correlated errors, (D,)
     - rows: rows of each setup
     - uncertain: whether positions of setups are uncertain
     """
@@ -60,20 +60,20 @@ class Noise:
     def __init__(
         self, data: Measurements, quantities: Sequence[ComparedQuantity], most_shared: float
     ) -> None:
-        self.stated = np.concatenate([quantity.sigma.ravel() for quantity in quantities])
-        self.sigma: Array = self.stated[: len(data.pose)]
+        self.stated_sigma = np.concatenate([quantity.sigma.ravel() for quantity in quantities])
+        self.sigma: Array = self.stated_sigma[: len(data.pose)]
         order = np.argsort(data.pose, kind="stable")
         self.rows = np.split(order, np.searchsorted(data.pose[order], np.arange(1, len(data.labels))))
         self.uncertain = bool((data.point_sigma > 0.0).any())
         self._setup = data.pose
         self._position_sigma, self._most_shared = data.point_sigma, most_shared
-        places, start = [list[NDArray[np.intp]]() for _ in self.rows], 0
+        index_lists, start = [list[NDArray[np.intp]]() for _ in self.rows], 0
         for quantity in quantities:
             components = start + np.arange(quantity.sigma.size).reshape(quantity.sigma.shape)
             start += quantity.sigma.size
-            for place, rows in zip(places, self.rows, strict=True):
-                place.append(components[rows[quantity.known[rows]]].ravel())
-        self._places = [np.concatenate(place) for place in places]
+            for index_list, rows in zip(index_lists, self.rows, strict=True):
+                index_list.append(components[rows[quantity.known[rows]]].ravel())
+        self._data_of_setups = [np.concatenate(index_list) for index_list in index_lists]
 
     def whitening(self, motion: Array | None, used: NDArray[np.bool_], tau: float) -> Whitening:
         """Return the square root of V.
@@ -83,26 +83,27 @@ class Noise:
         - used: rows that are not excluded, (R,)
         - tau: standard deviation of the shared error
         """
-        log = 2.0 * np.log(self.sigma)
+        log_variances = 2.0 * np.log(self.sigma)
         if motion is None and tau == 0.0:
-            return Whitening(self.stated, (), float(log.sum()))
-        blocks, total = [], 0.0
+            return Whitening(self.stated_sigma, (), float(log_variances.sum()))
+        blocks, log_determinant = [], 0.0
         for setup, rows in enumerate(self.rows):
-            place = rows if motion is None else self._places[setup]
-            V: Array = np.diag(self.stated[place] ** 2)
+            indices = rows if motion is None else self._data_of_setups[setup]
+            V: Array = np.diag(self.stated_sigma[indices] ** 2)
             if motion is not None:
-                V += (motion[place] * self._position_sigma[setup] ** 2) @ motion[place].T
+                V += (motion[indices] * self._position_sigma[setup] ** 2) @ motion[indices].T
             frequencies = np.arange(len(rows))
             V[np.ix_(frequencies, frequencies)] += tau**2
-            out = np.flatnonzero(~used[rows])
-            V[out] = V[:, out] = 0.0
-            V[out, out] = self.sigma[rows][out] ** 2
+            excluded = np.flatnonzero(~used[rows])
+            V[excluded] = V[:, excluded] = 0.0
+            V[excluded, excluded] = self.sigma[rows][excluded] ** 2
             factor = np.linalg.cholesky(V).astype(float)
-            blocks.append((place, factor))
-            total += float(
-                2.0 * np.log(np.diagonal(factor)).sum() - 2.0 * np.log(self.stated[place[len(rows) :]]).sum()
+            blocks.append((indices, factor))
+            log_determinant += float(
+                2.0 * np.log(np.diagonal(factor)).sum()
+                - 2.0 * np.log(self.stated_sigma[indices[len(rows) :]]).sum()
             )
-        return Whitening(self.stated, tuple(blocks), total)
+        return Whitening(self.stated_sigma, tuple(blocks), log_determinant)
 
     def standard_deviations(self, motion: Array | None) -> Array:
         """Return the standard deviations of ln f, (R,), including uncertain positions."""
@@ -131,8 +132,8 @@ class Noise:
         """Return the deviance if tau is the only correlation, by the matrix determinant lemma."""
         weights = np.where(used, self.sigma**-2, 0.0)
         r = residual[: len(self.sigma)]
-        total = np.bincount(self._setup, weights, len(self.rows))
-        along = np.bincount(self._setup, weights * r, len(self.rows))
-        shared = 1.0 + tau**2 * total
-        squares = (weights * r**2).sum() - (tau**2 * along**2 / shared).sum()
-        return float(squares + np.log(shared).sum() + 2.0 * np.log(self.sigma).sum())
+        weight_sums = np.bincount(self._setup, weights, len(self.rows))
+        weighted_sums = np.bincount(self._setup, weights * r, len(self.rows))
+        determinants = 1.0 + tau**2 * weight_sums
+        squares = (weights * r**2).sum() - (tau**2 * weighted_sums**2 / determinants).sum()
+        return float(squares + np.log(determinants).sum() + 2.0 * np.log(self.sigma).sum())

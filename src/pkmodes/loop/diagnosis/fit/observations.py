@@ -1,4 +1,4 @@
-"""Measurements beside the predictions of a structure: the data of a fit, their errors, and which rows count.
+"""Measurements and the predictions of a structure: the data of a fit, their errors, and which rows count.
 
 A row is a measured mode.  Its data are the components of each measured *quantity*: one of its frequency, one of its
 shape for each channel.  All data are in one vector, quantity by quantity: with R rows of n components each, those of
@@ -44,7 +44,7 @@ def shape_rows(measured: ObservationInput) -> ShapeRows:
     """Return the shapes of measured modes."""
     data, structure, pairer, scatter, criteria = measured
     units = [structure.channel_units[i] for i in pairer.columns]
-    return ShapeRows(data, pairer.columns, units, pairer.moves, scatter, criteria)
+    return ShapeRows(data, pairer.columns, units, pairer.motion, scatter, criteria)
 
 
 SHAPE = "shape"

@@ -26,24 +26,24 @@ from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.problem import Array
 
 #: Largest number of evaluations for an end.
-ROUNDS = 12
+MAX_EVALUATIONS = 12
 #: An end is found if its sum of squares is wrong by less than this part of the rise, and the nuisances could lower it
 #: by no more than this: a tenth moves the end by a twentieth.
-PART = 0.1
+END_TOLERANCE = 0.1
 #: Largest step outwards, relative to the size reached.
-GROWTH = 8.0
-#: Part of the way that a step back keeps where the model cannot be evaluated, and where it is lost.
+MAX_GROWTH = 8.0
+#: Part of a step that remains after a retreat, where the model cannot be evaluated, and where it is lost.
 RETREAT = 0.5
 FAR_RETREAT = 0.125
-#: A model is lost where more than this part of the rise of its sum of squares comes from measured modes without a
+#: The model is lost where more than this part of the rise of its sum of squares comes from measured modes without a
 #: partner: their residuals depend on no value, so no refit leads back.
-LOST = 0.5
-#: Relative singular value below which a combination of nuisances changes nothing.
-NOTHING = 1e-9
+LOST_FRACTION = 0.5
+#: Relative singular value below which a combination of nuisances has no effect.
+MIN_SINGULAR_VALUE = 1e-9
 
 
 class ModelRequest(NamedTuple):
-    """Values at which a model is needed, its free parameters, and those to be taken without their priors."""
+    """Values at which a model is requested, its free parameters, and those whose priors are left out."""
 
     values: Array
     free: tuple[int, ...]
@@ -63,10 +63,10 @@ class ProfilePoint(NamedTuple):
         return float(self.white @ self.white)
 
     @property
-    def fixed(self) -> float:
+    def fixed_squares(self) -> float:
         """Sum of the squares that depend on no value."""
-        fixed = self.white[~self.jacobian.any(axis=1)]
-        return float(fixed @ fixed)
+        fixed_residual = self.white[~self.jacobian.any(axis=1)]
+        return float(fixed_residual @ fixed_residual)
 
 
 @dataclass(frozen=True)
@@ -79,7 +79,7 @@ class Side:
     - free: indices of all free parameters
     - without_prior: parameters to be taken without their priors
     - largest: largest plausible size on this side
-    - least: point of the smallest sum of squares
+    - minimum: point of the smallest sum of squares
     - target: sum of squares at the end
     """
 
@@ -89,13 +89,13 @@ class Side:
     free: tuple[int, ...]
     without_prior: tuple[int, ...]
     largest: float
-    least: ProfilePoint
+    minimum: ProfilePoint
     target: float
 
     @property
     def rise(self) -> float:
         """Rise of the sum of squares to the end."""
-        return self.target - self.least.squares
+        return self.target - self.minimum.squares
 
     def size(self, values: Array) -> float:
         """Return the size of the parameter on this side."""
@@ -123,18 +123,18 @@ class ProfileStep(NamedTuple):
     """The linear model of a profile at a point.
 
     - profile: least sum of squares with the parameter where it is
-    - unsettled: by how much the sum of squares there exceeds it
-    - slope, square: the profile changes by 2 slope d + square d^2
-    - at_rest, along: change of all parameters that refits the nuisances, and its change per unit of the parameter,
-      (P,)
+    - excess: sum of squares at the point less the profile
+    - slope, curvature: the profile changes by 2 slope d + curvature d^2
+    - nuisance_step: change of all parameters that refits the nuisances, (P,)
+    - step_per_unit: change of all parameters per unit of the parameter, (P,)
     """
 
     profile: float
-    unsettled: float
+    excess: float
     slope: float
-    square: float
-    at_rest: Array
-    along: Array
+    curvature: float
+    nuisance_step: Array
+    step_per_unit: Array
 
 
 class Profiles:
@@ -142,7 +142,7 @@ class Profiles:
 
     def __init__(self, fitter: Fitter, fit: Fit) -> None:
         self.fitter, self.fit = fitter, fit
-        self._used, self._whitening = fitter.used(fit.hypothesis), fitter.whitening(fit)
+        self._used, self._whitening = fitter.used_rows(fit.hypothesis), fitter.whitening(fit)
 
     def points(self, requests: Sequence[ModelRequest]) -> list[ProfilePoint | None]:
         """Evaluate the model at several values, each with its free parameters and those without a prior."""
@@ -159,27 +159,30 @@ class Profiles:
             )
         return points
 
-    def linear(self, side: Side) -> End:
+    def linear_end(self, side: Side) -> End:
         """Return an end of the model linearised at the least sum of squares."""
-        step = self._step(side, side.least)
-        size = min(_outward(side, side.least, step), side.largest)
-        return End(self._moved(side, side.least, step, size), size, size < side.largest)
+        step = self._step(side, side.minimum)
+        size = min(_outer_size(side, side.minimum, step), side.largest)
+        return End(self._values_at_size(side, side.minimum, step, size), size, size < side.largest)
 
     def ends(self, sides: Sequence[Side]) -> list[End]:
         """Return the ends of all sides."""
-        searches = [_EndSearch.begun(side, self.linear(side)) for side in sides]
-        for _ in range(ROUNDS):
-            going = [search for search in searches if search.end is None]
-            if not going:
+        searches = [_EndSearch.start(side, self.linear_end(side)) for side in sides]
+        for _ in range(MAX_EVALUATIONS):
+            open_searches = [search for search in searches if search.end is None]
+            if not open_searches:
                 break
             points = self.points(
-                [ModelRequest(search.next, search.side.free, search.side.without_prior) for search in going]
+                [
+                    ModelRequest(search.next_values, search.side.free, search.side.without_prior)
+                    for search in open_searches
+                ]
             )
-            for search, point in zip(going, points, strict=True):
-                self._take(search, point)
-        return [search.end or search.given_up() for search in searches]
+            for search, point in zip(open_searches, points, strict=True):
+                self._use_point(search, point)
+        return [search.end or search.unreached_end() for search in searches]
 
-    def _take(self, search: _EndSearch, point: ProfilePoint | None) -> None:
+    def _use_point(self, search: _EndSearch, point: ProfilePoint | None) -> None:
         """Use the model at the proposed values, None if it cannot be evaluated there, and propose the next ones."""
         side, size = search.side, search.size
         if point is None:
@@ -187,110 +190,121 @@ class Profiles:
             search.retreat(RETREAT)
             return
         step = self._step(side, point)
-        here = self._moved(side, point, step, size)
-        wrong = step.profile - side.target
-        if step.unsettled > PART * side.rise:
-            search.next = (
-                here  # same size again: the linear model is poor this far from the refitted nuisances
-            )
-        elif abs(wrong) <= PART * side.rise:
-            search.end = End(here, size, True)
-        elif wrong < 0.0 and size >= side.largest:
-            search.end = End(here, size, False)
+        refitted_values = self._values_at_size(side, point, step, size)
+        error = step.profile - side.target
+        if step.excess > END_TOLERANCE * side.rise:
+            # The same size again: the linear model is poor this far from the refitted nuisances.
+            search.next_values = refitted_values
+        elif abs(error) <= END_TOLERANCE * side.rise:
+            search.end = End(refitted_values, size, True)
+        elif error < 0.0 and size >= side.largest:
+            search.end = End(refitted_values, size, False)
         else:
-            search.bracket(here, wrong < 0.0)
-            farthest = size + GROWTH * max(abs(size), abs(search.first))
-            there = min(_outward(side, point, step), side.largest, farthest)
-            lost = point.fixed - side.least.fixed > LOST * (point.squares - side.least.squares)
-            if wrong > 0.0 and lost:
+            search.bracket(refitted_values, error < 0.0)
+            largest_size = size + MAX_GROWTH * max(abs(size), abs(search.linear_size))
+            next_size = min(_outer_size(side, point, step), side.largest, largest_size)
+            is_lost = point.fixed_squares - side.minimum.fixed_squares > LOST_FRACTION * (
+                point.squares - side.minimum.squares
+            )
+            if error > 0.0 and is_lost:
                 search.astray |= search.outside == size
                 search.retreat(FAR_RETREAT)
                 return
-            if not search.inside < there < search.outside:
-                there = 0.5 * (search.inside + search.outside)
-            search.next = self._moved(side, point, step, there)
+            if not search.inside < next_size < search.outside:
+                next_size = 0.5 * (search.inside + search.outside)
+            search.next_values = self._values_at_size(side, point, step, next_size)
 
     def _step(self, side: Side, point: ProfilePoint) -> ProfileStep:
         """Return the linear model of a profile at a point."""
-        place = side.free.index(side.index)
-        nuisances = [k for k in range(len(side.free)) if k != place]
+        column = side.free.index(side.index)
+        nuisances = [k for k in range(len(side.free)) if k != column]
         index = [side.free[k] for k in nuisances]
-        g, N = point.jacobian[:, place], point.jacobian[:, nuisances]
-        at, lower, upper = point.values[index], self.fitter.lower[index], self.fitter.upper[index]
-        rest, along = np.zeros(len(nuisances)), np.zeros(len(nuisances))
-        moving = np.ones(len(nuisances), dtype=bool)
+        g, N = point.jacobian[:, column], point.jacobian[:, nuisances]
+        nuisance_values, lower, upper = (
+            point.values[index],
+            self.fitter.lower[index],
+            self.fitter.upper[index],
+        )
+        nuisance_step, step_per_unit = np.zeros(len(nuisances)), np.zeros(len(nuisances))
+        is_free = np.ones(len(nuisances), dtype=bool)
         for _ in range(2):  # repeated without those that would leave their bounds
-            columns = N[:, moving]
+            columns = N[:, is_free]
             length = np.linalg.norm(columns, axis=0)
             scale = 1.0 / np.where(length > 0.0, length, 1.0)
-            both = np.stack([point.white, g], axis=1)
-            solved = -np.linalg.lstsq(columns * scale, both, rcond=NOTHING)[0] * scale[:, None]
-            rest[:], along[:] = 0.0, 0.0
-            rest[moving], along[moving] = solved.T
-            held = moving & (((at <= lower) & (rest < 0.0)) | ((at >= upper) & (rest > 0.0)))
-            if not held.any():
+            residual_and_gradient = np.stack([point.white, g], axis=1)
+            solved = (
+                -np.linalg.lstsq(columns * scale, residual_and_gradient, rcond=MIN_SINGULAR_VALUE)[0]
+                * scale[:, None]
+            )
+            nuisance_step[:], step_per_unit[:] = 0.0, 0.0
+            nuisance_step[is_free], step_per_unit[is_free] = solved.T
+            reaches_bound = is_free & (
+                ((nuisance_values <= lower) & (nuisance_step < 0.0))
+                | ((nuisance_values >= upper) & (nuisance_step > 0.0))
+            )
+            if not reaches_bound.any():
                 break
-            moving &= ~held
-        a, b = point.white + N @ rest, g + N @ along
+            is_free &= ~reaches_bound
+        a, b = point.white + N @ nuisance_step, g + N @ step_per_unit
         changes = np.zeros((2, len(point.values)))
-        changes[0, index], changes[1, index], changes[1, side.index] = rest, along, 1.0
+        changes[0, index], changes[1, index], changes[1, side.index] = nuisance_step, step_per_unit, 1.0
         profile = float(a @ a)
         return ProfileStep(profile, point.squares - profile, float(a @ b), float(b @ b), *changes)
 
-    def _moved(self, side: Side, point: ProfilePoint, step: ProfileStep, size: float) -> Array:
+    def _values_at_size(self, side: Side, point: ProfilePoint, step: ProfileStep, size: float) -> Array:
         """Return the values at a size of the parameter, with the nuisances refitted in the linear model."""
-        there = side.declared + side.sign * size
-        values = point.values + step.at_rest + step.along * (there - point.values[side.index])
-        moved: Array = np.clip(values, self.fitter.lower, self.fitter.upper)
-        moved[side.index] = there
-        return moved
+        value = side.declared + side.sign * size
+        values = point.values + step.nuisance_step + step.step_per_unit * (value - point.values[side.index])
+        bounded_values: Array = np.clip(values, self.fitter.lower, self.fitter.upper)
+        bounded_values[side.index] = value
+        return bounded_values
 
 
 @dataclass
 class _EndSearch:
     """The search for one end.
 
-    - next: values to be evaluated next, (P,)
+    - next_values: values to be evaluated next, (P,)
     - inside, outside: largest size known to be in the interval, and smallest one known not to be
-    - within: values at the former, (P,)
-    - first: size in the linear model
+    - inside_values: values at the size inside, (P,)
+    - linear_size: size in the linear model
     - astray: whether the nuisances were not refitted at the smallest size outside: it may be inside after all
     """
 
     side: Side
-    next: Array
+    next_values: Array
     inside: float
-    within: Array
-    first: float
+    inside_values: Array
+    linear_size: float
     outside: float = np.inf
     astray: bool = False
     end: End | None = None
 
     @classmethod
-    def begun(cls, side: Side, linear: End) -> _EndSearch:
+    def start(cls, side: Side, linear: End) -> _EndSearch:
         """Begin at the end of the linear model."""
-        return cls(side, linear.values, side.size(side.least.values), side.least.values, linear.size)
+        return cls(side, linear.values, side.size(side.minimum.values), side.minimum.values, linear.size)
 
     @property
     def size(self) -> float:
         """Size to be evaluated next."""
-        return self.side.size(self.next)
+        return self.side.size(self.next_values)
 
-    def bracket(self, here: Array, is_inside: bool) -> None:
+    def bracket(self, values: Array, is_inside: bool) -> None:
         """Narrow the bracket at the size that was evaluated."""
         if is_inside:
-            self.inside, self.within = self.size, here
+            self.inside, self.inside_values = self.size, values
         elif self.size < self.outside:
             self.outside, self.astray = self.size, False
 
     def retreat(self, part: float) -> None:
         """Propose values nearer to those known to be in the interval, at a part of the way from these."""
-        self.next = self.within + part * (self.next - self.within)
+        self.next_values = self.inside_values + part * (self.next_values - self.inside_values)
 
-    def given_up(self) -> End:
+    def unreached_end(self) -> End:
         """Return the end as far as it is known, too large rather than too small."""
         bounded = bool(np.isfinite(self.outside)) and not self.astray
-        return End(self.within, self.outside if bounded else self.side.largest, bounded, reached=False)
+        return End(self.inside_values, self.outside if bounded else self.side.largest, bounded, reached=False)
 
 
 def without_priors(
@@ -299,16 +313,16 @@ def without_priors(
     """Return residual and derivatives without the priors of some parameters."""
     rows = fitter.priors.rows(index)
     if rows:
-        at = fitter.prior_rows.start + np.array(rows)
+        prior_rows = fitter.prior_rows.start + np.array(rows)
         white, jacobian = white.copy(), jacobian.copy()
-        white[at], jacobian[at] = 0.0, 0.0
+        white[prior_rows], jacobian[prior_rows] = 0.0, 0.0
     return white, jacobian
 
 
-def _outward(side: Side, point: ProfilePoint, step: ProfileStep) -> float:
+def _outer_size(side: Side, point: ProfilePoint, step: ProfileStep) -> float:
     """Return the size at which the linear model reaches the required sum of squares on the outer side."""
-    size, slope, above = side.size(point.values), side.sign * step.slope, step.profile - side.target
-    if step.square <= 0.0:
-        return np.inf if above < 0.0 else size
-    root = slope**2 - step.square * above
-    return float(size + (-slope + np.sqrt(root)) / step.square) if root >= 0.0 else size
+    size, slope, excess = side.size(point.values), side.sign * step.slope, step.profile - side.target
+    if step.curvature <= 0.0:
+        return np.inf if excess < 0.0 else size
+    root = slope**2 - step.curvature * excess
+    return float(size + (-slope + np.sqrt(root)) / step.curvature) if root >= 0.0 else size

@@ -21,18 +21,18 @@ from numpy.typing import NDArray
 
 from pkmodes.core.support.mac import space
 from pkmodes.loop.diagnosis.criteria import Criteria
-from pkmodes.loop.diagnosis.match.pairing import Pairing, neighbours, tiled, unmeasured_neighbours
+from pkmodes.loop.diagnosis.match.pairing import Pairing, close_rows, tile_indices, unpaired_close_modes
 from pkmodes.loop.diagnosis.match.shape_errors import shape_errors
 from pkmodes.loop.diagnosis.problem import Array, Prediction
 from pkmodes.loop.measured.measurements import Measurements
 
 
-class _Spaces(NamedTuple):
-    """The rows compared with several modes, the modes' bases and amplitudes in the row, and the modes."""
+class _ModeSpaces(NamedTuple):
+    """Rows compared with several modes each; bases of the modes, their amplitudes in the row, and their numbers."""
 
     rows: NDArray[np.intp]
     basis: Array
-    share: Array
+    amplitudes: Array
     modes: NDArray[np.intp]
 
 
@@ -41,7 +41,7 @@ class ShapeRows:
 
     - columns: indices of the measured channels among the model's, (C,)
     - units: units of the measured channels, length C
-    - moves: motion of each channel in the declared model, see `support.mac.channel_motion`, (S, C)
+    - motion: motion of each channel in the declared model, see `support.mac.channel_motion`, (S, C)
     - scatter: standard deviation of the components of rows without a stated one
 
     Its attributes:
@@ -56,14 +56,14 @@ class ShapeRows:
         data: Measurements,
         columns: NDArray[np.intp],
         units: Sequence[str],
-        moves: Array,
+        motion: Array,
         scatter: float,
         criteria: Criteria,
     ) -> None:
         self._columns, self._pose, self._setups = columns, data.pose, len(data.labels)
         measured = np.isfinite(data.shapes)
         self.stated = np.isfinite(data.shape_sigma) & measured.any(axis=1)
-        weights = np.where(self.stated[:, None], 1.0, _scales(units, moves))
+        weights = np.where(self.stated[:, None], 1.0, _scales(units, motion))
         self._weights = np.where(measured, weights, 0.0)
         shapes = np.where(measured, data.shapes, 0.0) * self._weights
         largest = np.abs(shapes).max(axis=1, initial=0.0, keepdims=True)
@@ -72,24 +72,24 @@ class ShapeRows:
         self.known = (components >= 2) & (largest[:, 0] > 0.0)
         self._shapes[~self.known] = 0.0
         self.count = np.where(self.known, components - 1, 0)
-        by_row = np.where(self.stated, shape_errors(data, criteria), scatter)
-        self.sigma = np.broadcast_to(by_row[:, None], data.shapes.shape)
+        row_sigma = np.where(self.stated, shape_errors(data, criteria), scatter)
+        self.sigma = np.broadcast_to(row_sigma[:, None], data.shapes.shape)
         self._close = criteria.pairing.close
         # Rows that are compared with the modes of several rows at once.
-        mates = neighbours(data, criteria)
-        several = (mates >= 0).sum(axis=1)
+        compared_rows = close_rows(data, criteria)
+        mode_counts = (compared_rows >= 0).sum(axis=1)
         # As many modes as components explain any shape: such a row carries no information.
-        silent = (several > 1) & ~(self.known & (several <= self.count))
-        self.known[silent], self.count[silent], self._shapes[silent] = False, 0, 0.0
-        self._mates = np.where(silent[:, None], -1, mates)
-        self._mates[:, 0] = mates[:, 0]
-        self.count -= np.where(silent, 0, several - 1)
+        uninformative = (mode_counts > 1) & ~(self.known & (mode_counts <= self.count))
+        self.known[uninformative], self.count[uninformative], self._shapes[uninformative] = False, 0, 0.0
+        self._close_rows = np.where(uninformative[:, None], -1, compared_rows)
+        self._close_rows[:, 0] = compared_rows[:, 0]
+        self.count -= np.where(uninformative, 0, mode_counts - 1)
 
     def tiled(self, count: int) -> ShapeRows:
         """Return the same for predictions of `count` times the setups."""
         copies, rows = copy.copy(self), len(self._shapes)
-        copies._pose = tiled(self._pose, count, self._setups)
-        copies._mates = tiled(self._mates, count, rows)
+        copies._pose = tile_indices(self._pose, count, self._setups)
+        copies._close_rows = tile_indices(self._close_rows, count, rows)
         copies._shapes = np.tile(self._shapes, (count, 1))
         copies._weights = np.tile(self._weights, (count, 1))
         copies.sigma, copies.known = np.tile(self.sigma, (count, 1)), np.tile(self.known, count)
@@ -105,62 +105,67 @@ class ShapeRows:
         """Return the residuals with respect to the shapes of the partners, (R, C)."""
         if not self._shapes.size:
             return self._shapes
-        return self._projected(prediction, pairing, used)[0]
+        return self._project(prediction, pairing, used)[0]
 
     def rates(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> Array:
         """Return the derivatives of what the model predicts, the measured shape less the residual, (R, C, T)."""
         if prediction.shape_rates is None or not self._shapes.size:
             return np.zeros((*self._shapes.shape, prediction.rates.shape[-1]))
-        _, phi, along, (i, basis, share, modes) = self._projected(prediction, pairing, used)
-        take = self._pose, np.maximum(pairing.partner, 0)
-        changes = prediction.shape_rates[take][:, self._columns] * self._weights[..., None]
+        _, phi, amplitude, (space_rows, basis, amplitudes, modes) = self._project(prediction, pairing, used)
+        row_modes = self._pose, np.maximum(pairing.partner, 0)
+        changes = prediction.shape_rates[row_modes][:, self._columns] * self._weights[..., None]
         size = np.maximum((phi**2).sum(axis=1), 1e-300)
         inside = np.einsum("rc,rct->rt", phi, changes) / size[:, None]
-        derivatives = along[:, None, None] * (changes - phi[..., None] * inside[:, None])
-        if len(i):
-            moved = prediction.shape_rates[self._pose[i][:, None], modes][:, :, self._columns]
-            change = np.einsum("bg,bgct->bct", share, moved) * self._weights[i][..., None]
-            derivatives[i] = change - np.swapaxes(basis, -1, -2) @ (basis @ change)
+        derivatives = amplitude[:, None, None] * (changes - phi[..., None] * inside[:, None])
+        if len(space_rows):
+            member_rates = prediction.shape_rates[self._pose[space_rows][:, None], modes][:, :, self._columns]
+            change = (
+                np.einsum("bg,bgct->bct", amplitudes, member_rates) * self._weights[space_rows][..., None]
+            )
+            derivatives[space_rows] = change - np.swapaxes(basis, -1, -2) @ (basis @ change)
         return np.asarray(
             np.where((self.known & used & (pairing.partner >= 0))[:, None, None], derivatives, 0.0)
         )
 
-    def _projected(
+    def _project(
         self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]
-    ) -> tuple[Array, Array, Array, _Spaces]:
+    ) -> tuple[Array, Array, Array, _ModeSpaces]:
         """Return residuals, the partners' shapes in the rows' weighting, their amplitude in each row, and spaces."""
         partner = np.maximum(pairing.partner, 0)
         phi = prediction.shapes[self._pose, partner][:, self._columns] * self._weights
         phi = np.where((pairing.partner >= 0)[:, None], phi, 0.0)
-        along = (phi * self._shapes).sum(axis=1) / np.maximum((phi**2).sum(axis=1), 1e-300)
-        residual = self._shapes - phi * along[:, None]
+        amplitude = (phi * self._shapes).sum(axis=1) / np.maximum((phi**2).sum(axis=1), 1e-300)
+        residual = self._shapes - phi * amplitude[:, None]
         spaces = self._spaces(prediction, pairing, used)
-        i, basis = spaces.rows, spaces.basis
-        if len(i):
-            inside = (np.swapaxes(basis, -1, -2) @ (basis @ self._shapes[i][..., None]))[..., 0]
-            residual[i] = self._shapes[i] - inside
-        return np.where((self.known & used)[:, None], residual, 0.0), phi, along, spaces
+        rows, basis = spaces.rows, spaces.basis
+        if len(rows):
+            projection = (np.swapaxes(basis, -1, -2) @ (basis @ self._shapes[rows][..., None]))[..., 0]
+            residual[rows] = self._shapes[rows] - projection
+        return np.where((self.known & used)[:, None], residual, 0.0), phi, amplitude, spaces
 
-    def _spaces(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> _Spaces:
+    def _spaces(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> _ModeSpaces:
         partner = np.where(used, pairing.partner, -1)
-        beside = unmeasured_neighbours(prediction, partner, self._pose, self._close)
-        several = ((self._mates[:, 1:] >= 0).any(axis=1) | (beside >= 0).any(axis=1)) & self.known
-        i = np.flatnonzero(several & (partner >= 0))
-        mates = self._mates[i]
-        measured = np.where(mates >= 0, partner[mates], -1)
-        modes = np.hstack([measured, beside[i]])  # if as many as the components, the residual is zero
-        present, modes = modes >= 0, np.maximum(modes, 0)
-        shapes = prediction.shapes[self._pose[i][:, None], modes][..., self._columns]
-        basis, back = space(shapes * self._weights[i][:, None] * present[..., None])
-        share = ((basis @ self._shapes[i][..., None])[..., 0, None] * back).sum(axis=1)
-        return _Spaces(i, basis, share, modes)
+        unpaired_modes = unpaired_close_modes(prediction, partner, self._pose, self._close)
+        has_several_modes = (
+            (self._close_rows[:, 1:] >= 0).any(axis=1) | (unpaired_modes >= 0).any(axis=1)
+        ) & self.known
+        rows = np.flatnonzero(has_several_modes & (partner >= 0))
+        close_rows = self._close_rows[rows]
+        measured = np.where(close_rows >= 0, partner[close_rows], -1)
+        # With as many modes as components, the residual is zero.
+        modes = np.hstack([measured, unpaired_modes[rows]])
+        is_mode, modes = modes >= 0, np.maximum(modes, 0)
+        shapes = prediction.shapes[self._pose[rows][:, None], modes][..., self._columns]
+        basis, coefficients = space(shapes * self._weights[rows][:, None] * is_mode[..., None])
+        amplitudes = ((basis @ self._shapes[rows][..., None])[..., 0, None] * coefficients).sum(axis=1)
+        return _ModeSpaces(rows, basis, amplitudes, modes)
 
 
-def _scales(units: Sequence[str], moves: Array) -> Array:
+def _scales(units: Sequence[str], motion: Array) -> Array:
     """Return the reciprocal rms motion of the channels of each unit over all setups, (C,); 0 if they do not move."""
     scales = np.zeros(len(units))
     for unit in set(units):
         channels = [i for i, unit_of_channel in enumerate(units) if unit_of_channel == unit]
-        size = float(np.sqrt(np.mean(moves[:, channels] ** 2)))
+        size = float(np.sqrt(np.mean(motion[:, channels] ** 2)))
         scales[channels] = 1.0 / size if size > 0.0 else 0.0
     return scales

@@ -11,9 +11,9 @@ from pkmodes.core.linalg.decomposition import thin_svd
 from pkmodes.loop.diagnosis.problem import Array
 
 #: Largest unit of a variable, in widths of its range: in larger units both bounds would be the same number.
-MOST_RANGES = 1e6
+MAX_UNIT_RANGES = 1e6
 #: Largest unit of a variable, in multiples of its start value: in larger units that value would be lost to rounding.
-MOST_TIMES = 1e9
+MAX_UNIT_MULTIPLE = 1e9
 #: Smallest length of the first step, in standard deviations.
 FIRST_STEP = 10.0
 
@@ -42,33 +42,35 @@ def bounded_least_squares(
     if not free:
         return values, True
     index, (lower, upper) = list(free), bounds
-    first = np.clip(values[index], lower, upper)
+    start_values = np.clip(values[index], lower, upper)
 
     # The variables are in standard deviations, so the solver's tolerances are independent of units; and they start
     # away from 0, because the first step is as long as the start vector: an absent cause would stay absent.
     start = values.copy()
-    start[index] = first
-    size = np.linalg.norm(rates(start), axis=0)
+    start[index] = start_values
+    column_norms = np.linalg.norm(rates(start), axis=0)
     # A variable that hardly affects the data has an enormous standard deviation.
-    unit = np.minimum(1.0 / np.where(size > 0.0, size, 1.0), MOST_RANGES * (upper - lower))
-    unit = np.where(first != 0.0, np.minimum(unit, MOST_TIMES * np.abs(first)), unit)
-    origin = first - np.maximum(np.abs(first), FIRST_STEP * unit)
+    unit = np.minimum(
+        1.0 / np.where(column_norms > 0.0, column_norms, 1.0), MAX_UNIT_RANGES * (upper - lower)
+    )
+    unit = np.where(start_values != 0.0, np.minimum(unit, MAX_UNIT_MULTIPLE * np.abs(start_values)), unit)
+    origin = start_values - np.maximum(np.abs(start_values), FIRST_STEP * unit)
 
-    def at(u: Array) -> Array:
-        full = values.copy()
-        full[index] = np.clip(origin + u * unit, lower, upper)
-        return full
+    def values_at(u: Array) -> Array:
+        all_values = values.copy()
+        all_values[index] = np.clip(origin + u * unit, lower, upper)
+        return all_values
 
-    def scaled(u: Array) -> Array:
-        return residual(at(u))
+    def residual_at(u: Array) -> Array:
+        return residual(values_at(u))
 
     def jacobian(u: Array) -> Array:
-        return np.asarray(rates(at(u)) * unit)
+        return np.asarray(rates(values_at(u)) * unit)
 
     with np.errstate(over="ignore", invalid="ignore"):  # a fit may try impossible values
         solution = least_squares(
-            scaled,
-            (first - origin) / unit,
+            residual_at,
+            (start_values - origin) / unit,
             jacobian,
             ((lower - origin) / unit, (upper - origin) / unit),
             ftol=1e-6,
@@ -76,7 +78,7 @@ def bounded_least_squares(
             gtol=1e-8,
             max_nfev=steps,
         )
-    return at(solution.x), bool(solution.status > 0)
+    return values_at(solution.x), bool(solution.status > 0)
 
 
 def correlation(covariance: Array) -> Array:

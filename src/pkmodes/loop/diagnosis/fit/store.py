@@ -8,14 +8,14 @@ from dataclasses import replace
 import numpy as np
 from scipy import stats
 
-from pkmodes.loop.diagnosis.fit.cross_validation import left_out
+from pkmodes.loop.diagnosis.fit.cross_validation import predict_left_out
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis, Misfit
 from pkmodes.loop.diagnosis.fit.observations import SHAPE
 from pkmodes.loop.diagnosis.problem import Array, Candidate
 
-#: A further parameter of a term within this many standard deviations of 0 is not counted as a parameter.
-ABSENT = 1e-3
+#: A further parameter of a term does not count within this many standard deviations of 0.
+ABSENT_SIGMAS = 1e-3
 
 Key = tuple[frozenset[str], frozenset[int], bool]
 
@@ -28,18 +28,18 @@ def key(hypothesis: Hypothesis) -> Key:
 class FitStore:
     """Fits of hypotheses about one structure and one set of measurements.
 
-    - before: fits of the same data with other errors, which give start values
+    - previous: fits of the same data with other errors, which give start values
     """
 
-    def __init__(self, fitter: Fitter, before: FitStore | None = None) -> None:
+    def __init__(self, fitter: Fitter, previous: FitStore | None = None) -> None:
         self.fitter = fitter
-        earlier = {} if before is None else before._fits
-        self._seeds = {k: fit.values for k, fit in earlier.items() if fit is not None}
+        previous_fits = {} if previous is None else previous._fits
+        self._start_values = {k: fit.values for k, fit in previous_fits.items() if fit is not None}
         self._rows = len(fitter.observations.log_frequencies)
         self._data = fitter.observations.degrees_of_freedom(fitter.observations.all_rows)
         self._fits: dict[Key, Fit | None] = {}
-        self._rough: set[Key] = set()
-        self._begun: set[Key] = set()
+        self._rough_keys: set[Key] = set()
+        self._started: set[Key] = set()
 
     # Fits ------------------------------------------------------------------------------------------------------
 
@@ -47,35 +47,37 @@ class FitStore:
         """Fit a hypothesis once; a rough fit is improved from the first start given."""
         k = key(hypothesis)
         if k not in self._fits:
-            self._fits[k] = self.fitter.fit(hypothesis, self.seed(hypothesis) if start is None else start)
-            self._begun.add(k)
-        elif start is not None and k not in self._begun:
-            self._begun.add(k)
-            again, previous = self.fitter.fit(hypothesis, start), self._fits[k]
-            if again is not None and (previous is None or again.deviance < previous.deviance):
-                self._fits[k] = again
-                self._rough.discard(k)
+            self._fits[k] = self.fitter.fit(
+                hypothesis, self.start_values(hypothesis) if start is None else start
+            )
+            self._started.add(k)
+        elif start is not None and k not in self._started:
+            self._started.add(k)
+            refit, previous = self.fitter.fit(hypothesis, start), self._fits[k]
+            if refit is not None and (previous is None or refit.deviance < previous.deviance):
+                self._fits[k] = refit
+                self._rough_keys.discard(k)
         fit = self._fits[k]
         # The causes are in the order of the requested hypothesis.
         return fit if fit is None or fit.hypothesis == hypothesis else replace(fit, hypothesis=hypothesis)
 
-    def again(self, hypothesis: Hypothesis, start: Array) -> Fit | None:
+    def refit(self, hypothesis: Hypothesis, start: Array) -> Fit | None:
         """Fit again from another start, and keep the better fit."""
         k = key(hypothesis)
-        again, previous = self.fitter.fit(hypothesis, start), self._fits.get(k)
-        if again is not None and (previous is None or again.deviance < previous.deviance):
-            self._fits[k] = again
-            self._rough.discard(k)
+        refit, previous = self.fitter.fit(hypothesis, start), self._fits.get(k)
+        if refit is not None and (previous is None or refit.deviance < previous.deviance):
+            self._fits[k] = refit
+            self._rough_keys.discard(k)
         return self.fit(hypothesis)
 
-    def known(self, hypothesis: Hypothesis) -> bool:
+    def is_fitted(self, hypothesis: Hypothesis) -> bool:
         """Return whether a hypothesis was already fitted."""
         return key(hypothesis) in self._fits
 
-    def roughly(self, jobs: Sequence[tuple[Hypothesis, Sequence[Array]]]) -> list[Fit]:
+    def rough_fits(self, jobs: Sequence[tuple[Hypothesis, Sequence[Array]]]) -> list[Fit]:
         """Fit several hypotheses roughly, each from the best of several starts, and return those that succeed."""
         starts = [(hypothesis, values) for hypothesis, guesses in jobs for values in guesses]
-        reached, fits = iter(self.fitter.roughly(starts)), []
+        reached, fits = iter(self.fitter.rough_descents(starts)), []
         for hypothesis, guesses in jobs:
             best, k = min((next(reached) for _ in guesses), key=lambda descent: descent.chi2), key(hypothesis)
             if (
@@ -84,49 +86,51 @@ class FitStore:
                 self._fits[k] = self.fitter.fit(hypothesis, best.values)
             else:
                 self._fits[k] = self.fitter.rough_fit(hypothesis, best)
-                self._rough.add(k)
+                self._rough_keys.add(k)
             fits.append(self.fit(hypothesis))
         return [fit for fit in fits if fit is not None]
 
-    def finished(self, fits: list[Fit]) -> list[Fit]:
+    def complete(self, fits: list[Fit]) -> list[Fit]:
         """Complete the rough fits among the best until none of these is rough; return all, best first."""
         c = self.fitter.criteria
         while fits:
             fits = sorted(fits, key=self.criterion)
             best = self.criterion(fits[0])
             # A converged fit is completed only if it may survive, or belong to the class of a survivor.
-            near = {True: best + c.search.survives + c.claim.told_apart, False: best + c.search.nearly}
-            rough = next(
+            limits = {True: best + c.search.survives + c.claim.told_apart, False: best + c.search.nearly}
+            rough_index = next(
                 (
                     i
                     for i, fit in enumerate(fits)
-                    if key(fit.hypothesis) in self._rough
-                    and (i < c.search.best_few or self.criterion(fit) <= near[fit.converged])
+                    if key(fit.hypothesis) in self._rough_keys
+                    and (i < c.search.best_few or self.criterion(fit) <= limits[fit.converged])
                 ),
                 None,
             )
-            if rough is None:
+            if rough_index is None:
                 break
-            k = key(fits[rough].hypothesis)
-            self._rough.discard(k)
-            self._fits[k] = self.fitter.fit(fits[rough].hypothesis, fits[rough].values) or fits[rough]
-            fits[rough] = self.fit(fits[rough].hypothesis) or fits[rough]
+            k = key(fits[rough_index].hypothesis)
+            self._rough_keys.discard(k)
+            self._fits[k] = (
+                self.fitter.fit(fits[rough_index].hypothesis, fits[rough_index].values) or fits[rough_index]
+            )
+            fits[rough_index] = self.fit(fits[rough_index].hypothesis) or fits[rough_index]
         return fits
 
-    def seed(self, hypothesis: Hypothesis) -> Array | None:
+    def start_values(self, hypothesis: Hypothesis) -> Array | None:
         """Return the values that the fit of a hypothesis reached with other errors."""
-        return self._seeds.get(key(hypothesis))
+        return self._start_values.get(key(hypothesis))
 
-    def tried(self) -> tuple[Fit, ...]:
+    def all_fits(self) -> tuple[Fit, ...]:
         """Return all fits so far."""
         return tuple(fit for fit in self._fits.values() if fit is not None)
 
-    def without(self, fit: Fit, place: int) -> Fit | None:
+    def fit_without(self, fit: Fit, index: int) -> Fit | None:
         """Return the fit without one of its causes."""
-        less = fit.hypothesis.without(place)
-        return self.fit(less, self.undone(fit, less))
+        reduced = fit.hypothesis.without(index)
+        return self.fit(reduced, self.values_without(fit, reduced))
 
-    def undone(self, fit: Fit, hypothesis: Hypothesis) -> Array:
+    def values_without(self, fit: Fit, hypothesis: Hypothesis) -> Array:
         """Return the values of a fit, with the declared values for causes that a hypothesis does not have."""
         values = fit.values.copy()
         for cause in fit.causes:
@@ -140,8 +144,10 @@ class FitStore:
     def degrees(self, fit: Fit) -> int:
         """Return the degrees of freedom: data less parameters without prior, excluded rows and the shared error."""
         h, fitter = fit.hypothesis, self.fitter
-        count = fitter.observations.degrees_of_freedom(fitter.used(h))
-        return count - sum(fitter.priors.of(i) is None for i in self.added(fit)) - int(h.scatter)
+        count = fitter.observations.degrees_of_freedom(fitter.used_rows(h))
+        return (
+            count - sum(fitter.priors.row_of(i) is None for i in self.added_parameters(fit)) - int(h.scatter)
+        )
 
     def p_value(self, fit: Fit) -> float:
         """Return the smallest p-value: of the frequencies with priors, and of other quantities with stated errors."""
@@ -163,9 +169,9 @@ class FitStore:
         priors = fitter.priors.rows(fit.free)
         parts = [fit.leverage[rows], fit.leverage[fitter.prior_rows][priors]]
         white = [fit.white[rows], fit.white[fitter.prior_rows]]
-        taken = sum(float(part.sum()) for part in parts)
+        leverage = sum(float(part.sum()) for part in parts)
         count = self._rows - len(h.excluded) + len(priors) - int(h.scatter)
-        return Misfit(sum(float(part @ part) for part in white), count - taken)
+        return Misfit(sum(float(part @ part) for part in white), count - leverage)
 
     def criterion(self, fit: Fit) -> float:
         """Return the evidence against a fit: deviance plus a penalty for each addition; smaller is better.
@@ -176,20 +182,20 @@ class FitStore:
         """
         h, fitter = fit.hypothesis, self.fitter
         price, per_parameter = sum(map(_odds, fit.causes), 0.0), self.parameter_price
-        for i in self.added(fit):
-            row = fitter.priors.of(i)
+        for i in self.added_parameters(fit):
+            row = fitter.priors.row_of(i)
             if row is None:
                 price += per_parameter
             else:
                 k = fit.free.index(i)
-                width = fitter.priors.width(fit.values)[row]
+                width = fitter.priors.sigmas_in_units(fit.values)[row]
                 price += max(float(np.log(width**2 / max(fit.covariance[k, k], 1e-300))), 0.0)
         count = int(h.scatter) + fitter.criteria.search.price_of_row * len(h.excluded)
         return fit.deviance + price + per_parameter * count
 
     def price(self, candidate: Candidate) -> float:
         """Return the penalty of a candidate in the criterion, for its parameters without prior and its odds."""
-        free = [i for i in self.fitter.indices(candidate) if self.fitter.priors.of(i) is None]
+        free = [i for i in self.fitter.indices(candidate) if self.fitter.priors.row_of(i) is None]
         return self.parameter_price * len(free) + _odds(candidate)
 
     @property
@@ -197,18 +203,20 @@ class FitStore:
         """Penalty of a parameter without prior in the criterion."""
         return float(np.log(self._data))
 
-    def predicts(self, fit: Fit, place: int | None = None) -> bool:
+    def improves_prediction(self, fit: Fit, index: int | None = None) -> bool:
         """Return whether one of the causes, by default the last, improves the prediction of left-out setups."""
-        less = self.without(fit, len(fit.causes) - 1 if place is None else place)
-        if less is None:
+        reduced = self.fit_without(fit, len(fit.causes) - 1 if index is None else index)
+        if reduced is None:
             return True
-        places, priors = self.fitter.observations.data_indices_by_setup(), self.fitter.prior_rows
-        squares, leverage = left_out(fit, places)
-        tells = leverage < self.fitter.criteria.claim.alone
-        baseline = left_out(less, places)[0]
+        data_indices, priors = self.fitter.observations.data_indices_by_setup(), self.fitter.prior_rows
+        squares, leverage = predict_left_out(fit, data_indices)
+        is_predicted = leverage < self.fitter.criteria.claim.alone
+        baseline = predict_left_out(reduced, data_indices)[0]
         # A cause is credited for letting the nuisances stay near their declared values.
-        saved = float((less.white[priors] ** 2).sum() - (fit.white[priors] ** 2).sum())
-        return tells.sum() < 2 or bool(squares[tells].sum() < baseline[tells].sum() + saved)
+        prior_gain = float((reduced.white[priors] ** 2).sum() - (fit.white[priors] ** 2).sum())
+        return is_predicted.sum() < 2 or bool(
+            squares[is_predicted].sum() < baseline[is_predicted].sum() + prior_gain
+        )
 
     def shape_scatter(self, fit: Fit) -> float | None:
         """Return the scatter of the shapes without stated errors at a fit; None if there are too few."""
@@ -217,20 +225,20 @@ class FitStore:
             return None
         return float(np.sqrt(squares / degrees)) * self.fitter.shape_scatter
 
-    def added(self, fit: Fit) -> list[int]:
+    def added_parameters(self, fit: Fit) -> list[int]:
         """Return the indices of the parameters that the causes of a fit add.
 
         A further parameter of a term that is 0, such as the mass of a support, has no effect and is left out.
         """
         added: list[int] = []
         for cause in fit.causes:
-            first, *further = self.fitter.indices(cause)
+            first, *further_indices = self.fitter.indices(cause)
             added.append(first)
-            for i in further:
+            for i in further_indices:
                 absent = (
                     cause.form
                     and self.fitter.parameters[i].value == 0.0
-                    and abs(float(fit.values[i])) <= ABSENT * fit.sigma_of(i)
+                    and abs(float(fit.values[i])) <= ABSENT_SIGMAS * fit.sigma_of(i)
                 )
                 if not absent:
                     added.append(i)

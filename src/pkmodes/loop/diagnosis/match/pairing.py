@@ -44,10 +44,10 @@ class Pairing:
     partner: Index
     mac: Array
 
-    def within(self, prediction: Prediction) -> Pairing:
+    def limited_to(self, prediction: Prediction) -> Pairing:
         """Return the pairing for a prediction that may lack a mode that a cause adds: its row is unmatched there."""
-        there = self.partner < prediction.eigenvalues.shape[1]
-        return self if there.all() else Pairing(np.where(there, self.partner, -1), self.mac)
+        exists = self.partner < prediction.eigenvalues.shape[1]
+        return self if exists.all() else Pairing(np.where(exists, self.partner, -1), self.mac)
 
 
 class _Shapes(NamedTuple):
@@ -79,7 +79,7 @@ class Pairer:
 
     Its attributes:
     - columns: indices of the measured channels among the model's, (C,)
-    - moves: motion of these channels in the reference, (S, C)
+    - motion: motion of these channels in the reference, (S, C)
     - pose: setup of each row, (R,)
     """
 
@@ -92,35 +92,38 @@ class Pairer:
     ) -> None:
         self._criteria = criteria or Criteria()
         self._log, self.pose = FREQUENCY.transformed(data), data.pose
-        self.columns = _columns(data, channels)
+        self.columns = _channel_indices(data, channels)
         setups = len(data.labels)
-        self.moves = np.zeros((setups, len(self.columns)))
+        self.motion = np.zeros((setups, len(self.columns)))
         if reference is not None and len(self.columns):
-            self.moves = channel_motion(reference.shapes[..., self.columns])
+            self.motion = channel_motion(reference.shapes[..., self.columns])
         # Rows of each setup side by side, padded to the largest number of rows.
         order = np.argsort(data.pose, kind="stable")
         start = np.searchsorted(data.pose[order], np.arange(setups))
-        place = np.empty(len(order), dtype=np.intp)
-        place[order] = np.arange(len(order)) - start[data.pose[order]]
-        self._row = np.full((setups, int(place.max(initial=-1)) + 1), -1, dtype=np.intp)
-        self._row[data.pose, place] = np.arange(len(order))
-        self._place = place
+        column = np.empty(len(order), dtype=np.intp)
+        column[order] = np.arange(len(order)) - start[data.pose[order]]
+        self._row = np.full((setups, int(column.max(initial=-1)) + 1), -1, dtype=np.intp)
+        self._row[data.pose, column] = np.arange(len(order))
+        self._column = column
         padded = np.where((self._row >= 0)[..., None], data.shapes[self._row], np.nan)
         self._normalised, self._measured = normalised(padded), np.isfinite(padded)
         self._errors = shape_errors(data, self._criteria)[self._row]
-        self._mates = neighbours(data, self._criteria)
+        self._close_rows = close_rows(data, self._criteria)
 
     def tiled(self, count: int) -> Pairer:
         """Return a pairer for predictions of `count` times the setups, each paired with the same rows."""
         copies, (setups, rows) = copy.copy(self), (len(self._row), len(self._log))
         copies._log = np.tile(self._log, count)
         copies._normalised, copies._measured = (
-            np.tile(whole, (count, 1, 1)) for whole in (self._normalised, self._measured)
+            np.tile(array, (count, 1, 1)) for array in (self._normalised, self._measured)
         )
         copies._errors = np.tile(self._errors, (count, 1))
-        copies._place, copies.moves = np.tile(self._place, count), np.tile(self.moves, (count, 1))
-        copies.pose, copies._row = tiled(self.pose, count, setups), tiled(self._row, count, rows)
-        copies._mates = tiled(self._mates, count, rows)
+        copies._column, copies.motion = np.tile(self._column, count), np.tile(self.motion, (count, 1))
+        copies.pose, copies._row = (
+            tile_indices(self.pose, count, setups),
+            tile_indices(self._row, count, rows),
+        )
+        copies._close_rows = tile_indices(self._close_rows, count, rows)
         return copies
 
     def pair(self, prediction: Prediction, used: NDArray[np.bool_], *, compare: bool = True) -> Pairing:
@@ -140,47 +143,47 @@ class Pairer:
         cost = distance**2
         if shapes is not None:
             single_macs = shapes.single_macs()
-            likeness = self._grouped(single_macs, shapes, logs, close)
+            macs = self._macs_with_close_modes(single_macs, shapes, logs, close)
             explained = explained_difference(shapes.rows, shapes.errors, c.pairing.shape_sigmas)[..., None]
             explained = np.minimum(explained, 1.0 - c.shapes.good_mac)
-            unlike = np.maximum(1.0 - likeness - explained, 0.0) / (1.0 - explained)
-            cost = cost + c.pairing.shape_weight**2 * np.where(np.isnan(likeness), 0.0, unlike)
+            shape_distance = np.maximum(1.0 - macs - explained, 0.0) / (1.0 - explained)
+            cost = cost + c.pairing.shape_weight**2 * np.where(np.isnan(macs), 0.0, shape_distance)
         # The assignment may take a mode that is too far away, which is then no partner.  Its cost is constant:
         # otherwise a mode that the model lacks would shift the others.
         cost = np.where(distance <= c.pairing.reach, cost, c.pairing.reach**2 + c.pairing.shape_weight**2)
-        partner = _assigned(cost, present, np.isfinite(logs))
-        at = np.arange(len(row))[:, None], np.arange(row.shape[1]), np.maximum(partner, 0)
+        partner = _assign(cost, present, np.isfinite(logs))
+        entries = np.arange(len(row))[:, None], np.arange(row.shape[1]), np.maximum(partner, 0)
         with np.errstate(invalid="ignore"):
-            partner = np.where(distance[at] <= c.pairing.reach, partner, -1)
+            partner = np.where(distance[entries] <= c.pairing.reach, partner, -1)
         if close.any():
-            partner = _in_order(partner, self._log[row], close)
+            partner = _reorder_close_modes(partner, self._log[row], close)
         partners = np.full(len(self._log), -1, dtype=np.intp)
-        taken = partner >= 0
-        partners[row[taken]] = partner[taken] + rigid
-        values = np.full(len(self._log), np.nan)
+        is_paired = partner >= 0
+        partners[row[is_paired]] = partner[is_paired] + rigid
+        partner_macs = np.full(len(self._log), np.nan)
         if compare and shapes is not None:
-            beside = unmeasured_neighbours(prediction, partners, self.pose, c.pairing.close)
-            beside = np.where(beside >= 0, beside - rigid, -1)
-            values = self._compared(partners - rigid, beside, single_macs, shapes)
-        return Pairing(partners, values)
+            unpaired_modes = unpaired_close_modes(prediction, partners, self.pose, c.pairing.close)
+            unpaired_modes = np.where(unpaired_modes >= 0, unpaired_modes - rigid, -1)
+            partner_macs = self._macs_of_partners(partners - rigid, unpaired_modes, single_macs, shapes)
+        return Pairing(partners, partner_macs)
 
     def macs(self, prediction: Prediction) -> Array:
         """Return the MAC of each row with each elastic mode of its setup, (R, m); NaN without a shape."""
         if not len(self.columns):
             return np.full((len(self._log), prediction.shapes.shape[1] - prediction.rigid), np.nan)
-        return self._shapes(prediction).single_macs()[self.pose, self._place]
+        return self._shapes(prediction).single_macs()[self.pose, self._column]
 
     def differences(self, prediction: Prediction, pairing: Pairing) -> Array:
         """Return measured minus model in ln f, (R,); an unmatched mode counts as the reach of the pairing."""
         reach = self._criteria.pairing.reach
         logs = prediction.log_frequencies[self.pose, np.maximum(pairing.partner, 0)]
-        apart = np.clip(FREQUENCY.residual(self._log, logs), -reach, reach)
-        return np.asarray(np.where(pairing.partner >= 0, apart, reach))
+        differences = np.clip(FREQUENCY.residual(self._log, logs), -reach, reach)
+        return np.asarray(np.where(pairing.partner >= 0, differences, reach))
 
     def _shapes(self, prediction: Prediction) -> _Shapes:
         """Return the shapes of the rows and modes of each setup, in units of each channel's motion."""
         model = prediction.shapes[..., self.columns]
-        weights = channel_weights(model, self.moves)
+        weights = channel_weights(model, self.motion)
         rows = self._normalised * weights
         # A stated error is relative to the largest component; the scatter used otherwise, to the largest in units of
         # each channel's motion.
@@ -189,52 +192,58 @@ class Pairer:
         errors = np.where(np.isnan(stated), scatter, stated) * self._measured
         return _Shapes(rows, model[:, prediction.rigid :] * weights, self._measured, errors)
 
-    def _grouped(self, single_macs: Array, shapes: _Shapes, logs: Array, close: NDArray[np.bool_]) -> Array:
+    def _macs_with_close_modes(
+        self, single_macs: Array, shapes: _Shapes, logs: Array, close: NDArray[np.bool_]
+    ) -> Array:
         """Return the MAC of each row with each mode of the model, or with the subspace of the modes close to it."""
         setups = np.flatnonzero(close.any(axis=1))
         if not len(setups):
             return single_macs
         with np.errstate(invalid="ignore"):
-            near = np.abs(logs[setups][:, :, None] - logs[setups][:, None, :]) < self._criteria.pairing.close
-        which, k = np.nonzero(near.sum(axis=-1) > 1)
+            is_close = (
+                np.abs(logs[setups][:, :, None] - logs[setups][:, None, :]) < self._criteria.pairing.close
+            )
+        setup_index, mode = np.nonzero(is_close.sum(axis=-1) > 1)
         # Every row of a setup with a known shape, with every mode that has close neighbours.
-        entry, place = np.nonzero(np.isfinite(single_macs[setups[which], :, k]))
+        entry, column = np.nonzero(np.isfinite(single_macs[setups[setup_index], :, mode]))
         if not len(entry):
             return single_macs
-        which, k = which[entry], k[entry]
-        likeness = single_macs.copy()
-        inside = shapes.in_subspace(setups[which], place, near[which, k])
-        at = setups[which], place, k
-        likeness[at] = np.where(np.isnan(inside), likeness[at], inside)
-        return likeness
+        setup_index, mode = setup_index[entry], mode[entry]
+        macs = single_macs.copy()
+        subspace_macs = shapes.in_subspace(setups[setup_index], column, is_close[setup_index, mode])
+        entries = setups[setup_index], column, mode
+        macs[entries] = np.where(np.isnan(subspace_macs), macs[entries], subspace_macs)
+        return macs
 
-    def _compared(self, partner: Index, beside: Index, single_macs: Array, shapes: _Shapes) -> Array:
+    def _macs_of_partners(
+        self, partner: Index, unpaired_modes: Index, single_macs: Array, shapes: _Shapes
+    ) -> Array:
         """Return the MAC of each row with its partner, or with the subspace of the partners and modes close to it."""
-        pose, place = self.pose, self._place
+        pose, column = self.pose, self._column
         paired = partner >= 0
-        likeness = np.where(paired, single_macs[pose, place, np.maximum(partner, 0)], np.nan)
-        crowded = (self._mates[:, 1:] >= 0).any(axis=1) | (beside >= 0).any(axis=1)
-        i = np.flatnonzero(paired & crowded)
-        if len(i):
-            rows = self._mates[i]
-            members = np.zeros((len(i), shapes.model.shape[1]), dtype=bool)
-            entry, column = np.nonzero((rows >= 0) & paired[rows])
-            members[entry, partner[rows[entry, column]]] = True
-            entry, column = np.nonzero(beside[i] >= 0)
-            members[entry, beside[i][entry, column]] = True
-            inside = shapes.in_subspace(pose[i], place[i], members)
-            likeness[i] = np.where(members.sum(axis=1) > 1, inside, likeness[i])
-        return likeness
+        macs = np.where(paired, single_macs[pose, column, np.maximum(partner, 0)], np.nan)
+        has_close_modes = (self._close_rows[:, 1:] >= 0).any(axis=1) | (unpaired_modes >= 0).any(axis=1)
+        crowded_rows = np.flatnonzero(paired & has_close_modes)
+        if len(crowded_rows):
+            rows = self._close_rows[crowded_rows]
+            members = np.zeros((len(crowded_rows), shapes.model.shape[1]), dtype=bool)
+            entry, member = np.nonzero((rows >= 0) & paired[rows])
+            members[entry, partner[rows[entry, member]]] = True
+            entry, member = np.nonzero(unpaired_modes[crowded_rows] >= 0)
+            members[entry, unpaired_modes[crowded_rows][entry, member]] = True
+            subspace_macs = shapes.in_subspace(pose[crowded_rows], column[crowded_rows], members)
+            macs[crowded_rows] = np.where(members.sum(axis=1) > 1, subspace_macs, macs[crowded_rows])
+        return macs
 
 
-def tiled(numbers: Index, count: int, size: int) -> Index:
+def tile_indices(indices: Index, count: int, size: int) -> Index:
     """Return the indices of `count` copies of `size` items, the first copy first; -1 is kept."""
-    copies = np.arange(count).reshape(-1, *[1] * numbers.ndim) * size
-    shifted = np.where(numbers >= 0, numbers + copies, numbers)
-    return np.asarray(shifted.reshape(-1, *numbers.shape[1:]))
+    copies = np.arange(count).reshape(-1, *[1] * indices.ndim) * size
+    shifted = np.where(indices >= 0, indices + copies, indices)
+    return np.asarray(shifted.reshape(-1, *indices.shape[1:]))
 
 
-def neighbours(data: Measurements, criteria: Criteria) -> Index:
+def close_rows(data: Measurements, criteria: Criteria) -> Index:
     """Return the rows whose shapes are compared as one subspace with that of each row.
 
     Their frequencies are close enough for the shapes to mix, or differ by less than their errors.
@@ -245,31 +254,33 @@ def neighbours(data: Measurements, criteria: Criteria) -> Index:
     limits, pose = criteria.pairing, data.pose
     order = np.lexsort((log, pose))
     close_pairs: list[tuple[Index, Index]] = []
-    beside: Index = np.empty(0, dtype=np.intp)
+    involved_rows: Index = np.empty(0, dtype=np.intp)
     for a, b in pairs_of_setups(pose, order):
-        apart = np.abs(log[a] - log[b])
+        log_differences = np.abs(log[a] - log[b])
         if not (
-            apart < limits.most_mixed
+            log_differences < limits.most_mixed
         ).any():  # in the order of frequencies, later pairs are farther apart
             break
         errors = limits.mixed_sigmas * np.hypot(sigma[a], sigma[b])
-        near = apart < np.clip(errors, limits.mixed, limits.most_mixed)
+        is_close = log_differences < np.clip(errors, limits.mixed, limits.most_mixed)
         if not close_pairs:
-            beside = np.union1d(a[near], b[near])
-        close_pairs += [(a[near], b[near]), (b[near], a[near])]
-    rows, mates = (np.concatenate([pair[side] for pair in close_pairs] or [beside]) for side in (0, 1))
-    kept = np.isin(rows, beside)
-    rows, mates = rows[kept], mates[kept]
-    sequence = np.lexsort((mates, rows))
-    rows, mates = rows[sequence], mates[sequence]
+            involved_rows = np.union1d(a[is_close], b[is_close])
+        close_pairs += [(a[is_close], b[is_close]), (b[is_close], a[is_close])]
+    rows, partners = (
+        np.concatenate([pair[side] for pair in close_pairs] or [involved_rows]) for side in (0, 1)
+    )
+    is_involved = np.isin(rows, involved_rows)
+    rows, partners = rows[is_involved], partners[is_involved]
+    order_of_pairs = np.lexsort((partners, rows))
+    rows, partners = rows[order_of_pairs], partners[order_of_pairs]
     counts = np.bincount(rows, minlength=len(log))
     padded = np.full((len(log), 1 + int(counts.max(initial=0))), -1, dtype=np.intp)
     padded[:, 0] = np.arange(len(log))
-    padded[rows, 1 + np.arange(len(rows)) - (np.cumsum(counts) - counts)[rows]] = mates
+    padded[rows, 1 + np.arange(len(rows)) - (np.cumsum(counts) - counts)[rows]] = partners
     return padded
 
 
-def unmeasured_neighbours(prediction: Prediction, partner: Index, pose: Index, close: float) -> Index:
+def unpaired_close_modes(prediction: Prediction, partner: Index, pose: Index, close: float) -> Index:
     """Return the unpaired modes that nearly coincide with a row's partner.
 
     A measured mode may be any mixture of the two, so its pairing with one of them is arbitrary.
@@ -280,19 +291,19 @@ def unmeasured_neighbours(prediction: Prediction, partner: Index, pose: Index, c
     Returns (R, 4): mode numbers, counted from 0, rigid ones included; padded with -1.
     """
     logs = prediction.log_frequencies
-    taken = np.zeros(logs.shape, dtype=bool)
+    is_paired = np.zeros(logs.shape, dtype=bool)
     paired = partner >= 0
-    taken[pose[paired], partner[paired]] = True
-    beside = np.maximum(partner, 0)[:, None] + np.array([-2, -1, 1, 2])
-    inside = (beside >= prediction.rigid) & (beside < logs.shape[1]) & paired[:, None]
-    beside = np.where(inside, beside, 0)
+    is_paired[pose[paired], partner[paired]] = True
+    candidates = np.maximum(partner, 0)[:, None] + np.array([-2, -1, 1, 2])
+    exists = (candidates >= prediction.rigid) & (candidates < logs.shape[1]) & paired[:, None]
+    candidates = np.where(exists, candidates, 0)
     partner_logs = logs[pose, np.maximum(partner, 0)][:, None]
     with np.errstate(invalid="ignore"):
-        near = np.abs(logs[pose[:, None], beside] - partner_logs) < close
-    return np.where(inside & near & ~taken[pose[:, None], beside], beside, -1)
+        is_close = np.abs(logs[pose[:, None], candidates] - partner_logs) < close
+    return np.where(exists & is_close & ~is_paired[pose[:, None], candidates], candidates, -1)
 
 
-def _assigned(cost: Array, present: NDArray[np.bool_], available: NDArray[np.bool_]) -> Index:
+def _assign(cost: Array, present: NDArray[np.bool_], available: NDArray[np.bool_]) -> Index:
     """Assign the rows of each setup one-to-one to modes (S, r) with the least sum of costs; -1 for unassigned rows.
 
     - cost: (S, r, m)
@@ -313,17 +324,17 @@ def _assigned(cost: Array, present: NDArray[np.bool_], available: NDArray[np.boo
     return best
 
 
-def _in_order(partner: Index, measured: Array, close: NDArray[np.bool_]) -> Index:
+def _reorder_close_modes(partner: Index, measured: Array, close: NDArray[np.bool_]) -> Index:
     """Reorder the partners (S, r) in each group of close modes by the measured frequencies."""
     group = np.concatenate([np.zeros((len(close), 1), dtype=np.intp), np.cumsum(~close, axis=1)], axis=1)
-    of_row = np.where(partner >= 0, np.take_along_axis(group, np.maximum(partner, 0), axis=1), -1)
+    row_group = np.where(partner >= 0, np.take_along_axis(group, np.maximum(partner, 0), axis=1), -1)
     # Groups ascend with the modes, so rows sorted by group and frequency get the partners in ascending order.
     ordered = np.empty_like(partner)
-    np.put_along_axis(ordered, np.lexsort((measured, of_row), axis=-1), np.sort(partner, axis=1), axis=1)
+    np.put_along_axis(ordered, np.lexsort((measured, row_group), axis=-1), np.sort(partner, axis=1), axis=1)
     return ordered
 
 
-def _columns(data: Measurements, channels: tuple[str, ...]) -> Index:
+def _channel_indices(data: Measurements, channels: tuple[str, ...]) -> Index:
     """Return the indices of the measured channels among the model's."""
     for name in data.channels:
         if name not in channels:

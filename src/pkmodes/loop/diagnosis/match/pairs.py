@@ -19,7 +19,7 @@ def pairs_of_setups(pose: Index, order: Index) -> Iterator[tuple[Index, Index]]:
     """
     for step in range(1, len(order)):
         a, b = order[:-step], order[step:]
-        same = pose[a] == pose[b]
-        if not same.any():
+        is_same_setup = pose[a] == pose[b]
+        if not is_same_setup.any():
             return
-        yield a[same], b[same]
+        yield a[is_same_setup], b[is_same_setup]

@@ -1,4 +1,4 @@
-"""A model beside the measurements: the partner of each measured mode, and how well frequency and shape agree."""
+"""Predictions for the measured modes: the partner of each, and how well frequency and shape agree."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from pkmodes.loop.diagnosis.problem import Array, Prediction
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.measured.quantities import FREQUENCY
 
-#: Modes above this multiple of the highest measured frequency only pad a setup that has fewer than others.
-FAR = 1e6
+#: Modes above this multiple of the highest measured frequency are padding of a setup with fewer modes than others.
+PADDING_MULTIPLE = 1e6
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,4 +63,4 @@ def spectrum_of(prediction: Prediction, data: Measurements) -> Array:
     """Return the frequencies of the elastic modes of each setup [Hz], (S, m), see `Predicted`."""
     with np.errstate(over="ignore"):
         spectrum = np.exp(prediction.log_frequencies[:, prediction.rigid :])
-    return np.where(spectrum < FAR * data.frequency.max(), spectrum, np.nan)
+    return np.where(spectrum < PADDING_MULTIPLE * data.frequency.max(), spectrum, np.nan)

@@ -1,4 +1,4 @@
-"""Standard deviations of measured shapes: those stated, unless no sensor or machine is that accurate."""
+"""Standard deviations of measured shapes: the stated ones, unless no sensor or machine is so accurate."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ def shape_errors(data: Measurements, criteria: Criteria) -> Array:
     the relative error over the relative distance of the frequencies (Fox and Kapoor, AIAA Journal 6(12), 1968).
     Modes so close that they are compared as one subspace do not count.
     """
-    low = data.shape_sigma < criteria.shapes.least_sigma
-    if not low.any():
+    is_too_small = data.shape_sigma < criteria.shapes.least_sigma
+    if not is_too_small.any():
         return data.shape_sigma
     logs, errors = np.log(data.frequency), data.sigma / data.frequency
     squares = np.zeros(len(logs))
     for a, b in pairs_of_setups(data.pose, np.argsort(data.pose, kind="stable")):
-        apart = np.abs(logs[a] - logs[b])
-        separate = apart > criteria.pairing.mixed
-        angles = (errors[a] ** 2 + errors[b] ** 2) / np.where(separate, apart, np.inf) ** 2
+        log_differences = np.abs(logs[a] - logs[b])
+        is_separate = log_differences > criteria.pairing.mixed
+        angles = (errors[a] ** 2 + errors[b] ** 2) / np.where(is_separate, log_differences, np.inf) ** 2
         squares[a] += angles  # each row once in `a`, and once in `b`
         squares[b] += angles
-    least = np.clip(np.sqrt(squares), criteria.shapes.least_sigma, criteria.shapes.most_scatter)
-    return np.where(low, least, data.shape_sigma)
+    smallest_errors = np.clip(np.sqrt(squares), criteria.shapes.least_sigma, criteria.shapes.most_scatter)
+    return np.where(is_too_small, smallest_errors, data.shape_sigma)

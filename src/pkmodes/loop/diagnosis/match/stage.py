@@ -1,4 +1,4 @@
-"""A model with some values of its parameters beside all measured modes: as declared, refitted, or with causes."""
+"""A model with given values of its parameters, paired with all measured modes: declared, refitted, or with causes."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from pkmodes.loop.measured.measurements import Measurements
 
 @dataclass(frozen=True, eq=False)
 class MatchStage:
-    """A structure with some values of its parameters, and the partners of all R rows."""
+    """A structure with given values of its parameters, and the partners of all R rows."""
 
     structure: Structure
     data: Measurements
@@ -44,9 +44,9 @@ class MatchStage:
         """Relative standard deviations of the measured frequencies, (R,), including position errors."""
         data = self.data
         variance: Array = (data.sigma / data.frequency) ** 2
-        moved = self.structure.position_rates(self.values) if data.point_sigma.any() else None
-        if moved is not None:
-            rates = moved.log_rates[data.pose, np.maximum(self.pairing.partner, 0)]
+        position_prediction = self.structure.position_rates(self.values) if data.point_sigma.any() else None
+        if position_prediction is not None:
+            rates = position_prediction.log_rates[data.pose, np.maximum(self.pairing.partner, 0)]
             variance = variance + ((rates * data.point_sigma[data.pose]) ** 2).sum(axis=1)
         return np.sqrt(variance)
 

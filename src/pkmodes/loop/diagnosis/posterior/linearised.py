@@ -13,7 +13,7 @@ from functools import cached_property
 
 import numpy as np
 
-from pkmodes.loop.diagnosis.fit.cross_validation import deleted
+from pkmodes.loop.diagnosis.fit.cross_validation import deleted_residual
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit, orthonormal
 from pkmodes.loop.diagnosis.posterior.marginal import (
@@ -100,14 +100,16 @@ def linearise(fitter: Fitter, fit: Fit, max_deviations: Mapping[int, float]) -> 
     ):
         row = int(np.argmax(np.abs(white[frequencies])))
         indices = observations.data_indices(np.array([row]))
-        if white[indices] @ deleted(basis[indices], white[indices]) <= 2.0 * _price_of_row(fitter, row):
+        if white[indices] @ deleted_residual(basis[indices], white[indices]) <= 2.0 * _price_of_row(
+            fitter, row
+        ):
             break
         rows_set_aside.add(row)
         white, basis = np.array(white), np.array(basis)
         white[indices] = basis[indices] = 0.0
         basis = orthonormal(basis)
         white -= basis @ (basis.T @ white)
-    used = fitter.used(fit.hypothesis)
+    used = fitter.used_rows(fit.hypothesis)
     used[list(rows_set_aside)] = False
     leverage = (basis**2).sum(axis=1)
     counts = [observations.frequencies.count, *(quantity.count for quantity in other_quantities.values())]
@@ -144,7 +146,7 @@ def _price_of_row(fitter: Fitter, row: int) -> float:
 
 def _log_occam_factor_of_values(fitter: Fitter, fit: Fit) -> float:
     """Return the logarithm of the Occam factor of the uncertain values, up to a constant for the same data."""
-    width = fitter.priors.width(fitter.declared)[fitter.priors.rows(fitter.nuisances)]
+    width = fitter.priors.sigmas_in_units(fitter.declared)[fitter.priors.rows(fitter.nuisances)]
     scaled = fit.jacobian[:, : len(width)] * width
     return -0.5 * float(np.linalg.slogdet(scaled.T @ scaled)[1])
 
@@ -156,7 +158,7 @@ def _log_occam_factor_of_cause(
     index = list(fitter.indices(cause))
     deviations, covariance = fit.values[index] - fitter.declared[index], fit.covariance_of(index)
     if cause.sigma is not None:
-        width = fitter.priors.width(fit.values)[fitter.priors.rows(index)]
+        width = fitter.priors.sigmas_in_units(fit.values)[fitter.priors.rows(index)]
         return 0.5 * float(np.linalg.slogdet(covariance / np.outer(width, width))[1])
     limits, sigma = np.array([max_deviations.get(i, np.inf) for i in index]), np.sqrt(np.diagonal(covariance))
     if (np.abs(deviations) > RANGE_TOLERANCE * limits).any():

@@ -86,7 +86,7 @@ def probabilities(
     ranked = sorted(
         (
             (capped_deviance(fitter, fit), k, fit)
-            for k, fit in enumerate(search.store.tried())
+            for k, fit in enumerate(search.store.all_fits())
             if not fit.at_bound and len(fit.causes) <= 2
         ),
         key=lambda entry: entry[:2],
@@ -128,7 +128,7 @@ def _linear_explanations(
     - max_deviations: largest plausible deviations of parameters of candidates
     - prior: logarithm of the prior of each
     """
-    fitted_names = {_names(fit) for fit in search.store.tried()}
+    fitted_names = {_names(fit) for fit in search.store.all_fits()}
     scores = search.scores(base.fit)
     directions = zip(
         (candidate_score for candidate_score in scores.by_candidate if candidate_score.visible),
@@ -182,7 +182,7 @@ def _log_occam_factors(search: Search, scores: Sequence[Score], max_deviations: 
     degrees = np.array([max(len(limits), 1) for limits in signals])
     signs = np.array([allowed_sign(fitter, candidate_score.candidate) != 0 for candidate_score in scores])
     log_factors = log_occam_factor(signal, degrees, max_signals, signs)
-    width = fitter.priors.width(fitter.declared)
+    width = fitter.priors.sigmas_in_units(fitter.declared)
     for k, candidate_score in enumerate(scores):
         if candidate_score.candidate.sigma is not None:
             rows = fitter.priors.rows(fitter.indices(candidate_score.candidate))

@@ -11,7 +11,7 @@ from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.match.stage import MatchStage
 from pkmodes.loop.diagnosis.problem import Array
 from pkmodes.loop.diagnosis.readings.copies import POSITION_TOLERANCE
-from pkmodes.loop.measured.amplitude import UNKNOWN, AmplitudeDependence, amplitude_dependence
+from pkmodes.loop.measured.amplitude import UNREPEATED_FACTOR, AmplitudeDependence, amplitude_dependence
 from pkmodes.loop.measured.measurements import Measurements
 
 #: How the frequencies change and what may cause it, by the sign of the change.
@@ -54,8 +54,8 @@ def format_level_dependence(trend: AmplitudeDependence, data: Measurements) -> s
     basis = "with the scatter of setups at one level"
     if not trend.repeated:
         basis = (
-            f"even with errors {times(UNKNOWN)} as large as stated, but no level was measured again, so the "
-            "repeatability of setups is unknown"
+            f"even with errors {times(UNREPEATED_FACTOR)} as large as stated, but no level was measured again, so "
+            "the repeatability of setups is unknown"
         )
     return (
         f"from a level of {plain(trend.low, 3)} to {plain(trend.high, 3)}{unit} frequencies at the same position "

@@ -11,7 +11,7 @@ from pkmodes.core.support.mac import mac
 from pkmodes.loop.diagnosis.criteria import ReadingCriteria
 from pkmodes.loop.diagnosis.match.stage import MatchStage
 from pkmodes.loop.diagnosis.problem import Array
-from pkmodes.loop.measured.amplitude import DIFFER
+from pkmodes.loop.measured.amplitude import MIN_LEVEL_RATIO
 from pkmodes.loop.measured.measurements import Measurements
 
 #: Positions nearer than this are the same [m].
@@ -44,7 +44,7 @@ def poses_at_one_position(stage: MatchStage, criteria: ReadingCriteria) -> Itera
     for rank, (i, end) in enumerate(zip(order, ends, strict=True)):
         neighbours = order[rank + 1 : end]
         neighbours = neighbours[conditions[neighbours] == conditions[i]]
-        at_other_level = np.abs(np.log(data.level[neighbours] / data.level[i])) > np.log(DIFFER)
+        at_other_level = np.abs(np.log(data.level[neighbours] / data.level[i])) > np.log(MIN_LEVEL_RATIO)
         neighbours = neighbours[~at_other_level]  # the others are reported separately
         distances = np.linalg.norm(data.points[neighbours] - data.points[i], axis=1)
         for k in neighbours[distances <= POSITION_TOLERANCE]:

@@ -49,7 +49,7 @@ class WiringMisfit:
     def of(cls, fitter: Fitter, used: NDArray[np.bool_], residual: Array) -> WiringMisfit:
         """Return the misfit of unwhitened residuals of all data, (R + R C,), of which some rows count."""
         observations = fitter.observations
-        shapes, whitened = observations.shapes, residual / observations.noise.stated
+        shapes, whitened = observations.shapes, residual / observations.noise.stated_sigma
         rows_with_shape = used & shapes.known
         masks = rows_with_shape & shapes.stated, rows_with_shape & ~shapes.stated
         squares_by_row = (observations.by_row(SHAPE, whitened) ** 2).sum(axis=1)
@@ -101,7 +101,7 @@ def misfits_at_prediction(
     for batch in (wirings[start : start + batch_size] for start in range(0, len(wirings), batch_size)):
         tiled_observations, tiled_mask = fitter.observations.tiled(len(batch)), np.tile(used, len(batch))
         column_orders = [[fitter.structure.channels.index(name) for name in w.channels] for w in batch]
-        tiled_observations.pairer.moves = np.concatenate([motion[:, columns] for columns in column_orders])
+        tiled_observations.pairer.motion = np.concatenate([motion[:, columns] for columns in column_orders])
         # The modes once for each wiring, with its channels in the columns of the file.
         shapes = np.tile(prediction.shapes, (len(batch), 1, 1, 1))
         for rewired, columns, wiring in zip(shapes, column_orders, batch, strict=True):
@@ -150,7 +150,7 @@ def misfits_by_wiring(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> di
 
     These are the declared ones, those of the fit, and those refitted with the best few wirings.
     """
-    as_filed, used = as_in_file(fitter.data.channels), fitter.used(fit.hypothesis)
+    as_filed, used = as_in_file(fitter.data.channels), fitter.used_rows(fit.hypothesis)
     all_wirings = [as_filed, *wirings]
     by_wiring = {as_filed: WiringMisfit.of(fitter, used, fit.residual)}
 

@@ -133,7 +133,7 @@ class Additions:
             if candidate_score.visible
             and (candidate_score.gain >= min_gain or allowed_sign(self.fitter, candidate_score.candidate))
         ]
-        return self.store.finished(
+        return self.store.complete(
             self.refit([addition for addition in promising if self._testable(fit, addition[1].candidate)])
         )
 
@@ -177,7 +177,7 @@ class Additions:
                         - candidate_score.gain
                         + store.price(candidate_score.candidate)
                     )
-                    pair = key(single.hypothesis.adding(candidate_score.candidate))
+                    pair = key(single.hypothesis.with_cause(candidate_score.candidate))
                     promising_addition = expected_criterion, single, candidate_score
                     if candidate_score.gain > 0.0 or self.tries_all_pairs:
                         by_linear_model[pair] = min(
@@ -192,7 +192,7 @@ class Additions:
             pair: by_linear_model[pair]
             for pair in sorted(by_linear_model, key=lambda pair: by_linear_model[pair][0])[:count]
         }
-        return store.finished(
+        return store.complete(
             self.refit(
                 [(fit, candidate_score) for _, fit, candidate_score in {**absent_effects, **best}.values()]
             )
@@ -206,16 +206,16 @@ class Additions:
 
     def _testable(self, fit: Fit, candidate: Candidate) -> bool:
         """Return whether a cause may be added, with enough data left to test it: otherwise it would fit anything."""
-        free_parameters = sum(self.fitter.priors.of(i) is None for i in self.fitter.indices(candidate))
+        free_parameters = sum(self.fitter.priors.row_of(i) is None for i in self.fitter.indices(candidate))
         return fit.hypothesis.allows(candidate) and self.store.degrees(fit) > free_parameters
 
     def refit(self, additions: Sequence[tuple[Fit, Score]]) -> list[Fit]:
         """Return fits with one more cause; new ones are rough, each from the best of several starts."""
         store, known_fits, with_seed, without_seed = self.store, [], [], []
         for fit, candidate_score in additions:
-            hypothesis = fit.hypothesis.adding(candidate_score.candidate)
-            seed = store.seed(hypothesis)
-            if store.known(hypothesis):
+            hypothesis = fit.hypothesis.with_cause(candidate_score.candidate)
+            seed = store.start_values(hypothesis)
+            if store.is_fitted(hypothesis):
                 known_fits.append(store.fit(hypothesis))
                 continue
             self._progress(f"refitting with {' and '.join(c.name for c in hypothesis.causes)}")
@@ -226,4 +226,4 @@ class Additions:
         with_starts = zip(
             (hypothesis for _, _, hypothesis in without_seed), starts(self.fitter, without_seed), strict=True
         )
-        return [fit for fit in known_fits if fit is not None] + store.roughly([*with_seed, *with_starts])
+        return [fit for fit in known_fits if fit is not None] + store.rough_fits([*with_seed, *with_starts])

@@ -21,7 +21,7 @@ from scipy import stats
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.fit.profile import (
-    NOTHING,
+    MIN_SINGULAR_VALUE,
     End,
     ModelRequest,
     ProfilePoint,
@@ -115,7 +115,7 @@ def bounds(
     for addition, (point, gain) in zip(added, minima, strict=True):
         variance_ratio = 1.0
         if not noise:  # chi2 per degree of freedom that the candidate leaves
-            free = sum(fitter.priors.of(i) is None for i in addition.free if i not in fit.free)
+            free = sum(fitter.priors.row_of(i) is None for i in addition.free if i not in fit.free)
             variance_ratio = max(1.0, point.squares / max(store.degrees(fit) - free, 1))
         for i in fitter.indices(addition.candidate):
             for sign in (1, -1):
@@ -123,7 +123,7 @@ def bounds(
                 if side is not None:
                     sides.append(side)
                     owners.append(addition)
-    side_ends = [profiles.linear(side) for side in sides]
+    side_ends = [profiles.linear_end(side) for side in sides]
     sides_owners_and_ends = zip(sides, owners, side_ends, strict=True)
     sides_to_refine = [
         k
@@ -189,7 +189,7 @@ def _added_candidates(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate])
         step = np.zeros_like(fit.values)
         length = np.linalg.norm(jacobian, axis=0)
         scale = 1.0 / np.where(length > 0.0, length, 1.0)
-        step[list(free)] = -np.linalg.lstsq(jacobian * scale, white, rcond=NOTHING)[0] * scale
+        step[list(free)] = -np.linalg.lstsq(jacobian * scale, white, rcond=MIN_SINGULAR_VALUE)[0] * scale
         residual = white + jacobian @ step[list(free)]
         gain = float(white @ white - residual @ residual)
         p = fitter.parameters[candidate_indices[0]]
@@ -224,14 +224,14 @@ def _minima(
     values: dict[int, Array] = {}
     starts = []
     for k in worthwhile:
-        hypothesis = fit.hypothesis.adding(added[k].candidate)
-        previous = store.fit(hypothesis) if store.known(hypothesis) else None
+        hypothesis = fit.hypothesis.with_cause(added[k].candidate)
+        previous = store.fit(hypothesis) if store.is_fitted(hypothesis) else None
         if previous is not None:
             values[k] = previous.values
         else:
             start = np.clip(fit.values + added[k].step, fitter.lower, fitter.upper)
             starts.append((k, hypothesis, start))
-    descents = fitter.roughly([(hypothesis, start) for _, hypothesis, start in starts])
+    descents = fitter.rough_descents([(hypothesis, start) for _, hypothesis, start in starts])
     values |= {k: descent.values for (k, _, _), descent in zip(starts, descents, strict=True)}
     points = profiles.points(
         [ModelRequest(values[k], added[k].free, added[k].without_prior) for k in worthwhile]
@@ -256,7 +256,7 @@ def _side(
 
 def _linear_model_suffices(fitter: Fitter, side: Side, addition: _AddedCandidate, end: End) -> bool:
     """Return whether the end of the linear model is accurate: a small change of a declared value, or no change."""
-    column = side.least.jacobian[:, side.free.index(side.index)]
+    column = side.minimum.jacobian[:, side.free.index(side.index)]
     if not column[: fitter.prior_rows.start].any():
         return True
     p = fitter.parameters[side.index]
@@ -276,12 +276,12 @@ def _bound(
     size = max(end.size for _, end in ends) if bounded else None
     value_shifts, unbounded_shifts = np.zeros((2, len(fit.values)))
     nuisances = [k for k in fit.free if k != i]
-    has_prior = np.array([fitter.priors.of(k) is not None for k in nuisances], dtype=bool)
+    has_prior = np.array([fitter.priors.row_of(k) is not None for k in nuisances], dtype=bool)
     for _, end in ends:
         factor = 1.0
         if addition.without_prior:  # the prior of the candidate limits its effect
-            row = fitter.priors.of(i)
-            width = np.inf if row is None else ONE_SIDED * fitter.priors.width(fit.values)[row]
+            row = fitter.priors.row_of(i)
+            width = np.inf if row is None else ONE_SIDED * fitter.priors.sigmas_in_units(fit.values)[row]
             factor = float(1.0 / np.hypot(1.0, end.size / width))
         shift = factor * np.abs(end.values - fit.values)[nuisances]
         is_determined = has_prior | (end.bounded and end.reached)

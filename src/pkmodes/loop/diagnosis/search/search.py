@@ -135,8 +135,8 @@ class Search:
         """Return fits with other causes in one place, best first; that cause is the last one in all of them."""
         causes, store = fit.causes, self.store
         hypothesis = fit.hypothesis.without(position)
-        base = store.fit(hypothesis, store.undone(fit, hypothesis))
-        rivals = {causes[position].name: replace(fit, hypothesis=hypothesis.adding(causes[position]))}
+        base = store.fit(hypothesis, store.values_without(fit, hypothesis))
+        rivals = {causes[position].name: replace(fit, hypothesis=hypothesis.with_cause(causes[position]))}
         if base is not None:
             candidates = [*self.candidates]
             if len(causes) == 1:
@@ -192,18 +192,18 @@ class Search:
         reduced_hypotheses = [replace(h, excluded=h.excluded | set(rows[:count])) for count in counts]
         starts += [
             rough_fit.values
-            for rough_fit in store.fitter.roughly(
+            for rough_fit in store.fitter.rough_descents(
                 [(hypothesis, fit.values) for hypothesis in reduced_hypotheses]
             )
         ]
-        fits = [store.again(h, values) for values in starts]
+        fits = [store.refit(h, values) for values in starts]
         best = min((f for f in fits if f is not None), key=lambda f: f.deviance, default=fit)
         is_better = best.deviance < fit.deviance - c.search.worth and store.p_value(best) > c.gate.surely
         return best if is_better else None
 
     def _may_need_second_cause(self, fit: Fit) -> bool:
         """Return whether a second cause may suffice: the first explains much, or little is left."""
-        without_cause, c = self.store.without(fit, 0), self.criteria
+        without_cause, c = self.store.fit_without(fit, 0), self.criteria
         return (
             without_cause is None
             or fit.chi2 < c.search.much * without_cause.chi2
@@ -229,7 +229,7 @@ class Search:
         reduced_hypotheses += [replace(h, scatter=False)] if h.scatter else []
         reduced_hypotheses += [h.without(position) for position in range(len(h.causes))]
         for hypothesis in reduced_hypotheses:
-            reduced_fit = store.fit(hypothesis, store.undone(fit, hypothesis))
+            reduced_fit = store.fit(hypothesis, store.values_without(fit, hypothesis))
             if (
                 reduced_fit is not None
                 and store.criterion(reduced_fit) < store.criterion(fit) + self.criteria.search.worth

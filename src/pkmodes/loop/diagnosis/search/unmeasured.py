@@ -28,7 +28,7 @@ class ModeCounts(NamedTuple):
 def count_modes(fitter: Fitter, fit: Fit) -> ModeCounts:
     """Count the modes of a fit between the lowest and highest measured ones of each setup."""
     margin, logs = fitter.criteria.gate.margin, fit.prediction.log_frequencies
-    used, visible = fitter.used(fit.hypothesis), _visible(fitter, fit)
+    used, visible = fitter.used_rows(fit.hypothesis), _visible(fitter, fit)
     observations, paired, unmeasured = fitter.observations, int((fit.pairing.partner >= 0).sum()), 0
     for setup, rows in enumerate(observations.noise.rows):
         if not len(rows):
@@ -47,7 +47,7 @@ def count_modes(fitter: Fitter, fit: Fit) -> ModeCounts:
 def _visible(fitter: Fitter, fit: Fit) -> NDArray[np.bool_]:
     """Return a mask of the modes that move the sensors enough; all if no sensor is known."""
     pairer = fitter.observations.pairer
-    shapes, moves = fit.prediction.shapes[..., pairer.columns], pairer.moves
+    shapes, moves = fit.prediction.shapes[..., pairer.columns], pairer.motion
     if not shapes.shape[-1]:
         return np.ones(shapes.shape[:2], dtype=bool)
     peaks = np.sqrt(np.mean((shapes / np.where(moves > 0.0, moves, np.inf)[:, None]) ** 2, axis=-1))

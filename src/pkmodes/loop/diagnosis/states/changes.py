@@ -17,13 +17,13 @@ import numpy as np
 
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.core.base.numbers import plain
-from pkmodes.loop.diagnosis.arguments import checked
+from pkmodes.loop.diagnosis.arguments import checked_structure
 from pkmodes.loop.diagnosis.criteria import Criteria, of_changes
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.loop.diagnosis.fit.observations import SHAPE
 from pkmodes.loop.diagnosis.fit.store import FitStore
-from pkmodes.loop.diagnosis.one_state import diagnosed
+from pkmodes.loop.diagnosis.one_state import diagnose_one_state
 from pkmodes.loop.diagnosis.problem import Array, Structure
 from pkmodes.loop.diagnosis.search.additions import Progress
 from pkmodes.loop.diagnosis.states.result import Change, Counterpart, change_from_difference, merge_changes
@@ -82,7 +82,7 @@ class TrustedState:
     @property
     def model_error(self) -> float:
         """Root mean square of the relative error of the model as declared."""
-        pairing, residual, *_ = self.fitter.unfitted(self.fitter.declared, self.fitter.observations.all_rows)
+        pairing, residual, *_ = self.fitter.evaluate(self.fitter.declared, self.fitter.observations.all_rows)
         return _rms(residual[pairing.partner >= 0])
 
     @property
@@ -119,7 +119,7 @@ class TrustedState:
             remedy = "measure modes at poses that both states have"
             raise PkmodesError(problem, data.source, remedy)
         corrected = without_shared_errors(data, shared)
-        result = diagnosed(
+        result = diagnose_one_state(
             structure,
             corrected,
             holdout=holdout,
@@ -199,7 +199,7 @@ def diagnose_changes(
 
     Raises PkmodesError also if a setup has no state, or there is only one state.
     """
-    structure = checked(structure, data)
+    structure = checked_structure(structure, data)
     trusted, setups_of_later_states = setups_by_state(data, states)
     name, setups = trusted
     trusted_state = TrustedState.of(name, structure.subset(setups), data.at(setups), criteria)

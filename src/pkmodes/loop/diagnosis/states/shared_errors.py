@@ -105,7 +105,7 @@ def shared_errors(
     - shape_error: standard deviation of the components of shapes by which the model differs from the trusted state
     - fitted_values: the uncertainty of these values
     """
-    pairing, residual, sigma, _ = trusted.unfitted(values, trusted.observations.all_rows)
+    pairing, residual, sigma, _ = trusted.evaluate(values, trusted.observations.all_rows)
     trusted_prediction, data = trusted.structure.predict(values, ()), trusted.data
     later_prediction = structure.predict(np.array([p.value for p in structure.parameters]), ())
     same_setups_of_states = SameSetups(

@@ -35,7 +35,7 @@ class AllSetups:
     def declared_error(self, declared: MatchStage, outlying: NDArray[np.bool_]) -> Error:
         """Return the errors of the declared model, without any fit."""
         count = len(self.fitter.observations.log_frequencies)
-        *_, chi2 = self.fitter.unfitted(declared.values, np.ones(count, dtype=bool))
+        *_, chi2 = self.fitter.evaluate(declared.values, np.ones(count, dtype=bool))
         return self.error(declared, chi2, count, outlying)
 
     def error(self, stage: MatchStage, chi2: float, degrees: float, outlying: NDArray[np.bool_]) -> Error:

@@ -31,7 +31,7 @@ def _chi2_to_compare(e: Evidence) -> float:
     if not e.outcome.last_gate.passed:
         # The best explanation without errors of the measurement and without remote causes.
         fits = [
-            fit for fit in e.store.tried() if not ((h := fit.hypothesis).remote or h.excluded or h.scatter)
+            fit for fit in e.store.all_fits() if not ((h := fit.hypothesis).remote or h.excluded or h.scatter)
         ]
         best = min(fits, key=e.store.criterion, default=declared)
         unexplained = misfit.of_frequencies(e.store, best).squares

@@ -317,10 +317,10 @@ class DiagnosisBuilder:
 
     def corrected_values(self, fit: Fit, candidate_limits: CandidateLimits) -> tuple[Corrected, ...]:
         """Return all fitted parameters with their declared values, priors, and unseen influences."""
-        prior_widths, corrected = self.fitter.priors.width(fit.values), []
+        prior_widths, corrected = self.fitter.priors.sigmas_in_units(fit.values), []
         max_deviations = plausible_sizes(self.fitter, fit, fit.causes)
         for i, v in zip(fit.free, fitted_values(self.fitter, fit, fit.free), strict=True):
-            p, row = self.fitter.parameters[i], self.fitter.priors.of(i)
+            p, row = self.fitter.parameters[i], self.fitter.priors.row_of(i)
             corrected.append(
                 Corrected(
                     name=v.name,

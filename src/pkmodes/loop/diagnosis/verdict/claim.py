@@ -233,7 +233,7 @@ def _prefer_best_survivor(search: Search, final: Fit) -> tuple[Fit, list[list[Fi
 def _p_value(search: Search, final: Fit, position: int) -> float:
     """Return the p-value of a likelihood-ratio test of one cause, corrected for the number of candidates."""
     cause = final.causes[position]
-    without_cause = search.store.without(final, position)
+    without_cause = search.store.fit_without(final, position)
     gain = max(without_cause.deviance - final.deviance, 0.0) if without_cause is not None else 0.0
     p = float(stats.chi2.sf(gain, len(cause.parameters)))
     if allowed_sign(search.store.fitter, cause):

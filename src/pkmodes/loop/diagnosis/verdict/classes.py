@@ -45,7 +45,7 @@ def survivors(search: Search, rivals: Sequence[Fit]) -> list[Fit]:
     best_fits = [
         passing_fits[i]
         for i in order
-        if criteria[i] <= criteria.min() + c.search.survives and store.predicts(passing_fits[i])
+        if criteria[i] <= criteria.min() + c.search.survives and store.improves_prediction(passing_fits[i])
     ]
     # If predictions are equal, additional parameters are not penalised: they must not exclude a general rival.
     deviance_of_alike = {
@@ -104,7 +104,7 @@ def other_pairs(search: Search, final: Fit, classes_by_cause: Sequence[Sequence[
     store, c, h = search.store, search.criteria, final.hypothesis
     pairs = [
         fit
-        for fit in store.tried()
+        for fit in store.all_fits()
         if len(fit.causes) == len(final.causes) == c.search.most_causes
         and (fit.hypothesis.excluded, fit.hypothesis.scatter) == (h.excluded, h.scatter)
     ]
@@ -194,7 +194,7 @@ def find_more_general(search: Search, final: Fit) -> tuple[Candidate, Candidate]
 
 def _is_special(fitter: Fitter, fit: Fit, special: Candidate, general: Candidate) -> bool:
     """Return whether the signature of one cause lies in the span of another's, and the data can resolve this."""
-    used_rows = fitter.used(fit.hypothesis)
+    used_rows = fitter.used_rows(fit.hypothesis)
     if (
         fitter.observations.degrees_of_freedom(used_rows)
         < len(general.parameters) + fitter.criteria.claim.redundancy

@@ -11,7 +11,7 @@ def by_a_default(e: Evidence) -> Answer | None:
     With the default open, such a cause is one mass on one spring: it explains one further mode whatever that is.  For
     changes, everything else that moves on a spring of its own is tried as a term before a claim.
     """
-    if e.criteria.claim.any_place:
+    if e.criteria.claim.terms_as_likely:
         return None
     members = [fit.causes[-1] for fits in e.claim.own_classes for fit in fits]
     needed_defaults = [assumption for cause in members if cause.part_of for assumption in cause.assumes]

@@ -55,7 +55,7 @@ def dispersion(store: FitStore, final: Fit) -> Dispersion | None:
     - final: with causes, in the place of which it is tried
     """
     fitter, hypothesis = store.fitter, replace(final.hypothesis, causes=())
-    fit_without_causes = store.fit(hypothesis, store.undone(final, hypothesis))
+    fit_without_causes = store.fit(hypothesis, store.values_without(final, hypothesis))
     declared = [
         (i, p.name) for i, p in enumerate(fitter.parameters) if p.unit in STIFFNESSES and p.value > 0.0
     ]

@@ -107,7 +107,7 @@ def _mean_square_error_factor(fitter: Fitter, fit: Fit) -> float:
     """Return the mean of the square of the factor by which the stated errors of frequencies may be wrong."""
     rows = fitter.observations.frequency_rows
     squares = np.array((fit.white[rows] ** 2).sum())
-    degrees = max(fitter.used(fit.hypothesis).sum() - fit.leverage[rows].sum(), 0.0)
+    degrees = max(fitter.used_rows(fit.hypothesis).sum() - fit.leverage[rows].sum(), 0.0)
     logs = marginal_log_likelihood(squares, degrees - np.array([2.0, 0.0]), prior_of_scale())
     return float(np.exp(logs[0] - logs[1]))
 

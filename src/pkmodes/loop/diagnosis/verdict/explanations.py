@@ -43,7 +43,7 @@ def explanations(
     - classes: the classes that the tests of the verdict leave, the best first
     """
     surviving = {_causes(fit): (name, fit) for group in classes for name, fit in group}
-    fits = sorted((fit for fit in store.tried() if not fit.at_bound), key=store.criterion, reverse=True)
+    fits = sorted((fit for fit in store.all_fits() if not fit.at_bound), key=store.criterion, reverse=True)
     name_and_fit = {_causes(fit): (" + ".join(_causes(fit)) or NOTHING_MISSING, fit) for fit in fits}
     name_and_fit |= surviving
     probability_of: dict[Causes, float] = {}

@@ -119,9 +119,9 @@ def p_held_out(setups: AllSetups, fitter: Fitter, hypothesis: Hypothesis, final:
     - hypothesis: about all setups; the causes are those of the fit
     - final: to the setups that are not held out
     """
-    is_tested = setups.is_held_out & fitter.used(hypothesis)
+    is_tested = setups.is_held_out & fitter.used_rows(hypothesis)
     rows, count = fitter.observations.mask_of_stated(is_tested)
-    predictions = fitter.evaluated(hypothesis, final.values, final.scatter)
+    predictions = fitter.fit_at_values(hypothesis, final.values, final.scatter)
     if predictions is None:
         return 0.0
     data_part = slice(0, len(rows))

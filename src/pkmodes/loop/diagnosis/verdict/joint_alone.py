@@ -30,7 +30,7 @@ def joint_alone(setups: AllSetups, search: Search, fit: Fit) -> JointAlone | Non
         return None
     separate_search = Search(FitStore(fitter), search.candidates)
     hypothesis = replace(fit.hypothesis, causes=fit.causes[:-1])
-    base = separate_search.store.fit(hypothesis, search.store.undone(fit, hypothesis))
+    base = separate_search.store.fit(hypothesis, search.store.values_without(fit, hypothesis))
     if base is None:
         return None
     sigma_of = dict(zip(cause.parameters, cause.sigma or (), strict=False))

@@ -28,7 +28,7 @@ from dataclasses import dataclass, replace
 
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.fit.store import FitStore
-from pkmodes.loop.diagnosis.matrices import slowness
+from pkmodes.loop.diagnosis.matrices import slow_call_remark
 from pkmodes.loop.diagnosis.problem import Array, Assumption, Candidate, Parameter
 from pkmodes.loop.diagnosis.search.limits import ONE_SIDED, Bound, bounds, value_shifts_by_default
 from pkmodes.loop.diagnosis.verdict.findings import NOTICEABLE, Limit, Unseen
@@ -81,7 +81,7 @@ def limits_beside(
     - residual_is_noise: whether the residuals of the fits are noise
     """
     fitter = store.fitter
-    use_linear_model = bool(slowness(fitter.structure))
+    use_linear_model = bool(slow_call_remark(fitter.structure))
     all_bounds: list[Bound] = []
     all_candidates, fits = list(candidates), fits[:MAX_EXPLANATIONS]
     causes = {cause for fit in fits for cause in fit.causes}

@@ -25,19 +25,19 @@ def of_frequencies(store: FitStore, fit: Fit) -> Misfit:
 def p_declared(store: FitStore, fit: Fit) -> float:
     """Return the p-value of the frequencies of the model as declared, over the rows that a fit used."""
     fitter = store.fitter
-    used = fitter.used(fit.hypothesis)
-    *_, chi2 = fitter.unfitted(fitter.declared, used)
+    used = fitter.used_rows(fit.hypothesis)
+    *_, chi2 = fitter.evaluate(fitter.declared, used)
     return float(stats.chi2.sf(chi2, max(int(used.sum()), 1)))
 
 
 def farthest_value(store: FitStore, fit: Fit, indices: Sequence[int]) -> tuple[str, float]:
     """Return which of the given parameters is farthest from its declared value, and how far in sigma of its prior."""
     fitter = store.fitter
-    sigmas = np.abs(fitter.priors.away(fit.values))
+    sigmas = np.abs(fitter.priors.distances(fit.values))
     distances = [
         (fitter.parameters[i].name, float(sigmas[row]))
         for i in indices
-        if (row := fitter.priors.of(i)) is not None
+        if (row := fitter.priors.row_of(i)) is not None
     ]
     return max(distances, key=lambda distance: distance[1], default=("", 0.0))
 

@@ -89,7 +89,7 @@ def _stated_errors(store: FitStore, fit: Fit, adequate: bool) -> Iterator[str]:
 
 
 def _nuisances(fitter: Fitter, fit: Fit) -> Iterator[str]:
-    deviations = fitter.priors.away(fit.values)
+    deviations = fitter.priors.distances(fit.values)
     for i, deviation in zip(fitter.priors.index, deviations, strict=True):
         p = fitter.parameters[i]
         is_free = i in fit.free

@@ -185,7 +185,7 @@ def two_of_few(e: Evidence) -> str:
     rows, needed = len(e.fitter.observations.log_frequencies), e.criteria.claim.rows_for_two
     if len(e.final.causes) < 2:
         return ""
-    if not e.criteria.claim.several:
+    if not e.criteria.claim.claims_several:
         return (
             f"{names(e.final.causes)} together would explain the residual, but two changes at once are not claimed: "
             "measure a state between them"
@@ -214,7 +214,7 @@ def not_specific(e: Evidence) -> str:
     store = e.store
     fits = [
         fit
-        for fit in store.tried()
+        for fit in store.all_fits()
         if len(fit.causes) == 1
         and not (fit.hypothesis.remote or fit.at_bound)
         and fit.causes != e.final.causes
@@ -247,7 +247,9 @@ def not_settled(e: Evidence) -> Answer | str:
         return Answer.naming(text, [*causes, *indicated_candidates])
     if e.claim.causes_survive:
         return ""
-    unhelpful_causes = [cause for place, cause in enumerate(causes) if not e.store.predicts(e.final, place)]
+    unhelpful_causes = [
+        cause for place, cause in enumerate(causes) if not e.store.improves_prediction(e.final, place)
+    ]
     if not unhelpful_causes:
         return f"{e.explains} the residual, but the comparison with other causes settles on none"
     subject = f"{names(unhelpful_causes)} " if len(unhelpful_causes) < len(causes) else ""

@@ -17,7 +17,7 @@ def shapes_disagree(store: FitStore, fit: Fit) -> bool:
     Either more than a few are clearly shapes of another mode, or all of them scatter implausibly.
     """
     fitter, c = store.fitter, store.fitter.criteria
-    compared = np.isfinite(fit.pairing.mac) & fitter.used(fit.hypothesis)
+    compared = np.isfinite(fit.pairing.mac) & fitter.used_rows(fit.hypothesis)
     scatter = store.shape_scatter(fit)
     return len(strange_shapes(store, fit)) > int(compared.sum()) // c.shapes.strange_allowed or (
         scatter is not None and scatter > c.shapes.most_scatter
@@ -31,7 +31,7 @@ def strange_shapes(store: FitStore, fit: Fit) -> NDArray[np.intp]:
     accepted because it raises the estimated scatter itself.
     """
     fitter, c = store.fitter, store.fitter.criteria
-    used = fitter.used(fit.hypothesis)
+    used = fitter.used_rows(fit.hypothesis)
     mac = np.where(used, np.nan_to_num(fit.pairing.mac, nan=1.0), 1.0)
     observations = fitter.observations
     squares = (observations.by_row(SHAPE, fit.white) ** 2).sum(axis=1)
@@ -65,7 +65,7 @@ def better_by_shape(store: FitStore, fit: Fit) -> Fit | None:
     excluded = len(fit.hypothesis.excluded)
     options = [
         option
-        for option in store.tried()
+        for option in store.all_fits()
         if len(option.causes) <= len(fit.causes) and len(option.hypothesis.excluded) == excluded
     ]
     best = min(options, key=squares, default=fit)

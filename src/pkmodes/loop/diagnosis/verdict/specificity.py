@@ -91,7 +91,7 @@ def p_coincidence(search: Search, final: Fit) -> float:
         return 0.0
     rng = np.random.default_rng(SEED)
     gain, directions = fit_without_causes.chi2 - final.chi2, search.gate(fit_without_causes).scores.directions
-    used, data = fitter.used(h), slice(0, fitter.prior_rows.start)
+    used, data = fitter.used_rows(h), slice(0, fitter.prior_rows.start)
     degrees = float(fitter.observations.degrees_of_freedom(used) - fit_without_causes.leverage[data].sum())
     changes = arbitrary_draws(fitter, fit_without_causes, DRAWS, rng)
     p_value = coincidence(search, final, gain, changes, directions, degrees, final.chi2)
@@ -181,13 +181,13 @@ def arbitrary_draws(fitter: Fitter, fit: Fit, count: int, rng: np.random.Generat
 
 def modal_changes(fitter: Fitter, fit: Fit) -> Array:
     """Return the effects of relative changes of the modal stiffnesses and masses on the whitened data, (D, k)."""
-    used = fitter.used(fit.hypothesis)
+    used = fitter.used_rows(fit.hypothesis)
     # Modes far above the measured ones do not contribute to their shapes.
     modes = int(fit.pairing.partner.max(initial=0)) + 1 + MODES_ABOVE
     changed_modes = _with_modal_rates(fit.prediction, modes, fitter.criteria.pairing.mixed)
     observations = fitter.observations
     return np.asarray(
-        observations.rates(changed_modes, fit.pairing, used) / observations.noise.stated[:, None]
+        observations.rates(changed_modes, fit.pairing, used) / observations.noise.stated_sigma[:, None]
     )
 
 

@@ -54,7 +54,7 @@ def trials(
     if contenders is None:
         others = [
             fit
-            for fit in store.tried()
+            for fit in store.all_fits()
             if fit.causes
             and len(fit.causes) <= max(len(final.causes), 1)
             and not (fit.hypothesis.remote or fit.at_bound)

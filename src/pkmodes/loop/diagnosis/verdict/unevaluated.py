@@ -43,11 +43,11 @@ def _fits_to_examine(store: FitStore, reported: Fit) -> Iterator[Fit]:
     yield reported
     for candidate in fitter.structure.candidates:
         hypothesis = Hypothesis((candidate,))
-        if not store.known(hypothesis) or hypothesis == reported.hypothesis:
+        if not store.is_fitted(hypothesis) or hypothesis == reported.hypothesis:
             continue
         fit = store.fit(hypothesis)
         if fit is None and (base := store.fit(Hypothesis())) is not None:
-            fit = fitter.rough_fit(hypothesis, fitter.roughly([(hypothesis, base.values)])[0])
+            fit = fitter.rough_fit(hypothesis, fitter.rough_descents([(hypothesis, base.values)])[0])
         if fit is not None:
             yield fit
 
@@ -94,7 +94,7 @@ def _blocked_in_words(fitter: Fitter, fit: Fit) -> str:
         )
     # The fit may converge before that: a long step of a linear model is inaccurate.
     resumed_fit = fitter.rough_fit(
-        fit.hypothesis, fitter.roughly([(fit.hypothesis, values_at(passing_part))])[0]
+        fit.hypothesis, fitter.rough_descents([(fit.hypothesis, values_at(passing_part))])[0]
     )
     if resumed_fit is None or _linear_step(fitter, resumed_fit)[1] <= fitter.criteria.search.survives:
         return ""

@@ -248,7 +248,7 @@ def _indicated_candidate(gate: Gate) -> Candidate:
 
 def _fits_without_errors(store: FitStore) -> list[Fit]:
     """Return the explanations tried without errors of the measurement and without remote causes."""
-    fits = store.tried()
+    fits = store.all_fits()
     return [fit for fit in fits if (h := fit.hypothesis).causes and not (h.remote or h.excluded or h.scatter)]
 
 

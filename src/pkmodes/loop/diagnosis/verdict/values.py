@@ -55,7 +55,7 @@ def deciding_row(search: Search, final: Fit) -> str:
     """Return which single row determines a cause or its value; empty if none does."""
     store, c = search.store, search.criteria
     fitter, h = store.fitter, final.hypothesis
-    used = fitter.used(h)
+    used = fitter.used_rows(h)
     leverage = np.where(used, final.leverage[fitter.observations.frequency_rows], 0.0)
     rows = [int(row) for row in np.argsort(leverage)[::-1] if leverage[row] > c.search.redundant]
     for cause in final.causes:
@@ -70,7 +70,7 @@ def deciding_row(search: Search, final: Fit) -> str:
             )
             fit_with_cause = store.fit(hypothesis, final.values)
             fit_without_cause = store.fit(
-                hypothesis_without_cause, store.undone(final, hypothesis_without_cause)
+                hypothesis_without_cause, store.values_without(final, hypothesis_without_cause)
             )
             if fit_with_cause is None or fit_without_cause is None:
                 continue
@@ -100,13 +100,15 @@ def shows_in_one_row_only(search: Search, final: Fit, cause: Candidate, row: int
     the cause changes other modes as much, they could.
     """
     store, fitter = search.store, search.store.fitter
-    if not search.criteria.claim.once or len(fitter.data.labels) > 1:
+    if not search.criteria.claim.one_row_suffices or len(fitter.data.labels) > 1:
         return False
     hypothesis = replace(final.hypothesis, causes=tuple(other for other in final.causes if other != cause))
-    fit_without_cause = fitter.evaluated(hypothesis, store.undone(final, hypothesis), final.scatter)
+    fit_without_cause = fitter.fit_at_values(
+        hypothesis, store.values_without(final, hypothesis), final.scatter
+    )
     if fit_without_cause is None:
         return False
-    rows, used = fitter.observations.frequency_rows, fitter.used(final.hypothesis)
+    rows, used = fitter.observations.frequency_rows, fitter.used_rows(final.hypothesis)
     change = (fit_without_cause.residual - final.residual)[rows] / fitter.observations.sigma
     squares = np.where(used, change**2, 0.0)
     return bool(squares[row] > MIN_PART_OF_SQUARES * squares.sum())
