@@ -103,7 +103,7 @@ class Sensitivities(ChosenFields):
     eigenvalues: Array = field(init=False)
     frequencies: Array = field(init=False)
     shapes: Array = field(init=False)
-    group_modes: NDArray[np.intp] = field(init=False)
+    groups: NDArray[np.intp] = field(init=False)
 
 
 class ResolvedPaths:
