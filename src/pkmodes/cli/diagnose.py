@@ -26,7 +26,7 @@ from pkmodes.cli.targets import Target, check_targets, report_target
 from pkmodes.core.base.numbers import plain
 from pkmodes.core.robot.reading import read_robot
 from pkmodes.core.support.ordering import listed
-from pkmodes.core.support.pasting import pasted
+from pkmodes.core.support.pasting import shell_path
 
 if TYPE_CHECKING:
     from pkmodes.core.robot.robot import Robot
@@ -177,7 +177,9 @@ def diagnose(
     effect_file = ResultFile(
         effect_to,
         lambda: effect_text(result, "--save-effect"),
-        lambda file: [f"\nwrote {file}; next: pkmodes generate ROBOT.toml --effect {pasted(file)} --out DIR"],
+        lambda file: [
+            f"\nwrote {file}; next: pkmodes generate ROBOT.toml --effect {shell_path(file)} --out DIR"
+        ],
     )
     report = report_file(report_to, lambda: page_of(result, declared, data, sources))
     try:
@@ -217,7 +219,7 @@ def _saved(file: Path, mechanism: Path | None, robot: Robot, result: Diagnosis) 
     if texts:
         sentences.append(
             "the sigmas in it include what a candidate that these data do not show could have done to the values: "
-            + listed(texts, MOST_WIDENED, last=", and ")
+            + listed(texts, MOST_WIDENED, before_surplus=", and ")
         )
     # Constants of the causes that only the load cases have, such as a belt tension.
     in_loads = {path for row in result.rows for path in row.load}
@@ -228,8 +230,10 @@ def _saved(file: Path, mechanism: Path | None, robot: Robot, result: Diagnosis) 
                 sentences.append(
                     f"effects.{constant} is known from the measurements alone: add its value in operation to {file}"
                 )
-    option = f"--mechanism {pasted(mechanism)} " if mechanism else ""
-    command = f"pkmodes generate {option}{pasted(file)} --out DIR"  # not wrapped, so that it can be copied
+    option = f"--mechanism {shell_path(mechanism)} " if mechanism else ""
+    command = (
+        f"pkmodes generate {option}{shell_path(file)} --out DIR"  # not wrapped, so that it can be copied
+    )
     lines = [line for text in sentences for line in Terminal().wrapped(text)]
     return [f"\nwrote {file}; next: {command}", *lines]
 
@@ -239,9 +243,9 @@ def _with_term(file: Path, effect: Path | None, terms: TermClass) -> list[str]:
     from pkmodes.loop.updating.saved_term import is_declared
 
     if is_declared(terms):
-        return [f"\nwrote {file}; next: pkmodes generate {pasted(file)} --out DIR"]
-    argument = "FILE.py" if effect is None else pasted(effect)
-    lines = [f"\nwrote {file}; next: pkmodes generate {pasted(file)} --effect {argument} --out DIR"]
+        return [f"\nwrote {file}; next: pkmodes generate {shell_path(file)} --out DIR"]
+    argument = "FILE.py" if effect is None else shell_path(effect)
+    lines = [f"\nwrote {file}; next: pkmodes generate {shell_path(file)} --effect {argument} --out DIR"]
     if effect is None:
         lines.append("FILE.py is the effect itself: write it with --save-effect FILE.py")
     return [*lines, "then give other commands --mechanism DIR/<mechanism>"]

@@ -14,7 +14,7 @@ from pkmodes.cli.options import PATH, json_option, mechanism_option, report_opti
 from pkmodes.cli.printing import echo
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
-from pkmodes.core.base.drives import motors
+from pkmodes.core.base.drives import motors_text
 from pkmodes.core.base.numbers import plain
 from pkmodes.core.support.motors import motors_in_words
 
@@ -94,7 +94,7 @@ def _print(identification: Identification, campaign: Campaign, content: dict[str
     terminal = Terminal()
     for index, identified in enumerate(identification.records):
         drives, model = identified.record.drives, campaign.model
-        doing = motors([drives]) if model is None else motors_in_words(model.robot, drives)
+        doing = motors_text([drives]) if model is None else motors_in_words(model.robot, drives)
         terminal.heading(f"{identified.record.pose}, {identified.record.kind}, {doing}")
         found_modes = content["records"][index]["modes"]
         if found_modes:

@@ -28,7 +28,7 @@ from pkmodes.cli.targets import Target, check_targets
 from pkmodes.core.base.errors import PkmodesError, nearest_name, shown
 from pkmodes.core.support.documents import Document
 from pkmodes.core.support.progress import say
-from pkmodes.core.support.replacing import check_replaced, holds
+from pkmodes.core.support.replacing import check_replaced, contains_mark
 
 if TYPE_CHECKING:
     from pkmodes.core.robot.robot import Robot
@@ -103,7 +103,9 @@ def show(
     if out is None:
         problem = "the file exists, and is not a page of pkmodes show"
         remedy = "name the page with --out FILE.html, or replace what is there with --overwrite"
-        check_replaced([Path(target)], "--out", overwrite, holds(PAGE_MARK), what=problem, remedy=remedy)
+        check_replaced(
+            [Path(target)], "--out", overwrite, contains_mark(PAGE_MARK), what=problem, remedy=remedy
+        )
     moving = Path(target).suffix.lower() == ".gif"
     if mode is not None and not moving:
         remedy = "choose the mode on the page, or name FILE.gif"

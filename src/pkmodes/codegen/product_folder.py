@@ -12,8 +12,8 @@ from typing import Any
 
 from pkmodes.core.base.errors import OutputError, shown
 from pkmodes.core.support.ordering import listed
-from pkmodes.core.support.places import resolved
-from pkmodes.core.support.writing import refusal
+from pkmodes.core.support.places import resolve_path
+from pkmodes.core.support.writing import write_error
 
 MANIFEST = "manifest.json"
 #: The lock file: hidden, and removed at the end.
@@ -32,7 +32,7 @@ def check_place(out: Path, beside: Sequence[Path], recorded: Mapping[str, Any] |
     Raises OutputError if it is the root of a file system or repository, the home folder, or contains other files than
     a model.
     """
-    place = resolved(out, "--out")
+    place = resolve_path(out, "--out")
     if place == Path(place.anchor):
         raise OutputError("cannot write a model into the root of the file system", str(out), ELSEWHERE)
     if _is_home(place):
@@ -147,7 +147,7 @@ def alone(folder: Path) -> Iterator[None]:
         problem = f"another process has been generating into the folder for {PATIENCE} s"
         raise OutputError(problem, str(folder), "end it, or choose another folder") from None
     except OSError as error:
-        raise refusal(error, folder) from None
+        raise write_error(error, folder) from None
     except NotImplementedError:  # a file system without locks
         pass
     try:

@@ -38,7 +38,7 @@ from pkmodes.core.mechanism.regular import regular_poses, sample
 from pkmodes.core.robot.reading import read_robot, robot_from_document
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.variants import document_of
-from pkmodes.core.support.pasting import pasted
+from pkmodes.core.support.pasting import shell_path
 from pkmodes.core.system.evaluation import evaluation, matrices
 from pkmodes.core.system.released import active_effects
 
@@ -155,10 +155,14 @@ def _check_mechanism(folder: Path, recorded: dict[str, Any]) -> Report:
     for path, source, noun, option in sources:
         changed, unreadable = _check_given_file(folder, path, source, noun)
         findings, unchecked = [*findings, *changed], [*unchecked, *unreadable]
-        options.append(f"{option} {'FILE.py' if unreadable else pasted(folder / path)}")
+        options.append(f"{option} {'FILE.py' if unreadable else shell_path(folder / path)}")
     with staged(name, fresh) as mechanism:
         checks = _checks_of_sample(mechanism)
-    fix = f"pkmodes generate {' '.join(options)} ROBOT.toml --out {pasted(folder.parent)}" if findings else ""
+    fix = (
+        f"pkmodes generate {' '.join(options)} ROBOT.toml --out {shell_path(folder.parent)}"
+        if findings
+        else ""
+    )
     return Report(str(folder), findings, checks, fix, tuple(unchecked))
 
 
@@ -167,17 +171,19 @@ def _check_model(folder: Path, recorded: dict[str, Any]) -> Report:
     reference, there = _robot_file(folder, recorded)
     definition = str(recorded.get("definition", ""))
     command = (
-        f"pkmodes generate --mechanism {pasted(folder / definition)}" if definition else "pkmodes generate"
+        f"pkmodes generate --mechanism {shell_path(folder / definition)}"
+        if definition
+        else "pkmodes generate"
     )
     if there:
-        robot, command = read_robot(folder / reference), f"{command} {pasted(folder / reference)}"
+        robot, command = read_robot(folder / reference), f"{command} {shell_path(folder / reference)}"
         unchecked = []
     else:
         robot, command = recorded_robot(recorded, str(folder / MANIFEST)), f"{command} ROBOT.toml"
         unchecked = [
             f"whether the robot file {shown(reference)} has changed since this model was generated: it does not "
             f"exist; restore it, or give the file of {shown(robot.name)} with: "
-            f"pkmodes generate ROBOT.toml --out {pasted(folder)}"
+            f"pkmodes generate ROBOT.toml --out {shell_path(folder)}"
         ]
     texts = specialised(specification(robot, reference, definition))
     findings = _findings_of(folder, texts)
@@ -188,9 +194,9 @@ def _check_model(folder: Path, recorded: dict[str, Any]) -> Report:
         findings, unchecked = [*findings, *changed], [*unchecked, *unreadable]
     # Files that do not belong are removed, and the rest is generated.
     orphans = [finding for finding in findings if finding.cause == "orphan"]
-    commands = [f"rm {pasted(folder / finding.subject)}" for finding in orphans]
+    commands = [f"rm {shell_path(folder / finding.subject)}" for finding in orphans]
     if len(findings) > len(orphans):
-        commands.append(f"{command} --out {pasted(folder)}")
+        commands.append(f"{command} --out {shell_path(folder)}")
     return Report(str(folder), findings, _checks(texts, robot), " && ".join(commands), tuple(unchecked))
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 from pkmodes.core.base.errors import PkmodesError, RobotFileError, shown
-from pkmodes.core.base.toml import MOST_PARTS, long_key
+from pkmodes.core.base.toml import MAX_KEY_PARTS, line_of_long_key
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.validation import declaration
 
@@ -54,8 +54,8 @@ def read_robot(path: str | PathLike[str]) -> Robot:
     except (OSError, ValueError) as error:  # ValueError: a path with a null character
         reason = getattr(error, "strerror", None) or str(error)
         _refuse(f"cannot read the robot file: {reason.lower()}", name, "check the path")
-    if (line := long_key(text)) is not None:
-        problem = f"expected a key of a few parts, found a line with one of more than {MOST_PARTS}"
+    if (line := line_of_long_key(text)) is not None:
+        problem = f"expected a key of a few parts, found a line with one of more than {MAX_KEY_PARTS}"
         _refuse(problem, f"{name}: line {line}", "shorten the key")
     try:
         document = tomllib.loads(text)

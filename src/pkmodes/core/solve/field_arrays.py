@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.arguments import is_all
-from pkmodes.core.base.errors import PkmodesError, listed, nearest_name, shown
+from pkmodes.core.base.errors import PkmodesError, checked_list, nearest_name, shown
 from pkmodes.core.mechanism.poses import Where
 from pkmodes.core.solve.fields import missing
 
@@ -48,7 +48,7 @@ def chosen_fields(fields: Fields, out: Out, available: tuple[str, ...]) -> tuple
         fields = available if out is None else tuple(out)
     elif isinstance(fields, str) and fields not in available:
         raise PkmodesError(f"unknown field {shown(fields)}", "fields", nearest_name(fields, available))
-    requested = listed(fields, "fields", "fields", f'"{available[0]}"')
+    requested = checked_list(fields, "fields", "fields", f'"{available[0]}"')
     for where, names in (("fields", requested), ("out", list(out or ()))):
         for name in names:
             if not (isinstance(name, str) and name in available):

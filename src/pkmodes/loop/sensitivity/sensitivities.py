@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.core.base.arguments import is_all
 from pkmodes.core.base.drives import FREE, checked_drives
-from pkmodes.core.base.errors import PkmodesError, listed, shown
+from pkmodes.core.base.errors import PkmodesError, checked_list, shown
 from pkmodes.core.compiled.lanes import ALL_COORDINATES, RATES_OF_MATRICES, Terms
 from pkmodes.core.linalg.eigen import has_stiff_joint, magnitude
 from pkmodes.core.mechanism.poses import OnError
@@ -25,7 +25,7 @@ from pkmodes.core.solve.batch import run_job
 from pkmodes.core.solve.field_arrays import FieldArrays, Fields, Out, chosen_fields
 from pkmodes.core.solve.results import ChosenFields
 from pkmodes.core.solve.solver import Solver
-from pkmodes.core.support.solutions import solved
+from pkmodes.core.support.solutions import solve_modes
 from pkmodes.core.system.evaluation import ExtendedSystem, evaluation
 from pkmodes.core.system.motors import MotorsHeld, solved_system
 from pkmodes.loop.sensitivity.compiled import RATES, derivatives_of, rates_job, terms_of
@@ -286,7 +286,7 @@ def _chosen(robot: Robot, parameters: Sequence[str | ParameterPath] | None) -> l
         dissipating = mechanism.effects.keys() - mechanism.conservative_effects.keys()
         still |= {path for path in effect_parameters(mechanism) if path.split(".")[1] in dissipating}
         return resolve_all(robot, [path for path in paths(robot) if path not in still])
-    requested = listed(parameters, "parameter paths", "parameters", '"platform.mass"')
+    requested = checked_list(parameters, "parameter paths", "parameters", '"platform.mass"')
     return resolve_all(robot, requested)
 
 
@@ -315,7 +315,7 @@ def _of_modes(
     robot, system, extended = resolved.robot, resolved.system, resolved.extended
     with_shapes = "shapes" in requested
     # Bitwise the matrices of `Model.modes`, so that repeated modes have the same basis.
-    at = solved(solver, system, p, robot.source, *(sorted(MATRICES) if with_shapes else ()))
+    at = solve_modes(solver, system, p, robot.source, *(sorted(MATRICES) if with_shapes else ()))
     eigenvalues, shapes = at["eigenvalues"], at["shapes"]
     along_fields = list[str]()
     if with_shapes:

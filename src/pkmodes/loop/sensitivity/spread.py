@@ -26,7 +26,7 @@ from pkmodes.core.mechanism.poses import OnError
 from pkmodes.core.model import Model
 from pkmodes.core.robot.layout import Slot, lent
 from pkmodes.core.robot.robot import Robot
-from pkmodes.core.support.covariance import covariance_of, root_of, sigmas_by_path
+from pkmodes.core.support.covariance import covariance_of, covariance_root, sigmas_by_path
 from pkmodes.loop.sensitivity.modes import groups
 from pkmodes.loop.sensitivity.paths import ParameterPath, paths
 from pkmodes.loop.sensitivity.relative import CLOSE, rates_of
@@ -73,7 +73,7 @@ def _independent(model: Model, names: list[str], drives: str) -> tuple[Sequence[
     independent numbers of variance 1: so a group of repeated modes splits as with independent values.
     """
     robot = model.robot
-    root = root_of(covariance_of(robot, names))
+    root = covariance_root(covariance_of(robot, names))
     if not robot.covariance:
         return names, root
     resolved = ResolvedPaths(robot, names, drives)

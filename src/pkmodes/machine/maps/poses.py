@@ -12,7 +12,7 @@ from pkmodes.core.base.errors import PoseError, shown
 from pkmodes.core.mechanism.poses import given_poses
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.pose_table import poses_by_name
-from pkmodes.core.support.axes import ascending
+from pkmodes.core.support.axes import check_axis_values
 from pkmodes.machine.dataset.variables import LIST
 
 Array = NDArray[np.float64]
@@ -118,5 +118,5 @@ def places_of(mechanism: Mechanism, poses: Mapping[str, ArrayLike] | ArrayLike |
         problem = f"expected values of {', '.join(names)}, found none of {', '.join(missing)}"
         raise PoseError(problem, "grid", f"give one number or several, {EXAMPLE}")
     return PoseGrid(
-        {name: ascending(poses[name], name, f"grid: {name}", EXAMPLE, PoseError) for name in names}
+        {name: check_axis_values(poses[name], name, f"grid: {name}", EXAMPLE, PoseError) for name in names}
     )

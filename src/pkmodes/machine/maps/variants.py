@@ -16,7 +16,7 @@ from pkmodes.core.robot.layout import lent
 from pkmodes.core.robot.parameter_groups import elements_at_value, groups_by_path
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.support.axes import swept_values
-from pkmodes.core.support.covariance import covariance_of, root_of, sigmas_by_path
+from pkmodes.core.support.covariance import covariance_of, covariance_root, sigmas_by_path
 
 Array = NDArray[np.float64]
 SAMPLE = "sample"
@@ -87,7 +87,7 @@ def _draws(
         problem = "no value of the robot has a standard deviation from which it could be drawn"
         remedy = 'declare some, such as mass = { value = "1.5 kg", sigma = "1 %" }'
         raise PkmodesError(problem, f"{robot.source}: samples", remedy)
-    rng, root = np.random.default_rng(seed), root_of(covariance_of(robot, spread))
+    rng, root = np.random.default_rng(seed), covariance_root(covariance_of(robot, spread))
     centre = np.array([robot.quantities[path].value for path in spread])
     draws: list[tuple[dict[str, float], Robot]] = []
     for _ in range(samples):

@@ -18,7 +18,7 @@ from pkmodes.core.linalg.damping import ModalDamping, modal_damping, rates_of_ra
 from pkmodes.core.linalg.eigen import generalised_eigh
 from pkmodes.core.model import Model
 from pkmodes.core.solve.at_poses import RobotAtPoses
-from pkmodes.core.support.solutions import solved, with_all_coordinates, with_fields
+from pkmodes.core.support.solutions import solve_modes, with_all_coordinates, with_fields
 from pkmodes.core.system.motors import MotorsHeld, motor_motion
 
 Array = NDArray[np.float64]
@@ -55,7 +55,7 @@ class LinearisedRobot:
         system = self.system = model.solved(drives)
         self._solver, self._backend = model.solver(backend, drives).inner, backend
         read_too = () if isinstance(system, MotorsHeld) else (*MATRICES, PLATFORM_MOTION)
-        self._at = solved(self._solver, system, points, model.robot.source, *read_too)
+        self._at = solve_modes(self._solver, system, points, model.robot.source, *read_too)
         self.rigid, self.massless = system.rigid_modes, system.massless
         n, motors = len(model.system.coordinates), len(model.robot.mechanism.drives)
         self.kept, self.prescribed = np.eye(n), np.zeros((n, motors))

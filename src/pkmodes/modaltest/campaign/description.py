@@ -11,7 +11,7 @@ import msgspec
 from msgspec import Struct, field
 
 from pkmodes.core.base.errors import MeasurementError, nearest_name, shown
-from pkmodes.core.base.toml import MOST_PARTS, long_key
+from pkmodes.core.base.toml import MAX_KEY_PARTS, line_of_long_key
 from pkmodes.core.robot.columns import frequency_factor
 from pkmodes.core.robot.units import (
     NUMBER,
@@ -132,8 +132,8 @@ def read_description(path: Path) -> CampaignTable:
     """
     source = str(path)
     text = read_text(path, source, "the campaign", "give a campaign file in TOML", LARGEST_FILE)
-    if (line := long_key(text)) is not None:
-        problem = f"expected a key of at most {MOST_PARTS} parts, found more"
+    if (line := line_of_long_key(text)) is not None:
+        problem = f"expected a key of at most {MAX_KEY_PARTS} parts, found more"
         _refuse(problem, f"{source}: line {line}", "shorten the key")
     try:
         document = tomllib.loads(text)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from pkmodes.core.base.arguments import check_argument, one_of
 from pkmodes.core.base.drives import FREE
 from pkmodes.core.base.errors import OutputError
-from pkmodes.core.support.replacing import check_replaced, holds
+from pkmodes.core.support.replacing import check_replaced, contains_mark
 from pkmodes.core.support.writing import write_files
 from pkmodes.pages.figures.pictures import PICTURES, Picture, pictures
 from pkmodes.pages.plots.style import GREY, styled
@@ -79,7 +79,9 @@ def write_pictures_and_sentences(
         problem = "the file exists, and is not such a figure"
         paths = [folder / f"{kind.name}.{file_format}" for file_format in formats]
         remedy = "choose another folder, or replace what is there with overwrite=True (--overwrite)"
-        check_replaced(paths, "folder", overwrite, holds(kind.title.encode()), what=problem, remedy=remedy)
+        check_replaced(
+            paths, "folder", overwrite, contains_mark(kind.title.encode()), what=problem, remedy=remedy
+        )
     files: dict[str, bytes] = {}
     sentences: dict[str, str] = {}
     for picture in pictures(model, grid, drives=drives):

@@ -76,8 +76,8 @@ def _headline(content: dict[str, Any]) -> str:
     else:
         low, high, where = first["quantile_2_hz"], first["quantile_98_hz"], " at 96 % of the poses"
     if count == 1:
-        return f"{lowest} is {numbers.hertz(low)} Hz"
-    return f"{lowest} lies between {numbers.hertz(low)} and {numbers.hertz(high)} Hz{where}"
+        return f"{lowest} is {numbers.format_frequency(low)} Hz"
+    return f"{lowest} lies between {numbers.format_frequency(low)} and {numbers.format_frequency(high)} Hz{where}"
 
 
 def axis_units(model: Model) -> dict[str, tuple[str, float]]:

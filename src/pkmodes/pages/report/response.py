@@ -95,14 +95,14 @@ def response_summary(model: Model, response: FrequencyResponse, drawn: DrawnChan
     if several:
         headline = (
             f"{clean(output_port)} responds most to {clean(input_port)} at "
-            f"{numbers.hertz(drawn.frequencies[peak])} Hz"
+            f"{numbers.format_frequency(drawn.frequencies[peak])} Hz"
         )
     else:
         headline = f"At {drawn.frequencies[0]:g} Hz {clean(output_port)} responds most to {clean(input_port)}"
     if drawn.measured is not None and name in measured:
         index = _largest_measured_index(drawn, measured[name])
         if index is not None:
-            headline += f", measured at {numbers.hertz(drawn.measured.frequencies[index])} Hz"
+            headline += f", measured at {numbers.format_frequency(drawn.measured.frequencies[index])} Hz"
     first, last = (float(drawn.frequencies[i]) for i in (0, -1))
     facts = [
         ("channels", Cell(str(len(drawn.model)), len(drawn.model))),

@@ -19,7 +19,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.support.mac import space
+from pkmodes.core.support.mac import subspace_basis
 from pkmodes.loop.diagnosis.criteria import Criteria
 from pkmodes.loop.diagnosis.match.pairing import Pairing, neighbours, tiled, unmeasured_neighbours
 from pkmodes.loop.diagnosis.match.shape_errors import shape_errors
@@ -151,7 +151,7 @@ class ShapeRows:
         modes = np.hstack([measured, beside[i]])  # if as many as the components, the residual is zero
         present, modes = modes >= 0, np.maximum(modes, 0)
         shapes = prediction.shapes[self._pose[i][:, None], modes][..., self._columns]
-        basis, back = space(shapes * self._weights[i][:, None] * present[..., None])
+        basis, back = subspace_basis(shapes * self._weights[i][:, None] * present[..., None])
         share = ((basis @ self._shapes[i][..., None])[..., 0, None] * back).sum(axis=1)
         return _Spaces(i, basis, share, modes)
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from pkmodes.core.base.numbers import p_in_words, plain, signed, times
+from pkmodes.core.base.numbers import format_factor, format_signed, p_in_words, plain
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.match.stage import MatchStage
 from pkmodes.loop.diagnosis.problem import Array
@@ -44,7 +44,7 @@ def dependence(fitter: Fitter, values: Array) -> AmplitudeDependence | None:
 def dependence_in_words(trend: AmplitudeDependence, data: Measurements) -> str:
     """Return how frequencies depend on the level."""
     unit, row = f" {data.level_unit}" if data.level_unit else "", trend.clearest.row
-    least, greatest = (signed(100.0 * change) for change in trend.range)
+    least, greatest = (format_signed(100.0 * change) for change in trend.range)
     change = least if least == greatest else f"{least} to {greatest}"
     mode = f"mode {data.mode[row]}" if data.mode[row] else f"{plain(data.frequency[row], 4)} Hz"
     clearest = f", clearest in line {data.lines[row]} ({data.labels[data.pose[row]]}, {mode})"
@@ -52,7 +52,7 @@ def dependence_in_words(trend: AmplitudeDependence, data: Measurements) -> str:
     basis = "with the scatter of setups at one level"
     if not trend.repeated:
         basis = (
-            f"even with errors {times(UNKNOWN)} as large as stated, but no level was measured again, so the "
+            f"even with errors {format_factor(UNKNOWN)} as large as stated, but no level was measured again, so the "
             "repeatability of setups is unknown"
         )
     return (

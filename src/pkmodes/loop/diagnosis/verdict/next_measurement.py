@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pkmodes.core.base.drives import DRIVES, motors_to_be
+from pkmodes.core.base.drives import DRIVES, motors_instruction
 from pkmodes.core.base.numbers import plain
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.store import FitStore
@@ -131,7 +131,7 @@ def _nowhere(
     best = max(proposals, key=lambda proposal: proposal.sigmas)
     if not best.sigmas:
         return f"at none of {where} can the remaining explanations be compared"
-    ways = f", with {motors_to_be(DRIVES)}" if any(way.unlike for way in tried) else ""
+    ways = f", with {motors_instruction(DRIVES)}" if any(way.unlike for way in tried) else ""
     ways += ", or with a load" if any(way.load for way in tried) else ""
     return (
         f"none of {where} separates the remaining explanations by {least:g} standard deviations or more{ways}: "

@@ -8,8 +8,8 @@ from collections.abc import Iterator
 import numpy as np
 from scipy import stats
 
-from pkmodes.core.base.drives import motors
-from pkmodes.core.base.numbers import plain, signed, times
+from pkmodes.core.base.drives import motors_text
+from pkmodes.core.base.numbers import format_factor, format_signed, plain
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.fit.store import FitStore
@@ -80,10 +80,10 @@ def _stated_errors(store: FitStore, fit: Fit, adequate: bool) -> Iterator[str]:
         return
     ratio = (squares / degrees) ** 0.5
     if ratio < 1.0 / MISSTATED and stats.chi2.cdf(squares, degrees) < SO_SMALL:
-        factor = times(1.0 / ratio) if ratio > 1e-6 else "far"
+        factor = format_factor(1.0 / ratio) if ratio > 1e-6 else "far"
         yield f"the stated errors of the frequencies are {factor} too large: the residual scatters much less"
     elif adequate and ratio > MISSTATED:
-        yield f"the stated errors of the frequencies are {times(ratio)} too small"
+        yield f"the stated errors of the frequencies are {format_factor(ratio)} too small"
 
 
 def _nuisances(fitter: Fitter, fit: Fit) -> Iterator[str]:
@@ -159,7 +159,8 @@ def drift(fitter: Fitter, fit: Fit) -> str:
     if stats.spearmanr(order, means).pvalue > fitter.criteria.gate.level:
         return ""
     slope = float(np.polyfit(order, means, 1)[0])
-    return f"it drifts with the order of the poses, by {signed(100 * slope * (len(means) - 1))} % from first to last"
+    drift = format_signed(100 * slope * (len(means) - 1))
+    return f"it drifts with the order of the poses, by {drift} % from first to last"
 
 
 def _unmeasured(fitter: Fitter, fit: Fit) -> Iterator[str]:
@@ -170,5 +171,5 @@ def _unmeasured(fitter: Fitter, fit: Fit) -> Iterator[str]:
             if np.isclose(low, high, rtol=1e-3)
             else f"{plain(low, 4)} to {plain(high, 4)} Hz"
         )
-        at = f"{setups} poses" + (f" with {motors([drives])}" if mixed else "")
+        at = f"{setups} poses" + (f" with {motors_text([drives])}" if mixed else "")
         yield f"a mode at {where} was expected at {at} but never measured"
