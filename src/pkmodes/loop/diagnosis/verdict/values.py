@@ -26,7 +26,8 @@ def no_value(search: Search, final: Fit) -> str:
                 if bound != p.value and np.isfinite(bound) and abs(value - bound) < c.claim.bounded * sigma:
                     return (
                         f"{cause.name} would explain the residual, but its value, "
-                        f"{round_to_sigma(value, sigma)}, is at its bound {plain(bound, 4)}: something else may be the cause"
+                        f"{round_to_sigma(value, sigma)}, is at its bound {plain(bound, 4)}: "
+                        "something else may be the cause"
                     )
         if p_absent(search, final, cause) > c.claim.absent:
             return (
