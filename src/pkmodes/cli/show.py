@@ -149,7 +149,7 @@ def parse_vary(text: str, robot: Robot) -> dict[str, NDArray[np.float64]]:
     Returns values in SI units by path, in the order given.
     Raises PkmodesError if a path is unknown or repeated, a range is invalid, or there are too many.
     """
-    from pkmodes.core.robot.declaration import changeable
+    from pkmodes.core.robot.declaration import changeable_units
     from pkmodes.machine.maps.ranges import parse_range
     from pkmodes.pages.view.varying import COUNTS, PARAMETERS
 
@@ -157,7 +157,7 @@ def parse_vary(text: str, robot: Robot) -> dict[str, NDArray[np.float64]]:
     if len(parts) > PARAMETERS:
         problem = f"expected at most {PARAMETERS} parameters, found {len(parts)}"
         raise PkmodesError(problem, VARY, "vary the others on another page")
-    units, ranges = changeable(robot), dict[str, NDArray[np.float64]]()
+    units, ranges = changeable_units(robot), dict[str, NDArray[np.float64]]()
     for part in parts:
         path, equals, span = (piece.strip() for piece in part.partition("="))
         if not equals or not path or not span:

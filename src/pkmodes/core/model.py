@@ -25,7 +25,7 @@ from pkmodes.core.mechanism.poses import (
     as_points,
     largest_condition,
 )
-from pkmodes.core.robot.pose_table import by_name
+from pkmodes.core.robot.pose_table import ordered_by_name
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.usable import reasons_of
 from pkmodes.core.solve.backends import AUTO, checked_threads, chosen, solver_of
@@ -477,7 +477,7 @@ class Model:
         kind = self.mechanism.independent_are
         size, names = len(self.mechanism.independent), ", ".join(self.mechanism.independent)
         units = {q.name: q.unit for q in self.mechanism.coordinates}
-        ordered = by_name(positions, {name: units[name] for name in self.mechanism.independent}, kind)
+        ordered = ordered_by_name(positions, {name: units[name] for name in self.mechanism.independent}, kind)
         q, batch = as_points(ordered, kind, size, lambda: f"give {names} in SI units")
         with np.errstate(all="ignore"):
             p: Array = function(q, assembly)

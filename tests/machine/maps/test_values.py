@@ -15,7 +15,7 @@ from helpers.commands.adding_a_mechanism import COMMANDS, DECLARED, DEFINITION
 from helpers.commands.adding_a_mechanism import ROBOT as FIVE_BAR
 from pkmodes.cli import run
 from pkmodes.core.mechanism import registry as mechanism
-from pkmodes.core.robot.declaration import changeable
+from pkmodes.core.robot.declaration import changeable_units
 from pkmodes.core.solve import mode_fields
 from pkmodes.machine.maps.pose_file import read_poses
 
@@ -71,7 +71,7 @@ def expect_equal_to_single_poses(model: pkmodes.Model, found: xarray.Dataset, na
 @pytest.mark.parametrize("robot", GRIDS)
 def test_each_pose_has_the_numbers_of_a_single_evaluation(robot: str, effects: str, drives: str) -> None:
     model = pkmodes.load(ROBOTS / f"{robot}.toml")
-    known = changeable(model.robot)
+    known = changeable_units(model.robot)
     model = model.with_values({path: value for path, value in EFFECTS[effects].items() if path in known})
     found = model.map(GRIDS[robot], shapes=True, drives=drives)
     assert found.attrs["drives"] == drives

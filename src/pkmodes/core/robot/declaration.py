@@ -12,7 +12,7 @@ import numpy as np
 from pkmodes.core.mechanism import registry
 from pkmodes.core.mechanism.described import DAMPING_RATIO, Mechanism
 from pkmodes.core.robot.covariance import Covariance
-from pkmodes.core.robot.layout import OF_QUANTITIES, Item, effect_parameters, items
+from pkmodes.core.robot.layout import QUANTITY_KINDS, Item, effect_parameters, items
 from pkmodes.core.robot.units import Quantity
 from pkmodes.core.robot.usable import Bound
 
@@ -49,9 +49,9 @@ class Declaration:
         Where the machine is used: lower and upper limit of components of the pose, ``radius`` and
         ``singular_angle``, in SI units.
     report : mapping of str to str
-        What the head of reports says of the machine, by key of the table ``[report]``.
+        Fields for the header of reports, by key of the table ``[report]``.
     covariance : tuple of Covariance
-        Values whose errors belong together; all others are independent.
+        Tables of values with correlated errors; all other values are independent.
     kept : dict
         Results kept for this robot, to be computed once.
     """
@@ -119,7 +119,7 @@ class Declaration:
 
     @property
     def dissipates(self) -> bool:
-        """Whether anything does: an effect, or the damping ratio of every vibration mode."""
+        """Whether anything dissipates: an effect, or the damping ratio of every vibration mode."""
         return self.effects_dissipate or self.damping_ratio > 0.0
 
     @property
@@ -127,7 +127,7 @@ class Declaration:
         """Every declared value by dotted path, in SI units: quantities, and choices such as a direction."""
         values: dict[str, object] = {path: quantity.value for path, quantity in self.quantities.items()}
         for item in items(self.mechanism):
-            if item.key.kind not in OF_QUANTITIES:
+            if item.key.kind not in QUANTITY_KINDS:
                 values[item.path] = self._chosen(item)
         return values
 
@@ -140,7 +140,7 @@ class Declaration:
         return value.tolist() if item.key.kind == "direction" else [int(sign) for sign in value]
 
 
-def changeable(robot: Declaration) -> dict[str, str]:
+def changeable_units(robot: Declaration) -> dict[str, str]:
     """Return the paths that can be changed or added, with their SI units."""
     declared = {path: quantity.unit for path, quantity in robot.quantities.items()}
     return {**declared, **_always_changeable(robot.mechanism)}
@@ -154,7 +154,7 @@ def unit_of(robot: Declaration, path: str) -> str | None:
 
 @cache
 def _always_changeable(mechanism: Mechanism) -> dict[str, str]:
-    """Return those that need not be declared."""
+    """Return the paths that can be changed although the file need not declare them, with their SI units."""
     undeclared = {
         number.path: number.unit
         for item in items(mechanism)

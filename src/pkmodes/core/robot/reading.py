@@ -13,7 +13,7 @@ from pkmodes.core.base.toml import MAX_KEY_PARTS, line_of_long_key
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.validation import declaration
 
-LARGEST_FILE = 1_000_000
+MAX_FILE_SIZE = 1_000_000
 
 
 def read_robot(path: str | PathLike[str]) -> Robot:
@@ -45,7 +45,7 @@ def read_robot(path: str | PathLike[str]) -> Robot:
         if file.exists() and not file.is_file():
             kind = "a folder" if file.is_dir() else "not a regular file"
             _refuse(f"cannot read the robot file: it is {kind}", name, "give a robot file in TOML")
-        if file.stat().st_size > LARGEST_FILE:
+        if file.stat().st_size > MAX_FILE_SIZE:
             _refuse("cannot read the robot file: it is larger than 1 MB", name, "give a robot file in TOML")
         text = file.read_text(encoding="utf-8-sig")
     except UnicodeDecodeError as error:

@@ -8,8 +8,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.robot.covariance import DIGITS, Covariance
-from pkmodes.core.robot.layout import lent
+from pkmodes.core.robot.covariance import SIGMA_TOLERANCE, Covariance
+from pkmodes.core.robot.layout import table_sources
 from pkmodes.core.robot.robot import Robot
 
 Array = NDArray[np.float64]
@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 def sigmas_by_path(robot: Robot) -> dict[str, float]:
     """Return the standard deviations above 0 of a robot by path [SI]; a value that an effect takes counts once."""
     duplicates = {
-        path for path, table_path in lent(robot.mechanism).items() if table_path in robot.quantities
+        path for path, table_path in table_sources(robot.mechanism).items() if table_path in robot.quantities
     }
     return {path: q.sigma for path, q in robot.quantities.items() if q.sigma and path not in duplicates}
 
@@ -60,7 +60,7 @@ def priors_of(robot: Robot) -> dict[str, Prior]:
         path: sigma
         for table, table_sigmas in tables
         for path, sigma in zip(table.paths, table_sigmas, strict=True)
-        if abs(declared[path] - sigma) <= DIGITS * sigma
+        if abs(declared[path] - sigma) <= SIGMA_TOLERANCE * sigma
     }
     for table, table_sigmas in tables:
         ratios = np.array(table_sigmas) / [sigmas[path] for path in table.paths]

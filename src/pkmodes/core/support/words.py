@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 
 from pkmodes.core.mechanism.described import DAMPING_RATIO, Mechanism
-from pkmodes.core.robot.layout import EFFECTS, Item, by_path
+from pkmodes.core.robot.layout import EFFECTS, Item, items_by_path
 from pkmodes.core.robot.parameter_groups import groups_by_path
 
 #: In a description, what follows this is a formula.
@@ -25,7 +25,7 @@ def meaning_of(mechanism: Mechanism, path: str) -> str:
     """
     if path == DAMPING_RATIO:
         return "damping ratio of every mode"
-    item = by_path(mechanism).get(path)
+    item = items_by_path(mechanism).get(path)
     if item is not None:
         return _meaning_of_item(item, path)
     group = groups_by_path(mechanism).get(path)

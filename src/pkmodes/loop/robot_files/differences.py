@@ -12,8 +12,8 @@ from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.base.numbers import plain
 from pkmodes.core.robot.covariance import COVARIANCE
 from pkmodes.core.robot.declaration import Declaration
-from pkmodes.core.robot.layout import by_path, takers
-from pkmodes.core.robot.usable import numbers_of
+from pkmodes.core.robot.layout import items_by_path, overrides_by_path
+from pkmodes.core.robot.usable import limit_values
 from pkmodes.core.support.documents import Document
 
 
@@ -80,10 +80,10 @@ def differences(first: Declaration, second: Declaration) -> Differences:
     Raises PkmodesError if their mechanisms differ.
     """
     check_one_mechanism(first, second)
-    both, items, compared = (first, second), by_path(first.mechanism), list[ValueDifference]()
+    both, items, compared = (first, second), items_by_path(first.mechanism), list[ValueDifference]()
     for path in dict.fromkeys([*first.quantities, *second.quantities]):
         # A shared value is not compared by itself where the other robot's axes have their own.
-        overrides = [item.path for item in takers(first.mechanism).get(path, ())]
+        overrides = [item.path for item in overrides_by_path(first.mechanism).get(path, ())]
         overridden = any(name in robot.quantities for robot in both for name in overrides)
         if overridden and not all(path in robot.quantities for robot in both):
             continue
@@ -95,7 +95,7 @@ def differences(first: Declaration, second: Declaration) -> Differences:
         sigma, later_sigma = (None if quantity is None else quantity.sigma for quantity in quantities)
         relative = _relative(before, after)
         compared.append(ValueDifference(path, unit, before, after, sigma, later_sigma, relative))
-    limits = [numbers_of(robot.mechanism, robot.usable) for robot in both]
+    limits = [limit_values(robot.mechanism, robot.usable) for robot in both]
     for path in dict.fromkeys([*limits[0], *limits[1]]):
         unit = (limits[0].get(path) or limits[1][path])[1]
         before, after = (numbers[path][0] if path in numbers else None for numbers in limits)

@@ -18,11 +18,11 @@ from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.mechanism.regular import sample
 from pkmodes.core.robot import schema
 from pkmodes.core.robot.covariance import CORRELATION, COVARIANCE, PATHS, SIGMA
-from pkmodes.core.robot.layout import EFFECTS, GRAVITY, OF_QUANTITIES, Item, items, lent
+from pkmodes.core.robot.layout import EFFECTS, GRAVITY, QUANTITY_KINDS, Item, items, table_sources
 from pkmodes.core.robot.report_fields import REPORT, TITLES
 from pkmodes.core.robot.tables import FORMAT, dimension_of_effect
-from pkmodes.core.robot.units import DIMENSIONS, SHOWN, with_unit
-from pkmodes.core.robot.usable import RADIUS, SINGULAR_ANGLE, USABLE, limits_written
+from pkmodes.core.robot.units import DIMENSIONS, DISPLAY_UNITS, with_unit
+from pkmodes.core.robot.usable import RADIUS, SINGULAR_ANGLE, USABLE, limit_examples
 from pkmodes.core.robot.variants import document_of
 from pkmodes.core.support.ordering import joined
 from pkmodes.loop.robot_files.measuring import way_of
@@ -103,7 +103,7 @@ def _sampled(item: Item, field: Any) -> Any:
         return item.key.choices[int(np.argmax(numbers))]
     if item.key.kind in ("choice", "signs"):
         return [int(number) for number in numbers] if isinstance(numbers, list) else int(numbers)
-    if item.key.kind not in OF_QUANTITIES:
+    if item.key.kind not in QUANTITY_KINDS:
         return numbers
     return (
         [_si(number, item.key) for number in numbers] if isinstance(numbers, list) else _si(numbers, item.key)
@@ -121,11 +121,11 @@ def _with_usual_sigmas(mechanism: Mechanism, document: Mapping[str, Any]) -> dic
     completed = deepcopy(dict(document))
     for item in items(mechanism):
         raw, key = _at(completed, item), item.key
-        path = item.shared or ".".join(part for part in item.place if isinstance(part, str))
+        path = item.shared or ".".join(part for part in item.key_path if isinstance(part, str))
         sigma = way_of(path, key.dimension).sigma
         if raw is None or isinstance(raw, Mapping) or key.kind != "quantity" or not sigma:
             continue
-        if schema.quantity(raw, key.dimension).value:
+        if schema.parse_quantity(raw, key.dimension).value:
             _at(completed, item, up=1)[key.name] = {"value": raw, "sigma": sigma}
     return completed
 
@@ -133,7 +133,7 @@ def _with_usual_sigmas(mechanism: Mechanism, document: Mapping[str, Any]) -> dic
 def _at(document: Mapping[str, Any], item: Item, up: int = 0) -> Any:
     """Return the value of a key in a parsed file, or the table that has it; None if there is none."""
     node: Any = document
-    for part in item.place[: len(item.place) - up]:
+    for part in item.key_path[: len(item.key_path) - up]:
         node = node[part] if isinstance(part, int) else node.get(part)
         if node is None:
             return None
@@ -190,7 +190,7 @@ def _accepted(key: Key) -> str:
     if key.kind == "direction":
         return "a unit vector"
     unit = DIMENSIONS[key.dimension][0]
-    shown, factor = SHOWN.get(unit, (unit, 1.0))
+    shown, factor = DISPLAY_UNITS.get(unit, (unit, 1.0))
     bounds = {">": key.above, ">=": key.at_least, "<": key.below, "<=": key.at_most}
     parts = [
         f"{sign} {with_unit(bound * factor, shown)}" if bound else f"{sign} 0"
@@ -228,8 +228,10 @@ def _effect(mechanism: Mechanism, effect: Effect, section: Mapping[str, Any]) ->
         replaced = parameter.in_place_of or not present.keys().isdisjoint(excluded)
         if replaced and parameter.name not in present:
             continue
-        if path in lent(mechanism):
-            yield from _prose(f"{parameter.name} is that of [{lent(mechanism)[path].rpartition('.')[0]}]")
+        if path in table_sources(mechanism):
+            yield from _prose(
+                f"{parameter.name} is that of [{table_sources(mechanism)[path].rpartition('.')[0]}]"
+            )
             continue
         key = Key(
             parameter.name,
@@ -247,7 +249,7 @@ def _effect(mechanism: Mechanism, effect: Effect, section: Mapping[str, Any]) ->
 def _common(mechanism: Mechanism, document: Mapping[str, Any]) -> Iterator[str]:
     """Yield the optional tables of every robot file, without one whose name the mechanism uses for its own."""
     descriptions = LIMITS | {component.name: component.description for component in mechanism.pose}
-    limits = [f"{line}  # {descriptions[name]}" for name, line in limits_written(mechanism).items()]
+    limits = [f"{line}  # {descriptions[name]}" for name, line in limit_examples(mechanism).items()]
     tables: dict[str, tuple[str, Iterable[str]]] = {
         f"[{USABLE}]": (IN_USE, limits),
         f"[{REPORT}]": (HEAD_OF_REPORTS, (f'{name} = "..."' for name in TITLES)),

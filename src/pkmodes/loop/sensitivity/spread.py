@@ -24,7 +24,7 @@ from pkmodes.core.base.drives import FREE, checked_drives
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.mechanism.poses import OnError
 from pkmodes.core.model import Model
-from pkmodes.core.robot.layout import Slot, lent
+from pkmodes.core.robot.layout import Slot, table_sources
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.support.covariance import covariance_of, covariance_root, sigmas_by_path
 from pkmodes.loop.sensitivity.modes import groups
@@ -55,7 +55,9 @@ def spread_of(
 
     - known: paths of values that are known exactly all the same, such as those that a sweep sets
     """
-    owners = {table_path for path, table_path in lent(model.robot.mechanism).items() if path in known}
+    owners = {
+        table_path for path, table_path in table_sources(model.robot.mechanism).items() if path in known
+    }
     names = [path for path in stated_sigmas(model.robot) if path not in known and path not in owners]
     if not names:
         return None

@@ -17,7 +17,7 @@ from dataclasses import replace
 import numpy as np
 
 from pkmodes.core.base.errors import PkmodesError, nearest_name, shown
-from pkmodes.core.robot.layout import GRAVITY, Item, by_path, lent, takers
+from pkmodes.core.robot.layout import GRAVITY, Item, items_by_path, overrides_by_path, table_sources
 from pkmodes.core.robot.parameter_groups import group_items, group_weights, groups_by_path
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.units import with_unit
@@ -127,8 +127,8 @@ def _chosen(robot: Robot, chosen: Sequence[str] | None, loads: LoadCases) -> lis
 def _with_assumptions(robot: Robot, candidates: Sequence[Candidate], loads: LoadCases) -> list[Candidate]:
     """Return candidates, with the defaults that their effects assume where no file states a value."""
     assumed: dict[str, list[Assumption]] = {}
-    for borrowed, lender in lent(robot.mechanism).items():
-        default, move = by_path(robot.mechanism)[lender].key.default, resolve(robot, borrowed)
+    for borrowed, lender in table_sources(robot.mechanism).items():
+        default, move = items_by_path(robot.mechanism)[lender].key.default, resolve(robot, borrowed)
         if default and not {lender, borrowed} & robot.quantities.keys() and not loads.always(move):
             words = f"a {lender} of {with_unit(default, move.unit)}"
             for name in robot.mechanism.effects[borrowed.split(".")[1]].forms:
@@ -139,7 +139,7 @@ def _with_assumptions(robot: Robot, candidates: Sequence[Candidate], loads: Load
 def _with_another_constant(robot: Robot, candidates: Sequence[Candidate]) -> list[Candidate]:
     """Return effects with a wrong declared constant, such as the mass of a moving frame: alone they would not fit."""
     with_constants = []
-    for borrowed, lender in lent(robot.mechanism).items():
+    for borrowed, lender in table_sources(robot.mechanism).items():
         _, name, constant = borrowed.split(".")
         declared = robot.quantities.get(lender)
         if declared is not None and declared.sigma is not None:
@@ -162,7 +162,9 @@ def _with_another_constant(robot: Robot, candidates: Sequence[Candidate]) -> lis
 def _varying(robot: Robot) -> list[str]:
     """Return the declared values that the robot depends on: not those that every entry overrides, lent ones once."""
     varying = set(paths(robot))
-    varying -= {borrowed for borrowed, lender in lent(robot.mechanism).items() if lender in robot.quantities}
+    varying -= {
+        borrowed for borrowed, lender in table_sources(robot.mechanism).items() if lender in robot.quantities
+    }
     return [path for path in robot.quantities if path in varying]
 
 
@@ -185,7 +187,7 @@ def _asked_for(robot: Robot, name: str, available: list[str]) -> Candidate:
         suggestions = [*available, *losses, *(f"{PREFIX}{p}" for p in paths(robot))]
         remedy = nearest_name(name, suggestions, "use the names in docs/explanation/diagnosis.md")
         raise PkmodesError(f"unknown candidate {shown(name)}", "candidates", remedy)
-    whole, item = groups_by_path(robot.mechanism).get(path), by_path(robot.mechanism).get(path)
+    whole, item = groups_by_path(robot.mechanism).get(path), items_by_path(robot.mechanism).get(path)
     refuse_declared(path, _sigmas(robot, [path, *(_elements(robot, whole) if whole is not None else ())]))
     shared = item.shared if item is not None else ""
     if (
@@ -269,9 +271,9 @@ def _effects(robot: Robot, loads: LoadCases) -> dict[str, Candidate]:
 def _suspected(robot: Robot) -> dict[str, Candidate]:
     """Return the candidates of values without a standard deviation; wholes in place of their elements."""
     parts = {element for whole in robot.mechanism.parameter_groups for element in _elements(robot, whole)}
-    suspected, items_by_path = [], by_path(robot.mechanism)
+    suspected, item_at = [], items_by_path(robot.mechanism)
     for path in _varying(robot):
-        item, quantity = items_by_path.get(path), robot.quantities[path]
+        item, quantity = item_at.get(path), robot.quantities[path]
         if item is None or not item.key.suspected or quantity.sigma is not None or path in parts:
             continue
         if item.key is not GRAVITY or quantity.value != 0.0:  # a gravity component of 0 is exact
@@ -297,10 +299,12 @@ def _of_one_entry(robot: Robot) -> list[Candidate]:
     """Return the values of single axes for which the file gives one shared value without a sigma."""
     candidates, all_paths = [], paths(robot)
     for path in all_paths:
-        item = by_path(robot.mechanism).get(path)
+        item = items_by_path(robot.mechanism).get(path)
         if item is not None and item.shared in all_paths and path not in robot.quantities:
             following = [
-                taker for taker in takers(robot.mechanism)[item.shared] if taker.path not in robot.quantities
+                taker
+                for taker in overrides_by_path(robot.mechanism)[item.shared]
+                if taker.path not in robot.quantities
             ]
             if robot.quantities[item.shared].sigma is None and len(following) > 1:
                 sentence = f"the value of {path} differs from that of the other axes"
@@ -344,7 +348,7 @@ def _unlike(
 
 def _parameter(robot: Robot, move: ParameterPath, prior: Prior) -> Parameter:
     sigma = prior.sigma
-    item = by_path(robot.mechanism).get(move.path)
+    item = items_by_path(robot.mechanism).get(move.path)
     lower, upper = -np.inf, np.inf
     believed = None
     if move.path.startswith(EFFECTS):

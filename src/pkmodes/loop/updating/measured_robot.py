@@ -17,7 +17,7 @@ from pkmodes.core.mechanism.poses import LARGE, check_poses, placed
 from pkmodes.core.mechanism.registry import Mechanism, mechanism, names
 from pkmodes.core.model import Model
 from pkmodes.core.robot.robot import Robot
-from pkmodes.core.robot.units import NUMBER, QuantityError, base_units, check_plain_number, meant_as
+from pkmodes.core.robot.units import NUMBER, QuantityError, base_units, check_plain_number, likely_unit
 from pkmodes.core.robot.usable import USABLE, read_usable
 from pkmodes.core.support.ordering import joined
 from pkmodes.loop.diagnosis.arguments import check_measurements
@@ -206,7 +206,7 @@ def _deviation(prior: float | str, parameter: Parameter, where: str) -> float:
         except QuantityError as error:
             problem, expected = str(error), f"expected a standard deviation in {parameter.unit}"
             problem = problem if problem.startswith(expected) else f"{expected}: {problem}"
-            if number is not None and (meant := meant_as(unit, parameter.unit)) is not None:
+            if number is not None and (meant := likely_unit(unit, parameter.unit)) is not None:
                 remedy = f'write "{number[1]} {meant}"'
             raise PkmodesError(problem, where, error.remedy or remedy) from None
     if isinstance(value, bool) or not isinstance(value, int | float | np.integer | np.floating):

@@ -15,8 +15,8 @@ from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.mechanism.regular import declared
 from pkmodes.core.mechanism.rods import rods_of, singular_angles
 from pkmodes.core.robot.robot import Robot
-from pkmodes.core.robot.usable import SingularAngle, not_singular
-from pkmodes.core.robot.usable_poses import inside, limits_of
+from pkmodes.core.robot.usable import SingularAngle, singular_angle_text
+from pkmodes.core.robot.usable_poses import bounding_box, within_limits
 from pkmodes.core.support.motors import motors_give_way
 from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.core.system.motors import motor_springs_among
@@ -235,7 +235,7 @@ class RobotStructure:
     def surroundings(self) -> str:
         """What `elsewhere` offers, in words."""
         limits = ["are within [usable]"] if self.robot.usable else []
-        limits += [f"have {not_singular(self._least_angle)}"] if rods_of(self._mechanism) else []
+        limits += [f"have {singular_angle_text(self._least_angle)}"] if rods_of(self._mechanism) else []
         return "reachable poses around the measured ones" + (
             f" that {' and '.join(limits)}" if limits else ""
         )
@@ -256,7 +256,7 @@ class RobotStructure:
         rng = np.random.default_rng(SEED)
         low, high = self.points.min(axis=0), self.points.max(axis=0)
         margin = 0.25 * max(float((high - low).max()), 0.1)
-        lowest, highest = limits_of(self._mechanism, self.robot.usable)
+        lowest, highest = bounding_box(self._mechanism, self.robot.usable)
         low, high = np.clip(low - margin, lowest, highest), np.clip(high + margin, lowest, highest)
         low = np.where(low == high, np.maximum(low - margin, lowest), low)
         high = np.where(high == lowest, np.minimum(high + margin, highest), high)
@@ -264,7 +264,7 @@ class RobotStructure:
         check = check_poses(drawn, self._mechanism, self.robot.parameters, "nan", MAX_CONDITION / 1e5)
         drawn = drawn[check.valid]
         angles = singular_angles(self._mechanism, self.robot.parameters, drawn)
-        drawn = drawn[inside(self.robot, drawn) & (angles >= self._least_angle).all(axis=-1)][:count]
+        drawn = drawn[within_limits(self.robot, drawn) & (angles >= self._least_angle).all(axis=-1)][:count]
         return drawn, self.at(drawn, LoadCases.none(self.robot, len(drawn), self.drives))
 
     def moved_by(self, values: Array, by: Sequence[int], rows: Index, owners: Sequence[int]) -> list[Moves]:

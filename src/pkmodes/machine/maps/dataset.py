@@ -14,7 +14,7 @@ from uuid import uuid4
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.robot.declaration import changeable
+from pkmodes.core.robot.declaration import changeable_units
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.solve.fields import EVERY, INDEPENDENT, MODE, of_maps
 from pkmodes.core.system.evaluation import evaluation
@@ -92,7 +92,7 @@ def dataset_of(
 
 def _coordinates(robot: Robot, places: Places, variants: Variants) -> dict[str, Any]:
     """Return the coordinates along the leading axes."""
-    units = changeable(robot)
+    units = changeable_units(robot)
     coordinates: dict[str, Any] = {
         path: (path, values, {"units": units.get(path, "1"), "long_name": f"parameter {path}"})
         for path, values in variants.swept.items()

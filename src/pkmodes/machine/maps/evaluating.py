@@ -22,7 +22,7 @@ from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.model import Model
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.usable import USABLE
-from pkmodes.core.robot.usable_poses import inside
+from pkmodes.core.robot.usable_poses import within_limits
 from pkmodes.core.solve.fields import (
     COORDINATE,
     DIRECTION,
@@ -169,7 +169,7 @@ def _piece(robot: Robot, points: Array, task: Task) -> dict[str, Array]:
         else:
             array[...] = of_robot
     if task.used:
-        beyond = checked.valid & ~inside(robot, points)
+        beyond = checked.valid & ~within_limits(robot, points)
         for array in arrays.values():
             array[beyond] = missing(array.dtype.str)
         arrays["code"][beyond] = codes(robot.mechanism).index(USABLE)

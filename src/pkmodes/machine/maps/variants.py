@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.arguments import NATURAL_NUMBER, POSITIVE_INTEGER, check_argument
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.core.robot.layout import lent
+from pkmodes.core.robot.layout import table_sources
 from pkmodes.core.robot.parameter_groups import elements_at_value, groups_by_path
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.support.axes import swept_values
@@ -114,7 +114,7 @@ def taken(robot: Robot, swept: Mapping[str, Array]) -> set[str]:
     for path, values in swept.items():
         if path in groups_by_path(robot.mechanism):
             paths |= set(elements_at_value(robot, groups_by_path(robot.mechanism)[path], float(values[0])))
-    for path, lender in lent(robot.mechanism).items():
+    for path, lender in table_sources(robot.mechanism).items():
         if {path, lender} & paths:
             paths |= {path, lender}
     return paths

@@ -18,7 +18,7 @@ from pkmodes.core.mechanism.poses import LARGE
 from pkmodes.core.mechanism.regular import drawn_poses
 from pkmodes.core.model import Model
 from pkmodes.core.robot.usable import USABLE, Limits, is_box, limits_in_words
-from pkmodes.core.robot.usable_poses import inside, limits_of
+from pkmodes.core.robot.usable_poses import bounding_box, within_limits
 from pkmodes.core.support.progress import say
 from pkmodes.machine.maps.poses import PoseGrid
 
@@ -45,7 +45,7 @@ def resting(model: Model, pose: Array | None = None) -> dict[int, float]:
     mechanism = model.mechanism
     names = [component.name for component in mechanism.pose]
     still = [names.index(name) for name in mechanism.components[len(mechanism.directions) :]]
-    low, high = limits_of(mechanism, model.robot.usable)
+    low, high = bounding_box(mechanism, model.robot.usable)
     values = np.clip(0.0, low, high) if pose is None else pose
     return {i: float(values[i]) for i in still}
 
@@ -210,7 +210,7 @@ def usable_poses(model: Model) -> Array:
 
 def within(model: Model) -> Inside:
     """Return the test whether poses, (N, d), are within the usable limits of the robot."""
-    return lambda points: inside(model.robot, np.asarray(points, dtype=float))
+    return lambda points: within_limits(model.robot, np.asarray(points, dtype=float))
 
 
 def used(model: Model, pose: Array) -> Inside:
@@ -222,7 +222,7 @@ def used(model: Model, pose: Array) -> Inside:
 
 
 def _clipped(model: Model, low: Array, high: Array) -> tuple[Array, Array]:
-    limits = limits_of(model.mechanism, model.robot.usable)
+    limits = bounding_box(model.mechanism, model.robot.usable)
     return np.maximum(low, limits[0]), np.minimum(high, limits[1])
 
 
@@ -246,7 +246,7 @@ def reachable_by(models: Sequence[Model], poses: int = POSES) -> PoseGrid:
     boxes = [usable_box(model) for model in models]
     low, high = np.min([box[0] for box in boxes], axis=0), np.max([box[1] for box in boxes], axis=0)
     mechanism = models[0].mechanism
-    bounds = [limits_of(mechanism, model.robot.usable) for model in models]
+    bounds = [bounding_box(mechanism, model.robot.usable) for model in models]
     limits = np.min([bound[0] for bound in bounds], axis=0), np.max([bound[1] for bound in bounds], axis=0)
     names = [component.name for component in mechanism.pose]
     units = [component.unit for component in mechanism.pose]

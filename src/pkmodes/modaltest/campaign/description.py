@@ -18,7 +18,7 @@ from pkmodes.core.robot.units import (
     QuantityError,
     check_plain_number,
     dimension_of,
-    meant_as,
+    likely_unit,
     parse,
 )
 from pkmodes.loop.measured.cells import number_in
@@ -202,7 +202,7 @@ def frequency(text: str, where: str, example: str = "50 Hz") -> float:
             raise QuantityError(f"expected a frequency with its unit, found {shown(text)}")
         value = number_in(match[1], frequency_factor(match[2]))
     except QuantityError as error:
-        meant = meant_as(match[2], "Hz") if match is not None and not error.remedy else None
+        meant = likely_unit(match[2], "Hz") if match is not None and not error.remedy else None
         remedy = error.remedy or (remedy if meant is None or match is None else f'write "{match[1]} {meant}"')
         raise MeasurementError(str(error), where, remedy) from None
     if value is None or value <= 0.0:

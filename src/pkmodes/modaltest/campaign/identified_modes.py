@@ -14,7 +14,7 @@ from typing import NoReturn
 import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError, nearest_name, shown
-from pkmodes.core.robot.columns import frequency_factor, parted
+from pkmodes.core.robot.columns import frequency_factor, split_heading
 from pkmodes.core.robot.units import QuantityError, base_units
 from pkmodes.core.support.ordering import joined
 from pkmodes.loop.measured.cells import TableNotation
@@ -161,7 +161,7 @@ def _places(
         _refuse("two entries of columns name the same column", where, "give each its own")
     places: dict[str, tuple[int, Decimal | None]] = {}
     for i, cell in enumerate(names):
-        name, unit = parted(cell, [*theirs, *NUMBERS, "pose"])
+        name, unit = split_heading(cell, [*theirs, *NUMBERS, "pose"])
         if name in theirs and unit is None:
             unit = worded(cell)[1] or None  # "Damping ratio in %"
         name = theirs.get(name, theirs.get(cell, name))
@@ -178,7 +178,7 @@ def _places(
                     f"the column {shown(name)} is repeated", f"{where}, column {i + 1}", "remove one of them"
                 )
             places[name] = (i, _factor(name, unit, f"{where}, column {i + 1}") if unit else None)
-    present = {*names, *(parted(cell, list(theirs))[0] for cell in names)}
+    present = {*names, *(split_heading(cell, list(theirs))[0] for cell in names)}
     missing = [name for name in columns.values() if name not in present]
     if missing:
         _refuse(
