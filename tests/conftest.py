@@ -124,10 +124,10 @@ def no_drawing() -> Iterator[None]:
 def _mechanisms_as_supplied() -> Iterator[None]:
     """No test leaves a mechanism of pkmodes with effects of its own to the tests after it."""
     yield
-    assert not {*registry._added} & {*registry.supplied()}
+    assert not {*registry._added} & {*registry.supplied_names()}
     if "pkmodes_derive.mechanisms" in sys.modules:
         own_effects = sys.modules["pkmodes_derive.mechanisms"].own_effects
-        assert not [name for name in registry.supplied() if own_effects(name)]
+        assert not [name for name in registry.supplied_names() if own_effects(name)]
 
 
 @pytest.fixture(scope="session", autouse=True)

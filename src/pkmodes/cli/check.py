@@ -119,15 +119,15 @@ def check(
     A mechanism of your own is derived from the definition stored with its code, which is executed.
     """
     from pkmodes.codegen.checking import products
-    from pkmodes.core.mechanism.registry import add_folder, supplied
+    from pkmodes.core.mechanism.registry import add_folder, supplied_names
 
     check_targets(json_file, targets)
     if mechanism is not None:
         add_folder(mechanism)
         targets = targets or (mechanism,)
     reports: list[Report] = []
-    for number, name in enumerate(() if targets else supplied(), start=1):
-        say(f"{name}, {number} of {len(supplied())}: deriving it again")
+    for number, name in enumerate(() if targets else supplied_names(), start=1):
+        say(f"{name}, {number} of {len(supplied_names())}: deriving it again")
         reports.append(products.check_committed(name))
     for number, target in enumerate(targets, start=1):
         say(f"{target}, {number} of {len(targets)}: deriving it again")

@@ -18,8 +18,8 @@ from pkmodes.cli.options import drives_option, json_option, mechanism_option, ro
 from pkmodes.cli.poses import pose_of, pose_option
 from pkmodes.cli.targets import check_targets
 from pkmodes.core.base.drives import DRIVES, FREE, HELD, other_drives
-from pkmodes.core.mechanism.length import headings, lengths_of, unit_vectors
-from pkmodes.core.mechanism.poses import placed
+from pkmodes.core.mechanism.length import lengths_of, unit_vector_headings, unit_vectors
+from pkmodes.core.mechanism.poses import format_pose
 from pkmodes.core.model import Model
 from pkmodes.core.solve.backends import AUTO, SOLVERS
 from pkmodes.core.solve.fields import FIELDS, INDEPENDENT, of_modes
@@ -140,7 +140,7 @@ def modes(robot: Path, pose: str, drives: str, json_file: str | None) -> None:
     def show() -> None:
         from pkmodes.cli.terminal import Terminal
 
-        terminal, at = Terminal(), placed(model.mechanism, result.poses, "g")
+        terminal, at = Terminal(), format_pose(model.mechanism, result.poses, "g")
         terminal.heading(f"{model.robot.name} at {at}, {motors_in_words(model.robot, result.drives)}")
         terminal.line()
         sigmas = spread_of(model, result.poses, result.drives)
@@ -204,7 +204,7 @@ def _table(model: Model, result: Modes, sigmas: Array | None) -> Table:
     scaled /= np.abs(scaled).max(axis=1, keepdims=True)
     moved = unit_vectors(result.platform_shapes, lengths_of(model.mechanism, model.robot.parameters))
     names = [f"{name}{symbols.get(name, '')}" for name in result.coordinates]
-    names += headings(model.mechanism)
+    names += unit_vector_headings(model.mechanism)
     components = np.concatenate([scaled, moved], axis=1).T
     rows += [[name, *map(_fixed, row)] for name, row in zip(names, components, strict=True)]
     columns = [Column("mode", numbers=False), *map(Column, numbers)]

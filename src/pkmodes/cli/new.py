@@ -15,7 +15,7 @@ from pkmodes.core.support.pasting import shell_path
 from pkmodes.core.support.writing import write_file
 
 
-@click.command(epilog=f"\b\nExample:\n  pkmodes new {registry.supplied()[0]} --out my-robot.toml")
+@click.command(epilog=f"\b\nExample:\n  pkmodes new {registry.supplied_names()[0]} --out my-robot.toml")
 @click.argument("name", metavar="[MECHANISM]", required=False)
 @click.option("--out", metavar="FILE.toml", type=PATH, help="File to write instead of standard output.")
 @overwrite_option

@@ -69,22 +69,26 @@ def pose_of(model: Model, text: str) -> list[float]:
     were in millimetres, or its bare angles in degrees.  Other poses that cannot be reached are left to the model to
     reject.
     """
-    from pkmodes.core.mechanism.poses import MEANT
+    from pkmodes.core.mechanism.poses import LIKELY_UNITS
 
     point, units = parse_pose(text, model.mechanism), [component.unit for component in model.mechanism.pose]
     if any(c.isalpha() for c in re.sub(r"\d[eE]", "", text)) or model.check(point).valid:
         return point
     large = {
-        unit for c, unit in zip(point, units, strict=True) if unit in MEANT and abs(c) >= MEANT[unit].size
+        unit
+        for c, unit in zip(point, units, strict=True)
+        if unit in LIKELY_UNITS and abs(c) >= LIKELY_UNITS[unit].size
     }
-    smaller = [c * MEANT[unit].factor if unit in large else c for c, unit in zip(point, units, strict=True)]
+    smaller = [
+        c * LIKELY_UNITS[unit].factor if unit in large else c for c, unit in zip(point, units, strict=True)
+    ]
     if large and model.check(smaller).valid:
         parts = [part.strip() for part in text.split(",")]
         with_units = ",".join(
-            f"{part} {MEANT[unit].unit}" if unit in large else part
+            f"{part} {LIKELY_UNITS[unit].unit}" if unit in large else part
             for part, unit in zip(parts, units, strict=True)
         )
-        looks = " and ".join(MEANT[unit].plural for unit in MEANT if unit in large)
+        looks = " and ".join(LIKELY_UNITS[unit].plural for unit in LIKELY_UNITS if unit in large)
         remedy = f'the numbers look like {looks}: write --pose "{with_units}"'
         raise PoseError(str(model.check(point).sentences).partition(";")[0], "--pose", remedy)
     return point

@@ -53,7 +53,7 @@ def facts() -> Iterator[tuple[str, str]]:
         yield "back end", "compiled where there is a library, else numpy" if name == AUTO else name
     except PkmodesError as error:
         yield "back end", str(error)
-    for name in registry.supplied():
+    for name in registry.supplied_names():
         library = loader.present(registry.mechanism(name).package, name)
         text = "no library; it is built at first use where there is a C compiler"
         if library is not None:

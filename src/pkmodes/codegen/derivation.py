@@ -16,8 +16,8 @@ from tempfile import TemporaryDirectory
 from types import ModuleType
 
 from pkmodes.core.base.errors import MissingExtraError, PkmodesError
-from pkmodes.core.mechanism.packages import DEFINITION, GIVE, effect_files
-from pkmodes.core.mechanism.registry import Mechanism, supplied, temporarily_registered
+from pkmodes.core.mechanism.packages import DEFINITION, FOLDER_REMEDY, effect_files
+from pkmodes.core.mechanism.registry import Mechanism, supplied_names, temporarily_registered
 from pkmodes.core.support.writing import write_files
 
 #: The extra `derive` of pyproject.toml, repeated here so that it can be installed without a pkmodes index entry.
@@ -103,14 +103,14 @@ def define(definition: Definition) -> None:
 
 def definition_of(mechanism: Mechanism) -> Definition | None:
     """Return the definition stored with a mechanism's code, None for a mechanism that comes with pkmodes."""
-    if mechanism.name in supplied():
+    if mechanism.name in supplied_names():
         return None
     file = Path(str(files(mechanism.package))) / DEFINITION
     if not file.is_file():
         problem = (
             f"expected {DEFINITION}, from which the mechanism {mechanism.name} is derived, found no such file"
         )
-        raise PkmodesError(problem, str(file.parent), GIVE)
+        raise PkmodesError(problem, str(file.parent), FOLDER_REMEDY)
     return read_definition(file, mechanism.name)
 
 

@@ -23,7 +23,7 @@ from pkmodes.core.mechanism.poses import (
     CheckedPoses,
     OnError,
     as_points,
-    largest_condition,
+    check_max_condition,
 )
 from pkmodes.core.robot.pose_table import ordered_by_name
 from pkmodes.core.robot.robot import Robot
@@ -70,7 +70,7 @@ class Model:
     def __init__(self, robot: Robot, max_condition: float = MAX_CONDITION) -> None:
         if not isinstance(robot, Robot):
             raise PkmodesError(f"expected a Robot, found {shown(robot)}", "Model", "use pkmodes.load(path)")
-        self.max_condition = largest_condition(max_condition)
+        self.max_condition = check_max_condition(max_condition)
         self.robot, self.mechanism = robot, robot.mechanism
         # Effects do not change the kinematics: the generated base model serves every robot.
         self._generated = Generated(self.mechanism.model, robot.parameters)

@@ -34,7 +34,7 @@ from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.core.mechanism import registry
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.packages import DEFINITION
-from pkmodes.core.mechanism.regular import regular_poses, sample
+from pkmodes.core.mechanism.regular import regular_poses, sample_parameters
 from pkmodes.core.robot.reading import read_robot, robot_from_document
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.variants import document_of
@@ -103,7 +103,7 @@ def check_folder(folder: Path) -> Report:
     of_ones_own = "definition" in recorded or "effects" in recorded
     if "robot" not in recorded and of_ones_own:
         return _check_mechanism(folder, recorded)
-    if "robot" not in recorded and recorded.get("product") in registry.supplied():
+    if "robot" not in recorded and recorded.get("product") in registry.supplied_names():
         add_effects(recorded["product"], [])
         findings = _findings_of(folder, derivation("emit.product").parametric(recorded["product"]))
         return Report(str(folder), findings, [], REGENERATE if findings else "")
@@ -274,7 +274,7 @@ def check_robot(robot_file: Path) -> Report:
 
 def _checks_of_sample(mechanism: registry.Mechanism) -> list[Check]:
     """Check the parametric model of a mechanism for an asymmetric robot."""
-    parameters = sample(mechanism)
+    parameters = sample_parameters(mechanism)
     checks = check_consistency(Generated(mechanism.model, parameters), mechanism, parameters)
     return [*checks, *check_drawing(mechanism, parameters)]
 

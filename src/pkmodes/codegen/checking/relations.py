@@ -15,11 +15,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.linalg.rotations import AXES, about, rates_of
+from pkmodes.core.linalg.rotations import AXES, left_jacobian, vectors_about
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.length import lengths_of
 from pkmodes.core.mechanism.registry import Mechanism
-from pkmodes.core.mechanism.regular import extent, travel
+from pkmodes.core.mechanism.regular import reach_bound, travel_limits
 
 Array = NDArray[np.float64]
 Derivative = Callable[[Callable[[Array], Array], Array, float], Array]
@@ -66,8 +66,8 @@ class State:
     @cached_property
     def travel(self) -> float:
         """Smallest travel of an independent coordinate; without limits 1, or the size of the robot if smaller."""
-        without = min(1.0, extent(self.mechanism, self.parameters))
-        ends = travel(self.mechanism, self.parameters)
+        without = min(1.0, reach_bound(self.mechanism, self.parameters))
+        ends = travel_limits(self.mechanism, self.parameters)
         return float(np.ptp(ends, axis=-1).min()) if len(ends) else without
 
     @cached_property
@@ -109,7 +109,7 @@ class State:
         turning, first = np.eye(len(self.pose)), len(mechanism.directions)
         if mechanism.rotations:
             axes = [AXES.index(axis) for axis in mechanism.rotations]
-            turning[first:, first:] = rates_of(about(mechanism.rotations, self.pose[first:]))[
+            turning[first:, first:] = left_jacobian(vectors_about(mechanism.rotations, self.pose[first:]))[
                 np.ix_(axes, axes)
             ]
         return turning

@@ -17,8 +17,7 @@ UNIT_EXAMPLES = {"Hz": '"Hz" or "rad/s"', "1": '"%"', "m": '"mm"', "rad": '"deg"
 
 
 def parse_heading(cell: str, where: str, units: Mapping[str, str]) -> tuple[str, Decimal | None]:
-    """Return the name of a column and the factor of its unit to SI; None without a unit, or for a column not in
-    `units`.
+    """Return the name of a column and the factor of its unit to SI; None without a unit, or for an unknown name.
 
     - cell: of the header
     - where: for messages

@@ -15,7 +15,7 @@ import numpy as np
 
 from pkmodes.core.base.errors import nearest_name, shown
 from pkmodes.core.mechanism.described import Mechanism
-from pkmodes.core.mechanism.poses import reasons
+from pkmodes.core.mechanism.poses import reason_meanings
 from pkmodes.core.mechanism.rods import rods_of
 from pkmodes.core.robot import schema
 from pkmodes.core.robot.units import DISPLAY_UNITS, article, dimension_of
@@ -107,7 +107,7 @@ def limit_examples(mechanism: Mechanism) -> dict[str, str]:
 
 def reasons_of(mechanism: Mechanism, usable: Mapping[str, Bound]) -> dict[str, str]:
     """Return why a pose may be left out of a result: code and meaning, in the order of the checks."""
-    meanings = reasons(mechanism)
+    meanings = reason_meanings(mechanism)
     if is_box(usable):
         return meanings
     meaning = f"the pose is left out, beyond the usable limits: {limits_in_words(mechanism, usable)}"

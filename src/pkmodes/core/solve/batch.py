@@ -13,7 +13,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.core.mechanism.poses import CHUNK, CheckedPoses, OnError, given_poses, pose_codes, refuse
+from pkmodes.core.mechanism.poses import (
+    CHUNK,
+    CheckedPoses,
+    OnError,
+    check_pose_array,
+    pose_codes,
+    raise_first_bad,
+)
 from pkmodes.core.robot.pose_table import poses_by_name
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.solve.field_arrays import FieldArrays, Out
@@ -68,7 +75,7 @@ def run_job(
     Raises PoseError or PkmodesError as `pkmodes.Model.modes` does.
     """
     mechanism = robot.mechanism
-    points, batch = given_poses(poses_by_name(poses, mechanism), mechanism, on_error)
+    points, batch = check_pose_array(poses_by_name(poses, mechanism), mechanism, on_error)
     if job.at_one_pose is not None and len(points) == 1 and not out:
         arrays = job.at_one_pose(points)
         if arrays is not None:
@@ -78,7 +85,7 @@ def run_job(
     points = np.ascontiguousarray(points)
     refuse_bad = None
     if on_error == "raise":
-        refuse_bad = partial(refuse, points, mechanism=mechanism, parameters=robot.parameters)
+        refuse_bad = partial(raise_first_bad, points, mechanism=mechanism, parameters=robot.parameters)
     if job.checks_poses:
         codes, fields = _in_one_piece(job, points, batch, refuse_bad, out, threads)
     else:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.compiled.lanes import FIELDS, UNSOLVED, Terms
-from pkmodes.core.linalg.eigen import has_stiff_joint, held_softly
+from pkmodes.core.linalg.eigen import has_soft_ground_springs, has_stiff_joint
 from pkmodes.core.mechanism.poses import CHUNK
 from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.solve.solver import EIGENVALUES, Alone, Codes, Solver, UnavailableError
@@ -147,7 +147,7 @@ class CompiledSolver(Solver):
             return np.asarray(abs(of_mode[rigid]) < APART**0.5 * last)
         unresolved = abs(of_mode[rigid]) < (SOFT if self._released else APART) * last
         if system.held_motions:
-            unresolved = unresolved | held_softly(values, system.loose_motions)
+            unresolved = unresolved | has_soft_ground_springs(values, system.loose_motions)
         if self._released:
             unresolved = unresolved | has_stiff_joint(values, first, rigid) | (of_mode[-1] > STIFF * last)
         return np.asarray(unresolved)

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.arguments import is_all
 from pkmodes.core.base.errors import PkmodesError, checked_list, nearest_name, shown
-from pkmodes.core.mechanism.poses import Where
+from pkmodes.core.mechanism.poses import PoseIndices
 from pkmodes.core.solve.fields import missing
 
 Array = NDArray[Any]
@@ -133,7 +133,7 @@ class FieldArrays:
         if self._blank:
             whole[...] = missing(whole.dtype)
 
-    def put(self, where: Where, values: Mapping[str, Array]) -> None:
+    def put(self, where: PoseIndices, values: Mapping[str, Array]) -> None:
         """Store the values of some poses, (n, *tail) each; fields are added when they first occur."""
         for name, part in values.items():
             if name not in self.rows:

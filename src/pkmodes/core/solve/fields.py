@@ -16,7 +16,7 @@ from numpy.typing import DTypeLike, NDArray
 from pkmodes.core.base.drives import HELD
 from pkmodes.core.linalg.damping import damping_ratios
 from pkmodes.core.linalg.eigen import natural_frequencies
-from pkmodes.core.linalg.statics import amplitudes_of_steps, softest
+from pkmodes.core.linalg.statics import softest_stiffness, step_amplitudes
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.robot import Robot
 
@@ -114,7 +114,7 @@ def _vibration_amplitudes(
 ) -> Array:
     linear = slice(len(directions))
     momenta = mass_matrix @ strain_free_motions(elastic_stiffness, platform_jacobian)[..., linear]
-    amplitudes = amplitudes_of_steps(eigenvalues, shapes, platform_shapes[..., linear], momenta)
+    amplitudes = step_amplitudes(eigenvalues, shapes, platform_shapes[..., linear], momenta)
     amplitudes[:, :rigid_modes] = np.nan
     return amplitudes
 
@@ -124,7 +124,9 @@ def _softest_stiffness(
 ) -> Array:
     if kept is None:
         return np.full(len(stiffness_matrix), np.nan)
-    return softest(kept.T @ stiffness_matrix @ kept, platform_motion[..., : len(directions), :] @ kept)
+    return softest_stiffness(
+        kept.T @ stiffness_matrix @ kept, platform_motion[..., : len(directions), :] @ kept
+    )
 
 
 def _platform_shapes(shapes: Array, platform_motion: Array) -> Array:

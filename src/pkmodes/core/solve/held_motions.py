@@ -22,11 +22,11 @@ from numpy.typing import NDArray
 from pkmodes.core.base.errors import PoseError
 from pkmodes.core.base.numbers import plain
 from pkmodes.core.linalg.eigen import (
-    base_level,
+    base_eigenvalue_scale,
     condensed_eigh,
-    held_softly,
+    has_soft_ground_springs,
     natural_frequencies,
-    positive_components,
+    with_sign_convention,
     without_inertia,
 )
 from pkmodes.core.solve.at_poses import RobotAtPoses
@@ -53,7 +53,7 @@ def solve_held(at: RobotAtPoses, eigenvalues: Array, shapes: Array) -> None:
     Raises numpy.linalg.LinAlgError if the springs are too soft for any number.
     """
     system = at.system
-    softly = held_softly(eigenvalues, system.loose_motions)
+    softly = has_soft_ground_springs(eigenvalues, system.loose_motions)
     if not softly.any():
         return
     parts, M = at.stiffness_parts, at.mass_matrix
@@ -103,7 +103,7 @@ def _held_eigh(M: Array, stiff: Array, soft: Array, first: int, motions: int) ->
         shapes[i] = turned @ modes[i]
         if yields is not None:
             shapes[i][:, r] += turned @ yields[i].T
-    return eigenvalues, positive_components(shapes, M)
+    return eigenvalues, with_sign_convention(shapes, M)
 
 
 def refuse_unresolved(at: RobotAtPoses, eigenvalues: Array, shapes: Array) -> None:
@@ -117,7 +117,7 @@ def refuse_unresolved(at: RobotAtPoses, eigenvalues: Array, shapes: Array) -> No
     Raises PoseError with the smallest stiffness of a spring to ground that is resolved, if it is to blame.
     """
     system, motions = at.system, at.system.loose_motions
-    where = np.flatnonzero(held_softly(eigenvalues, motions))
+    where = np.flatnonzero(has_soft_ground_springs(eigenvalues, motions))
     if not len(where):
         return
     parts, M = StiffnessParts(*(part[where] for part in at.stiffness_parts)), at.mass_matrix[where]
@@ -125,7 +125,7 @@ def refuse_unresolved(at: RobotAtPoses, eigenvalues: Array, shapes: Array) -> No
     levels, _ = condensed_eigh(M, parts.machine, system.first, motions)
     lowest_held = np.sort(np.abs(eigenvalues[where, :motions]))[:, system.rigid_modes]
     lowest = np.where(stiffer, lowest_held, levels[:, motions])
-    highest = base_level(M, at.stiffness_matrix[where], system.first)
+    highest = base_eigenvalue_scale(M, at.stiffness_matrix[where], system.first)
     lost = np.abs(lowest) < RESOLVED * highest
     if lost.any():
         which = int(np.argmax(lost))

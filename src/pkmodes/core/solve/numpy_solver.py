@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import PoseError
-from pkmodes.core.linalg.eigen import base_level, condensed_eigh, has_stiff_joint
+from pkmodes.core.linalg.eigen import base_eigenvalue_scale, condensed_eigh, has_stiff_joint
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.regular import regular_poses
 from pkmodes.core.solve.at_poses import RobotAtPoses
@@ -85,7 +85,9 @@ def _check(eigenvalues: Array, shapes: Array, at: RobotAtPoses) -> None:
     lowest, highest = eigenvalues[:, system.rigid_modes], eigenvalues[:, -1]
     stiff = has_stiff_joint(eigenvalues, system.first, system.rigid_modes)
     if stiff.any():
-        highest = np.where(stiff, base_level(at.mass_matrix, at.stiffness_matrix, system.first), highest)
+        highest = np.where(
+            stiff, base_eigenvalue_scale(at.mass_matrix, at.stiffness_matrix, system.first), highest
+        )
     lost = np.abs(lowest) < RESOLVED * highest
     if lost.any() and (system.first < len(system.coordinates) or _loses_everywhere(system)):
         which = int(np.argmax(lost))

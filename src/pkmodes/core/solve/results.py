@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.attached import Attached
 from pkmodes.core.base.errors import NotComputedError
-from pkmodes.core.mechanism.poses import CHUNK, explained
+from pkmodes.core.mechanism.poses import CHUNK, explain_codes
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.solve.fields import of_modes
@@ -290,7 +290,7 @@ class PoseCheck(AtPoses):
         mechanism, points = self.robot.mechanism, self.poses.reshape(self.codes.size, -1)
         for start in range(0, len(invalid), CHUNK):
             bad = invalid[start : start + CHUNK]
-            texts = explained(points[bad], codes[bad], mechanism, self.robot.parameters)
+            texts = explain_codes(points[bad], codes[bad], mechanism, self.robot.parameters)
             sentences[bad] = [f"{problem}; {remedy}" for problem, remedy in texts]
         shaped: NDArray[np.object_] = sentences.reshape(self.codes.shape)[()]
         return shaped

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.registry import Mechanism
-from pkmodes.core.mechanism.stepped import STEP, stepped
+from pkmodes.core.mechanism.stepped import COMPLEX_STEP, with_complex_steps
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
@@ -99,10 +99,12 @@ def rates_by_steps(
     size = max(1, AT_ONCE // max(1, len(p)))
     for block in (moved[i : i + size] for i in range(0, len(moved), size)):
         names = [listed[slot][:2] for slot in block]
-        generated = Generated(mechanism.extended, stepped(parameters, names), stepped(effects, names))
+        generated = Generated(
+            mechanism.extended, with_complex_steps(parameters, names), with_complex_steps(effects, names)
+        )
         M, K_el, K_g = generated.extended_matrices(p)
         for matrix_entries, matrix, out in zip(entries, (M, K_el + K_g), values, strict=True):
-            rates = np.broadcast_to(np.imag(matrix) / STEP, (len(block), len(p), *matrix.shape[-2:]))
+            rates = np.broadcast_to(np.imag(matrix) / COMPLEX_STEP, (len(block), len(p), *matrix.shape[-2:]))
             for k, slot in enumerate(block):
                 places = np.flatnonzero(matrix_entries.slot == slot)
                 out[:, places] = rates[k][:, matrix_entries.row[places], matrix_entries.column[places]]

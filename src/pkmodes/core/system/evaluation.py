@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from pkmodes.core.compiled.lanes import NO_FOLD, Fold, Lanes, flat
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.registry import Mechanism
-from pkmodes.core.mechanism.regular import declared, sample, sample_pose
+from pkmodes.core.mechanism.regular import field_keys, sample_parameters, sample_pose
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.system.released import active_effects, released
 
@@ -230,7 +230,7 @@ class ExtendedSystem(Evaluation):
 @cache
 def _inertias(mechanism: Mechanism) -> tuple[str, ...]:
     """Return the generated parameters that are inertias."""
-    return tuple(dict.fromkeys(key.field for key in declared(mechanism) if key.dimension in INERTIAS))
+    return tuple(dict.fromkeys(key.field for key in field_keys(mechanism) if key.dimension in INERTIAS))
 
 
 @cache
@@ -240,7 +240,7 @@ def _massless(mechanism: Mechanism, zeros: bytes) -> NDArray[np.bool_]:
     This depends only on which effects and inertias are zero, in their order; it is read from M of the sample geometry
     at a regular pose, with ones for the others.
     """
-    plain, effects, names = sample(mechanism), mechanism.extended.Effects(), _inertias(mechanism)
+    plain, effects, names = sample_parameters(mechanism), mechanism.extended.Effects(), _inertias(mechanism)
     present = 1.0 - np.frombuffer(zeros, dtype=np.bool_)
     shapes = [np.shape(value) for value in (*effects, *(getattr(plain, name) for name in names))]
     ends = np.cumsum([int(np.prod(shape)) for shape in shapes])

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from pkmodes.core.base.drives import FREE
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.registry import Mechanism
-from pkmodes.core.mechanism.regular import declared, sample, sample_pose
+from pkmodes.core.mechanism.regular import field_keys, sample_parameters, sample_pose
 from pkmodes.core.system.entry_rates import value_rates
 from pkmodes.core.system.evaluation import INERTIAS, Evaluation, ExtendedSystem
 from pkmodes.core.system.released import active_effects, spring_fields
@@ -137,7 +137,7 @@ def _motor_coordinates(motion: Array, first: int) -> tuple[list[int], Array]:
 @cache
 def _without_influence(mechanism: Mechanism) -> _Inert:
     """Return what changes neither M nor K of a sample robot with held motors."""
-    extended, plain = mechanism.extended, sample(mechanism)
+    extended, plain = mechanism.extended, sample_parameters(mechanism)
     generated = Generated(extended, plain, extended.Effects())
     p = sample_pose(mechanism)
     rotors, T = _motor_coordinates(np.asarray(generated.motor_motion()), len(mechanism.coordinates))
@@ -157,7 +157,7 @@ def _without_influence(mechanism: Mechanism) -> _Inert:
                     bool(reduced > RELATIVE_ZERO * np.abs(derivative).max())
                 )
     ineffective = {field for field, outcomes in influences.items() if outcomes == {False}}
-    inertias = {key.field for key in declared(mechanism) if key.dimension in INERTIAS}
+    inertias = {key.field for key in field_keys(mechanism) if key.dimension in INERTIAS}
     effects = [
         name for name, effect in mechanism.effects.items() if _has_no_influence(name, effect, ineffective)
     ]

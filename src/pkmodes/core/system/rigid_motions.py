@@ -13,7 +13,7 @@ import numpy as np
 
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.registry import Mechanism
-from pkmodes.core.mechanism.regular import sample, sample_pose
+from pkmodes.core.mechanism.regular import sample_parameters, sample_pose
 from pkmodes.core.system.entry_rates import spring_rates
 
 #: An eigenvalue below this fraction of the largest is that of a motion that strains nothing.
@@ -40,7 +40,7 @@ def rigid_motions(
     - springs: the effect parameters that hold it to ground, by generated field
     - locked: coordinates without effects that are at rest, such as those of held motors
     """
-    plain, pose, base = sample(mechanism), sample_pose(mechanism), len(mechanism.coordinates)
+    plain, pose, base = sample_parameters(mechanism), sample_pose(mechanism), len(mechanism.coordinates)
     none = mechanism.extended.Effects()
     kept = np.setdiff1d(np.arange(base), locked)
     place = np.ix_(kept, kept)

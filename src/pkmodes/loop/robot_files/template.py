@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from pkmodes.core.mechanism.described import Mechanism
-from pkmodes.core.mechanism.regular import sample
+from pkmodes.core.mechanism.regular import sample_parameters
 from pkmodes.core.robot import schema
 from pkmodes.core.robot.covariance import CORRELATION, COVARIANCE, PATHS, SIGMA
 from pkmodes.core.robot.layout import EFFECTS, GRAVITY, QUANTITY_KINDS, Item, items, table_sources
@@ -86,7 +86,7 @@ def example_document(mechanism: Mechanism) -> dict[str, Any]:
     if supplied is not None:
         return {**supplied, "name": name}
     values: dict[str, Any] = {}
-    parameters = sample(mechanism)
+    parameters = sample_parameters(mechanism)
     for item in items(mechanism):
         if item.index is not None and item.key.field:
             raw = _sampled(item, getattr(parameters, item.key.field))

@@ -12,10 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.compiled.lanes import ALL_COORDINATES, RATES_OF_MATRICES, UNSOLVED, Terms, flat
-from pkmodes.core.linalg.eigen import magnitude
+from pkmodes.core.linalg.eigen import rounding_scale
 from pkmodes.core.mechanism.poses import CHUNK, codes_of
 from pkmodes.core.mechanism.registry import Mechanism
-from pkmodes.core.mechanism.regular import sample
+from pkmodes.core.mechanism.regular import sample_parameters
 from pkmodes.core.robot.layout import Slot
 from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.solve.batch import Job
@@ -86,7 +86,7 @@ def _places(mechanism: Mechanism) -> tuple[dict[Slot, int], int]:
     """Return the place of each number of a robot in a gradient, and how many of them are parameters."""
     dotted, parameters = effect_fields(mechanism), 0
     slots: list[Slot] = []
-    for numbers in (sample(mechanism), mechanism.extended.Effects()):
+    for numbers in (sample_parameters(mechanism), mechanism.extended.Effects()):
         parameters = len(slots)
         slots += [
             (dotted.get(name, name), index)
@@ -143,7 +143,7 @@ def rates_job(
 
 def _coincide(eigenvalues: Array, system: Evaluation, close: float, of_zero: bool) -> NDArray[np.bool_]:
     """Return where modes form a group; with `of_zero` also of those whose frequency is zero to rounding."""
-    sizes = magnitude(eigenvalues, system.first, system.rigid_modes, system.loose_motions)
+    sizes = rounding_scale(eigenvalues, system.first, system.rigid_modes, system.loose_motions)
     coincident = ~separate(eigenvalues, close, sizes)
     if not of_zero:
         moving = np.abs(eigenvalues) > ROUNDING * sizes

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.registry import Mechanism
-from pkmodes.core.mechanism.regular import sample, sample_pose
-from pkmodes.core.mechanism.stepped import STEP
+from pkmodes.core.mechanism.regular import sample_parameters, sample_pose
+from pkmodes.core.mechanism.stepped import COMPLEX_STEP
 from pkmodes.core.robot.layout import Slot
 from pkmodes.core.system.entry_rates import Entries, entries_of, rates_by_steps
 from pkmodes.core.system.evaluation import ExtendedSystem
@@ -61,9 +61,9 @@ def geometry_of(mechanism: Mechanism) -> frozenset[str]:
     fields = {field for field, *_ in mechanism.extended.GEOMETRY_SENSITIVITIES}
     fields |= {field for field, counterpart in mechanism.differences.items() if counterpart in fields}
     # Effect parameters that change that motion of the sample robot at a regular pose.
-    plain, extended, p = sample(mechanism), mechanism.extended, sample_pose(mechanism)
+    plain, extended, p = sample_parameters(mechanism), mechanism.extended, sample_pose(mechanism)
     for field, dotted in effect_fields(mechanism).items():
-        moved = extended.Effects(**{field: STEP * 1j})
+        moved = extended.Effects(**{field: COMPLEX_STEP * 1j})
         motion = Generated(extended, plain, moved).extended_platform_motion(p)
         if np.imag(motion).any():
             fields.add(dotted)
@@ -174,9 +174,9 @@ class MatrixDerivatives:
         """
         if not self._shift.any():
             return None
-        moved = self._p + STEP * 1j * np.eye(self._p.shape[-1])[:, None]
+        moved = self._p + COMPLEX_STEP * 1j * np.eye(self._p.shape[-1])[:, None]
         M, K_el, K_g = self.system.generated.extended_matrices(moved)
-        dM, dK = (np.moveaxis(np.imag(a) / STEP, 0, 1) for a in (M, K_el + K_g))
+        dM, dK = (np.moveaxis(np.imag(a) / COMPLEX_STEP, 0, 1) for a in (M, K_el + K_g))
         return dM, dK
 
     @property

@@ -14,7 +14,7 @@ from pkmodes.core.base.arguments import is_all
 from pkmodes.core.base.drives import FREE, checked_drives
 from pkmodes.core.base.errors import PkmodesError, checked_list, shown
 from pkmodes.core.compiled.lanes import ALL_COORDINATES, RATES_OF_MATRICES, Terms
-from pkmodes.core.linalg.eigen import has_stiff_joint, magnitude
+from pkmodes.core.linalg.eigen import has_stiff_joint, rounding_scale
 from pkmodes.core.mechanism.poses import OnError
 from pkmodes.core.model import Model
 from pkmodes.core.robot.layout import effect_parameters
@@ -333,7 +333,7 @@ def _of_modes(
         matrices=at.evaluated("all_coordinates") if extended is system else None,
         locked=resolved.locked,
     )
-    sizes = magnitude(eigenvalues, system.first, system.rigid_modes, system.loose_motions)
+    sizes = rounding_scale(eigenvalues, system.first, system.rigid_modes, system.loose_motions)
     group = groups(eigenvalues, close, sizes)
     fields: dict[str, NDArray[Any]] = {"groups": group}
     if with_shapes:

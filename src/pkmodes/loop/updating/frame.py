@@ -13,7 +13,13 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.linalg.rotations import AXES, about, matrix_of, rates_of, vector_of
+from pkmodes.core.linalg.rotations import (
+    AXES,
+    left_jacobian,
+    matrices_of_vectors,
+    vectors_about,
+    vectors_of_matrices,
+)
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.loop.diagnosis.problem import Candidate, Parameter
 
@@ -63,8 +69,10 @@ def true_points(mechanism: Mechanism, points: Array, values: Mapping[str, float]
     true = np.asarray(points @ turn.T + offset)
     if Z in mechanism.rotations:
         turning = _turning(mechanism)
-        about_z = matrix_of(about((Z,), np.array([yaw])))
-        turned = vector_of(about_z @ matrix_of(about(mechanism.rotations, points[:, turning])))
+        about_z = matrices_of_vectors(vectors_about((Z,), np.array([yaw])))
+        turned = vectors_of_matrices(
+            about_z @ matrices_of_vectors(vectors_about(mechanism.rotations, points[:, turning]))
+        )
         true[:, turning] = turned[:, _axes(mechanism)]
     return true
 
@@ -80,7 +88,7 @@ def rate(mechanism: Mechanism, name: str, points: Array, values: Mapping[str, fl
     rates[:, i], rates[:, k] = -turned[:, k], turned[:, i]
     if Z in mechanism.rotations:
         turning, axes = _turning(mechanism), _axes(mechanism)
-        inverse = np.linalg.inv(rates_of(about(mechanism.rotations, turned[:, turning])))
+        inverse = np.linalg.inv(left_jacobian(vectors_about(mechanism.rotations, turned[:, turning])))
         rates[:, turning] = inverse[:, axes, AXES.index(Z)]
     return rates
 

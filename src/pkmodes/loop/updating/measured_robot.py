@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.arguments import is_all
 from pkmodes.core.base.errors import MeasurementError, PkmodesError, PoseError, nearest_name, shown
-from pkmodes.core.mechanism.poses import LARGE, check_poses, placed
+from pkmodes.core.mechanism.poses import LARGE_LENGTH, check_poses, format_pose
 from pkmodes.core.mechanism.registry import Mechanism, mechanism, names
 from pkmodes.core.model import Model
 from pkmodes.core.robot.robot import Robot
@@ -241,7 +241,7 @@ def check_reachable(robot: Robot, data: Measurements, loads: LoadCases) -> None:
     try:
         check_poses(data.points[first], robot.mechanism, loaded.parameters, "raise")
     except PoseError as error:
-        label, place = shown(data.labels[first]), placed(robot.mechanism, data.points[first])
+        label, place = shown(data.labels[first]), format_pose(robot.mechanism, data.points[first])
         set_values = " with the set values" if load else ""
         problem = f"pose {label} at {place} cannot be reached{set_values}: {error.what}"
         raise MeasurementError(problem, where, f"{error.remedy}; {remedy}") from None
@@ -250,7 +250,7 @@ def check_reachable(robot: Robot, data: Measurements, loads: LoadCases) -> None:
 def _refuse_another_unit(robot: Robot, data: Measurements, where: str) -> None:
     """Refuse poses that can all be reached with lengths in another unit than stated."""
     lengths = [component.unit == "m" for component in robot.mechanism.pose]
-    large = np.abs(data.points[:, lengths]).max(initial=0.0) >= LARGE
+    large = np.abs(data.points[:, lengths]).max(initial=0.0) >= LARGE_LENGTH
     for factor, remedy in OTHER_LENGTHS.items():
         scaled = data.points * np.where(lengths, factor, 1.0)
         if (factor > 1.0 or large) and _reached(robot, scaled).all():

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from pkmodes.core.compiled.lanes import ALONG_OF_MODES
 from pkmodes.core.mechanism.registry import Mechanism
-from pkmodes.core.mechanism.stepped import STEP
+from pkmodes.core.mechanism.stepped import COMPLEX_STEP
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.solve.solver import Solver
 from pkmodes.core.system.evaluation import ExtendedSystem
@@ -212,8 +212,10 @@ def _channel_rates(
             if any(field in geometry or field == POSE for field, _ in path.weights):
                 numbers = robot.parameters, ExtendedSystem.of(robot).effects
                 parameters, effects, shift = stepped_along(mechanism, *numbers, path)
-                stepped = at.system.motion_of_all(at.points[part] + STEP * 1j * shift, parameters, effects)
-                rate = (stepped.imag / STEP)[..., derivatives.free]
+                stepped = at.system.motion_of_all(
+                    at.points[part] + COMPLEX_STEP * 1j * shift, parameters, effects
+                )
+                rate = (stepped.imag / COMPLEX_STEP)[..., derivatives.free]
                 rates[part, :, -components:, t] += at.shapes[part] @ np.swapaxes(rate, -1, -2)
     return rates
 
@@ -248,8 +250,8 @@ def stepped_along(
             shift[index] = weight
         elif field in parameters._fields:
             values.setdefault(field, np.array(getattr(parameters, field), dtype=complex))
-            values[field][index] += STEP * 1j * weight
+            values[field][index] += COMPLEX_STEP * 1j * weight
         elif field in dotted:
-            moved = getattr(effects, dotted[field]) + STEP * 1j * weight
+            moved = getattr(effects, dotted[field]) + COMPLEX_STEP * 1j * weight
             effects = effects._replace(**{dotted[field]: moved})
     return parameters._replace(**values), effects, shift

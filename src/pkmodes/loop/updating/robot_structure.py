@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from pkmodes.core.base.drives import HELD
 from pkmodes.core.mechanism.poses import MAX_CONDITION, check_poses
 from pkmodes.core.mechanism.registry import Mechanism
-from pkmodes.core.mechanism.regular import declared
+from pkmodes.core.mechanism.regular import field_keys
 from pkmodes.core.mechanism.rods import rods_of, singular_angles
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.usable import SingularAngle, singular_angle_text
@@ -379,7 +379,7 @@ def _solved_blocks(
 @cache
 def _geometry(mechanism: Mechanism) -> tuple[str, ...]:
     """Return the generated parameters that determine which poses a robot reaches."""
-    keys = [key for key in declared(mechanism) if key.kind in WHERE or key.dimension in ("length", "angle")]
+    keys = [key for key in field_keys(mechanism) if key.kind in WHERE or key.dimension in ("length", "angle")]
     return tuple(dict.fromkeys(key.field for key in keys))
 
 

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.mechanism.stepped import STEP
+from pkmodes.core.mechanism.stepped import COMPLEX_STEP
 from pkmodes.core.support.expansion import modal_expansion
 from pkmodes.loop.diagnosis.problem import Prediction
 from pkmodes.loop.sensitivity.locked import released
@@ -125,7 +125,7 @@ class TermRates:
                 stepped = Surroundings(site.system, site.points, path)
                 change = self._free(change_of(term, values, stepped).rates())
                 of_M, of_K = of_M + change.M, of_K + change.K
-                turned = np.imag(platform_with(term, stepped)) / STEP
+                turned = np.imag(platform_with(term, stepped)) / COMPLEX_STEP
                 motion = self._motions @ np.swapaxes(turned, -1, -2)
             rates = self._linear(of_M, of_K)._replace(motion=motion)
             if t in derivatives.locked:
@@ -137,7 +137,7 @@ class TermRates:
         """Return the rates with parameter k of a term, from the values of all its parameters."""
         if self.present is not None and place is self.present.place:
             stepped = values.astype(complex)
-            stepped[k] += STEP * 1j
+            stepped[k] += COMPLEX_STEP * 1j
             return self._linear(*self._free(change_of(place.term, stepped, self.site.around).rates()))
         if k > 0:  # the term is absent whatever this parameter is
             return _Rates(np.zeros_like(self.modes.shapes), np.zeros_like(self.modes.eigenvalues))

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.core.base.errors import PoseError, shown
-from pkmodes.core.mechanism.poses import given_poses
+from pkmodes.core.mechanism.poses import check_pose_array
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.pose_table import poses_by_name
 from pkmodes.core.support.axes import check_axis_values
@@ -105,7 +105,7 @@ def places_of(mechanism: Mechanism, poses: Mapping[str, ArrayLike] | ArrayLike |
     if isinstance(poses, PoseGrid | Poses):
         return poses
     if not isinstance(poses, Mapping):
-        points, _ = given_poses(poses_by_name(poses, mechanism), mechanism, "raise")
+        points, _ = check_pose_array(poses_by_name(poses, mechanism), mechanism, "raise")
         return Poses(points, tuple(component.name for component in mechanism.pose))
     names = [component.name for component in mechanism.pose]
     for name in poses:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from pkmodes.core.base.errors import PoseError
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.length import middle_of_joints
-from pkmodes.core.mechanism.poses import LARGE
+from pkmodes.core.mechanism.poses import LARGE_LENGTH
 from pkmodes.core.mechanism.regular import drawn_poses
 from pkmodes.core.model import Model
 from pkmodes.core.robot.usable import USABLE, Limits, is_box, limits_in_words
@@ -277,7 +277,7 @@ def bounds_of(model: Model, tried: Array, in_millimetres: str) -> str:
     - in_millimetres: how to give them in millimetres
     """
     lengths = [component.unit == "m" for component in model.mechanism.pose]
-    if np.abs(tried[:, lengths]).max(initial=0.0) >= LARGE:
+    if np.abs(tried[:, lengths]).max(initial=0.0) >= LARGE_LENGTH:
         smaller = np.where(lengths, tried / 1e3, tried)
         if model.check(smaller).valid.any():
             return f"the numbers look like millimetres: {in_millimetres}"

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from numpy.typing import ArrayLike
 
 from pkmodes.core.base.drives import FREE, checked_drives
-from pkmodes.core.mechanism.poses import placed
+from pkmodes.core.mechanism.poses import format_pose
 from pkmodes.core.support.extras import require
 from pkmodes.core.support.motors import motors_in_words
 from pkmodes.loop.sensitivity.changes import PERCENT, Changes, changes_at
@@ -54,7 +54,7 @@ def tornado_picture(model: Model, pose: ArrayLike, *, by: str = PERCENT, drives:
     require("tornado charts", "plot", "matplotlib")
     point = model.modes(pose, fields=["frequencies"], drives=checked_drives(drives)).poses
     changes = changes_at(model, point, drives, by)
-    at, doing = placed(model.mechanism, point, "g"), motors_in_words(model.robot, drives)
+    at, doing = format_pose(model.mechanism, point, "g"), motors_in_words(model.robot, drives)
     text = f"{describe(changes)} {model.robot.name} at {at}, {doing}."
     return Picture("tornado", TITLES[by], text, tornado(changes))
 

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base import numbers
-from pkmodes.core.mechanism.length import headings, lengths_of, unit_vectors
-from pkmodes.core.mechanism.poses import placed
+from pkmodes.core.mechanism.length import lengths_of, unit_vector_headings, unit_vectors
+from pkmodes.core.mechanism.poses import format_pose
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.support.motors import motors_in_words
@@ -84,7 +84,7 @@ def response_report(
 
 def response_summary(model: Model, response: FrequencyResponse, drawn: DrawnChannels) -> Summary:
     """Return which channel responds most, and where."""
-    pose_text = placed(model.mechanism, response.poses[response.one(())], "g").replace("-", MINUS)
+    pose_text = format_pose(model.mechanism, response.poses[response.one(())], "g").replace("-", MINUS)
     measured = {} if drawn.measured is None else drawn.measured.responses
     compared = {name: values for name, values in drawn.model.items() if name in measured} or drawn.model
     name = most_responsive(compared, drawn.units)
@@ -259,7 +259,7 @@ def _modes_table(model: Model, response: FrequencyResponse) -> Block:
     modes = model.modes(pose, drives=response.drives)
     sigmas, rigid = spread_of(model, pose, response.drives), modes.rigid_modes
     columns = [Column("mode"), Column("f [Hz]"), Column("damping [%]")]
-    columns += map(Column, headings(model.mechanism))
+    columns += map(Column, unit_vector_headings(model.mechanism))
     moved = unit_vectors(modes.platform_shapes, lengths_of(model.mechanism, model.robot.parameters))
     rows = []
     for i in range(rigid, len(modes.frequencies)):

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.numbers import plain
-from pkmodes.core.mechanism.poses import placed
+from pkmodes.core.mechanism.poses import format_pose
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.robot.units import DISPLAY_UNITS
 from pkmodes.machine.shaping.residual_vibration import residual
@@ -134,7 +134,7 @@ def machine(model: Model, choice: Choice, content: dict[str, Any]) -> Facts:
     entries = [("poses", [Cell(thousands(content["poses"]), content["poses"], pointer("poses"))])]
     rms = number(choice.unshaped.rms, ".3g", pointer("unshaped", "rms"), scale=1e6)
     entries.append(("rms vibration without a shaper, for a step of 1 m/s\u00b2 [\u00b5m]", [rms]))
-    where = [minus(placed(model.mechanism, choice.unshaped.pose, ".4g"))]
+    where = [minus(format_pose(model.mechanism, choice.unshaped.pose, ".4g"))]
     if choice.unshaped.setting is not None:
         where[0] = Cell(f"{where[0].text},", plain=f"{where[0].plain or where[0].text},")
         where.append(Cell(clean(choice.unshaped.setting)))
