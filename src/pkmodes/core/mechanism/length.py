@@ -30,7 +30,7 @@ def middle_of_joints(mechanism: Mechanism, parameters: Any) -> Array:
 
 
 def lengths_of(mechanism: Mechanism, parameters: Any) -> Array:
-    """Return the factor that makes a length of each component of the platform's motion: 1 or the characteristic length."""
+    """Return a factor for each component of the platform's motion: 1, or the characteristic length of a rotation."""
     length = characteristic_length(mechanism, parameters)
     return np.array([1.0] * len(mechanism.directions) + [length] * len(mechanism.rotations))
 
