@@ -35,7 +35,7 @@ from helpers.pages.without_drawing import without_drawing
 from helpers.runs.shared import Shared
 from pkmodes.core.compiled import build
 from pkmodes.core.mechanism import registry
-from pkmodes.core.solve.backends import VARIABLE
+from pkmodes.core.solve.backends import BACKEND_VARIABLE
 from pkmodes_derive import kept
 
 pytest_plugins = ["helpers.runs.fixtures", "helpers.runs.processor_time"]
@@ -86,7 +86,7 @@ def backend(request: pytest.FixtureRequest) -> Iterator[str]:
     fixture of a whole module that evaluates asks for it, too.
     """
     with pytest.MonkeyPatch.context() as patch:
-        patch.setenv(VARIABLE, request.param)
+        patch.setenv(BACKEND_VARIABLE, request.param)
         yield str(request.param)
 
 

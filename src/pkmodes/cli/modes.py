@@ -22,7 +22,7 @@ from pkmodes.core.mechanism.length import lengths_of, unit_vector_headings, unit
 from pkmodes.core.mechanism.poses import format_pose
 from pkmodes.core.model import Model
 from pkmodes.core.solve.backends import AUTO, SOLVERS
-from pkmodes.core.solve.fields import FIELDS, INDEPENDENT, of_modes
+from pkmodes.core.solve.fields import FIELDS, INDEPENDENT, mode_fields
 from pkmodes.core.solve.results import Modes, Statics
 from pkmodes.core.support.documents import Count, Document
 from pkmodes.core.support.motors import motors_give_way, motors_in_words
@@ -91,7 +91,7 @@ _AFTER: tuple[tuple[str, Any, str], ...] = (
 
 def modes_document() -> type[Document]:
     """Return the class of the JSON document: its keys are fields of the modes (`pkmodes.core.solve.fields`)."""
-    fields = [FIELDS[name] for name in of_modes() if FIELDS[name].key]
+    fields = [FIELDS[name] for name in mode_fields() if FIELDS[name].key]
     keys: list[tuple[str, Any, str]] = []
     of_some: list[Any] = []
     for field in fields:

@@ -92,7 +92,7 @@ def test_digits_do_not_depend_on_the_parts(monkeypatch: pytest.MonkeyPatch) -> N
     grid = {"x": [0.45, 0.5, 0.6, 9.0], "y": np.linspace(-0.05, 0.05, 5), "z": -0.245}
     whole = model.map(grid)
     monkeypatch.setattr(mode_fields, "CHUNK", 4)
-    monkeypatch.setattr(mode_fields, "PART", 10)
+    monkeypatch.setattr(mode_fields, "POSES_PER_THREAD", 10)
     parts = model.map(grid)
     assert whole["valid"].sum() == 15
     for name in whole.data_vars:

@@ -36,7 +36,7 @@ class RobotAtPoses:
             field = FIELDS.get(name)
             if field is None or field.needs == (name,):
                 return getattr(self, name)
-            self.quantities[name] = field.of(*(self[needed] for needed in field.needs))
+            self.quantities[name] = field.function(*(self[needed] for needed in field.needs))
         return self.quantities[name]
 
     def evaluated(self, name: str) -> Any:

@@ -7,10 +7,10 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.compiled.lanes import ALL_COORDINATES, flat, no_paths
+from pkmodes.core.compiled.lanes import FULL_MATRIX_FIELDS, flattened, no_paths
 from pkmodes.core.mechanism.poses import MAX_CONDITION
 from pkmodes.core.solve.at_poses import RobotAtPoses
-from pkmodes.core.solve.fields import FIELDS, sizes_of, tail
+from pkmodes.core.solve.fields import FIELDS, axis_lengths, pose_shape
 from pkmodes.core.solve.numpy_solver import NumpySolver, checked_modes
 from pkmodes.core.solve.solver import EIGENVALUES, SHAPES, UNSOLVED, Solver
 from pkmodes.core.system.evaluation import Evaluation, ExtendedSystem, number_of_modes
@@ -38,17 +38,19 @@ def with_all_coordinates(solver: Solver, state: RobotAtPoses) -> RobotAtPoses:
     """
     system = state.system
     if isinstance(system, ExtendedSystem) and len(state.points):
-        matrices = solver.along(state, None, no_paths(flat(system.effects)), ALL_COORDINATES)
+        matrices = solver.along(state, None, no_paths(flattened(system.effects)), FULL_MATRIX_FIELDS)
         if matrices is not None:
-            M, K = (matrices[name] for name in ALL_COORDINATES)
-            state.quantities["all_coordinates"] = system.of_generated(M, K)
+            M, K = (matrices[name] for name in FULL_MATRIX_FIELDS)
+            state.quantities["all_coordinates"] = system.from_generated_matrices(M, K)
     return state
 
 
 def _arrays(solver: Solver, system: Evaluation, count: int, names: Sequence[str]) -> dict[str, Array]:
     """Return arrays for those fields that a solver fills."""
-    sizes = sizes_of(system.mechanism, number_of_modes(system), len(system.coordinates))
-    return {name: np.empty((count, *tail(FIELDS[name], sizes))) for name in names if name in solver.fields}
+    sizes = axis_lengths(system.mechanism, number_of_modes(system), len(system.coordinates))
+    return {
+        name: np.empty((count, *pose_shape(FIELDS[name], sizes))) for name in names if name in solver.fields
+    }
 
 
 def solve_modes(

@@ -40,21 +40,25 @@ def rigid_motions(
     - springs: the effect parameters that hold it to ground, by generated field
     - locked: coordinates without effects that are at rest, such as those of held motors
     """
-    plain, pose, base = sample_parameters(mechanism), sample_pose(mechanism), len(mechanism.coordinates)
-    none = mechanism.extended.Effects()
-    kept = np.setdiff1d(np.arange(base), locked)
-    place = np.ix_(kept, kept)
-    M, K, _ = Generated(mechanism.extended, plain, none).extended_matrices(pose)
-    scale = 1.0 / np.sqrt(np.diag(M)[kept])
-    both = np.outer(scale, scale)
-    levels, modes = np.linalg.eigh(K[place] * both)
-    loose = modes[:, levels < RIGID * levels.max(initial=0.0)]
-    if not springs or not loose.size:
-        return RigidMotions(loose.shape[1], 0)
-    ground = np.zeros_like(both)
-    for part in spring_rates(mechanism, plain, none, pose[None], springs).values():
-        scaled = part[0][place] * both
-        if (size := np.linalg.norm(scaled)) > 0.0:  # 0 for a spring on what is at rest
-            ground += scaled / size
-    held = int(np.count_nonzero(np.linalg.eigvalsh(loose.T @ ground @ loose) > RIGID))
-    return RigidMotions(loose.shape[1] - held, held)
+    parameters, pose, base_count = (
+        sample_parameters(mechanism),
+        sample_pose(mechanism),
+        len(mechanism.coordinates),
+    )
+    no_effects = mechanism.extended.Effects()
+    unlocked = np.setdiff1d(np.arange(base_count), locked)
+    block = np.ix_(unlocked, unlocked)
+    M, K, _ = Generated(mechanism.extended, parameters, no_effects).extended_matrices(pose)
+    scale = 1.0 / np.sqrt(np.diag(M)[unlocked])
+    scaling = np.outer(scale, scale)
+    eigenvalues, modes = np.linalg.eigh(K[block] * scaling)
+    loose_modes = modes[:, eigenvalues < RIGID * eigenvalues.max(initial=0.0)]
+    if not springs or not loose_modes.size:
+        return RigidMotions(loose_modes.shape[1], 0)
+    ground = np.zeros_like(scaling)
+    for stiffness in spring_rates(mechanism, parameters, no_effects, pose[None], springs).values():
+        scaled = stiffness[0][block] * scaling
+        if (norm := np.linalg.norm(scaled)) > 0.0:  # 0 for a spring on what is at rest
+            ground += scaled / norm
+    held = int(np.count_nonzero(np.linalg.eigvalsh(loose_modes.T @ ground @ loose_modes) > RIGID))
+    return RigidMotions(loose_modes.shape[1] - held, held)

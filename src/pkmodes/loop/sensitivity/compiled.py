@@ -11,7 +11,7 @@ from functools import cache, cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.compiled.lanes import ALL_COORDINATES, RATES_OF_MATRICES, UNSOLVED, Terms, flat
+from pkmodes.core.compiled.lanes import FULL_MATRIX_FIELDS, MATRIX_RATE_FIELDS, UNSOLVED, Terms, flattened
 from pkmodes.core.linalg.eigen import rounding_scale
 from pkmodes.core.mechanism.poses import CHUNK, codes_of
 from pkmodes.core.mechanism.registry import Mechanism
@@ -58,7 +58,7 @@ def terms_of_all(systems: Sequence[ExtendedSystem], paths: Sequence[Sequence[Par
         first=ends[np.arange(len(systems))[:, None] * count + np.arange(count + 1)],
         places=np.array(places, dtype=np.int32),
         weights=np.array([weight for terms in of_paths for _, weight in terms], dtype=float),
-        effects=np.array([flat(robot_system.effects) for robot_system in systems]),
+        effects=np.array([flattened(robot_system.effects) for robot_system in systems]),
         all_coordinates=any(parameters <= place < pose or place >= joints for place in places),
         locked_joints=any(place >= joints and place - joints not in free for place in places),
     )
@@ -132,7 +132,7 @@ def rates_job(
 
     tail = (len(terms.first) - 1, modes)
     return Job(
-        tails=dict.fromkeys(requested, (tail, "f8")),
+        pose_shapes=dict.fromkeys(requested, (tail, "f8")),
         reasons=codes_of(system.mechanism),
         compute=compute,
         by_numpy=by_numpy,
@@ -143,7 +143,7 @@ def rates_job(
 
 def _coincide(eigenvalues: Array, system: Evaluation, close: float, of_zero: bool) -> NDArray[np.bool_]:
     """Return where modes form a group; with `of_zero` also of those whose frequency is zero to rounding."""
-    sizes = rounding_scale(eigenvalues, system.first, system.rigid_modes, system.loose_motions)
+    sizes = rounding_scale(eigenvalues, system.base_count, system.rigid_modes, system.loose_motions)
     coincident = ~separate(eigenvalues, close, sizes)
     if not of_zero:
         moving = np.abs(eigenvalues) > ROUNDING * sizes
@@ -173,16 +173,16 @@ class CompiledDerivatives(MatrixDerivatives):
 
     @cached_property
     def _all_coordinates(self) -> tuple[Array, Array]:
-        if not self._compiled.keys() >= set(ALL_COORDINATES):
+        if not self._compiled.keys() >= set(FULL_MATRIX_FIELDS):
             return super()._all_coordinates
-        M, K = (self._compiled[name] for name in ALL_COORDINATES)
-        return self.system.of_generated(M, K)
+        M, K = (self._compiled[name] for name in FULL_MATRIX_FIELDS)
+        return self.system.from_generated_matrices(M, K)
 
     @cached_property
     def _dense(self) -> tuple[Array, Array]:
-        if not self._compiled.keys() >= set(RATES_OF_MATRICES):
+        if not self._compiled.keys() >= set(MATRIX_RATE_FIELDS):
             return super()._dense
-        dM, dK = (self._compiled[name] for name in RATES_OF_MATRICES)
+        dM, dK = (self._compiled[name] for name in MATRIX_RATE_FIELDS)
         for matrix in (dM, dK):
             matrix[:, list(self.locked)] = np.nan
         return dM, dK

@@ -157,9 +157,9 @@ class MatrixDerivatives:
             moved = np.flatnonzero(self._directions[1].any(axis=(0, 2)))
             system, listed = self.system, _listed(self.system.mechanism)
             return rates_by_steps(system.mechanism, system.parameters, system.effects, self._p, listed, moved)
-        values = self.system.single("value_sensitivities", self._p)
+        values = self.system.evaluate_function("value_sensitivities", self._p)
         if self._directions[1][:, len(extended.VALUE_SENSITIVITIES) :].any():
-            geometry = self.system.single("geometry_sensitivities", self._p)
+            geometry = self.system.evaluate_function("geometry_sensitivities", self._p)
         else:
             counts = (sum(len(entry[k]) for entry in extended.GEOMETRY_SENSITIVITIES) for k in (2, 3))
             geometry = tuple(np.zeros((len(self._p), count)) for count in counts)
@@ -237,7 +237,7 @@ class MatrixDerivatives:
         """
         phi = np.zeros((*shapes.shape[:-1], self.size))
         phi[..., self.free] = shapes
-        phi = self.system.of_model(phi)  # in all coordinates of the generated model, (N, m, e)
+        phi = self.system.to_model_coordinates(phi)  # in all coordinates of the generated model, (N, m, e)
         parts = []
         for matrix in (0, 1):
             # The entries that change along any path.

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from pkmodes.core.base.arguments import is_all
 from pkmodes.core.base.drives import FREE, checked_drives
 from pkmodes.core.base.errors import PkmodesError, checked_list, shown
-from pkmodes.core.compiled.lanes import ALL_COORDINATES, RATES_OF_MATRICES, Terms
+from pkmodes.core.compiled.lanes import FULL_MATRIX_FIELDS, MATRIX_RATE_FIELDS, Terms
 from pkmodes.core.linalg.eigen import has_stiff_joint, rounding_scale
 from pkmodes.core.mechanism.poses import OnError
 from pkmodes.core.model import Model
@@ -22,7 +22,7 @@ from pkmodes.core.robot.robot import Robot
 from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.solve.backends import AUTO, checked_threads
 from pkmodes.core.solve.batch import run_job
-from pkmodes.core.solve.field_arrays import FieldArrays, Fields, Out, chosen_fields
+from pkmodes.core.solve.field_arrays import FieldArrays, FieldNames, OutArrays, chosen_fields
 from pkmodes.core.solve.results import ChosenFields
 from pkmodes.core.solve.solver import Solver
 from pkmodes.core.support.solutions import solve_modes
@@ -169,9 +169,9 @@ def sensitivities_at(
     *,
     close: float = 1e-6,
     on_error: OnError = "raise",
-    fields: Fields = None,
+    fields: FieldNames = None,
     drives: str = FREE,
-    out: Out = None,
+    out: OutArrays = None,
     backend: str = AUTO,
     threads: int | None = None,
 ) -> Sensitivities:
@@ -236,8 +236,8 @@ def sensitivities_at(
         checked, arrays = run_job(job, robot, model.max_condition, poses, on_error, out, count)
     else:
         checked = model.checked(poses, on_error)
-        aside = on_error == "raise" and len(system.coordinates) > system.first
-        of_poses = FieldArrays(checked.batch, out, aside=aside, blank=bool(checked.codes.any()))
+        aside = on_error == "raise" and len(system.coordinates) > system.base_count
+        of_poses = FieldArrays(checked.batch, out, deferred=aside, filled_with_nan=bool(checked.codes.any()))
         # In parts of equal size: a single pose is evaluated differently, which gives repeated modes another basis.
         for where, p in checked.parts(TOGETHER, even=True):
             of_poses.put(where, _at(resolved, p, limit, requested, solvers))
@@ -302,7 +302,7 @@ def _at(
         if derivatives is None or isinstance(resolved.extended, MotorsHeld):
             terms = resolved.terms_of_listed
             derivatives = derivatives_of(
-                solvers.free, resolved.listed, p, [resolved.paths], None, terms, RATES_OF_MATRICES
+                solvers.free, resolved.listed, p, [resolved.paths], None, terms, MATRIX_RATE_FIELDS
             )
         fields["mass_matrix"], fields["stiffness_matrix"] = derivatives.dense()
     return {name: fields[name] for name in requested}
@@ -319,9 +319,9 @@ def _of_modes(
     eigenvalues, shapes = at["eigenvalues"], at["shapes"]
     along_fields = list[str]()
     if with_shapes:
-        along_fields += ["changes", "norms", *(ALL_COORDINATES if resolved.terms.locked_joints else ())]
+        along_fields += ["changes", "norms", *(FULL_MATRIX_FIELDS if resolved.terms.locked_joints else ())]
         if not (isinstance(extended, MotorsHeld) or MATRICES.isdisjoint(requested)):
-            along_fields += RATES_OF_MATRICES
+            along_fields += MATRIX_RATE_FIELDS
     derivatives = derivatives_of(
         solver,
         extended,
@@ -333,7 +333,7 @@ def _of_modes(
         matrices=at.evaluated("all_coordinates") if extended is system else None,
         locked=resolved.locked,
     )
-    sizes = rounding_scale(eigenvalues, system.first, system.rigid_modes, system.loose_motions)
+    sizes = rounding_scale(eigenvalues, system.base_count, system.rigid_modes, system.loose_motions)
     group = groups(eigenvalues, close, sizes)
     fields: dict[str, NDArray[Any]] = {"groups": group}
     if with_shapes:
@@ -361,7 +361,7 @@ def _of_shapes(
     rates, turned = np.empty(norm.shape), np.empty(change.shape)
     for i, arguments in enumerate(zip(*modes, change, norm, group, sizes, strict=True)):
         rates[i], turned[i] = mode_derivatives(*arguments)
-    first = at.system.first
+    first = at.system.base_count
     stiff = np.flatnonzero(has_stiff_joint(eigenvalues, first, at.system.rigid_modes))
     if len(stiff):
         evaluated = np.setdiff1d(np.arange(norm.shape[1]), derivatives.locked)

@@ -47,7 +47,7 @@ def shape_derivatives(
     rates: Array = share @ channels[:, None]
     r = np.flatnonzero(derivatives.system.massless)
     if not (len(r) or derivatives.locked):
-        rates[..., :size] = derivatives.system.of_model(rates[..., :size])
+        rates[..., :size] = derivatives.system.to_model_coordinates(rates[..., :size])
         return rates
     beyond = np.zeros((*share.shape[:3], size))
     if len(r):
@@ -57,7 +57,7 @@ def shape_derivatives(
         )
     if derivatives.locked:
         beyond[:, list(derivatives.locked)] += derivatives.locked_motions(eigenvalues, shapes)
-    rates[..., :size] = derivatives.system.of_model(rates[..., :size] + beyond)
+    rates[..., :size] = derivatives.system.to_model_coordinates(rates[..., :size] + beyond)
     if motion is not None:
         rates[..., size:] += beyond @ np.swapaxes(motion(), -1, -2)[:, None]
     return rates

@@ -143,6 +143,6 @@ def rates_of_losses(at: Solved, losses: Sequence[Loss]) -> Array:
             lossy = replace(
                 robot, effects={**conservative, loss.parameter.name.removeprefix(f"{EFFECTS}."): PART}
             )
-            viscous, lost = Dissipation(lossy, ExtendedSystem.of(lossy)).of_model(at.points[part])
+            viscous, lost = Dissipation(lossy, ExtendedSystem.of(lossy)).model_matrices(at.points[part])
             rates[part, :, j] = damping_ratios(*modes, viscous, lost, 0.0, rigid) / PART
     return rates

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple, overload
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.compiled.lanes import ALONG_OF_MODES
+from pkmodes.core.compiled.lanes import MODE_RATE_FIELDS
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.mechanism.stepped import COMPLEX_STEP
 from pkmodes.core.robot.robot import Robot
@@ -97,7 +97,7 @@ def solved_together(
     channels = np.zeros((*shapes.shape[:2], system.joints.shape[-1] + motions.shape[-1]))
     channels[..., system.free] = shapes
     of_model = slice(system.joints.shape[-1])
-    channels[..., of_model] = system.of_model(channels[..., of_model])
+    channels[..., of_model] = system.to_model_coordinates(channels[..., of_model])
     channels[..., -motions.shape[-1] :] = motions
     fields = tuple(robots), tuple(systems), system, points, matrices, eigenvalues, shapes, channels, solver
     return Solved(*fields)
@@ -120,7 +120,7 @@ def derived(at: Solved, moves: Sequence[Moves], shape_rates: bool) -> Prediction
         modes = at.eigenvalues, at.shapes
         terms = None if at.solver is None else terms_of_all(at.systems, paths)
         derivatives = derivatives_of(
-            at.solver, at.system, at.points, paths, modes, terms, ALONG_OF_MODES, matrices=at.matrices
+            at.solver, at.system, at.points, paths, modes, terms, MODE_RATE_FIELDS, matrices=at.matrices
         )
         rates = derivatives.eigenvalues(at.eigenvalues, at.shapes)
         if along is not None:
@@ -197,7 +197,7 @@ def _channel_rates(
     """Return the derivatives of the shapes at the channels along paths, (N, m, C, T)."""
     mechanism = at.system.mechanism
     components, geometry = len(mechanism.platform), geometry_of(mechanism)
-    motion = partial(at.system.motion_of_all, at.points)
+    motion = partial(at.system.full_platform_motion, at.points)
     changes = shape_derivatives(
         derivatives, at.eigenvalues, at.shapes, at.channels[..., -components:], motion
     )
@@ -212,7 +212,7 @@ def _channel_rates(
             if any(field in geometry or field == POSE for field, _ in path.weights):
                 numbers = robot.parameters, ExtendedSystem.of(robot).effects
                 parameters, effects, shift = stepped_along(mechanism, *numbers, path)
-                stepped = at.system.motion_of_all(
+                stepped = at.system.full_platform_motion(
                     at.points[part] + COMPLEX_STEP * 1j * shift, parameters, effects
                 )
                 rate = (stepped.imag / COMPLEX_STEP)[..., derivatives.free]

@@ -344,7 +344,7 @@ class RobotStructure:
 
     def _key(self, system: ExtendedSystem) -> object:
         """Return a key that is the same for robots that can be evaluated together."""
-        several = len(self.loads.cases) > 1 and len(system.free) > system.first
+        several = len(self.loads.cases) > 1 and len(system.free) > system.base_count
         massless = system.massless.tobytes() if several else b""
         return system.free.tobytes(), system.rigid_modes, massless, system.basis is None
 

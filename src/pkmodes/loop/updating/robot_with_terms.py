@@ -199,7 +199,7 @@ class RobotWithTerms:
                 np.concatenate(stack)
                 for stack in zip(*(term_matrices.in_free() for term_matrices in of_terms), strict=True)
             )
-            modes = eigenmodes(site.system.first, of_terms[0], M, K)
+            modes = eigenmodes(site.system.base_count, of_terms[0], M, K)
             if modes is None:
                 return None
             eigenvalues, shapes = modes

@@ -120,7 +120,7 @@ class Surroundings:
     @cached_property
     def platform(self) -> Array:
         """Motion of the platform per unit of every coordinate, (N, components, e)."""
-        motion = self.system.motion_of_all(self.points, self._parameters, self._effects)
+        motion = self.system.full_platform_motion(self.points, self._parameters, self._effects)
         return self._at_poses(motion, motion.shape[-2:])
 
     def of_inertia(self, declared: tuple[str, int]) -> tuple[Array, Array]:

@@ -13,7 +13,7 @@ from pkmodes.core.solve.fields import (
     MODE,
     SHAPES,
     Field,
-    of_maps,
+    map_fields,
 )
 
 #: The axis of poses that are not on a grid.
@@ -69,7 +69,7 @@ def variables(
     - tracked: whether modes are tracked
     """
     shapes = SHAPES in conditions
-    of_fields = [(field, _variable(field, mechanism, normal, shapes)) for field in of_maps(conditions)]
+    of_fields = [(field, _variable(field, mechanism, normal, shapes)) for field in map_fields(conditions)]
     return (
         *(variable for field, variable in of_fields if field.only != SHAPES),
         *OF_POSES,

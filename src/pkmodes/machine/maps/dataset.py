@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from pkmodes.core.robot.declaration import changeable_units
 from pkmodes.core.robot.robot import Robot
-from pkmodes.core.solve.fields import EVERY, INDEPENDENT, MODE, of_maps
+from pkmodes.core.solve.fields import ALL_CONDITIONS, INDEPENDENT, MODE, map_fields
 from pkmodes.core.system.evaluation import evaluation
 from pkmodes.core.system.motors import solved_system
 from pkmodes.machine.dataset.attributes import attributes_of, imported, labels_of, meanings_of
@@ -56,12 +56,12 @@ def dataset_of(
     shape = (*variants.shape, *places.shape)
     coordinates = layout.coordinates if layout.shapes else mechanism.independent
     # Shapes may have been needed for tracking only.
-    kept = {field.variable for field in of_maps(layout.conditions)}
+    kept = {field.variable for field in map_fields(layout.conditions)}
     shown = [name for name in arrays if name in kept or name == "code"]
     fields = _fields_of({name: arrays[name] for name in shown}, shape, np.array(codes(mechanism)), tracked)
     if len(shown) < len(arrays):
         columns = [layout.coordinates.index(name) for name in coordinates]
-        for field in of_maps(layout.conditions):
+        for field in map_fields(layout.conditions):
             if INDEPENDENT in field.dims:
                 fields[field.variable] = fields[field.variable][..., columns]
     described = variables(mechanism, normal, layout.conditions, tracked is not None)
@@ -188,7 +188,7 @@ def _tracked(fields: Mapping[str, Any], tracked: Tracked, shape: tuple[int, ...]
             for values in (order, signs, events)
         )
     reordered = {}
-    for field in of_maps(EVERY):
+    for field in map_fields(ALL_CONDITIONS):
         values = fields.get(field.variable)
         if values is None or field.dims[:1] != (MODE,):
             continue

@@ -30,11 +30,11 @@ from pkmodes.core.solve.fields import (
     LINEAR,
     MODE,
     SHAPES,
+    axis_lengths,
     conditions_of,
-    missing,
-    of_maps,
-    sizes_of,
-    tail,
+    map_fields,
+    missing_value,
+    pose_shape,
 )
 from pkmodes.core.system.evaluation import evaluation, number_of_modes
 from pkmodes.core.system.motors import solved_system
@@ -72,9 +72,11 @@ def field_layouts(robot: Robot, layout: MapLayout) -> dict[str, tuple[tuple[int,
     """Return the shape at one pose, and the type, of each field."""
     coordinates = len(layout.coordinates)
     independent = coordinates if layout.shapes else None
-    sizes = sizes_of(robot.mechanism, layout.modes, coordinates, independent)
+    sizes = axis_lengths(robot.mechanism, layout.modes, coordinates, independent)
     sizes[LINEAR] = sizes[DIRECTION]
-    fields = {field.variable: (tail(field, sizes), field.dtype) for field in of_maps(layout.conditions)}
+    fields = {
+        field.variable: (pose_shape(field, sizes), field.dtype) for field in map_fields(layout.conditions)
+    }
     return {**fields, "code": ((), "i1")}
 
 
@@ -139,7 +141,7 @@ def evaluate(task: Task) -> dict[str, Array]:
 def _piece(robot: Robot, points: Array, task: Task) -> dict[str, Array]:
     """Evaluate a robot at its poses; the fields have room for the modes and coordinates of all robots."""
     layout, model = task.layout, Model(robot, task.max_condition)
-    fields = of_maps(layout.conditions)
+    fields = map_fields(layout.conditions)
     # One thread: tasks run side by side.
     checked, values = model.fields_at(
         points,
@@ -153,7 +155,7 @@ def _piece(robot: Robot, points: Array, task: Task) -> dict[str, Array]:
     sizes, independent = field_layouts(robot, layout), robot.mechanism.independent
     for field in fields:
         shape, dtype = sizes[field.variable]
-        array = arrays[field.variable] = np.full((len(points), *shape), missing(dtype), dtype)
+        array = arrays[field.variable] = np.full((len(points), *shape), missing_value(dtype), dtype)
         of_robot = values[field.name]
         if field.dims[:1] == (MODE,):
             of_robot = of_robot[:, model.solved(layout.drives).rigid_modes :]
@@ -171,7 +173,7 @@ def _piece(robot: Robot, points: Array, task: Task) -> dict[str, Array]:
     if task.used:
         beyond = checked.valid & ~within_limits(robot, points)
         for array in arrays.values():
-            array[beyond] = missing(array.dtype.str)
+            array[beyond] = missing_value(array.dtype.str)
         arrays["code"][beyond] = codes(robot.mechanism).index(USABLE)
     return arrays
 

@@ -17,7 +17,7 @@ from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.base.version import VERSION
 from pkmodes.core.model import Model
 from pkmodes.core.robot.usable import USABLE
-from pkmodes.core.solve.backends import AUTO, checked_threads, chosen
+from pkmodes.core.solve.backends import AUTO, checked_threads, choose_backend
 from pkmodes.core.system.evaluation import evaluation
 from pkmodes.core.system.motors import solved_system
 from pkmodes.machine.dataset.attributes import imported
@@ -202,7 +202,7 @@ def map_of(
     thread_count = checked_threads(threads)
     variants = variants_of(model.robot, sweep, samples, seed)
     places = reachable(model) if grid is None else places_of(model.mechanism, grid)
-    layout = layout_of(variants.robots, shapes or tracked, chosen(backend), checked_drives(drives))
+    layout = layout_of(variants.robots, shapes or tracked, choose_backend(backend), checked_drives(drives))
     plan = MapPlan(model, places, variants, layout)
     if tracked:
         systems = map(evaluation, variants.robots)

@@ -26,7 +26,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import OutputError, shown
-from pkmodes.core.solve.fields import missing
+from pkmodes.core.solve.fields import missing_value
 from pkmodes.core.support.writing import write_error
 
 Array = NDArray[Any]
@@ -137,7 +137,7 @@ def disk_store(
                 shape=(rows, *pose_shape),
                 chunks=(min(rows_of_a_task, rows), *(max(length, 1) for length in pose_shape)),
                 dtype=dtype,
-                fill_value=missing(dtype),
+                fill_value=missing_value(dtype),
                 compressors=[Crc32cCodec()],
                 zarr_format=3,
                 config={"write_empty_chunks": True},  # otherwise a task without a valid pose is never done

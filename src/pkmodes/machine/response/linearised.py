@@ -97,7 +97,7 @@ class LinearisedRobot:
             return nothing, nothing
         if isinstance(system, MotorsHeld):
             viscous, loss = (
-                self._blocks(system, system.in_basis(matrix)) for matrix in of.of_model(self.points)
+                self._blocks(system, system.in_basis(matrix)) for matrix in of.model_matrices(self.points)
             )
         else:
             viscous, loss = (Blocks(matrix, self._nothing) for matrix in of.matrices(self.points))
