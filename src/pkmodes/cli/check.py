@@ -145,7 +145,7 @@ def check(
             report,
             findings=list(map(FindingDocument.of, report.findings)),
             consistency=list(map(RelationDocument.of, report.checks)),
-            mend=report.mend or None,
+            mend=report.fix_command or None,
         )
         for report in reports
     ]
@@ -201,8 +201,8 @@ def _lines(report: Report, diff: bool) -> Iterator[str]:
         yield f"{report.target}: not checked: {sentence}"
     if diffs and not diff:
         yield "what differs, line by line: --diff"
-    if report.mend:
-        yield f"fix with: {report.mend}"
+    if report.fix_command:
+        yield f"fix with: {report.fix_command}"
     elif report.holds:
         yield f"{report.target}: {_verdict(report)}"
     for text in diffs if diff else ():

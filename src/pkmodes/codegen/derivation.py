@@ -117,10 +117,10 @@ def definition_of(mechanism: Mechanism) -> Definition | None:
 @contextmanager
 def as_pkmodes_errors() -> Iterator[None]:
     """Convert errors of a definition to `PkmodesError`."""
-    mistake = derivation("definition").DefinitionError
+    definition_error = derivation("definition").DefinitionError
     try:
         yield
-    except mistake as error:
+    except definition_error as error:
         raise PkmodesError(error.what, error.where, error.remedy) from None
 
 
@@ -174,7 +174,7 @@ def parametric(
 @contextmanager
 def staged(name: str, texts: dict[str, str]) -> Iterator[Mechanism]:
     """Register a mechanism from code that has not been written to its folder yet."""
-    with TemporaryDirectory(prefix="pkmodes-") as place:
-        write_files(Path(place) / name, texts)
-        with temporarily_registered(Path(place) / name) as mechanism:
+    with TemporaryDirectory(prefix="pkmodes-") as folder:
+        write_files(Path(folder) / name, texts)
+        with temporarily_registered(Path(folder) / name) as mechanism:
             yield mechanism

@@ -523,7 +523,7 @@ class Model:
         determinant, _ = self.evaluated(self._generated.jacobian_condition, checked)
         return np.sign(determinant)
 
-    # What the methods and the applications share.
+    # Shared by the methods above and the applications.
 
     def fields_at(
         self,

@@ -63,7 +63,7 @@ WIDTHS = {
 WIDEST_PROGRAM = '#include "processor.h"\nint main(void) { return processor_lanes(); }\n'
 #: Why nothing is compiled on Windows: GCC's code would end the process at a misaligned vector.
 WINDOWS = "GCC does not align vectors on the stack there (its bug 54412)"
-#: Seconds after which a compiler is stopped.
+#: Time after which a compiler is stopped [s].
 COMPILER_TIMEOUT = 600
 
 
@@ -115,7 +115,7 @@ def digest(header: str) -> str:
 
 
 def checksum(library: Path) -> str:
-    """Digest of the bytes of a library: compared with that in its name, it tells whether the file is whole."""
+    """Digest of the bytes of a library: a file is intact if this is the digest in its name."""
     with library.open("rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()[:32]
 
@@ -153,7 +153,7 @@ def widest_within(lanes: int) -> int:
 def build(
     header: str, folder: Path, stem: str, cc: Sequence[str], widths: Sequence[int] | None = None
 ) -> Path:
-    """Compile and link a library, and put it in place whole or not at all.
+    """Compile and link a library, and put it in place completely or not at all.
 
     - header: text of the generated header
     - folder: where the library will be; it exists

@@ -1,6 +1,6 @@
 """The compiled evaluator of one robot, or of several: modes at poses, written into arrays.
 
-Those of several poses are the caller's; a single pose has a `PoseBuffer`, so that a call needs no new arrays and
+Arrays of several poses belong to the caller; a single pose has a `PoseBuffer`, so that a call needs no new arrays and
 looks up no addresses.
 """
 
@@ -99,7 +99,7 @@ class Evaluator:
         starts, lock = iter(range(0, count, POSES_PER_SHARE)), Lock()
 
         def work() -> None:
-            """Take shares until none is left: a thread that is held up delays the others by one share at most."""
+            """Take shares until none is left: a slow thread delays the others by one share at most."""
             while True:
                 with lock:
                     start = next(starts, None)
@@ -117,7 +117,7 @@ class Evaluator:
         return codes
 
     def buffer(self, size: int, pose_shapes: Mapping[str, tuple[int, ...]]) -> PoseBuffer:
-        """Return room for one pose of some components and some fields of one robot: see `PoseBuffer`."""
+        """Return a buffer for one pose with `size` components and some fields of one robot: see `PoseBuffer`."""
         return PoseBuffer(self._library, self._request, size, pose_shapes)
 
     def along(
@@ -187,7 +187,7 @@ class Evaluator:
 class PoseBuffer:
     """A request for one pose with arrays that stay where they are; for one thread at a time.
 
-    - request: with one robot; what its addresses point to must outlive the room
+    - request: with one robot; what its addresses point to must outlive the buffer
     - size: components of a pose
     - pose_shapes: shape at one pose of each field of `pkmodes.core.compiled.lanes.FIELDS` that is requested
 

@@ -24,11 +24,11 @@ FIELDS = (
     "mass_matrix",
     "stiffness_matrix",
 )
-#: The fields that it writes if it is given paths.
+#: Further fields that it writes if paths are given.
 RATE_FIELDS = ("eigenvalue_rates", "frequency_rates")
-#: What it writes of m given modes at N poses along T paths: (dK - lambda dM) phi, (N, T, m, n), without terms of
-#: locked joints; phi^T (dK - lambda dM) phi and phi^T dM phi, (N, T, m); dJ phi, (N, T, m, components), J the motion
-#: of the platform.
+#: Fields of m given modes that it writes at N poses along T paths: (dK - lambda dM) phi, (N, T, m, n), without terms
+#: of locked joints; phi^T (dK - lambda dM) phi and phi^T dM phi, (N, T, m); dJ phi, (N, T, m, components), J the
+#: motion of the platform.
 MODE_RATE_FIELDS = ("changes", "mode_rates", "norms", "motions")
 #: Further results along paths: dM and dK, (N, T, n, n), without terms of locked joints.
 MATRIX_RATE_FIELDS = ("mass_rates", "stiffness_rates")

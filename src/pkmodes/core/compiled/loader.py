@@ -202,7 +202,7 @@ def _load_or_build(name: str, header: str, digest: str) -> Library:
             with _build_lock(folder / f".{stem}.lock"):
                 library = _load_cached(folder, stem, digest)  # another process may have built it meanwhile
                 if library is None:
-                    # Whole ones are for other processors that share the folder.
+                    # Intact ones are for other processors that share the folder.
                     damaged = [path for path in folder.glob(f"{stem}.*.so") if not build.is_intact(path)]
                     built = build.build(header, folder, stem, cc, build.processor_widths(cc))
                     for path in damaged:
@@ -221,7 +221,7 @@ def _load_or_build(name: str, header: str, digest: str) -> Library:
 
 
 def _load_cached(folder: Path, stem: str, digest: str) -> Library | None:
-    """Return the library that was built earlier, None if there is no whole one.
+    """Return the library that was built earlier, None if there is no intact one.
 
     Raises NoLibraryError if the system refuses to load it: building it again would not help.
     """
@@ -243,7 +243,7 @@ def _intact_libraries(
 ) -> Iterator[Path]:
     """Yield the libraries of that name that are still as they were built."""
     for path in sorted(folder.glob(f"{stem}.*.so")):
-        with suppress(FileNotFoundError):  # it was damaged, and another process has just replaced it
+        with suppress(FileNotFoundError):  # damaged, and just replaced by another process
             check(path)
             if build.is_intact(path):
                 yield path

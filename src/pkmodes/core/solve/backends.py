@@ -78,7 +78,7 @@ class HeldSolver(Solver):
     """Solves for held motors, by another solver of their system.
 
     - solver: of `system`
-    - free: of the robot with free motors, for the fields in its coordinates, if its digits are those of NumPy
+    - free: solver of the robot with free motors, for fields in its coordinates; None if NumPy evaluates these
     """
 
     takes_several_robots = False

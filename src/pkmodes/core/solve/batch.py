@@ -38,8 +38,8 @@ class Job:
 
     - pose_shapes: shape at one pose, and type, of each field
     - reasons: the reasons that codes index: `pkmodes.core.mechanism.poses.codes_of`
-    - compute: fills the fields at poses, (n, d), with so many threads at most, and returns their codes, `UNSOLVED`
-      where `by_numpy` has to do it
+    - compute: fills the fields at poses, (n, d), with at most a number of threads, and returns the codes of the
+      poses, `UNSOLVED` where `by_numpy` has to evaluate them
     - by_numpy: returns the fields at poses, (n, d), that can be evaluated
     - checks_poses: whether `compute` checks the poses; without fields it only checks them.  If not, it is given some
       thousand poses at a time that can be evaluated.

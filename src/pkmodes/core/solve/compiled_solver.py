@@ -1,4 +1,4 @@
-"""The back end of compiled libraries, which leaves the poses that they cannot solve accurately to NumPy."""
+"""The back end that uses compiled libraries; NumPy solves the poses that these cannot solve accurately."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 #: Very soft and very stiff released joints cost digits: NumPy solves where the lowest eigenvalue of vibration is
 #: below this fraction, or the highest one above this multiple, of the highest one of the base coordinates.
 SOFT_FRACTION, STIFF_RATIO = 1e-5, 1e3
-#: The fraction without released joints; NumPy refuses robots below a tenth of it.
+#: The same fraction for robots without released joints; NumPy refuses robots below a tenth of it.
 SOFT_FRACTION_WITHOUT_JOINTS = 1e-6
 
 
@@ -83,7 +83,7 @@ class CompiledSolver(Solver):
         return self._mark_unresolved(self.evaluator.run(state.points, arrays, threads), arrays)
 
     def single_pose_function(self, pose_shapes: Mapping[str, tuple[int, ...]]) -> SinglePoseFunction:
-        """Return what fills arrays at a single pose, in a separate room for each thread."""
+        """Return what fills arrays at a single pose, with a separate buffer for each thread."""
         indicator, size = self._indicator_field(pose_shapes), len(self._system.mechanism.pose)
         all_shapes = (
             dict(pose_shapes) if indicator is None else {**pose_shapes, indicator: (self.evaluator.modes,)}
@@ -106,9 +106,9 @@ class CompiledSolver(Solver):
         return evaluate
 
     def _indicator_field(self, names: Collection[str]) -> str | None:
-        """Return the field that shows what the kernel cannot resolve, where some fields are evaluated.
+        """Return the field from which to tell where the kernel loses digits, given the evaluated fields.
 
-        None if none of them needs the eigenproblem.
+        None if no field needs the eigenproblem.
         """
         if self._mode_fields.isdisjoint(names):
             return None

@@ -94,7 +94,7 @@ class FieldArrays:
     - out: arrays of the caller's to fill; arrays of other fields are allocated
     - deferred: whether the caller's arrays are left unchanged until `finish`
     - filled_with_nan: whether arrays begin with NaN, or -1 in arrays of integers, instead of anything
-    - pose_shapes: shape at one pose, and type, of the first fields
+    - pose_shapes: shape at one pose, and type, of fields to create at once
 
     Its attributes:
     - arrays: by field, each (..., *tail)

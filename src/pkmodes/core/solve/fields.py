@@ -40,23 +40,23 @@ class Field:
     - name: in `pkmodes.Modes` and the arguments ``fields`` and ``out``, if it is one of the results there
     - dims: axes after those of the poses
     - needs: the quantities of which it is a function
-    - function: from their values at N poses, its values, (N, ...); by default those of the only one
+    - function: computes its values at N poses, (N, ...), from theirs; by default it returns those of the only one
     - in_modes: whether `pkmodes.Modes` has it
     - variable: its name in maps, datasets and tables; empty if it is in none
     - key: its name in the JSON of ``pkmodes modes``; empty if it is not there
-    - key_text: what it is, for the JSON Schema
+    - key_text: its description in the JSON Schema
     - units: in maps; of a mechanism
-    - text: what it is, for maps; {plane}, {normal}, {independent} and {effort} are replaced
+    - text: its description in maps; {plane}, {normal}, {independent} and {effort} are replaced
     - symbol: heading in the table of a notebook, followed by the number of the mode; empty if it has no columns there
-    - only: under which condition maps have it (`conditions_of`), "", "shapes", "dissipation" or "held", if not
+    - only: the condition under which maps have it (`conditions_of`): "shapes", "dissipation" or "held"; empty for
       always.  With ``"held"`` it is null in JSON where motors are free and no spring holds them.
     - signed: whether it changes its sign with the sign of the mode shape
     - nullable: whether its numbers may be null in JSON
     - same_as: another field whose values it has, for mechanisms whose independent coordinates have its name
-    - fallback: its value where the robot does not dissipate, or the motors are free, if `only` says that it is for
-      the other case; NaN for rigid modes
+    - fallback: its value if the condition `only` does not hold: nothing dissipates, or the motors are free; NaN for
+      rigid modes
     - on_demand: whether results evaluate it only when it is read, unless it was asked for by name
-    - read_with: another such field that is mostly read too: at few poses reading one of them evaluates both
+    - read_with: another such field, usually read too: at a few poses, reading one of them evaluates both
     """
 
     name: str

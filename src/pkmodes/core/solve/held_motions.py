@@ -1,9 +1,9 @@
-r"""Motions of a robot that springs to ground hold softly: solved with the parts of K kept apart, or refused.
+r"""Motions of a robot that only soft springs to ground hold: solved with separate parts of K, or refused.
 
 Without springs to ground, the stiffness :math:`K_s` of belts and reducers leaves some motions free: it has as many
 eigenvalues that are zero.  A spring to ground, and gravity, add a part :math:`K_w` that may be many orders smaller.
 In the sum it would be lost, first in the entries of the matrix and then in the solver, whose errors are rounding of
-the largest eigenvalue.  So the parts are kept apart: with the modes :math:`\Phi` of :math:`K_s`, whose zeros are
+the largest eigenvalue.  So the parts are kept separate: with the modes :math:`\Phi` of :math:`K_s`, whose zeros are
 known and not computed, the problem becomes
 
 .. math:: H = \operatorname{diag}(0, \ldots, 0, \lambda_s) + \Phi^T K_w \Phi ,
@@ -50,7 +50,7 @@ def solve_held(state: RobotAtPoses, eigenvalues: Array, shapes: Array) -> None:
     - eigenvalues: from `pkmodes.core.linalg.eigen.condensed_eigh`, (N, m)
     - shapes: (N, m, n)
 
-    Raises numpy.linalg.LinAlgError if the springs are too soft for any number.
+    Raises numpy.linalg.LinAlgError if the springs are too soft to be represented.
     """
     system = state.system
     soft = has_soft_ground_springs(eigenvalues, system.loose_motions)
@@ -85,7 +85,7 @@ def _held_eigh(M: Array, stiff: Array, weak: Array, first: int, motion_count: in
     H = modes @ weak @ np.swapaxes(modes, -1, -2)
     massless = np.flatnonzero(without_inertia(M, first))
     massless_motion = None
-    if len(massless):  # they followed the stiff part alone
+    if len(massless):  # in `modes` these coordinates follow the stiff part only
         forces = (weak @ np.swapaxes(modes, -1, -2))[:, massless]
         massless_motion = -np.linalg.solve((stiff + weak)[:, massless[:, None], massless], forces)
         H += np.swapaxes(forces, -1, -2) @ massless_motion
@@ -109,12 +109,13 @@ def _held_eigh(M: Array, stiff: Array, weak: Array, first: int, motion_count: in
 def refuse_unresolved(state: RobotAtPoses, eigenvalues: Array, shapes: Array) -> None:
     """Refuse robots with held motions whose frequencies of vibration are lost in rounding.
 
-    A motion that springs hold and gravity destabilises is not refused, however near to balance they are; nor is one
-    that no spring holds, which is a rigid mode: at 0 Hz where gravity leaves it alone, too.
+    A motion that springs hold and gravity destabilises is not refused, however closely the two balance; nor is a
+    motion that no spring holds: it is a rigid mode, at 0 Hz if gravity does not act on it either.
 
     - eigenvalues, shapes: after `solve_held`, (N, m) and (N, m, n)
 
-    Raises PoseError with the smallest stiffness of a spring to ground that is resolved, if it is to blame.
+    Raises PoseError with the smallest stiffness of the spring to ground that can be resolved, if that spring is the
+    cause.
     """
     system, motions = state.system, state.system.loose_motions
     indices = np.flatnonzero(has_soft_ground_springs(eigenvalues, motions))

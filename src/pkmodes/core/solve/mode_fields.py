@@ -64,7 +64,7 @@ class ModeFields:
         self._derived = [name for name in computed if name not in solver.fields]
         self._needed = _needed(self._derived, solver.fields) - {*self._names}
         if _of_modes(self._filled) and not _of_modes(computed):
-            self._needed |= {EIGENVALUES}  # they tell whether the robot is refused
+            self._needed |= {EIGENVALUES}  # they decide whether the robot is refused
         modes = number_of_modes(solved)
         sizes = axis_lengths(system.mechanism, modes, len(system.coordinates))
         fields = {name: FIELDS[name] for name in (*self._names, *self._needed) if name in FIELDS}
@@ -224,7 +224,7 @@ class FieldPlan:
     - fields: those that are computed at once
     - shared: those that share the array of another one, by name
     - deferred: those that are evaluated when they are read, one by one
-    - deferred_pairs: the same at few poses, where fields that are mostly read together are evaluated together
+    - deferred_pairs: the same at a few poses, where fields that are usually read together are evaluated together
     - backend: of the result
     """
 
@@ -237,7 +237,7 @@ class FieldPlan:
 
 
 class DeferredFields:
-    """The fields of a result that are evaluated when they are read, with the values that they would have had at once.
+    """The fields of a result that are evaluated when they are read; their values are those of an evaluation at once.
 
     - plan: of the result
     - max_condition: as for the result
@@ -282,12 +282,13 @@ class DeferredFields:
 
 
 def _motor_quantities(system: Evaluation, solved: Evaluation) -> dict[str, Any]:
-    """Return what fields need to know of the motors.
+    """Return the quantities of fields that depend on the motors.
 
-    Returns ``rigid_modes``, the number of rigid modes; ``strain_free_motions``, from the elastic stiffness and the
-    platform Jacobian of N poses the motions of all coordinates, None where motors follow no command: they are free,
-    without springs that hold them; ``kept``, all coordinates per unit of those that remain with held motors, (n, r),
-    None with free motors or if a motion remains that nothing elastic resists.
+    - rigid_modes: number of rigid modes
+    - strain_free_motions: function that returns the motions of all coordinates from the elastic stiffness and the
+      platform Jacobian at N poses; None if the motors follow no command: they are free, and no spring holds them
+    - held_basis: all coordinates per unit of those that remain with held motors, (n, r); None with free motors, or if
+      a motion remains that nothing elastic resists
     """
     quantities: dict[str, Any] = {
         "rigid_modes": solved.rigid_modes,

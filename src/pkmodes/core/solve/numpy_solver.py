@@ -78,7 +78,7 @@ def modes_of(state: RobotAtPoses) -> tuple[Array, Array]:
 
 
 def _check(eigenvalues: Array, shapes: Array, state: RobotAtPoses) -> None:
-    """Reject eigenvalues that are not frequencies, or whose digits are lost."""
+    """Reject eigenvalues that are not finite, or whose digits are lost."""
     if not np.isfinite(eigenvalues).all():
         raise PoseError("the eigenvalues are not finite", state.source, "check the robot's magnitudes")
     system = state.system

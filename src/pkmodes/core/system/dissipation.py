@@ -1,4 +1,4 @@
-"""What a robot dissipates: a damping ratio of every vibration mode, viscous friction, and loss factors of springs."""
+"""Dissipation of a robot: a damping ratio of every vibration mode, viscous friction, and loss factors of springs."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """Derivatives of the entries of M and K that the generated model lists for each parameter.
 
-They are those that it has or, for a mechanism without them, by complex step of its matrices, which is exact to
+The model may evaluate them itself; otherwise they are computed by complex step of its matrices, which is exact to
 rounding.
 """
 
@@ -18,12 +18,12 @@ from pkmodes.core.mechanism.stepped import COMPLEX_STEP, with_complex_steps
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
-#: Number of poses times parameters that are differentiated at once.
+#: Maximum number of poses times parameters that are differentiated in one block.
 MAX_BLOCK_SIZE = 4096
 
 
 class Entries(NamedTuple):
-    """The entries of a symmetric matrix to which the derivatives belong, in their order.
+    """The matrix entries to which the derivatives belong, in the order of the derivatives; the matrix is symmetric.
 
     - slot, row, column: index of the parameter, and position in the upper triangle, (E,)
     """
@@ -87,7 +87,7 @@ def rates_by_steps(
     listed_parameters: Sequence[Any],
     requested: Sequence[int] | Index,
 ) -> tuple[Array, Array]:
-    """Evaluate derivatives by complex step at N poses, (N, d), a block of parameters at once.
+    """Evaluate derivatives by complex step at N poses, (N, d), block by block of parameters.
 
     - listed_parameters: the parameters with derivatives: field, index, entries of M and of K
     - requested: indices of the requested parameters; derivatives with respect to others are 0

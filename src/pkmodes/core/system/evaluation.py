@@ -36,7 +36,7 @@ class Evaluation:
       effects
     - rigid_modes: number of modes that strain nothing elastic
     - held_motions: number of motions that strain only springs to ground: the rank of these springs
-    - springs_to_ground: the springs that do so, by path without ``effects.``
+    - springs_to_ground: these springs, by path without ``effects.``
     """
 
     coordinates: tuple[str, ...]
@@ -67,7 +67,7 @@ class Evaluation:
         return M, K
 
     def free_part(self, matrix: Array) -> Array:
-        """Return the rows and columns of such a matrix that belong to `coordinates`, (N, n, n)."""
+        """Return the rows and columns of a matrix in all coordinates that belong to `coordinates`, (N, n, n)."""
         return matrix
 
     @cached_property
@@ -96,7 +96,7 @@ class Evaluation:
 
 
 class ExtendedSystem(Evaluation):
-    """The extended model of one robot, including the coordinates of released joints that are not locked.
+    """The extended model of one robot, with the coordinates of released joints that are not locked.
 
     - parameters: the robot, as the generated model takes it
     - effects: by ``<effect>.<parameter>``; the additional compliance of a single joint of an effect is given by
@@ -189,7 +189,7 @@ class ExtendedSystem(Evaluation):
         return self.full_platform_motion(p)[..., self.free]
 
     def full_platform_motion(self, p: Array, parameters: Any = None, effects: Any = None) -> Array:
-        """Return the same for all coordinates, (N, components, e), optionally with other parameters and effects."""
+        """Return `platform_motion` for all coordinates, (N, components, e), by default with the robot's own numbers."""
         chosen_parameters = self.parameters if parameters is None else parameters
         chosen_effects = self.effects if effects is None else effects
         motion = np.asarray(
@@ -238,8 +238,8 @@ def _inertias(mechanism: Mechanism) -> tuple[str, ...]:
 def _massless(mechanism: Mechanism, zeros: bytes) -> NDArray[np.bool_]:
     """Return which of all coordinates have no inertia, (e,).
 
-    This depends only on which effects and inertias are zero, in their order; it is read from M of the sample geometry
-    at a regular pose, with ones for the others.
+    This depends only on which effects and inertias are zero (`zeros`, in their order); it is read from M of the
+    sample robot at a regular pose, with 1 for those that are not zero.
     """
     parameters, effects, names = (
         sample_parameters(mechanism),
@@ -268,7 +268,7 @@ def matrices(system: Evaluation, p: Array) -> tuple[Array, Array]:
 
 
 def may_be_refused(system: Evaluation) -> bool:
-    """Return whether the values of a robot's effects may be such that its modes have too few digits.
+    """Return whether a robot may be refused because its effects leave its modes too few digits.
 
     A robot without effects is refused only where its magnitudes are out of all proportion.
     """

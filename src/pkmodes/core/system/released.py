@@ -1,4 +1,4 @@
-"""What follows from the effects of a robot alone: which joints are released, and how stiff they are."""
+"""The joints that the effects of a robot release, and their stiffnesses; nothing else of the robot matters."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Array = NDArray[np.float64]
 
 
 class ReleasedJoints(NamedTuple):
-    """What follows from the effects: see `pkmodes.core.system.evaluation.ExtendedSystem`."""
+    """The released joints and the springs to ground: see `pkmodes.core.system.evaluation.ExtendedSystem`."""
 
     effects: Any
     free: NDArray[np.intp]
@@ -29,7 +29,7 @@ class ReleasedJoints(NamedTuple):
 
 @lru_cache(maxsize=256)
 def released_joints(mechanism: Mechanism, effects: tuple[tuple[str, float], ...]) -> ReleasedJoints:
-    """Return what follows from effects; a fit evaluates many robots with the same effects."""
+    """Return what effects release and hold; kept, because a fit evaluates many robots with the same effects."""
     shared, _ = _split_effects(dict(effects))
     releasing = tuple(
         (path, value) for path, value in effects if path.split(".")[0] in _releasing_effects(mechanism)
@@ -75,7 +75,7 @@ def _joints(
 
 
 def _held_by_effects(mechanism: Mechanism, effects: Mapping[str, float]) -> NDArray[np.bool_]:
-    """Return which released coordinates have the energies of their effect: its first parameter is not null."""
+    """Return which released coordinates belong to an effect that is present: its first parameter is not zero."""
     coordinates_held = {
         coordinate.name
         for effect in mechanism.effects.values()

@@ -1,7 +1,8 @@
-"""How many motions strain nothing of a machine, and how many of them springs to ground hold: a rank, not all of them.
+"""Number of motions that strain nothing of a machine, and how many of them springs to ground hold.
 
-A cable at the origin of a platform that turns holds its displacements, not its rotations.  Both numbers are those of
-the sample robot at a regular pose, where nothing vanishes by symmetry; they are the same at all other regular poses.
+The springs hold as many as their rank, which may not be all.  A cable at the origin of a platform that turns holds
+its displacements, not its rotations.  Both numbers are those of the sample robot at a regular pose, where nothing
+vanishes by symmetry; they are the same at all other regular poses.
 """
 
 from __future__ import annotations
@@ -58,7 +59,7 @@ def rigid_motions(
     ground = np.zeros_like(scaling)
     for stiffness in spring_rates(mechanism, parameters, no_effects, pose[None], springs).values():
         scaled = stiffness[0][block] * scaling
-        if (norm := np.linalg.norm(scaled)) > 0.0:  # 0 for a spring on what is at rest
+        if (norm := np.linalg.norm(scaled)) > 0.0:  # 0 for a spring on a body at rest
             ground += scaled / norm
     held = int(np.count_nonzero(np.linalg.eigvalsh(loose_modes.T @ ground @ loose_modes) > RIGID))
     return RigidMotions(loose_modes.shape[1] - held, held)
