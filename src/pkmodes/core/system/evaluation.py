@@ -189,7 +189,7 @@ class ExtendedSystem(Evaluation):
         return self.full_platform_motion(p)[..., self.free]
 
     def full_platform_motion(self, p: Array, parameters: Any = None, effects: Any = None) -> Array:
-        """Return `platform_motion` for all coordinates, (N, components, e), by default with the robot's own numbers."""
+        """Return `platform_motion` for all coordinates, (N, components, e), by default with the robot's numbers."""
         chosen_parameters = self.parameters if parameters is None else parameters
         chosen_effects = self.effects if effects is None else effects
         motion = np.asarray(
