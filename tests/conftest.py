@@ -42,9 +42,9 @@ pytest_plugins = ["helpers.runs.fixtures", "helpers.runs.processor_time"]
 
 # Made before workers start, which inherit the variable; a folder that a developer names outlives the run.
 _derived = None
-if kept.VARIABLE not in os.environ:
+if kept.FOLDER_VARIABLE not in os.environ:
     _derived = tempfile.TemporaryDirectory(prefix="pkmodes-derived-")
-    os.environ[kept.VARIABLE] = _derived.name
+    os.environ[kept.FOLDER_VARIABLE] = _derived.name
 
 # A plugin may have loaded NumPy before.
 threadpoolctl.threadpool_limits(1)

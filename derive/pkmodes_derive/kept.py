@@ -1,4 +1,4 @@
-"""What was derived before, where the environment variable `VARIABLE` names a folder for it.
+"""What was derived before, where the environment variable `FOLDER_VARIABLE` names a folder for it.
 
 Everything derived is a function of the sources, the version of SymPy and what it is derived from, so a digest of
 these tells it apart.  It is kept as Python objects, and loading those may run code: the folder must be one's own.
@@ -22,31 +22,31 @@ import sympy
 from pkmodes_derive import sources
 
 #: Names the folder.
-VARIABLE = "PKMODES_DERIVED"
+FOLDER_VARIABLE = "PKMODES_DERIVED"
 
 T = TypeVar("T")
 
 
-def keeps() -> bool:
+def has_folder() -> bool:
     """Whether there is a folder."""
-    return bool(os.environ.get(VARIABLE))
+    return bool(os.environ.get(FOLDER_VARIABLE))
 
 
-def kept(what: str, of: object, derive: Callable[[], T]) -> T:
+def derive_once(kind: str, inputs: object, derive: Callable[[], T]) -> T:
     """Return what `derive` returns, from the folder if it is there.
 
     Parameters
     ----------
-    what : str
+    kind : str
         The kind of the result, part of the name of its file.
-    of : object
+    inputs : object
         Everything that the result depends on beside the sources; its ``repr`` tells it apart.
     """
-    if not keeps():
+    if not has_folder():
         return derive()
     versions = sympy.__version__, sys.version
-    key = sources.digest(repr((what, of, versions, sources.source_digests())))
-    file = Path(os.environ[VARIABLE]) / f"{what}-{key}.pickle"
+    key = sources.digest(repr((kind, inputs, versions, sources.source_digests())))
+    file = Path(os.environ[FOLDER_VARIABLE]) / f"{kind}-{key}.pickle"
     if file.exists():
         content = file.read_bytes()
     else:
@@ -64,7 +64,7 @@ def kept(what: str, of: object, derive: Callable[[], T]) -> T:
 def digest_of(expressions: object) -> str:
     """Return a digest of objects that hold expressions, the same in every process."""
     content = io.BytesIO()
-    written = pickle.Pickler(content)
-    written.fast = True  # else which equal parts are one object would tell, and that is chance
-    written.dump(expressions)
+    pickler = pickle.Pickler(content)
+    pickler.fast = True  # else which equal parts are one object would tell, and that is chance
+    pickler.dump(expressions)
     return hashlib.sha256(content.getvalue()).hexdigest()

@@ -15,7 +15,7 @@ from pkmodes.loop.updating.term_changes import Surroundings, change_of
 from pkmodes_derive import mechanisms
 from pkmodes_derive.assembly import models
 from pkmodes_derive.assembly.derived import derive
-from pkmodes_derive.emit.product import arranged
+from pkmodes_derive.emit.product import arrange_functions
 from pkmodes_derive.emit.registry import BACKENDS
 from pkmodes_derive.functions import Model
 from pkmodes_derive.terms.enumeration import Term, terms
@@ -70,7 +70,7 @@ def _matrices(name: str, chosen: list[Term]) -> SimpleNamespace:
     )
     backend = next(one for one in BACKENDS if one.name == "NumPy")
     provenance = mechanisms_provenance(name)
-    (text,) = backend.model(model, arranged(model.functions), provenance).values()
+    (text,) = backend.model(model, arrange_functions(model.functions), provenance).values()
     module: dict[str, object] = {}
     exec(compile(text, f"{name}_with_terms.py", "exec"), module)
     return SimpleNamespace(**module)

@@ -51,7 +51,7 @@ def text(
         "generator": {"pkmodes_derive": pkmodes_derive.__version__, "sympy": sympy.__version__},
         "sources": {
             **sources.source_digests(),
-            **{name: sources.digest(of_copy) for name, of_copy in copies.items()},
+            **{name: sources.digest(copy_text) for name, copy_text in copies.items()},
         },
         "outputs": {name: sources.digest(outputs[name]) for name in outputs},
         "operations": {
@@ -69,6 +69,6 @@ def text(
             "name": specification.name,
             "values": dict(specification.values),
         }
-    written = json.dumps(content, indent=1, sort_keys=True, ensure_ascii=False) + "\n"
+    json_text = json.dumps(content, indent=1, sort_keys=True, ensure_ascii=False) + "\n"
     # Bytes of a file name that are not UTF-8 are surrogates here, which must be escaped in JSON.
-    return written.encode("utf-8", "backslashreplace").decode("utf-8")
+    return json_text.encode("utf-8", "backslashreplace").decode("utf-8")

@@ -25,7 +25,7 @@ from pkmodes_derive.effect import Effect
 from pkmodes_derive.effect_application import apply_effects
 from pkmodes_derive.effects import catalogue
 from pkmodes_derive.functions import HeldMotors, Model
-from pkmodes_derive.kept import kept
+from pkmodes_derive.kept import derive_once
 from pkmodes_derive.machine import Machine
 from pkmodes_description import Description, Drawing
 from pkmodes_description import Term as DescribedTerm
@@ -170,7 +170,7 @@ def _once(derive: Callable[..., T]) -> _lru_cache_wrapper[T]:
     @wraps(derive)
     def found(name: str, *choice: object) -> T:
         of = name, *origin(name), [sorted(c) if isinstance(c, frozenset) else c for c in choice]
-        return kept(derive.__name__, of, lambda: derive(name, *choice))
+        return derive_once(derive.__name__, of, lambda: derive(name, *choice))
 
     return found
 
@@ -237,7 +237,7 @@ def held(name: str, chosen: tuple[str, ...], zeros: Zeros, springs: str = "") ->
     """
     declared = machine(name, _some(name, chosen), zeros)
     with _reported(name, ", during the derivation with held motors"):
-        return held_motors(declared, models.absent(declared, zeros), springs)
+        return held_motors(declared, models.zero_symbols(declared, zeros), springs)
 
 
 def _some(name: str, chosen: tuple[str, ...]) -> tuple[Effect, ...]:

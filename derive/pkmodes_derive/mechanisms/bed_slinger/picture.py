@@ -8,20 +8,20 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from pkmodes_derive.gantry import picture
-from pkmodes_derive.gantry.belts import Fastened
+from pkmodes_derive.gantry.belts import FastenedBelt
 from pkmodes_derive.gantry.picture import HALF
 from pkmodes_derive.gantry.plane import Travel
 from pkmodes_derive.machine import Machine
 
 
-def draw(m: Machine, within: Travel, belts: Sequence[Fastened]) -> None:
+def draw(m: Machine, within: Travel, belts: Sequence[FastenedBelt]) -> None:
     """Declare rails, bed, portal, tool head and belts."""
     x, y = m.pose
-    room = picture.room(within, belts)
+    room = picture.rectangle_around(within, belts)
     (low_x, low_y), (high_x, high_y) = within.low, within.high
     middle_x, middle_y = room.centre
     half_x, half_y = (HALF * (b - a) for a, b in zip(within.low, within.high, strict=True))
-    layer, height = picture.LAYER * belts[0].radius, half_x
+    layer, height = picture.LAYER_IN_RADII * belts[0].radius, half_x
     for name, place in (("left", middle_x - HALF * half_x), ("right", middle_x + HALF * half_x)):
         ends = ((place, end, -2 * layer) for end in (low_y - half_y, high_y + half_y))
         m.draw.line("rail", f"{name} rail of the bed", *ends)

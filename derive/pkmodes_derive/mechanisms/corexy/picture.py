@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from sympy import Expr, Rational
 
 from pkmodes_derive.gantry import picture
-from pkmodes_derive.gantry.belts import Fastened
+from pkmodes_derive.gantry.belts import FastenedBelt
 from pkmodes_derive.gantry.plane import Travel
 from pkmodes_derive.machine import Machine
 
@@ -19,19 +19,19 @@ from pkmodes_derive.machine import Machine
 LOOSE = Rational(3, 2)
 
 
-def draw(m: Machine, within: Travel, belts: Sequence[Fastened]) -> None:
+def draw(m: Machine, within: Travel, belts: Sequence[FastenedBelt]) -> None:
     """Declare rails, beams of the frame, gantry, tool head, motor pulleys, idlers and belts."""
     _, y = m.pose
-    room = picture.room(within, belts)
+    room = picture.rectangle_around(within, belts)
     picture.frame(m, room)
     picture.beam(m, "gantry", room, y)
     picture.tool_head(m, belts, *m.platform)
     for number, belt in enumerate(belts, start=1):
-        height = (picture.LAYER + (number - 1) * LOOSE) * belt.radius
+        height = (picture.LAYER_IN_RADII + (number - 1) * LOOSE) * belt.radius
         _belt(m, number, belt, room, height)
 
 
-def _belt(m: Machine, number: int, belt: Fastened, room: picture.Room, height: Expr) -> None:
+def _belt(m: Machine, number: int, belt: FastenedBelt, room: picture.Rectangle, height: Expr) -> None:
     """Declare a belt in its own layer, with its motor pulley, two idlers at the front and two on the gantry.
 
     Seen from the tool head, run 1 leaves towards -g_x and then -g_y, run 2 towards g_x, then g_y.

@@ -6,7 +6,7 @@ the platform.
 
 from __future__ import annotations
 
-from pkmodes_derive.conditions import Apart, require_a_plane, require_different_legs, rotation_margin
+from pkmodes_derive.conditions import LegDifferences, require_a_plane, require_different_legs, rotation_margin
 from pkmodes_derive.machine import Machine
 from pkmodes_derive.mechanisms.hexaglide.sample import SAMPLE
 from pkmodes_derive.platform_table import platform_that_turns
@@ -49,7 +49,7 @@ def declare(m: Machine) -> None:
     rotation_margin(m)
     require_a_plane(m, "joint", axes.b, "joints on the platform")
 
-    def apart(j: int, k: int) -> Apart:
+    def apart(j: int, k: int) -> LegDifferences:
         between = tuple(v - w for v, w in zip(axes.o[j], axes.o[k], strict=True))
         beside = cross(between, axes.n[j])  # of two rails in the same line it is zero
         joints = [v - w for v, w in zip(axes.b[j], axes.b[k], strict=True)]
