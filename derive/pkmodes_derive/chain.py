@@ -56,7 +56,7 @@ class Chain:
         return symbol
 
     def redefine(self, symbol: Symbol, expression: Expr) -> None:
-        """Replace the definition of a symbol, and forget what was derived from the earlier one."""
+        """Replace the definition of a symbol, and clear the caches that depend on the earlier one."""
         self._definitions[symbol] = expression
         self._cache.clear()
         self._partials.clear()

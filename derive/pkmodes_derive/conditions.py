@@ -14,11 +14,11 @@ from pkmodes_derive.vectors import dot, mean_square
 
 #: Differences of two legs: lengths [m], and plain numbers, such as those of directions.
 LegDifferences = tuple[Sequence[Expr], Sequence[Expr]]
-#: Points whose distances from a line are below this part of their spread along it lie in the line.
+#: Points whose distances from a line are below this fraction of their spread along it are collinear.
 LINE_TOLERANCE = Float("1e-3")
-#: Legs that differ by less than this part of the platform's size coincide.
+#: Legs that differ by less than this fraction of the platform's size coincide.
 COINCIDENCE_TOLERANCE = Float("1e-5")
-#: Legs cross if they come closer than about this part of the smaller of the distances of their joints.
+#: Legs cross if they come closer than about this fraction of the smaller distance between their joints.
 CROSSING_TOLERANCE = Float("1e-3")
 #: A pose at which the closures do not determine the platform.
 SINGULAR = Margin(

@@ -1,4 +1,4 @@
-"""What a picture of a machine shows: lines, wheels, blocks, plates and balls between points that move with it.
+"""The elements of a picture of a machine: lines, wheels, blocks, plates and balls between points that move with it.
 
 A mechanism may declare them through ``m.draw``.  Positions are expressions in coordinates and named values, as those
 of bodies are, so their motion is derived, not written.  A mechanism that declares nothing is drawn from its parts:
@@ -38,7 +38,7 @@ class Point:
     along: Vector = ()
 
 
-#: How a declaration gives a point: a point, or its position alone.
+#: A point as a declaration gives it: a `Point`, or only its position.
 Place = Point | Sequence[object]
 
 
@@ -95,7 +95,7 @@ class Drawing:
     Attributes
     ----------
     vocabulary : Vocabulary
-        Its own symbols, which are no part of the model.
+        Symbols of the drawing, which are no part of the model.
     """
 
     elements: list[Element] = field(default_factory=list)
@@ -187,7 +187,7 @@ def from_parts(
     platform: Sequence[Expr],
     joints: Sequence[Vector] = (),
 ) -> list[Element]:
-    """Return what the parts of a machine show without a declaration; each is named after its mass.
+    """Return the elements of a machine that declares no drawing, from its parts; each is named after its mass.
 
     `joints` are those on a platform that turns: it is the plate between them.
     """

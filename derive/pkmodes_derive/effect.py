@@ -1,4 +1,4 @@
-"""Effects: each is one physical cause that the base model leaves out, null when its parameters are zero.
+"""Effects: each is one physical cause that the base model omits, and has no influence when its parameters are zero.
 
 A *term* adds energy, changes a stiffness or dissipates.  A *released coordinate* frees a joint that the base model
 locks: its parameter is a compliance c, and the joint always has a spring with the energy q^2 / (2 c).

@@ -29,7 +29,7 @@ Where s has small rotations, :math:`L_{ss}` is that of the exponential chart at 
 `turning`).  K in the coordinates of the drives is the same in every chart.
 
 No linear system is solved symbolically: the solutions are written with the adjugate, entry by entry, and its minors
-are named in systems larger than three by three (`Solver`).  It needs no pivots, so a pose has no branches and poses
+are named in systems larger than three by three (`Solver`).  This needs no pivots, so a pose has no branches and poses
 can be evaluated side by side.
 """
 

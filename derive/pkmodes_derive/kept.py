@@ -1,8 +1,8 @@
-"""What was derived before, where the environment variable `FOLDER_VARIABLE` names a folder for it.
+"""A cache of derived results, in the folder that the environment variable `FOLDER_VARIABLE` names.
 
-Everything derived is a function of the sources, the version of SymPy and what it is derived from, so a digest of
-these tells it apart.  It is kept as Python objects, and loading those may run code: the folder must be one's own.
-Without the variable nothing is kept.
+A result is a function of the sources, the version of SymPy and its inputs, so a digest of these identifies it.
+Results are stored as pickled Python objects, and loading those may run code: the folder must be the user's own.
+Without the variable nothing is stored.
 """
 
 from __future__ import annotations
@@ -21,26 +21,26 @@ import sympy
 
 from pkmodes_derive import sources
 
-#: Names the folder.
+#: Environment variable with the folder.
 FOLDER_VARIABLE = "PKMODES_DERIVED"
 
 T = TypeVar("T")
 
 
 def has_folder() -> bool:
-    """Whether there is a folder."""
+    """Whether the environment names a folder."""
     return bool(os.environ.get(FOLDER_VARIABLE))
 
 
 def derive_once(kind: str, inputs: object, derive: Callable[[], T]) -> T:
-    """Return what `derive` returns, from the folder if it is there.
+    """Return what `derive` returns, from the folder if it is stored there.
 
     Parameters
     ----------
     kind : str
         The kind of the result, part of the name of its file.
     inputs : object
-        Everything that the result depends on beside the sources; its ``repr`` tells it apart.
+        Everything that the result depends on besides the sources; its ``repr`` identifies it.
     """
     if not has_folder():
         return derive()
@@ -52,11 +52,11 @@ def derive_once(kind: str, inputs: object, derive: Callable[[], T]) -> T:
     else:
         content = pickle.dumps(derive())
         file.parent.mkdir(parents=True, exist_ok=True)
-        # Next to its place first: another process may look for it meanwhile.
+        # Under a temporary name first: another process may look for the file meanwhile.
         with tempfile.NamedTemporaryFile(dir=file.parent, suffix=".part", delete=False) as part:
             part.write(content)
         Path(part.name).replace(file)
-    # What was derived just now is returned as it will be found.
+    # A new result is returned as later calls will load it.
     result: T = pickle.loads(content)
     return result
 
@@ -65,6 +65,6 @@ def digest_of(expressions: object) -> str:
     """Return a digest of objects that hold expressions, the same in every process."""
     content = io.BytesIO()
     pickler = pickle.Pickler(content)
-    pickler.fast = True  # else which equal parts are one object would tell, and that is chance
+    pickler.fast = True  # otherwise the bytes depend on which equal parts are one object, which is chance
     pickler.dump(expressions)
     return hashlib.sha256(content.getvalue()).hexdigest()

@@ -12,7 +12,7 @@ from pkmodes_derive.machine import Extra, Machine
 from pkmodes_derive.vocabulary import AXES
 
 PRODUCTS = ("xy", "xz", "yz")
-#: A thin plate meets the triangle inequality exactly: what rounding may take from it, relative to the trace.
+#: Tolerance for rounding, relative to the trace: a thin plate meets the triangle inequality with equality.
 ROUNDING = Float("1e-9")
 
 

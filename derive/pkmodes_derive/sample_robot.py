@@ -15,7 +15,7 @@ from pkmodes_derive.machine import Machine
 MIN_LENGTH, MAX_LENGTH = 0.5, 2.0
 #: A direction within rounding of unit length is kept as it is.
 ROUNDING = 1e-15
-#: By how much the length of what is declared a unit vector may differ from 1.
+#: Tolerance for the length of a declared unit vector.
 UNIT_TOLERANCE = 1e-12
 
 

@@ -13,7 +13,7 @@ Nothing is ever differentiated with respect to r.  Small motions are parametrise
           = \tfrac12 \left(e_i \times (e_k \times w) + e_k \times (e_i \times w)\right).
 
 The chain rule knows the first line.  Applied twice it gives the second line without the symmetrisation, which
-`implicit` makes up for.  There are no Euler angles, so no chart is singular and there is nothing to simplify.
+`implicit` adds.  There are no Euler angles, so no chart is singular and there is nothing to simplify.
 
 Along coordinates q the platform turns with the angular velocity :math:`\omega_k = \partial \varphi/\partial q_k`.
 The derivatives of these columns are not symmetric: with the symmetric second derivatives :math:`S_{kl}` of

@@ -1,4 +1,4 @@
-"""Derivatives of M and K with respect to every parameter: functions, and lists of what they differentiate."""
+"""Derivatives of M and K with respect to every parameter: functions, and lists of the entries differentiated."""
 
 from __future__ import annotations
 

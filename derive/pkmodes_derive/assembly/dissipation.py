@@ -1,4 +1,4 @@
-"""What the extended model emits of dissipation."""
+"""The functions of the extended model for dissipation."""
 
 from pkmodes_derive.assembly.derived import (
     Derived,

@@ -1,7 +1,7 @@
 """The functions of a drawing: points and their exact motion with every coordinate, and the springs between them.
 
-Points of the same body move alike, so the motion is written once for each different one; the description says which
-of them each point has.  The first point is the centre of the platform.
+Points of the same body move alike, so each different motion is written once; the description has the index of the
+motion of each point.  The first point is the centre of the platform.
 """
 
 from __future__ import annotations

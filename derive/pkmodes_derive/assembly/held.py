@@ -1,4 +1,4 @@
-r"""The matrices of one robot in use, whose motors are held, or hang on springs whose other ends are.
+r"""The matrices of one robot in use, whose motors are held, or are on springs whose other ends are held.
 
 A motor turns by a linear form in the coordinates: its rotor, and the wind-up of its gearbox.  With the motor at rest
 the rotor follows the wind-up, so all coordinates are :math:`q = T r` with those that remain, r, and a matrix A of
@@ -36,7 +36,7 @@ NAME = "held_matrices"
 
 
 def held_motors(machine: Machine, zeros: Set[Symbol] = frozenset(), springs: str = "") -> HeldMotors:
-    """Derive what remains of a machine in use, or say why it has no modes of vibration.
+    """Derive the matrices of a machine in use, or the reason why it has no modes of vibration.
 
     Parameters
     ----------
@@ -92,7 +92,7 @@ def held_motors(machine: Machine, zeros: Set[Symbol] = frozenset(), springs: str
         [entry.xreplace(driven) for entry in row] for row in _product(d.M, _rigid_motion(machine, rates))
     ]
     momenta = _product(_transposed(T), momentum)
-    # What turns is no displacement: a controller is told that of the platform's origin.
+    # A controller needs the displacement of the platform's origin, not its rotation.
     platform = _product(_product(d.platform_motion(machine.rates), T), condensation_matrix)[
         : len(machine.directions)
     ]
@@ -173,7 +173,7 @@ def _zero_values(d: Derived, zeros: Set[Symbol]) -> dict[Symbol, Expr]:
 
 
 def _identity_map(machine: Machine) -> tuple[list[int], Rows]:
-    """Return the same as `_follow_wind_up` where every coordinate remains."""
+    """Return the result of `_follow_wind_up` for a machine in which every coordinate remains."""
     all_indices = range(len(machine.all_coordinates))
     return list(all_indices), [[Integer(i == r) for r in all_indices] for i in all_indices]
 

@@ -17,7 +17,7 @@ from pkmodes_derive.machine import SMALL, Machine
 from pkmodes_derive.parts import Reducer, Run
 from pkmodes_description import Named
 
-#: What precedes the name of a spring in the description of its stiffness, or of its displacement.
+#: Prefixes to the name of a spring in the description of its stiffness or displacement.
 DROPPED_PREFIXES = ("stiffness of ", SMALL, "small ")
 
 

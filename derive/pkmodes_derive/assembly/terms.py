@@ -1,4 +1,4 @@
-"""The functions that a diagnosis needs to try terms: motion of their places, and matrices of what may yield.
+"""The functions that a diagnosis needs to try terms: motion of their places, and matrices of mounts that may yield.
 
 A mass, a spring or a resonator changes M and K by squares of the displacements of its place; a mount is a released
 coordinate, whose rows of M and K are derived with all mounts of the machine released.
@@ -22,7 +22,7 @@ from pkmodes_derive.terms.places import FRAME, PLATFORM, Place, places, strained
 from pkmodes_description import Named
 from pkmodes_description import Term as DescribedTerm
 
-#: The effects of the catalogue whose parameters are the inertia of a place that a mechanism need not declare.
+#: Parameters of catalogue effects that are the mass of a place whose mass a mechanism need not declare.
 LENT_MASSES = {PLATFORM: "payload_mass", FRAME: "frame_compliance_mass"}
 
 

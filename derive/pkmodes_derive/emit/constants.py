@@ -1,4 +1,4 @@
-"""Constants that the code of a model states in every language: identity, dimensions, statuses and limits."""
+"""Constants in the code of a model, the same in every language: identity, dimensions, statuses and limits."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What generated code says about itself: name, version, digest, and the limits that the robot file declares."""
+"""The identity of generated code: name, version, digest, and the limits that the robot file declares."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class Limit:
 
 @dataclass(frozen=True)
 class Identity:
-    """A product as its own code states it.
+    """The identity of a product, as stated in its code.
 
     Attributes
     ----------
@@ -70,8 +70,8 @@ def literal(name: str, identifier: str) -> str:
 def digest(source: str) -> str:
     """Return the digest of a C source from its first directive on: comments before it do not count.
 
-    What the model computes is in its C source.  A value of the robot that is folded away, such as one of two factors
-    of a product, may change without changing it.
+    All that the model computes is in its C source.  If a value of the robot is folded into others, such as one of two
+    factors of a product, a change of it may leave the source unchanged.
     """
     code = source[source.index('#include "') :]
     return hashlib.sha256(code.encode("utf-8")).hexdigest()[:DIGEST_DIGITS]

@@ -1,4 +1,4 @@
-"""The manifest: a record of what a product was made from, so a later check can tell what has changed.
+"""The manifest: a record of what a product was made from, so that a later check can report what has changed.
 
 It holds digests of the derivation's sources and templates and of every output, the generator's version,
 the operation counts and, for a robot, the values of its file.

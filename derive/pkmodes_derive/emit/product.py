@@ -28,7 +28,7 @@ from pkmodes_description import FILE_NAME as DESCRIPTION
 from pkmodes_description import encode
 
 REGENERATE = "python -m pkmodes_derive generate"
-#: What the names of a robot's functions without its effects have in addition.
+#: Suffix of the module, and prefix of the programs, of a robot without its effects.
 WITHOUT_EFFECTS = "without_effects"
 
 
@@ -196,7 +196,7 @@ def _specialised(specification: Specification) -> dict[str, str]:
 def _without_effects(
     specification: Specification, provenance: Provenance
 ) -> tuple[dict[str, str], dict[str, Program]]:
-    """Write the model of a robot without its effects, which is the same whatever they are."""
+    """Write the model of a robot without its effects; it does not depend on them."""
     fields = {field.name for field in mechanisms.base(specification.mechanism).fields}
     bare = replace(
         specification,

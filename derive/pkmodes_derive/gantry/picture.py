@@ -1,4 +1,4 @@
-"""What a picture shows of a machine that moves in a plane: a schematic layout around its workspace.
+"""The picture of a machine that moves in a plane: a schematic layout around its workspace.
 
 The robot file gives the lengths of the belt runs, not where their pulleys and idlers are.
 """
@@ -22,7 +22,7 @@ MARGIN_IN_RADII, LAYER_IN_RADII, HEAD_IN_RADII = 8, 2, 4
 
 @dataclass(frozen=True)
 class Rectangle:
-    """The rectangle in which pulleys and rails lie: centre and half size, with room around the workspace [m]."""
+    """The rectangle in which pulleys and rails lie: centre and half size, with a margin around the workspace [m]."""
 
     centre: tuple[Expr, ...]
     half: tuple[Expr, ...]

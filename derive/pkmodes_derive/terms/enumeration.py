@@ -46,7 +46,7 @@ class Term:
 
     @property
     def effect(self) -> Effect:
-        """The term in the language of the catalogue."""
+        """The term as an effect, like those of the catalogue."""
         names = [place.name for place in self.ends]
         direction = {"along": self.along} if self.along else {}
         effect: Effect = FORMS[self.form](*names, **direction, sentence=self.sentence)

@@ -32,7 +32,7 @@ from pkmodes_derive.vocabulary import AXES, DeclarationError
 HALF = Rational(1, 2)
 #: Coordinates of terms follow those of the catalogue.
 ORDER = 10
-#: What a resonator needs, whose mass would otherwise hang on nothing.
+#: Condition on a resonator: without a frequency, nothing would hold its mass.
 FREQUENCY_REQUIREMENT = Positive(
     lambda parameters: parameters["frequency"],
     "frequency",

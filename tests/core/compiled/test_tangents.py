@@ -20,7 +20,7 @@ from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.core.system.motors import solved_system
 from pkmodes.loop.sensitivity.compiled import CompiledDerivatives, derivatives_of, terms_of, terms_of_all
 from pkmodes.loop.sensitivity.locked import locked_joints
-from pkmodes.loop.sensitivity.matrices import POSE, STEP, MatrixDerivatives
+from pkmodes.loop.sensitivity.matrices import COMPLEX_STEP, POSE, MatrixDerivatives
 from pkmodes.loop.sensitivity.paths import ParameterPath, paths, resolve_all
 from pkmodes.loop.sensitivity.shapes import shape_derivatives
 from pkmodes.loop.updating.modes_of_systems import ModesOfSystems, modes_of_systems
@@ -115,9 +115,9 @@ def test_the_motion_of_the_platform_by_complex_step(name: str) -> None:
     motions = found.motions(given.modes.shapes)
     assert motions is not None
     for i in range(given.points.shape[1]):
-        step = STEP * 1j * np.eye(given.points.shape[1])[i]
+        step = COMPLEX_STEP * 1j * np.eye(given.points.shape[1])[i]
         system = given.modes.system
-        J = system.full_platform_motion(given.points + step).imag[..., system.free] / STEP
+        J = system.full_platform_motion(given.points + step).imag[..., system.free] / COMPLEX_STEP
         expected = given.modes.shapes @ np.swapaxes(J, -1, -2)
         pose = len(given.paths) - given.points.shape[1] + i
         np.testing.assert_allclose(

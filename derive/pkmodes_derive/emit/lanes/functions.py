@@ -1,4 +1,4 @@
-"""What the compiled evaluator asks of a mechanism, put together from the functions of its two models."""
+"""The functions that the compiled evaluator needs of a mechanism, combined from those of its two models."""
 
 from __future__ import annotations
 

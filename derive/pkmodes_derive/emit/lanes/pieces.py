@@ -117,7 +117,7 @@ def in_pieces(
 def _lines(
     part: Sequence[Statement], declarations: Mapping[str, str], slots: Mapping[str, tuple[str, str]]
 ) -> Iterator[str]:
-    """Yield the lines of a piece, each value read before its first use, and kept where it is found."""
+    """Yield the lines of a piece, each value read before its first use and stored where it is computed."""
     defined: set[str] = set()
     for statement in part:
         for name in sorted(statement.uses - defined):
