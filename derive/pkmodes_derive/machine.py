@@ -141,7 +141,7 @@ class Machine:
     effects : tuple of Effect
         Applied effects, with the parameters and coordinates they have on this machine.
     draw : Drawing
-        What a picture of the machine shows, if the mechanism declares it.
+        The elements of the picture of the machine, if the mechanism declares it.
     """
 
     def __init__(

@@ -63,7 +63,7 @@ def _parametric(mechanism: str, definition: str, effects: Sequence[str]) -> dict
         identity=Identity(mechanism, pkmodes_derive.__version__),
     )
     origin_with_effects = f"the derivation of {mechanism} and the catalogue of effects"
-    (drawing, _), (terms, _) = mechanisms.drawing(mechanism), mechanisms.beyond(mechanism)
+    (drawing, _), (terms, _) = mechanisms.drawing(mechanism), mechanisms.terms_beyond_catalogue(mechanism)
     texts, programs = write_models(
         (model, provenance),
         (
