@@ -60,7 +60,7 @@ def calls(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     made: list[str] = []
     for name in ("damping_ratios", "vibration_amplitudes"):
         field = FIELDS[name]
-        monkeypatch.setitem(FIELDS, name, replace(field, of=counting(made, name, field.of)))
+        monkeypatch.setitem(FIELDS, name, replace(field, function=counting(made, name, field.function)))
     honest = StrainFreeMotions.__call__
     monkeypatch.setattr(StrainFreeMotions, "__call__", counting(made, "strain-free motions", honest))
     monkeypatch.setattr(Dissipation, "matrices", counting(made, "C and K''", Dissipation.matrices))

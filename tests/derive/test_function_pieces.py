@@ -32,7 +32,7 @@ def program(rng: np.random.Generator) -> list[Statement]:
         statements.append(Statement(name, of_type, target, expression, uses, kind == "mode"))
     for k, name in enumerate(rng.choice(of_mode + lanes, 6)):
         statements.append(Statement("", "", f"out[{k}]", str(name), frozenset({str(name)}), True))
-    return sorted(statements, key=lambda one: one.each)
+    return sorted(statements, key=lambda one: one.repeated)
 
 
 def run(lines: list[str], known: dict[str, object]) -> None:
