@@ -107,7 +107,7 @@ class ExtendedSystem(Evaluation):
     - given_effects: the effects as given
     - free: indices of the coordinates of the extended model that are not locked, (n,)
     - coordinates: their names, length n
-    - first, rigid_modes, held_motions, springs_to_ground: see `Evaluation`
+    - base_count, rigid_modes, held_motions, springs_to_ground: see `Evaluation`
     - joints, joint_rates: stiffnesses of the released joints and their derivatives with respect to the compliances,
       (e,); zero for other coordinates
     """
