@@ -287,8 +287,8 @@ def _motor_quantities(system: Evaluation, solved: Evaluation) -> dict[str, Any]:
     - `rigid_modes`: number of rigid modes
     - `strain_free_motions`: function that returns the motions of all coordinates from the elastic stiffness and the
       platform Jacobian at N poses; None if the motors follow no command: they are free, and no spring holds them
-    - `held_basis`: all coordinates per unit of those that remain with held motors, (n, r); None with free motors, or if
-      a motion remains that nothing elastic resists
+    - `held_basis`: all coordinates per unit of those that remain with held motors, (n, r); None with free motors, or
+      if a motion remains that nothing elastic resists
     """
     quantities: dict[str, Any] = {
         "rigid_modes": solved.rigid_modes,
