@@ -15,13 +15,13 @@ import numpy as np
 
 import ours
 from peers import MissingError, ways
-from pkmodes.core.solve.backends import all_cores
+from pkmodes.core.solve.backends import available_cores
 from published import published, valid_poses
 from timing import REPETITIONS, WALL, interleaved
 
 
 def main(target: Path, quick: bool) -> None:
-    cores = all_cores()
+    cores = available_cores()
     sizes = {True: 200_000, False: 1_000_000}
     poses = np.resize(valid_poses(20_000), (sizes[quick], 3))
     frequencies = np.zeros((len(poses), len(published().coordinates)))

@@ -35,16 +35,16 @@ from helpers.pages.without_drawing import without_drawing
 from helpers.runs.shared import Shared
 from pkmodes.core.compiled import build
 from pkmodes.core.mechanism import registry
-from pkmodes.core.solve.backends import VARIABLE
+from pkmodes.core.solve.backends import BACKEND_VARIABLE
 from pkmodes_derive import kept
 
 pytest_plugins = ["helpers.runs.fixtures", "helpers.runs.processor_time"]
 
 # Made before workers start, which inherit the variable; a folder that a developer names outlives the run.
 _derived = None
-if kept.VARIABLE not in os.environ:
+if kept.FOLDER_VARIABLE not in os.environ:
     _derived = tempfile.TemporaryDirectory(prefix="pkmodes-derived-")
-    os.environ[kept.VARIABLE] = _derived.name
+    os.environ[kept.FOLDER_VARIABLE] = _derived.name
 
 # A plugin may have loaded NumPy before.
 threadpoolctl.threadpool_limits(1)
@@ -86,7 +86,7 @@ def backend(request: pytest.FixtureRequest) -> Iterator[str]:
     fixture of a whole module that evaluates asks for it, too.
     """
     with pytest.MonkeyPatch.context() as patch:
-        patch.setenv(VARIABLE, request.param)
+        patch.setenv(BACKEND_VARIABLE, request.param)
         yield str(request.param)
 
 
@@ -124,10 +124,10 @@ def no_drawing() -> Iterator[None]:
 def _mechanisms_as_supplied() -> Iterator[None]:
     """No test leaves a mechanism of pkmodes with effects of its own to the tests after it."""
     yield
-    assert not {*registry._added} & {*registry.supplied()}
+    assert not {*registry._added} & {*registry.supplied_names()}
     if "pkmodes_derive.mechanisms" in sys.modules:
         own_effects = sys.modules["pkmodes_derive.mechanisms"].own_effects
-        assert not [name for name in registry.supplied() if own_effects(name)]
+        assert not [name for name in registry.supplied_names() if own_effects(name)]
 
 
 @pytest.fixture(scope="session", autouse=True)

@@ -29,13 +29,13 @@ class Chain:
         self._rules: dict[tuple[Symbol, Symbol], Expr] = {}
         self._cache: dict[tuple[Symbol, Symbol, frozenset[Symbol]], Expr] = {}
         self._partials: dict[tuple[Expr, Symbol], Expr] = {}
-        self._names: dict[Expr, list[Symbol]] = {}
+        self._sorted_symbols: dict[Expr, list[Symbol]] = {}
 
     def copy(self, *, rules: bool = True) -> Chain:
         """Return a chain with the definitions made so far, and with the rules or without."""
-        other = Chain()
-        other._definitions, other._rules = dict(self._definitions), dict(self._rules) if rules else {}
-        return other
+        result = Chain()
+        result._definitions, result._rules = dict(self._definitions), dict(self._rules) if rules else {}
+        return result
 
     @property
     def definitions(self) -> Mapping[Symbol, Expr]:
@@ -56,11 +56,11 @@ class Chain:
         return symbol
 
     def redefine(self, symbol: Symbol, expression: Expr) -> None:
-        """Replace the definition of a symbol, and forget what was derived from the earlier one."""
+        """Replace the definition of a symbol, and clear the caches that depend on the earlier one."""
         self._definitions[symbol] = expression
         self._cache.clear()
         self._partials.clear()
-        self._names.clear()
+        self._sorted_symbols.clear()
 
     def rule(self, symbol: Symbol, variable: Symbol, derivative: Expr) -> None:
         """Set d(symbol)/d(variable), which takes precedence over the symbol's definition."""
@@ -81,14 +81,14 @@ class Chain:
         self, expression: Expr, variables: Iterable[Symbol], hold: Iterable[Symbol] = ()
     ) -> list[list[Expr]]:
         """Return the second total derivatives; the lower triangle repeats the upper one."""
-        names, held = tuple(variables), frozenset(hold)
-        gradient = [self.derivative(expression, v, held) for v in names]
+        symbols, held_symbols = tuple(variables), frozenset(hold)
+        gradient = [self.derivative(expression, v, held_symbols) for v in symbols]
         upper = {
-            (k, m): self.derivative(gradient[k], names[m], held)
-            for k in range(len(names))
-            for m in range(k, len(names))
+            (k, m): self.derivative(gradient[k], symbols[m], held_symbols)
+            for k in range(len(symbols))
+            for m in range(k, len(symbols))
         }
-        return [[upper[min(k, m), max(k, m)] for m in range(len(names))] for k in range(len(names))]
+        return [[upper[min(k, m), max(k, m)] for m in range(len(symbols))] for k in range(len(symbols))]
 
     def expand(self, expression: Expr) -> Expr:
         """Replace every symbol by its definition, down to the inputs (for tests: the result may be huge)."""
@@ -106,9 +106,9 @@ class Chain:
 
     def _symbols(self, expression: Expr) -> list[Symbol]:
         # SymPy returns free symbols as a set; sorting keeps the output independent of hashing.
-        if expression not in self._names:
-            self._names[expression] = sorted(expression.free_symbols, key=default_sort_key)
-        return self._names[expression]
+        if expression not in self._sorted_symbols:
+            self._sorted_symbols[expression] = sorted(expression.free_symbols, key=default_sort_key)
+        return self._sorted_symbols[expression]
 
     def _partial(self, expression: Expr, symbol: Symbol) -> Expr:
         # Cached: it is the same for every variable.

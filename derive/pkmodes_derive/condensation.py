@@ -14,41 +14,49 @@ from sympy import Add, Expr, Integer
 Rows = Sequence[Sequence[Expr]]
 
 
-def follow(K: Rows, kept: Sequence[int], massless: Sequence[int]) -> list[list[Expr]]:
+def condensation_map(K: Rows, kept: Sequence[int], massless: Sequence[int]) -> list[list[Expr]]:
     """Return the map from the kept coordinates to all coordinates: rows of the identity, and F.
 
     Gauss-Jordan elimination without pivoting: K_rr is positive definite because every released joint has a spring.
     """
-    left = [[K[i][j] for j in massless] for i in massless]
-    right = [[-K[i][j] for j in kept] for i in massless]
-    for pivot, row in enumerate(left):
+    stiffness = [[K[i][j] for j in massless] for i in massless]
+    solution = [[-K[i][j] for j in kept] for i in massless]
+    for pivot, row in enumerate(stiffness):
         divisor = row[pivot]
-        left[pivot] = row = [entry / divisor for entry in row]
-        right[pivot] = [entry / divisor for entry in right[pivot]]
-        for other in range(len(left)):
-            factor = left[other][pivot]
-            if other != pivot and factor != 0:
-                left[other] = [a - factor * b for a, b in zip(left[other], row, strict=True)]
-                right[other] = [a - factor * b for a, b in zip(right[other], right[pivot], strict=True)]
+        stiffness[pivot] = row = [entry / divisor for entry in row]
+        solution[pivot] = [entry / divisor for entry in solution[pivot]]
+        for other_row in range(len(stiffness)):
+            factor = stiffness[other_row][pivot]
+            if other_row != pivot and factor != 0:
+                stiffness[other_row] = [
+                    a - factor * b for a, b in zip(stiffness[other_row], row, strict=True)
+                ]
+                solution[other_row] = [
+                    a - factor * b for a, b in zip(solution[other_row], solution[pivot], strict=True)
+                ]
     rows = {i: [Integer(i == j) for j in kept] for i in kept}
-    rows.update(zip(massless, right, strict=True))
+    rows.update(zip(massless, solution, strict=True))
     return [rows[i] for i in range(len(K))]
 
 
-def condensed(K: Rows, kept: Sequence[int], massless: Sequence[int], by: Rows) -> list[list[Expr]]:
-    """Return K_qq + K_qr F, with `by` from `follow`; the lower triangle repeats the upper one."""
+def condensed_stiffness(
+    K: Rows, kept: Sequence[int], massless: Sequence[int], mapping: Rows
+) -> list[list[Expr]]:
+    """Return K_qq + K_qr F, with `mapping` from `condensation_map`; the lower triangle repeats the upper one."""
     return _symmetric(
         len(kept),
-        lambda a, b: Add(K[kept[a]][kept[b]], *(K[kept[a]][r] * by[r][b] for r in massless)),
+        lambda a, b: Add(K[kept[a]][kept[b]], *(K[kept[a]][r] * mapping[r][b] for r in massless)),
     )
 
 
-def projected(matrix: Rows, by: Rows) -> list[list[Expr]]:
-    """Return T^T A T of a symmetric matrix A in all coordinates, with T from `follow`."""
-    rows = [[i for i, row in enumerate(by) if row[a] != 0] for a in range(len(by[0]))]
+def project(matrix: Rows, mapping: Rows) -> list[list[Expr]]:
+    """Return T^T A T of a symmetric matrix A in all coordinates, with T from `condensation_map`."""
+    nonzero_rows = [[i for i, row in enumerate(mapping) if row[a] != 0] for a in range(len(mapping[0]))]
     return _symmetric(
-        len(by[0]),
-        lambda a, b: Add(*(by[i][a] * matrix[i][j] * by[j][b] for i in rows[a] for j in rows[b])),
+        len(mapping[0]),
+        lambda a, b: Add(
+            *(mapping[i][a] * matrix[i][j] * mapping[j][b] for i in nonzero_rows[a] for j in nonzero_rows[b])
+        ),
     )
 
 

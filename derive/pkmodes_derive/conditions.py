@@ -13,13 +13,13 @@ from pkmodes_derive.machine import Extra, Machine
 from pkmodes_derive.vectors import dot, mean_square
 
 #: Differences of two legs: lengths [m], and plain numbers, such as those of directions.
-Apart = tuple[Sequence[Expr], Sequence[Expr]]
-#: Points whose distances from a line are below this part of their spread along it lie in the line.
-IN_LINE = Float("1e-3")
-#: Legs that differ by less than this part of the platform's size coincide.
-SAME = Float("1e-5")
-#: Legs cross if they come closer than about this part of the smaller of the distances of their joints.
-CROSSED = Float("1e-3")
+LegDifferences = tuple[Sequence[Expr], Sequence[Expr]]
+#: Points whose distances from a line are below this fraction of their spread along it are collinear.
+LINE_TOLERANCE = Float("1e-3")
+#: Legs that differ by less than this fraction of the platform's size coincide.
+COINCIDENCE_TOLERANCE = Float("1e-5")
+#: Legs cross if they come closer than about this fraction of the smaller distance between their joints.
+CROSSING_TOLERANCE = Float("1e-3")
 #: A pose at which the closures do not determine the platform.
 SINGULAR = Margin(
     "singular",
@@ -33,7 +33,7 @@ SINGULAR = Margin(
 )
 
 
-def require_a_plane(m: Machine, name: str, points: Sequence[Sequence[Symbol]], what: str) -> None:
+def require_a_plane(m: Machine, name: str, points: Sequence[Sequence[Symbol]], noun: str) -> None:
     """Require that points of the axes do not lie in a line.
 
     The second invariant of their second moments about their mean measures the area that they span, and the trace of
@@ -43,19 +43,19 @@ def require_a_plane(m: Machine, name: str, points: Sequence[Sequence[Symbol]], w
     ----------
     name : str
         Their key in the table ``axis``.
-    what : str
+    noun : str
         What they are, in the plural.
     """
     mean = [Add(*component) / len(points) for component in zip(*points, strict=True)]
-    apart = Matrix([[c - middle for c, middle in zip(point, mean, strict=True)] for point in points])
-    moments = apart.T * apart
-    square = Add(*(entry**2 for entry in moments))
-    area = (moments.trace() ** 2 - square) / 2 - IN_LINE**2 * moments.trace() ** 2
+    deviations = Matrix([[c - centre for c, centre in zip(point, mean, strict=True)] for point in points])
+    moments = deviations.T * deviations
+    squared_norm = Add(*(entry**2 for entry in moments))
+    area = (moments.trace() ** 2 - squared_norm) / 2 - LINE_TOLERANCE**2 * moments.trace() ** 2
     function = f"{name}_line_margin"
     m.extras.append(
         Extra(
             function,
-            f"Whether the {what} do not lie in a line.",
+            f"Whether the {noun} do not lie in a line.",
             "second invariant of their second moments about their mean",
             (Output("margin", (), (area,), "m^4", "positive for points that span a plane"),),
             arguments=(),
@@ -67,7 +67,7 @@ def require_a_plane(m: Machine, name: str, points: Sequence[Sequence[Symbol]], w
             function,
             "above_zero",
             (f"axis.{name}",),
-            f"expected {what} that do not lie in one line, found all of them in one",
+            f"expected {noun} that do not lie in one line, found all of them in one",
             f"in a line they leave the platform free to turn about it: check {name} of every axis",
             "m^4",
         ),
@@ -77,8 +77,8 @@ def require_a_plane(m: Machine, name: str, points: Sequence[Sequence[Symbol]], w
 def require_different_legs(
     m: Machine,
     joints: Sequence[Sequence[Symbol]],
-    what: str,
-    apart: Callable[[int, int], Apart],
+    noun: str,
+    differences: Callable[[int, int], LegDifferences],
     remedy: str,
 ) -> None:
     """Require that no two legs coincide.
@@ -87,9 +87,9 @@ def require_different_legs(
     ----------
     joints : sequence of sequence of sympy.Symbol
         Those on the platform, whose distance from its origin is the scale.
-    what : str
+    noun : str
         What the legs are, in the plural.
-    apart : callable
+    differences : callable
         ``apart(j, k)`` returns the differences of two legs, by their indices.
     remedy : str
         What to do about two that coincide.
@@ -97,8 +97,8 @@ def require_different_legs(
     scale = mean_square(joints)
 
     def margin(j: int, k: int) -> Expr:
-        lengths, numbers = apart(j, k)
-        return dot(lengths, lengths) + scale * dot(numbers, numbers) - scale * SAME**2
+        lengths, numbers = differences(j, k)
+        return dot(lengths, lengths) + scale * dot(numbers, numbers) - scale * COINCIDENCE_TOLERANCE**2
 
     _require_of_pairs(
         m,
@@ -108,7 +108,7 @@ def require_different_legs(
         summary="Whether no two legs coincide.",
         source="sums of squared differences; numbers count times the rms distance of the platform joints",
         meaning="positive for two legs that differ",
-        expected=f"expected {what} that differ, found two that coincide",
+        expected=f"expected {noun} that differ, found two that coincide",
         remedy=remedy,
     )
 
@@ -132,9 +132,9 @@ def require_legs_that_do_not_cross(
     scale = mean_square(joints)
 
     def margin(j: int, k: int) -> Expr:
-        A, B = ([x - y for x, y in zip(of[j], of[k], strict=True)] for of in (base, joints))
-        cosine = 1 - CROSSED**2 / 2
-        return sqrt(dot(A, A) * dot(B, B)) * cosine + dot(A, B) + scale * SAME**2
+        A, B = ([x - y for x, y in zip(points[j], points[k], strict=True)] for points in (base, joints))
+        cosine = 1 - CROSSING_TOLERANCE**2 / 2
+        return sqrt(dot(A, A) * dot(B, B)) * cosine + dot(A, B) + scale * COINCIDENCE_TOLERANCE**2
 
     _require_of_pairs(
         m,

@@ -24,7 +24,7 @@ RULES = ("at_least_zero", "above_zero", "at_most_limit")
 
 def check_declared(machine: Machine) -> None:
     """Refuse a machine with missing or inconsistent parts."""
-    for present, what, remedy in (
+    for is_declared, what, remedy in (
         (machine.gravity, "gravity is not declared", "call m.add_gravity()"),
         (machine.coordinates, "no coordinates are declared", "declare all of them with m.generalised(...)"),
         (machine.pose, "no pose is declared", "call m.platform_pose(...) or m.independent_pose(...)"),
@@ -40,7 +40,7 @@ def check_declared(machine: Machine) -> None:
         ),
         (machine.drives, "no drive is declared", "call m.drive([(rotor, Integer(1))], inertia, torque)"),
     ):
-        if not present:
+        if not is_declared:
             raise DefinitionError(what, "", remedy)
     if len(machine.pose) != len(machine.components):
         raise DefinitionError(
@@ -58,7 +58,7 @@ def check_declared(machine: Machine) -> None:
 
 def _check_coordinates(machine: Machine) -> None:
     """Check that parts refer to declared coordinates and that all coordinates move with the platform."""
-    for where, symbols in _uses(machine):
+    for where, symbols in _coordinate_references(machine):
         for symbol in symbols:
             if symbol not in machine.coordinates:
                 raise DefinitionError(
@@ -73,7 +73,7 @@ def _check_coordinates(machine: Machine) -> None:
             )
 
 
-def _uses(machine: Machine) -> Iterator[tuple[str, Iterable[Symbol]]]:
+def _coordinate_references(machine: Machine) -> Iterator[tuple[str, Iterable[Symbol]]]:
     """Yield each place that names coordinates, with the coordinates."""
     yield "m.moves_platform", machine.independent
     yield "m.follows", machine.follows
@@ -85,14 +85,14 @@ def _uses(machine: Machine) -> Iterator[tuple[str, Iterable[Symbol]]]:
 
 def _check_closures(machine: Machine) -> None:
     """Check that there is one link per component of the pose, each with its own independent coordinate."""
-    links, wanted = len(machine.links), len(machine.dependent)
-    if links != wanted:
+    links, expected = len(machine.links), len(machine.dependent)
+    if links != expected:
         raise DefinitionError(
-            f"{links} links close the loops of a platform with {wanted} components",
+            f"{links} links close the loops of a platform with {expected} components",
             "m.link",
             "declare one link for each component",
         )
-    if not wanted:
+    if not expected:
         return
     if tuple(link.coordinate for link in machine.links) != machine.independent:
         raise DefinitionError(
@@ -130,9 +130,12 @@ def _check_levers(machine: Machine) -> None:
                 "give the names that m.fixed_in_platform returned for its joint",
             )
         for small, name in zip(turning.small, turning.axes, strict=True):
-            moved = cross(axis(name), lever)
-            for component, along in zip(link.vector, machine.directions, strict=True):
-                if expand(machine.chain.derivative(component, small) - moved[AXES.index(along)]) != 0:
+            expected_rate = cross(axis(name), lever)
+            for component, direction in zip(link.vector, machine.directions, strict=True):
+                if (
+                    expand(machine.chain.derivative(component, small) - expected_rate[AXES.index(direction)])
+                    != 0
+                ):
                     raise DefinitionError(
                         "the vector of a link does not turn with its lever",
                         where,
@@ -164,13 +167,13 @@ def _check_sample(machine: Machine) -> None:
     for name, field in fields.items():
         if name not in machine.sample:
             raise DefinitionError(
-                f"there is no value for {name}", "m.sample", f"add {_shaped(field)}, in {field.unit}"
+                f"there is no value for {name}", "m.sample", f"add {_describe_shape(field)}, in {field.unit}"
             )
         if _shape(machine.sample[name]) != field.shape:
             raise DefinitionError(
                 f"the value of {name} has the wrong shape, or is not finite",
                 "m.sample",
-                f"write {_shaped(field)}, in {field.unit}",
+                f"write {_describe_shape(field)}, in {field.unit}",
             )
     for name in machine.sample:
         if name not in fields:
@@ -181,12 +184,12 @@ def _check_sample(machine: Machine) -> None:
 def _shape(value: object) -> tuple[int, ...] | None:
     if not isinstance(value, list | tuple):
         return () if isinstance(value, int | float) and isfinite(value) else None
-    inner = {_shape(entry) for entry in value}
-    only = inner.pop() if len(inner) == 1 else None
-    return None if only is None else (len(value), *only)
+    entry_shapes = {_shape(entry) for entry in value}
+    entry_shape = entry_shapes.pop() if len(entry_shapes) == 1 else None
+    return None if entry_shape is None else (len(value), *entry_shape)
 
 
-def _shaped(field: Field) -> str:
+def _describe_shape(field: Field) -> str:
     return f"numbers of shape {field.shape}" if field.shape else "one number"
 
 
@@ -200,7 +203,7 @@ def check_model(machine: Machine, model: Model) -> None:
     parameters = {symbol for field in model.fields for symbol in field.symbols}
     for function in model.functions:
         given = {symbol for argument in function.arguments for symbol in argument.symbols}
-        for symbol in _undefined(function):
+        for symbol in _undefined_symbols(function):
             if symbol not in parameters | given:
                 raise DefinitionError(
                     f"{symbol} is used in {function.name} but not defined",
@@ -217,36 +220,36 @@ def check_model(machine: Machine, model: Model) -> None:
 
 def check_names(machine: Machine, model: Model) -> None:
     """Refuse a symbol with the name of an argument or a result: generated code would declare it twice."""
-    taken = {group.argument: f"the argument {group.argument}" for group in model.groups}
+    owners = {group.argument: f"the argument {group.argument}" for group in model.groups}
     for function in model.functions:
         names = [argument.name for argument in function.arguments if not argument.scalar]
         for name in (*names, *(output.name for output in function.outputs)):
-            taken.setdefault(name, f"an argument or a result of {function.name}")
+            owners.setdefault(name, f"an argument or a result of {function.name}")
     for q in machine.vocabulary:
-        if q.symbol.name in taken:
+        if q.symbol.name in owners:
             raise DefinitionError(
-                f"the symbol {q.symbol} has the name of {taken[q.symbol.name]}",
+                f"the symbol {q.symbol} has the name of {owners[q.symbol.name]}",
                 f"{q.symbol}: {q.description}",
                 f"rename it, for example {q.symbol}_0",
             )
 
 
-def _undefined(function: Function) -> list[Symbol]:
+def _undefined_symbols(function: Function) -> list[Symbol]:
     """Return the symbols that a function uses and its definitions do not give, in the order of use."""
     undefined: list[Symbol] = []
-    met: set[Symbol] = set()
+    visited: set[Symbol] = set()
 
-    def visit(expression: Expr, above: tuple[Symbol, ...]) -> None:
+    def visit(expression: Expr, path: tuple[Symbol, ...]) -> None:
         for symbol in _symbols(expression):
-            if symbol in above:
-                cycle = " -> ".join(s.name for s in (*above[above.index(symbol) :], symbol))
+            if symbol in path:
+                cycle = " -> ".join(s.name for s in (*path[path.index(symbol) :], symbol))
                 raise DefinitionError(f"definitions are circular: {cycle}", "m.inverse", "break the cycle")
-            if symbol not in met:
+            if symbol not in visited:
                 if symbol in function.definitions:
-                    visit(function.definitions[symbol], (*above, symbol))
+                    visit(function.definitions[symbol], (*path, symbol))
                 else:
                     undefined.append(symbol)
-                met.add(symbol)
+                visited.add(symbol)
 
     for output in function.outputs:
         for entry in output.entries:
@@ -269,14 +272,16 @@ def _check_margin(margin: Margin, functions: dict[str, Function]) -> None:
         )
     if margin.rule not in RULES:
         raise DefinitionError(f'unknown rule "{margin.rule}"', where, f"write one of {', '.join(RULES)}")
-    shape, named = function.outputs[margin.output].shape, tuple(len(names) for names in margin.names)
-    if shape != named:
+    shape, names_shape = function.outputs[margin.output].shape, tuple(len(names) for names in margin.names)
+    if shape != names_shape:
         raise DefinitionError(
-            f"the names have shape {named}, the result of {margin.function} has shape {shape}",
+            f"the names have shape {names_shape}, the result of {margin.function} has shape {shape}",
             where,
             "give a name for each index along each axis of the result",
         )
-    _check_sentence(margin.sentence, dict.fromkeys(("missing", "short", "value"), ""), len(named), where)
+    _check_sentence(
+        margin.sentence, dict.fromkeys(("missing", "short", "value"), ""), len(names_shape), where
+    )
 
 
 def _check_requirement(requirement: Requirement, functions: dict[str, Function]) -> None:
@@ -299,8 +304,8 @@ def _check_requirement(requirement: Requirement, functions: dict[str, Function])
 
 def _function(name: str, functions: dict[str, Function], where: str) -> Function:
     if name not in functions:
-        near = get_close_matches(name, functions, n=1)
-        remedy = f'did you mean "{near[0]}"?' if near else f"use one of {', '.join(functions)}"
+        matches = get_close_matches(name, functions, n=1)
+        remedy = f'did you mean "{matches[0]}"?' if matches else f"use one of {', '.join(functions)}"
         raise DefinitionError(f'there is no function "{name}"', where, remedy)
     return functions[name]
 

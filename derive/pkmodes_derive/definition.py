@@ -102,10 +102,10 @@ def _check_rotations(rotations: object, directions: tuple[object, ...], place: s
             place,
             'write one axis, or all three: ROTATIONS = ("x", "y", "z")',
         )
-    across = [axis for axis in AXES if rotations and axis not in directions and tuple(rotations) != (axis,)]
-    if across:
+    missing = [axis for axis in AXES if rotations and axis not in directions and tuple(rotations) != (axis,)]
+    if missing:
         raise DefinitionError(
-            f"the platform turns about {', '.join(rotations)}, but DIRECTIONS lacks {', '.join(across)}",
+            f"the platform turns about {', '.join(rotations)}, but DIRECTIONS lacks {', '.join(missing)}",
             place,
             "list every direction in which a point of the platform moves when it turns",
         )

@@ -1,7 +1,7 @@
 """Partial derivatives of sums and products, as `sympy.diff` returns them.
 
-SymPy differentiates every term, whether the symbol is in it or not, and asks of every result whether it is zero,
-which takes most of the time of a derivation.
+SymPy itself differentiates every term, with or without the symbol, and tests every result for zero, which takes most
+of the time of a derivation.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What a picture of a machine shows: lines, wheels, blocks, plates and balls between points that move with it.
+"""The elements of a picture of a machine: lines, wheels, blocks, plates and balls between points that move with it.
 
 A mechanism may declare them through ``m.draw``.  Positions are expressions in coordinates and named values, as those
 of bodies are, so their motion is derived, not written.  A mechanism that declares nothing is drawn from its parts:
@@ -38,7 +38,7 @@ class Point:
     along: Vector = ()
 
 
-#: How a declaration gives a point: a point, or its position alone.
+#: A point as a declaration gives it: a `Point`, or only its position.
 Place = Point | Sequence[object]
 
 
@@ -95,7 +95,7 @@ class Drawing:
     Attributes
     ----------
     vocabulary : Vocabulary
-        Its own symbols, which are no part of the model.
+        Symbols of the drawing, which are no part of the model.
     """
 
     elements: list[Element] = field(default_factory=list)
@@ -107,12 +107,12 @@ class Drawing:
         name, what = "up_{j}", "unit vector {j} that the robot leaves open, perpendicular to a given one"
         number = len(self.uprights) + 1
         symbols = self.vocabulary.vector(name, "1", what, "u_{j}", j=number)
-        self.uprights.append(Upright(symbols, _exact(direction), _exact(place)))
+        self.uprights.append(Upright(symbols, _exact_point(direction), _exact_point(place)))
         return symbols
 
     def fastened(self, position: Sequence[object], clamp: Clamp, along: Sequence[object]) -> Point:
         """Return the point at which a belt is clamped; the clamp yields along the belt."""
-        return Point(_exact(position), clamp, _exact(along))
+        return Point(_exact_point(position), clamp, _exact_point(along))
 
     def line(
         self,
@@ -138,13 +138,13 @@ class Drawing:
         place: str = "",
     ) -> None:
         """Draw a wheel with a unit vector as its axis; `turns` is the coordinate by which it turns."""
-        self._add("wheel", kind, name, (centre, _beside(centre, axis, radius)), spring, turns, place)
+        self._add("wheel", kind, name, (centre, _displaced_point(centre, axis, radius)), spring, turns, place)
 
     def block(
         self, kind: str, name: str, centre: Sequence[object], along: Sequence[object], half: object
     ) -> None:
         """Draw a block of a half length along a unit vector: a carriage, a tool head."""
-        self._add("block", kind, name, (centre, _beside(centre, along, half)))
+        self._add("block", kind, name, (centre, _displaced_point(centre, along, half)))
 
     def plate(self, kind: str, name: str, *points: Sequence[object]) -> None:
         """Draw the flat body that connects some points: a platform, a base."""
@@ -154,11 +154,13 @@ class Drawing:
         """Draw a body without a direction at a point."""
         self._add("ball", kind, name, (centre,), place=place)
 
-    def move(self, moved: Callable[[Vector], Vector]) -> None:
+    def move(self, new_position: Callable[[Vector], Vector]) -> None:
         """Replace all positions of the elements by functions of them."""
         self.elements = [
-            replace(one, points=tuple(replace(p, position=moved(p.position)) for p in one.points))
-            for one in self.elements
+            replace(
+                element, points=tuple(replace(p, position=new_position(p.position)) for p in element.points)
+            )
+            for element in self.elements
         ]
 
     def _add(
@@ -171,8 +173,8 @@ class Drawing:
         turns: Symbol | None = None,
         place: str = "",
     ) -> None:
-        through = tuple(p if isinstance(p, Point) else Point(_exact(p)) for p in points)
-        self.elements.append(Element(shape, kind, name, through, spring, turns, place))
+        exact_points = tuple(p if isinstance(p, Point) else Point(_exact_point(p)) for p in points)
+        self.elements.append(Element(shape, kind, name, exact_points, spring, turns, place))
 
 
 def from_parts(
@@ -185,25 +187,25 @@ def from_parts(
     platform: Sequence[Expr],
     joints: Sequence[Vector] = (),
 ) -> list[Element]:
-    """Return what the parts of a machine show without a declaration; each is named after its mass.
+    """Return the elements of a machine that declares no drawing, from its parts; each is named after its mass.
 
     `joints` are those on a platform that turns: it is the plate between them.
     """
     drawing = Drawing()
     for number, rod in enumerate(rods, start=1):
-        name = _named(vocabulary, rod.mass, f"rod {number}")
+        name = _name_of_body(vocabulary, rod.mass, f"rod {number}")
         drawing.line("link", name, *rod.ends, place=rod.place or f"rod_{number}")
     for number, leg in enumerate(legs, start=1):
         drawing.line("link", f"leg {number}", *leg.ends)
     for number, arm in enumerate(arms, start=1):
-        name = _named(vocabulary, arm.mass, f"arm {number}")
+        name = _name_of_body(vocabulary, arm.mass, f"arm {number}")
         drawing.ball("arm", name, arm.centre, place=arm.place or f"arm_{number}")
     for number, body in enumerate(points, start=1):
         kind = "platform" if tuple(body.position) == tuple(platform) else "body"
-        name = _named(vocabulary, body.mass, f"body {number}")
+        name = _name_of_body(vocabulary, body.mass, f"body {number}")
         drawing.ball(kind, name, body.position, place=body.place)
-    for turned in bodies:
-        drawing.ball("body", "centre of mass of the platform", turned.centre)
+    for platform_body in bodies:
+        drawing.ball("body", "centre of mass of the platform", platform_body.centre)
     if joints:
         drawing.plate("platform", "platform", *joints)
     if not any(element.kind == "platform" for element in drawing.elements):
@@ -211,18 +213,18 @@ def from_parts(
     return drawing.elements
 
 
-def _named(vocabulary: Vocabulary, mass: Expr, otherwise: str) -> str:
+def _name_of_body(vocabulary: Vocabulary, mass: Expr, default: str) -> str:
     """Return the name of a body from the description of its mass: "mass of arm 1" is that of arm 1."""
     text = vocabulary[mass].description if isinstance(mass, Symbol) and mass in vocabulary else ""
     name = text.removeprefix("mass of ").removeprefix("the ")
-    return name if name != text else otherwise
+    return name if name != text else default
 
 
-def _beside(point: Sequence[object], direction: Sequence[object], distance: object) -> Vector:
+def _displaced_point(point: Sequence[object], direction: Sequence[object], distance: object) -> Vector:
     return tuple(sympify(a) + sympify(distance) * sympify(d) for a, d in zip(point, direction, strict=True))
 
 
-def _exact(vector: Sequence[object]) -> Vector:
+def _exact_point(vector: Sequence[object]) -> Vector:
     exact = tuple(sympify(component) for component in vector)
     if len(exact) != len(AXES):
         what = f"a point or direction of a drawing has three components, found {len(exact)}"

@@ -1,4 +1,4 @@
-"""Effects: each is one physical cause that the base model leaves out, null when its parameters are zero.
+"""Effects: each is one physical cause that the base model omits, and has no influence when its parameters are zero.
 
 A *term* adds energy, changes a stiffness or dissipates.  A *released coordinate* frees a joint that the base model
 locks: its parameter is a compliance c, and the joint always has a spring with the energy q^2 / (2 c).
@@ -23,12 +23,12 @@ from pkmodes_description import Named, Requirement
 COMPLIANCE = "compliance"
 
 
-def _letter(name: str) -> str:
+def _index_letter(name: str) -> str:
     """Return the letter of the index in a name, empty for none."""
     return next((letter for letter in "ij" if f"{{{letter}}}" in name), "")
 
 
-def _worded(text: str, machine: Any) -> str:
+def _with_carrier_words(text: str, machine: Any) -> str:
     """Return a text with a machine's words for the body that carries payloads."""
     carrier = machine.carries
     return text.replace("{carrier}", carrier.name).replace("{on_carrier}", carrier.place)
@@ -81,7 +81,7 @@ class EffectParameter:
         unit, description = self.unit, self.description
         if self.along_legs is not None and machine.linear_drives:
             unit, description = self.along_legs
-        return replace(self, unit=unit, description=_worded(description, machine))
+        return replace(self, unit=unit, description=_with_carrier_words(description, machine))
 
     def at(self, place: str) -> EffectParameter:
         """Return the parameter for one part, if it exists once for each."""
@@ -151,7 +151,7 @@ class Released:
     @property
     def letter(self) -> str:
         """Letter of the index, empty for none."""
-        return _letter(self.name)
+        return _index_letter(self.name)
 
 
 @dataclass(frozen=True)
@@ -210,10 +210,10 @@ class Effect:
         numbers = [str(number) for number in range(1, len(parts) + 1)]
         places = {"": ("",), "i": tuple(map(str, parts)), "j": tuple(numbers)}
         declared = self.parameters if self.parameters_on is None else self.parameters_on(machine)
-        own = [p.on(machine) for p in declared if machine.turning is not None or not p.turning]
-        parameters = [p.at(place) for p in own for place in places[_letter(p.name)]]
-        released = places[_letter(self.released.name)] if self.released else ()
-        sentence = _worded(self.sentence, machine)
+        described = [p.on(machine) for p in declared if machine.turning is not None or not p.turning]
+        parameters = [p.at(place) for p in described for place in places[_index_letter(p.name)]]
+        released = places[_index_letter(self.released.name)] if self.released else ()
+        sentence = _with_carrier_words(self.sentence, machine)
         return replace(self, sentence=sentence, parameters=tuple(parameters), places=released)
 
     def softening(self, place: str) -> tuple[EffectParameter, ...]:

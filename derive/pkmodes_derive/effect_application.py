@@ -29,34 +29,38 @@ def apply_effects(
     machine.delta_p = machine.of_platform(
         "delta_p", "m", "small displacement of the platform from the pose", r"(\Delta p)_{i}"
     )
-    machine.effects = tuple(_free(effect.on(machine), zeros) for effect in effects)
+    machine.effects = tuple(_without_locked_coordinates(effect.on(machine), zeros) for effect in effects)
     # Two passes: each effect sees every released coordinate, whatever the order of application.
-    prepared = [
+    applications = [
         (effect, _parameters(machine, effect), _release(machine, effect)) for effect in machine.effects
     ]
-    for effect, parameters, released in prepared:
+    for effect, parameters, released in applications:
         for coordinate in released:
             softening = (parameters[p.name] for p in effect.softening(coordinate.place))
             sprung = effect.released is not None and effect.released.sprung
             machine.compliances += (Add(*softening) if sprung else oo,)
-    for effect, parameters, released in sorted(prepared, key=lambda item: not item[2]):
+    for effect, parameters, released in sorted(applications, key=lambda item: not item[2]):
         effect.apply(machine, parameters, released)
         machine.elastic_of += [effect.name] * (len(machine.elastic) - len(machine.elastic_of))
 
 
-def _field(effect: Effect, parameter: EffectParameter) -> str:
+def _field_name(effect: Effect, parameter: EffectParameter) -> str:
     return f"{effect.name}_{parameter.name}"
 
 
-def _free(effect: Effect, zeros: Set[tuple[str, int]]) -> Effect:
+def _without_locked_coordinates(effect: Effect, zeros: Set[tuple[str, int]]) -> Effect:
     """Return an effect with only those coordinates that some compliance frees."""
 
-    def frees(place: str) -> tuple[EffectParameter, ...]:
+    def releasing_parameters(place: str) -> tuple[EffectParameter, ...]:
         return (
             effect.softening(place) or effect.parameters[:1]
         )  # without a spring of its own: the first makes it
 
-    locked = [place for place in effect.places if all((_field(effect, p), 0) in zeros for p in frees(place))]
+    locked = [
+        place
+        for place in effect.places
+        if all((_field_name(effect, p), 0) in zeros for p in releasing_parameters(place))
+    ]
     return replace(effect, places=tuple(place for place in effect.places if place not in locked))
 
 
@@ -64,7 +68,7 @@ def _parameters(machine: Machine, effect: Effect) -> dict[str, Symbol]:
     symbols = {}
     for p in effect.parameters:
         symbols[p.name] = machine.vocabulary.declare(p.symbol, p.unit, p.description, p.latex)
-        field = Field(_field(effect, p), (), (symbols[p.name],), p.unit, p.description)
+        field = Field(_field_name(effect, p), (), (symbols[p.name],), p.unit, p.description)
         machine.effect_fields += (field,)
     return symbols
 

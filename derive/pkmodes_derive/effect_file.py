@@ -47,18 +47,18 @@ def read(text: str, place: str) -> Effect:
     if not isinstance(effect.name, str) or not re.fullmatch(r"[a-z][a-z0-9_]*", effect.name):
         what = f"{effect.name!r} is not a valid name for an effect"
         raise DefinitionError(what, place, "use lower-case letters, digits and underscores")
-    if any(effect.name == one.name for one in catalogue()):
+    if any(effect.name == known_effect.name for known_effect in catalogue()):
         what = f'"{effect.name}" is an effect of the catalogue already'
         raise DefinitionError(what, place, "give the effect another name")
     return effect
 
 
-def check(effect: Effect, bare: Machine, with_effect: Machine, place: str) -> None:
+def check(effect: Effect, plain_machine: Machine, with_effect: Machine, place: str) -> None:
     """Refuse an effect that does not apply to a machine, or that changes it where its parameters are zero.
 
     Parameters
     ----------
-    bare : Machine
+    plain_machine : Machine
         Without effects.
     with_effect : Machine
         With this effect alone.
@@ -69,9 +69,9 @@ def check(effect: Effect, bare: Machine, with_effect: Machine, place: str) -> No
     ------
     DefinitionError
     """
-    if not effect.parts(bare):
-        known = ", ".join(places(bare))
-        what = f"the effect {effect.name} acts on parts that {bare.name} does not have"
+    if not effect.parts(plain_machine):
+        known = ", ".join(places(plain_machine))
+        what = f"the effect {effect.name} acts on parts that {plain_machine.name} does not have"
         raise DefinitionError(what, place, f"its bodies are {known}: act on one of these")
     zero = {s: Integer(0) for group in with_effect.effect_fields for s in group.symbols}
     released = {s for c in with_effect.released for s in (c.position, c.rate)}
@@ -79,17 +79,17 @@ def check(effect: Effect, bare: Machine, with_effect: Machine, place: str) -> No
         raise DefinitionError(
             f"the effect {effect.name} has no parameter", place, "give it one, null at 0, with its unit"
         )
-    plain = dict(_expressions(bare))
+    plain_expressions = dict(_expressions(plain_machine))
     for name, value in _expressions(with_effect):
-        before, at_zero = plain.get(name, Integer(0)), value.xreplace(zero)
-        if value == before:
+        plain_value, at_zero = plain_expressions.get(name, Integer(0)), value.xreplace(zero)
+        if value == plain_value:
             continue
         if at_zero.has(nan, oo, -oo, zoo):
             what = f"the effect {effect.name} is not defined where its parameters are 0"
             raise DefinitionError(what, place, "write it so that nothing is divided by a parameter")
-        left = (at_zero - before).xreplace(dict.fromkeys(released, Integer(0)))
-        if left != 0 and left.expand() != 0:
-            what = f"the effect {effect.name} changes the machine where its parameters are 0: by {left}"
+        remainder = (at_zero - plain_value).xreplace(dict.fromkeys(released, Integer(0)))
+        if remainder != 0 and remainder.expand() != 0:
+            what = f"the effect {effect.name} changes the machine where its parameters are 0: by {remainder}"
             raise DefinitionError(what, place, "an effect is null at 0: multiply what it adds by a parameter")
         for symbol in zero:
             rate = value.diff(symbol).xreplace(zero)
@@ -101,7 +101,7 @@ def check(effect: Effect, bare: Machine, with_effect: Machine, place: str) -> No
 
 def _expressions(machine: Machine) -> Iterator[tuple[tuple[str, ...], Expr]]:
     """Yield the expressions of all parts and energies of a machine, each with its place."""
-    lists: dict[str, Sequence[object]] = {
+    parts_by_name: dict[str, Sequence[object]] = {
         name: getattr(machine, name)
         for name in (
             "points",
@@ -116,7 +116,7 @@ def _expressions(machine: Machine) -> Iterator[tuple[tuple[str, ...], Expr]]:
             "springs",
         )
     }
-    for name, parts in lists.items():
+    for name, parts in parts_by_name.items():
         for k, part in enumerate(parts):
             assert is_dataclass(part)
             for field in fields(part):

@@ -140,7 +140,7 @@ class FieldGroup:
 
 @dataclass(frozen=True)
 class HeldMotors:
-    """What remains of a robot in use, whose motors are held, or hang on springs whose other ends are.
+    """A robot in use, whose motors are held, or are on springs whose other ends are held.
 
     Attributes
     ----------
@@ -155,7 +155,7 @@ class HeldMotors:
     springs : str
         The effect that is these springs; empty where the motors are held.
     reason : str
-        Why its modes cannot be computed, as a sentence without its end; empty if they can.
+        Why its modes cannot be computed, as a sentence without a full stop; empty if they can.
     """
 
     coordinates: tuple[str, ...]
@@ -167,7 +167,7 @@ class HeldMotors:
 
     @property
     def motors(self) -> str:
-        """What the motors do, in words that follow them."""
+        """What the motors do, as words that follow "motors"."""
         return f"on their {self.springs.replace('_', ' ')}" if self.springs else "held"
 
 

@@ -29,7 +29,7 @@ Where s has small rotations, :math:`L_{ss}` is that of the exponential chart at 
 `turning`).  K in the coordinates of the drives is the same in every chart.
 
 No linear system is solved symbolically: the solutions are written with the adjugate, entry by entry, and its minors
-are named in systems larger than three by three (`Solver`).  It needs no pivots, so a pose has no branches and poses
+are named in systems larger than three by three (`Solver`).  This needs no pivots, so a pose has no branches and poses
 can be evaluated side by side.
 """
 
@@ -107,9 +107,18 @@ def second_derivatives(
     by_dependent = [partial.derivative(function, s) for s in dependent]
     by_independent = [partial.derivative(function, q) for q in independent]
     return SecondDerivatives(
-        Matrix([[partial.derivative(first, q) for q in independent] for first in by_independent]),
-        Matrix([[partial.derivative(first, q) for q in independent] for first in by_dependent]),
-        Matrix([[partial.derivative(first, s) for s in dependent] for first in by_dependent]),
+        Matrix(
+            [
+                [partial.derivative(gradient_entry, q) for q in independent]
+                for gradient_entry in by_independent
+            ]
+        ),
+        Matrix(
+            [[partial.derivative(gradient_entry, q) for q in independent] for gradient_entry in by_dependent]
+        ),
+        Matrix(
+            [[partial.derivative(gradient_entry, s) for s in dependent] for gradient_entry in by_dependent]
+        ),
     )
 
 
@@ -132,24 +141,26 @@ def with_small_rotations(
     name : callable
         ``name(v, i, expression)`` names component i of the gradient with respect to vector v.
     """
-    places = [AXES.index(axis) for axis in turning.axes]
-    first = second.dependent.shape[0] - len(places)
+    axis_indices = [AXES.index(axis) for axis in turning.axes]
+    first = second.dependent.shape[0] - len(axis_indices)
     matrix = second.dependent.copy()
     block = Matrix.zeros(3, 3)
     for v, vector in enumerate(turning.fixed):
-        held = turning.symbols
-        gradient = [partial.derivative(function, w, hold=held) if w.is_Symbol else Integer(0) for w in vector]
+        fixed_symbols = turning.symbols
+        gradient = [
+            partial.derivative(function, w, hold=fixed_symbols) if w.is_Symbol else Integer(0) for w in vector
+        ]
         if not any(gradient):
             continue
         named = [name(v, i, entry) for i, entry in enumerate(gradient)]
-        product = Matrix(3, 3, lambda i, k, vector=vector, named=named: vector[i] * named[k])
-        block += (product + product.T) * Rational(1, 2) - product.trace() * eye(3)
-        for k, small in zip(places, turning.small, strict=True):
+        outer = Matrix(3, 3, lambda i, k, vector=vector, named=named: vector[i] * named[k])
+        block += (outer + outer.T) * Rational(1, 2) - outer.trace() * eye(3)
+        for k, small in zip(axis_indices, turning.small, strict=True):
             rates = [partial.derivative(entry, small) for entry in gradient]
-            for i in places:
+            for i in axis_indices:
                 block[i, k] += dot(cross(axis(AXES[i]), vector), rates)
-    for a, i in enumerate(places):
-        for b, k in enumerate(places):
+    for a, i in enumerate(axis_indices):
+        for b, k in enumerate(axis_indices):
             matrix[first + a, first + b] = block[i, k]
     return replace(second, dependent=matrix)
 
@@ -210,19 +221,21 @@ class Solver:
     ) -> None:
         n = matrix.shape[0]
         self._matrix, self._vocabulary, self._chain = matrix, vocabulary, chain
-        power = n + rotations
+        determinant_power = n + rotations
         self._rotations = rotations
         self._minors: dict[tuple[tuple[int, ...], tuple[int, ...]], Expr] = {}
         self.adjugate = Matrix.zeros(n, n)
         for j in range(n):
             for m, component in enumerate(components):
-                left = power - (2 if m >= n - rotations else 1)
-                unit = "m" if left == 1 else f"m^{left}"
+                unit_power = determinant_power - (2 if m >= n - rotations else 1)
+                unit = "m" if unit_power == 1 else f"m^{unit_power}"
                 name = vocabulary.declare(
                     "A_{i}_{j}", unit, "adjugate of D_l, entry {i}, {j}", "A_{{{i}{j}}}", i=component, j=j + 1
                 )
                 self.adjugate[m, j] = chain.define(name, self._cofactor(j, m))
-        self.determinant = vocabulary.declare("det_D_l", f"m^{power}", "determinant of D_l", r"\det D_l")
+        self.determinant = vocabulary.declare(
+            "det_D_l", f"m^{determinant_power}", "determinant of D_l", r"\det D_l"
+        )
         chain.define(self.determinant, Add(*(matrix[0, m] * self.adjugate[m, 0] for m in range(n))))
 
     def solve(self, right_hand_side: Sequence[Expr]) -> list[Expr]:
@@ -237,18 +250,18 @@ class Solver:
         n = self._matrix.shape[0]
         if n == 3:
             return cofactor(self._matrix, row, column)
-        rows, columns = (tuple(i for i in range(n) if i != gone) for gone in (row, column))
+        rows, columns = (tuple(i for i in range(n) if i != removed) for removed in (row, column))
         if n < 6:
             return (-1) ** (row + column) * self._minor(rows, columns)
         # Laplace's expansion by the rows above and below the middle, of which few minors are needed.
-        above = tuple(i for i in rows if i < n // 2)
-        below = tuple(i for i in rows if i >= n // 2)
+        upper_rows = tuple(i for i in rows if i < n // 2)
+        lower_rows = tuple(i for i in rows if i >= n // 2)
         parts = []
-        for some in combinations(range(n - 1), len(above)):
-            others = tuple(i for i in range(n - 1) if i not in some)
-            sign = (-1) ** (row + column + sum(some) - sum(range(len(above))))
-            first = self._minor(above, tuple(columns[i] for i in some))
-            parts.append(sign * first * self._minor(below, tuple(columns[i] for i in others)))
+        for chosen in combinations(range(n - 1), len(upper_rows)):
+            remaining = tuple(i for i in range(n - 1) if i not in chosen)
+            sign = (-1) ** (row + column + sum(chosen) - sum(range(len(upper_rows))))
+            upper_minor = self._minor(upper_rows, tuple(columns[i] for i in chosen))
+            parts.append(sign * upper_minor * self._minor(lower_rows, tuple(columns[i] for i in remaining)))
         return Add(*parts)
 
     def _minor(self, rows: tuple[int, ...], columns: tuple[int, ...]) -> Expr:
@@ -262,12 +275,12 @@ class Solver:
             )
             expression = Add(*parts)
             if 2 <= len(rows) < self._matrix.shape[0] - 1:
-                places = ("".join(str(i + 1) for i in some) for some in (rows, columns))
-                index = dict(zip(("r", "c"), places, strict=True))
+                labels = ("".join(str(i + 1) for i in indices) for indices in (rows, columns))
+                index = dict(zip(("r", "c"), labels, strict=True))
                 what = "minor of D_l, rows {r} and columns {c}"
-                turned = sum(m >= self._matrix.shape[0] - self._rotations for m in columns)
+                rotation_columns = sum(m >= self._matrix.shape[0] - self._rotations for m in columns)
                 name = self._vocabulary.declare(
-                    "minor_{r}_{c}", f"m^{len(rows) + turned}", what, "|D_l|_{{{r},{c}}}", **index
+                    "minor_{r}_{c}", f"m^{len(rows) + rotation_columns}", what, "|D_l|_{{{r},{c}}}", **index
                 )
                 expression = self._chain.define(name, expression)
             self._minors[rows, columns] = expression

@@ -1,8 +1,8 @@
-"""What was derived before, where the environment variable `VARIABLE` names a folder for it.
+"""A cache of derived results, in the folder that the environment variable `FOLDER_VARIABLE` names.
 
-Everything derived is a function of the sources, the version of SymPy and what it is derived from, so a digest of
-these tells it apart.  It is kept as Python objects, and loading those may run code: the folder must be one's own.
-Without the variable nothing is kept.
+A result is a function of the sources, the version of SymPy and its inputs, so a digest of these identifies it.
+Results are stored as pickled Python objects, and loading those may run code: the folder must be the user's own.
+Without the variable nothing is stored.
 """
 
 from __future__ import annotations
@@ -21,42 +21,42 @@ import sympy
 
 from pkmodes_derive import sources
 
-#: Names the folder.
-VARIABLE = "PKMODES_DERIVED"
+#: Environment variable with the folder.
+FOLDER_VARIABLE = "PKMODES_DERIVED"
 
 T = TypeVar("T")
 
 
-def keeps() -> bool:
-    """Whether there is a folder."""
-    return bool(os.environ.get(VARIABLE))
+def has_folder() -> bool:
+    """Whether the environment names a folder."""
+    return bool(os.environ.get(FOLDER_VARIABLE))
 
 
-def kept(what: str, of: object, derive: Callable[[], T]) -> T:
-    """Return what `derive` returns, from the folder if it is there.
+def derive_once(kind: str, inputs: object, derive: Callable[[], T]) -> T:
+    """Return what `derive` returns, from the folder if it is stored there.
 
     Parameters
     ----------
-    what : str
+    kind : str
         The kind of the result, part of the name of its file.
-    of : object
-        Everything that the result depends on beside the sources; its ``repr`` tells it apart.
+    inputs : object
+        Everything that the result depends on besides the sources; its ``repr`` identifies it.
     """
-    if not keeps():
+    if not has_folder():
         return derive()
     versions = sympy.__version__, sys.version
-    key = sources.digest(repr((what, of, versions, sources.source_digests())))
-    file = Path(os.environ[VARIABLE]) / f"{what}-{key}.pickle"
+    key = sources.digest(repr((kind, inputs, versions, sources.source_digests())))
+    file = Path(os.environ[FOLDER_VARIABLE]) / f"{kind}-{key}.pickle"
     if file.exists():
         content = file.read_bytes()
     else:
         content = pickle.dumps(derive())
         file.parent.mkdir(parents=True, exist_ok=True)
-        # Next to its place first: another process may look for it meanwhile.
+        # Under a temporary name first: another process may look for the file meanwhile.
         with tempfile.NamedTemporaryFile(dir=file.parent, suffix=".part", delete=False) as part:
             part.write(content)
         Path(part.name).replace(file)
-    # What was derived just now is returned as it will be found.
+    # A new result is returned as later calls will load it.
     result: T = pickle.loads(content)
     return result
 
@@ -64,7 +64,7 @@ def kept(what: str, of: object, derive: Callable[[], T]) -> T:
 def digest_of(expressions: object) -> str:
     """Return a digest of objects that hold expressions, the same in every process."""
     content = io.BytesIO()
-    written = pickle.Pickler(content)
-    written.fast = True  # else which equal parts are one object would tell, and that is chance
-    written.dump(expressions)
+    pickler = pickle.Pickler(content)
+    pickler.fast = True  # otherwise the bytes depend on which equal parts are one object, which is chance
+    pickler.dump(expressions)
     return hashlib.sha256(content.getvalue()).hexdigest()

@@ -92,16 +92,20 @@ def velocity_forces_of_twist(
     name : callable
         ``name(what, i, expression)`` names component i of "momentum" or "force".
     """
-    held = (*twist, *turning.symbols)
-    momenta = [name("momentum", i, moving.derivative(kinetic, t, hold=held)) for i, t in enumerate(twist)]
+    held_symbols = (*twist, *turning.symbols)
+    momenta = [
+        name("momentum", i, moving.derivative(kinetic, t, hold=held_symbols)) for i, t in enumerate(twist)
+    ]
     force = [moving.derivative(momentum, TIME) for momentum in momenta]
     first = len(twist) - len(turning.axes)
     for i, p in enumerate(platform[:first]):
-        force[i] -= moving.derivative(kinetic, p, hold=held)
+        force[i] -= moving.derivative(kinetic, p, hold=held_symbols)
     moment = cross(turning.spatial(turning.rates), turning.spatial(momenta[first:]))
     gyroscopic = [-component for component in moment]
     for vector in turning.fixed:
-        gradient = [moving.derivative(kinetic, w, hold=held) if w.is_Symbol else Integer(0) for w in vector]
+        gradient = [
+            moving.derivative(kinetic, w, hold=held_symbols) if w.is_Symbol else Integer(0) for w in vector
+        ]
         if any(gradient):
             for i, component in enumerate(cross(vector, gradient)):
                 gyroscopic[i] -= component
@@ -110,7 +114,7 @@ def velocity_forces_of_twist(
     force = [name("force", i, component) for i, component in enumerate(force)]
     forces = []
     for k, (q, rate) in enumerate(zip(coordinates, velocities, strict=True)):
-        own = moving.derivative(moving.derivative(kinetic, rate, hold=held), TIME)
-        along = Add(*(D[i, k] * component for i, component in enumerate(force)))
-        forces.append(along + own - moving.derivative(kinetic, q, hold=held))
+        own_rate = moving.derivative(moving.derivative(kinetic, rate, hold=held_symbols), TIME)
+        platform_part = Add(*(D[i, k] * component for i, component in enumerate(force)))
+        forces.append(platform_part + own_rate - moving.derivative(kinetic, q, hold=held_symbols))
     return forces

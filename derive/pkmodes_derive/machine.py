@@ -143,7 +143,7 @@ class Machine:
     effects : tuple of Effect
         Applied effects, with the parameters and coordinates they have on this machine.
     draw : Drawing
-        What a picture of the machine shows, if the mechanism declares it.
+        The elements of the picture of the machine, if the mechanism declares it.
     """
 
     def __init__(
@@ -223,7 +223,7 @@ class Machine:
     def generalised(self, *groups: Sequence[tuple[str, str, str, str, Mapping[str, object]]]) -> None:
         """Declare all generalised coordinates in order, each as (name, unit, description, LaTeX, indices)."""
 
-        def declared(before: str, after: str, per: str, what: str, tex: str) -> tuple[Symbol, ...]:
+        def declare_group(before: str, after: str, per: str, what: str, tex: str) -> tuple[Symbol, ...]:
             return tuple(
                 self.vocabulary.declare(
                     f"{before}{name}{after}", f"{unit}{per}", f"{what}{description}", tex % latex, **index
@@ -232,9 +232,9 @@ class Machine:
                 for name, unit, description, latex, index in group
             )
 
-        self.coordinates = declared("", "", "", "", "%s")
-        self.velocities = declared("", "_dot", "/s", "rate of change: ", r"\dot%s")
-        self.displacements = declared("delta_", "", "", SMALL, r"\Delta %s")
+        self.coordinates = declare_group("", "", "", "", "%s")
+        self.velocities = declare_group("", "_dot", "/s", "rate of change: ", r"\dot%s")
+        self.displacements = declare_group("delta_", "", "", SMALL, r"\Delta %s")
 
     def add_gravity(self) -> None:
         """Declare gravity, which every robot file contains."""
@@ -359,12 +359,15 @@ class Machine:
         if len(inertia) != axes or len(products) not in {0, axes * (axes - 1) // 2}:
             what = f"a body has {len(inertia)} moments and {len(products)} products of inertia"
             three = "I_xx, I_yy, I_zz and, or none, I_xy, I_xz, I_yz"
-            only = f"one moment, I_{self.rotations[0] * 2}, in a sequence, and no products"
-            raise DeclarationError(what, f"give {three if axes == 3 else only}")
-        of = dict(zip(((0, 1), (0, 2), (1, 2)), products, strict=False))
+            one_moment = f"one moment, I_{self.rotations[0] * 2}, in a sequence, and no products"
+            raise DeclarationError(what, f"give {three if axes == 3 else one_moment}")
+        product_at = dict(zip(((0, 1), (0, 2), (1, 2)), products, strict=False))
         entries = [
-            [one if i == k else of.get((min(i, k), max(i, k)), Integer(0)) for k in range(len(inertia))]
-            for i, one in enumerate(inertia)
+            [
+                moment if i == k else product_at.get((min(i, k), max(i, k)), Integer(0))
+                for k in range(len(inertia))
+            ]
+            for i, moment in enumerate(inertia)
         ]
         what = "inertia tensor of the platform about its centre of mass, base frame, entry {i}{a}"
         tensor = self.turning.tensor(
@@ -413,15 +416,15 @@ class Machine:
     ) -> Leg:
         """Give a leg that changes its length its bodies; its length is the coordinate of its link."""
         v = self.vocabulary
-        felt = "inertia of leg {j} at its platform joint, perpendicular to the leg"
-        lifted = "mass that is lifted with the vector of leg {j}"
+        inertia_text = "inertia of leg {j} at its platform joint, perpendicular to the leg"
+        weight_text = "mass that is lifted with the vector of leg {j}"
         leg = Leg(
             link,
             placed(self.directions, link.vector),
             (ends[0], ends[1]),
             tuple(parts),
-            v.declare("m_perp_{j}", "kg", felt, r"m_{{\perp,{j}}}", **index),
-            v.declare("m_lift_{j}", "kg", lifted, r"m_{{\uparrow,{j}}}", **index),
+            v.declare("m_perp_{j}", "kg", inertia_text, r"m_{{\perp,{j}}}", **index),
+            v.declare("m_lift_{j}", "kg", weight_text, r"m_{{\uparrow,{j}}}", **index),
         )
         self.define(leg.inertia, leg.perpendicular_inertia)
         self.define(leg.weight, leg.moving_mass + leg.moment / leg.length)
@@ -476,8 +479,8 @@ class Machine:
     @property
     def linear_drives(self) -> bool:
         """Whether the drives move along legs, in metres, rather than turn."""
-        moved = {self.vocabulary[r.coordinate].unit for drive in self.drives for r, _ in drive.rotors}
-        return moved == {"m"}
+        units = {self.vocabulary[r.coordinate].unit for drive in self.drives for r, _ in drive.rotors}
+        return units == {"m"}
 
     def rail(self, coordinate: Symbol) -> None:
         """Declare that a body slides along a rail, its position a coordinate."""
@@ -527,29 +530,29 @@ class Machine:
 
     def rate(self, form: Form, clamp: Clamp | None = None) -> Expr:
         """Return the rate of a linear form."""
-        return self._evaluated(form, self.velocities, clamp, lambda c: c.rate)
+        return self._evaluate_form(form, self.velocities, clamp, lambda c: c.rate)
 
     def displacement(self, form: Form, clamp: Clamp | None = None) -> Expr:
         """Return a linear form in small displacements."""
-        return self._evaluated(form, self.displacements, clamp, lambda c: c.position)
+        return self._evaluate_form(form, self.displacements, clamp, lambda c: c.position)
 
-    def _evaluated(
+    def _evaluate_form(
         self,
         form: Form,
         values: Sequence[Symbol],
         clamp: Clamp | None,
         of_released: Callable[[Coordinate], Symbol],
     ) -> Expr:
-        of = dict(zip(self.coordinates, values, strict=True))
-        moved = [factor * of[q] for q, factor in form.items()]
+        value_of = dict(zip(self.coordinates, values, strict=True))
+        terms = [factor * value_of[q] for q, factor in form.items()]
         for q, factor in form.items():  # the end of a belt on a carriage whose rail yields
-            moved += [factor * cosine * of_released(c) for c, cosine in self.along_rails.get(q, ())]
+            terms += [factor * cosine * of_released(c) for c, cosine in self.along_rails.get(q, ())]
         beam = self.beam
         if beam is not None and beam.along in form:  # the end of a belt on what slides along the beam
-            moved += [form.get(beam.across, 0) * beam.lever * of_released(c) for c in beam.released]
+            terms += [form.get(beam.across, 0) * beam.lever * of_released(c) for c in beam.released]
         if clamp is not None:
-            moved += [clamp.sign * of_released(c) for c in clamp.released]
-        return Add(*moved)
+            terms += [clamp.sign * of_released(c) for c in clamp.released]
+        return Add(*terms)
 
     def rotation(self, rotor: Rotor) -> Symbol:
         """Return the small rotation of a rotor from the reference configuration [rad]."""
@@ -562,16 +565,19 @@ class Machine:
     @property
     def frame_rate(self) -> tuple[Expr, ...]:
         """Velocity of the frame in the base frame, three components [m/s]."""
-        return self._of_frame(lambda c: c.rate)
+        return self._frame_vector(lambda c: c.rate)
 
     @property
     def frame_position(self) -> tuple[Expr, ...]:
         """Displacement of the frame, three components [m]."""
-        return self._of_frame(lambda c: c.position)
+        return self._frame_vector(lambda c: c.position)
 
-    def _of_frame(self, of: Callable[[Coordinate], Symbol]) -> tuple[Expr, ...]:
-        moved = {axis: Add(*map(of, each)) for axis, each in zip(self.directions, self.frame, strict=True)}
-        return tuple(moved.get(axis, Integer(0)) for axis in AXES)
+    def _frame_vector(self, component_of: Callable[[Coordinate], Symbol]) -> tuple[Expr, ...]:
+        sums = {
+            axis: Add(*map(component_of, coordinates))
+            for axis, coordinates in zip(self.directions, self.frame, strict=True)
+        }
+        return tuple(sums.get(axis, Integer(0)) for axis in AXES)
 
     @property
     def carries(self) -> Carrier:

@@ -12,7 +12,7 @@ from pkmodes_derive.machine import Extra, Machine
 from pkmodes_derive.vocabulary import AXES
 
 PRODUCTS = ("xy", "xz", "yz")
-#: A thin plate meets the triangle inequality exactly: what rounding may take from it, relative to the trace.
+#: Tolerance for rounding, relative to the trace: a thin plate meets the triangle inequality with equality.
 ROUNDING = Float("1e-9")
 
 
@@ -54,11 +54,13 @@ def platform_that_turns(m: Machine) -> PlatformTable:
         PRODUCTS,
         default=0.0,
     )
-    _require_a_body(m, inertia, products)
+    _require_positive_second_moments(m, inertia, products)
     return PlatformTable(mass, centre, inertia, products)
 
 
-def _require_a_body(m: Machine, inertia: tuple[Symbol, ...], products: tuple[Symbol, ...]) -> None:
+def _require_positive_second_moments(
+    m: Machine, inertia: tuple[Symbol, ...], products: tuple[Symbol, ...]
+) -> None:
     """Require the inertia of a body: its second moments of mass, tr(I)/2 - I, are not negative in any direction."""
     xy, xz, yz = products
     tensor = Matrix([[inertia[0], xy, xz], [xy, inertia[1], yz], [xz, yz, inertia[2]]])
@@ -81,7 +83,7 @@ def _require_a_body(m: Machine, inertia: tuple[Symbol, ...], products: tuple[Sym
     )
     along = (
         *(f"platform.inertia.{axis}" for axis in AXES),
-        *(f"platform.products.{two}" for two in PRODUCTS),
+        *(f"platform.products.{product_name}" for product_name in PRODUCTS),
     )
     m.requirements += (
         Requirement(

@@ -12,7 +12,7 @@ C_KEYWORDS = frozenset(
     """.split()  # noqa: SIM905 - a list of quoted words would be harder to read
 )
 #: Functions of the C library, and names that generated Python and vector code use.
-LIBRARY = frozenset(
+LIBRARY_NAMES = frozenset(
     """
     acos acosh asin asinh atan atan2 atanh cbrt ceil cos cosh erf exp expm1 fabs floor fmax fmin fmod hypot log log10
     log1p log2 memset pow round sin sinh sqrt tan tanh trunc gamma tgamma lgamma j0 j1 jn y0 y1 yn
@@ -22,9 +22,9 @@ LIBRARY = frozenset(
     """.split()  # noqa: SIM905
 )
 #: Shared subexpressions: t1, t2, ...
-NUMBERED = re.compile(r"t\d+")
+SHARED_SUBEXPRESSION = re.compile(r"t\d+")
 #: Names that derivatives of eigenvalues and of matrices consist of.
-OF_DERIVATIVES = re.compile(r"(shape|forward|adjoint|along|tangent)_\w+")
+DERIVATIVE_NAME = re.compile(r"(shape|forward|adjoint|along|tangent)_\w+")
 
 
 def is_reserved(name: str) -> bool:
@@ -32,8 +32,8 @@ def is_reserved(name: str) -> bool:
     return bool(
         keyword.iskeyword(name)
         or name in C_KEYWORDS
-        or name in LIBRARY
-        or NUMBERED.fullmatch(name)
-        or OF_DERIVATIVES.fullmatch(name)
+        or name in LIBRARY_NAMES
+        or SHARED_SUBEXPRESSION.fullmatch(name)
+        or DERIVATIVE_NAME.fullmatch(name)
         or not name.isascii()
     )

@@ -12,11 +12,11 @@ from pkmodes_derive.definition import DefinitionError
 from pkmodes_derive.machine import Machine
 
 #: Lengths between which a direction is a rounded unit vector.
-LEAST_LENGTH, GREATEST_LENGTH = 0.5, 2.0
+MIN_LENGTH, MAX_LENGTH = 0.5, 2.0
 #: A direction within rounding of unit length is kept as it is.
 ROUNDING = 1e-15
-#: By how much the length of what is declared a unit vector may differ from 1.
-UNIT = 1e-12
+#: Tolerance for the length of a declared unit vector.
+UNIT_TOLERANCE = 1e-12
 
 
 def sampled_directions(machine: Machine) -> dict[str, list[Sequence[float]]]:
@@ -50,7 +50,7 @@ def check_directions(machine: Machine) -> None:
     for field, directions in sampled_directions(machine).items():
         for j, direction in enumerate(directions):
             length = hypot(*direction)
-            if not LEAST_LENGTH < length < GREATEST_LENGTH:
+            if not MIN_LENGTH < length < MAX_LENGTH:
                 raise DefinitionError(
                     f"{field}[{j}] is a direction: expected a unit vector, found one of length {length:g}",
                     "m.sample",
@@ -63,7 +63,7 @@ def check_directions(machine: Machine) -> None:
     for vector in machine.units:
         if values.keys() >= set().union(*(sympify(component).free_symbols for component in vector)):
             length = hypot(*(float(sympify(component).subs(values)) for component in vector))
-            if abs(length - 1.0) > UNIT:
+            if abs(length - 1.0) > UNIT_TOLERANCE:
                 raise DefinitionError(
                     f"({', '.join(map(str, vector))}) is no unit vector: its length in m.sample is {length:g}",
                     "m.unit_vector",

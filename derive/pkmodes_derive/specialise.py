@@ -35,23 +35,23 @@ def specialise(model: Model, values: Mapping[str, float]) -> Model:
         If a parameter has no value.
     """
     constants = {symbol: number(values[symbol.name]) for field in model.fields for symbol in field.symbols}
-    known: dict[int, tuple[dict[Symbol, Expr], dict[Symbol, Expr]]] = {}
+    folded_definitions: dict[int, tuple[dict[Symbol, Expr], dict[Symbol, Expr]]] = {}
     functions = []
     for function in model.functions:
         # Most functions of a model share their definitions.
-        shared = id(function.definitions)
-        if shared not in known:
-            known[shared] = _folded(function.definitions, constants)
-        functions.append(_with(function, *known[shared]))
+        key = id(function.definitions)
+        if key not in folded_definitions:
+            folded_definitions[key] = _fold_definitions(function.definitions, constants)
+        functions.append(_with_known_values(function, *folded_definitions[key]))
     return replace(model, functions=tuple(functions))
 
 
 def fold(function: Function, known: Mapping[Symbol, Expr] | None = None) -> Function:
     """Substitute known values, and definitions that become a number or another name for a symbol."""
-    return _with(function, *_folded(function.definitions, known or {}))
+    return _with_known_values(function, *_fold_definitions(function.definitions, known or {}))
 
 
-def _folded(
+def _fold_definitions(
     definitions: Mapping[Symbol, Expr], known: Mapping[Symbol, Expr]
 ) -> tuple[dict[Symbol, Expr], dict[Symbol, Expr]]:
     """Return the definitions that remain, and all values that are known with those of the others."""
@@ -65,7 +65,9 @@ def _folded(
     return remaining, known
 
 
-def _with(function: Function, definitions: Mapping[Symbol, Expr], known: Mapping[Symbol, Expr]) -> Function:
+def _with_known_values(
+    function: Function, definitions: Mapping[Symbol, Expr], known: Mapping[Symbol, Expr]
+) -> Function:
     outputs = tuple(
         replace(output, entries=tuple(entry.xreplace(known) for entry in output.entries))
         for output in function.outputs

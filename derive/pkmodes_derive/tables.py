@@ -60,15 +60,15 @@ class Tables:
 
     def single(self, name: str, description: str) -> Declared:
         """Declare a table that occurs once."""
-        return self._added(Declared(self, name, description, 0, ""))
+        return self._add_table(Declared(self, name, description, 0, ""))
 
     def repeated(self, name: str, count: int, description: str) -> Repeated:
         """Declare a repeated table, with index letter j."""
-        return self._added(Repeated(self, name, description, count, ""))
+        return self._add_table(Repeated(self, name, description, count, ""))
 
     def constant(self, table: str, key: str, description: str, default: float, effect: str) -> None:
         """Declare a table of a mass that only an effect uses, with a default."""
-        added = self._added(Declared(self, table, description, 0, ""))
+        added = self._add_table(Declared(self, table, description, 0, ""))
         added.constant(key, "mass", description, effect, default=default, above=0.0)
 
     @property
@@ -78,8 +78,8 @@ class Tables:
 
     def described(self) -> tuple[Table, ...]:
         """Return the descriptions of the tables, the repeated one last."""
-        ordered = sorted(self._tables, key=lambda table: table.count)
-        return tuple(Table(t.name, t.description, tuple(t.keys), t.count, t.shared_by) for t in ordered)
+        tables = sorted(self._tables, key=lambda table: table.count)
+        return tuple(Table(t.name, t.description, tuple(t.keys), t.count, t.shared_by) for t in tables)
 
     def declare(self, name: str, unit: str, description: str, latex: str, count: int) -> Symbols:
         """Declare one symbol, or one for each entry of a repeated table."""
@@ -108,7 +108,7 @@ class Tables:
             raise DeclarationError(f"the parameter {name} is declared twice", "rename its key or its table")
         self.fields.append(Field(name, shape, tuple(symbols), unit, description.format(j="j")))
 
-    def _added(self, table: AnyTable) -> AnyTable:
+    def _add_table(self, table: AnyTable) -> AnyTable:
         _check_key(table.name)
         if table.name in RESERVED:
             raise DeclarationError(
@@ -258,7 +258,7 @@ class Repeated(Declared):
 
     def shared(self, name: str, description: str) -> Declared:
         """Declare a table that the entries share."""
-        table = self._tables._added(Declared(self._tables, name, description, 0, self.name))
+        table = self._tables._add_table(Declared(self._tables, name, description, 0, self.name))
         table._entries = self.count
         return table
 
@@ -326,10 +326,10 @@ class Repeated(Declared):
         latex: str,
     ) -> tuple[Symbols, ...]:
         """Declare a choice of one of several numbers k, as symbols that are 1 for the chosen number, else 0."""
-        v, places = self._tables._vocabulary, range(1, self.count + 1)
+        v, entries = self._tables._vocabulary, range(1, self.count + 1)
         symbols = tuple(
             tuple(v.declare(f"{symbol}_{{j}}_{{k}}", "1", description, latex, j=j, k=k) for k in choices)
-            for j in places
+            for j in entries
         )
         shape = (self.count, len(choices))
         self._tables.field(field, shape, tuple(concatenate(*symbols)), "1", description.format(j="j", k="k"))

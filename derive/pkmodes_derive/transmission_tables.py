@@ -21,9 +21,11 @@ def timing_belt(table: Repeated) -> tuple[Symbols, Symbols]:
 
 def pulley(table: Repeated, what: str, radius: str, inertia: str) -> tuple[Symbols, Symbols]:
     """Declare ``pulley`` likewise, with descriptions: radius [m] and moment of inertia [kg m^2]."""
-    own = table.shared("pulley", what)
-    R_p = own.quantity("radius", "R_p", "length", radius, latex="R_{{p,{j}}}", above=0.0)
-    return R_p, own.quantity("inertia", "I_p", "moment of inertia", inertia, latex="I_{{p,{j}}}", above=0.0)
+    table_of_pulley = table.shared("pulley", what)
+    R_p = table_of_pulley.quantity("radius", "R_p", "length", radius, latex="R_{{p,{j}}}", above=0.0)
+    return R_p, table_of_pulley.quantity(
+        "inertia", "I_p", "moment of inertia", inertia, latex="I_{{p,{j}}}", above=0.0
+    )
 
 
 def geared_motor(

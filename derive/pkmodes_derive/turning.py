@@ -13,7 +13,7 @@ Nothing is ever differentiated with respect to r.  Small motions are parametrise
           = \tfrac12 \left(e_i \times (e_k \times w) + e_k \times (e_i \times w)\right).
 
 The chain rule knows the first line.  Applied twice it gives the second line without the symmetrisation, which
-`implicit` makes up for.  There are no Euler angles, so no chart is singular and there is nothing to simplify.
+`implicit` adds.  There are no Euler angles, so no chart is singular and there is nothing to simplify.
 
 Along coordinates q the platform turns with the angular velocity :math:`\omega_k = \partial \varphi/\partial q_k`.
 The derivatives of these columns are not symmetric: with the symmetric second derivatives :math:`S_{kl}` of
@@ -94,7 +94,7 @@ class Turning:
         for name, i in zip(names, map(AXES.index, self.directions), strict=True):
             rotated = Add(*(column[i] * b for column, b in zip(self._columns, given, strict=True)))
             self._chain.define(name, rotated)
-        self._turn(placed(self.directions, names))
+        self._set_small_rotation_rules(placed(self.directions, names))
         return tuple(names)
 
     def tensor(
@@ -118,11 +118,11 @@ class Turning:
 
     def follow(self, q: Symbol, rate: Sequence[Expr]) -> None:
         """Let the fixed vectors turn with a coordinate: `rate` is the angular velocity per unit of its rate."""
-        turned = self.spatial(rate)
+        angular_velocity = self.spatial(rate)
         for vector in self.fixed:
-            for component, moved in zip(vector, cross(turned, vector), strict=True):
+            for component, rate_of_component in zip(vector, cross(angular_velocity, vector), strict=True):
                 if component.is_Symbol:
-                    self._chain.rule(component, q, moved)
+                    self._chain.rule(component, q, rate_of_component)
 
     def spatial(self, components: Sequence[Expr]) -> tuple[Expr, ...]:
         """Return a rotation or angular velocity with three components."""
@@ -133,13 +133,13 @@ class Turning:
         product = cross(self.spatial(first), self.spatial(second))
         return [product[AXES.index(name)] for name in self.axes]
 
-    def _turn(self, vector: tuple[Expr, ...]) -> None:
+    def _set_small_rotation_rules(self, vector: tuple[Expr, ...]) -> None:
         """Set the derivatives of a fixed vector with respect to small rotations."""
         self.fixed.append(vector)
         for small, name in zip(self.small, self.axes, strict=True):
-            for component, moved in zip(vector, cross(axis(name), vector), strict=True):
+            for component, rate in zip(vector, cross(axis(name), vector), strict=True):
                 if component.is_Symbol:
-                    self._chain.rule(component, small, moved)
+                    self._chain.rule(component, small, rate)
 
     def _matrix(self) -> list[tuple[Expr, ...]]:
         """Define the rotation matrix and return its columns, the platform's axes in the base frame."""
@@ -155,9 +155,9 @@ class Turning:
             for row, entries in zip(names, ((cos(r), -sin(r)), (sin(r), cos(r))), strict=True):
                 for name, entry in zip(row, entries, strict=True):
                     chain.define(name, entry)
-            across = (placed(plane, column) for column in zip(*names, strict=True))
-            turned = dict(zip(plane, across, strict=True))
-            columns = [turned.get(name, axis(name)) for name in AXES]
+            plane_columns = (placed(plane, column) for column in zip(*names, strict=True))
+            column_of = dict(zip(plane, plane_columns, strict=True))
+            columns = [column_of.get(name, axis(name)) for name in AXES]
         else:
             half = v.declare("half_angle", "rad", "half the angle of rotation", "|r|/2")
             chain.define(half, sqrt(Add(*(r**2 for r in self.vector), TINY)) / 2)
@@ -167,14 +167,14 @@ class Turning:
             chain.define(c, cos(half))
             what = "rotation matrix of the platform: component {i} of its axis {a}"
             r = skew(self.vector)
-            square = [[Add(*(r[i][m] * r[m][k] for m in range(3))) for k in range(3)] for i in range(3)]
+            r_squared = [[Add(*(r[i][m] * r[m][k] for m in range(3))) for k in range(3)] for i in range(3)]
             columns = []
             for k, a in enumerate(AXES):
                 named = [v.declare("R_{i}_{a}", "1", what, "R_{{{i}{a}}}", i=i, a=a) for i in AXES]
                 for i, name in enumerate(named):
-                    chain.define(name, Integer(i == k) + s * c * r[i][k] + s**2 * square[i][k] * HALF)
+                    chain.define(name, Integer(i == k) + s * c * r[i][k] + s**2 * r_squared[i][k] * HALF)
                 columns.append(tuple(named))
         for column in columns:
             if any(component.is_Symbol for component in column):
-                self._turn(column)
+                self._set_small_rotation_rules(column)
         return columns

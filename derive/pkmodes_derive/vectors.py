@@ -29,8 +29,8 @@ def axis(name: str) -> tuple[Expr, Expr, Expr]:
 
 def placed(names: Sequence[str], components: Sequence[Expr]) -> tuple[Expr, ...]:
     """Return a vector with three components from those along some axes; the others are zero."""
-    along = dict(zip(names, components, strict=True))
-    return tuple(along.get(name, Integer(0)) for name in "xyz")
+    component_of = dict(zip(names, components, strict=True))
+    return tuple(component_of.get(name, Integer(0)) for name in "xyz")
 
 
 def skew(a: Sequence[Expr]) -> list[list[Expr]]:

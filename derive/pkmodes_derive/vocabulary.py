@@ -115,7 +115,7 @@ class Field:
         return list(product(*(range(extent) for extent in self.shape)))
 
 
-def _filled(text: str, index: Mapping[str, object]) -> str:
+def _fill_indices(text: str, index: Mapping[str, object]) -> str:
     try:
         return text.format(**index)
     except (LookupError, ValueError):
@@ -161,8 +161,8 @@ class Vocabulary:
                     f"an index letter of {name!r} is also a word of the name; use another letter"
                 )
             letters = {letter: letter for letter in index}
-            family = Family(_filled(name, letters), _filled(description, letters), unit)
-            name, description, latex = (_filled(text, index) for text in (name, description, latex))
+            family = Family(_fill_indices(name, letters), _fill_indices(description, letters), unit)
+            name, description, latex = (_fill_indices(text, index) for text in (name, description, latex))
         if not (name.isidentifier() and unit and description and latex):
             raise ValueError(f"symbol {name!r} needs an identifier, a unit, a description and a LaTeX form")
         if is_reserved(name):
@@ -176,11 +176,11 @@ class Vocabulary:
         self._quantities[symbol] = Quantity(symbol, unit, description, latex, family, index, template)
         return symbol
 
-    def derivative(self, of: Symbol, by: Symbol) -> Symbol:
+    def derivative(self, value_symbol: Symbol, parameter_symbol: Symbol) -> Symbol:
         """Declare the derivative of a named value with respect to a parameter, at a fixed pose, as one family."""
-        value, parameter = self[of], self[by]
+        value, parameter = self[value_symbol], self[parameter_symbol]
         symbol = self.declare(
-            f"{of.name}_by_{by.name}",
+            f"{value_symbol.name}_by_{parameter_symbol.name}",
             f"({value.unit})/({parameter.unit})",
             f"derivative at a fixed pose of: {value.description}; with respect to: {parameter.description}",
             rf"\frac{{d {value.latex}}}{{d {parameter.latex}}}",

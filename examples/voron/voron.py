@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
 import pkmodes
-from pkmodes.core.base.numbers import rounded
+from pkmodes.core.base.numbers import round_to_sigma
 from pkmodes.diagnosis import Diagnosis, Measurements
 from pkmodes.updating import compare, diagnose, read
 
@@ -203,7 +203,7 @@ def report(loop: Loop) -> str:
             if e is not None and e.rms_relative is not None
         )
         lines += [f"{series}, {robot}, sigma {sigma}: {found.verdict}; rms {told}", f"  {found.reason}"]
-        fits = ", ".join(f"{v.name} = {rounded(v.after, v.sigma)} {v.unit}" for v in found.refitted)
+        fits = ", ".join(f"{v.name} = {round_to_sigma(v.after, v.sigma)} {v.unit}" for v in found.refitted)
         lines.append(f"  {fits}")
         better = [f"{s.change}: {s.verdict} {' and '.join(s.effects)}".rstrip() for s in found.stability]
         lines.append(f"  {'; '.join(better)}")

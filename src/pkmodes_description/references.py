@@ -1,6 +1,7 @@
 """References within a description: names that occur once, and parts that name other parts of it.
 
-What a description says about generated code can only be checked with that code: see `pkmodes.core.mechanism.fitting`.
+What a description says about generated code can only be checked with that code: see
+`pkmodes.core.mechanism.code_check`.
 """
 
 from __future__ import annotations

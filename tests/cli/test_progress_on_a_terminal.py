@@ -11,7 +11,7 @@ import pytest
 
 from pkmodes.cli import progress, run
 from pkmodes.cli.progress import ProgressLine, duration
-from pkmodes.core.support.progress import say, told
+from pkmodes.core.support.progress import reporting_to, say
 
 ROOT = Path(__file__).resolve().parents[2]
 PRINTER, DELTA = str(ROOT / "robots/corexy-printer.toml"), str(ROOT / "robots/linear-delta-2022.toml")
@@ -117,14 +117,14 @@ def test_each_long_command_says_what_it_does(
     arguments: list[str], expected: list[str], tmp_path: Path
 ) -> None:
     said: list[str] = []
-    with told(said.append):
+    with reporting_to(said.append):
         assert run([argument.replace("OUT", str(tmp_path / "out")) for argument in arguments]) == 0
     assert [text for text in said if text in expected] == expected, said
 
 
 def test_generating_and_checking_say_what_they_derive(tmp_path: Path) -> None:
     said: list[str] = []
-    with told(said.append):
+    with reporting_to(said.append):
         assert run(["generate", PRINTER, "--out", str(tmp_path / "model")]) == 0
         assert run(["check", str(tmp_path / "model")]) == 0
     assert said[0] == "deriving the model"

@@ -115,7 +115,7 @@ def test_a_wrong_function_of_a_model_with_effects_is_found(
     check: str,
 ) -> None:
     (tmp_path / "robot.toml").write_text(published() + CLAMP, encoding="utf-8")
-    executed = products._executed
+    executed = products._execute_module
 
     def spoilt(texts: dict[str, str]) -> object:
         module = executed(texts)
@@ -130,7 +130,7 @@ def test_a_wrong_function_of_a_model_with_effects_is_found(
         setattr(module, broken, wrong)
         return module
 
-    monkeypatch.setattr(products, "_executed", spoilt)
+    monkeypatch.setattr(products, "_execute_module", spoilt)
     assert run(["check", str(tmp_path / "robot.toml")]) == 1
     assert check in capsys.readouterr().out
 

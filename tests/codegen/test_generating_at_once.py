@@ -58,9 +58,9 @@ def test_one_robot_generated_twice_at_once_is_welcome(
 def test_a_folder_into_which_another_process_writes_is_waited_for(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(product_folder, "PATIENCE", 0.1)
-    with product_folder.alone(tmp_path / "model"):
-        with pytest.raises(OutputError) as error, product_folder.alone(tmp_path / "model"):
+    monkeypatch.setattr(product_folder, "LOCK_TIMEOUT", 0.1)
+    with product_folder.folder_lock(tmp_path / "model"):
+        with pytest.raises(OutputError) as error, product_folder.folder_lock(tmp_path / "model"):
             pytest.fail("two at once")
         assert "another process has been generating into the folder" in error.value.what
     assert not (tmp_path / "model").exists(), "nothing was written"

@@ -19,7 +19,7 @@ from pkmodes.codegen.checking.consistency import check_consistency
 from pkmodes.core.base.errors import MeasurementError, PkmodesError, PoseError
 from pkmodes.core.mechanism import registry as known
 from pkmodes.core.mechanism.generated import Generated
-from pkmodes.core.mechanism.regular import sample
+from pkmodes.core.mechanism.regular import sample_parameters
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.loop.sensitivity.matrices import MatrixDerivatives
@@ -30,7 +30,7 @@ from pkmodes.loop.updating.measured_robot import MeasuredRobot
 from pkmodes.loop.updating.robot_structure import RobotStructure
 
 KIND = known._read("planar_pair")
-SAMPLE = sample(KIND)
+SAMPLE = sample_parameters(KIND)
 POSES = np.array([[0.1, 0.05], [0.25, -0.02], [0.0, 0.2]])
 CLAMPS = {"clamp_compliance.compliance": 2e-5}
 

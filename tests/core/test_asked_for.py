@@ -18,7 +18,7 @@ import pytest
 
 import pkmodes
 from helpers.references.loop_solver import LoopSolver
-from pkmodes.core.compiled.evaluator import Evaluator, Room
+from pkmodes.core.compiled.evaluator import Evaluator, PoseBuffer
 from pkmodes.core.solve import backends
 from pkmodes.core.solve.fields import FIELDS
 from pkmodes.core.solve.mode_fields import FieldPlan, ModeFields
@@ -60,7 +60,7 @@ def calls(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     made: list[str] = []
     for name in ("damping_ratios", "vibration_amplitudes"):
         field = FIELDS[name]
-        monkeypatch.setitem(FIELDS, name, replace(field, of=counting(made, name, field.of)))
+        monkeypatch.setitem(FIELDS, name, replace(field, function=counting(made, name, field.function)))
     honest = StrainFreeMotions.__call__
     monkeypatch.setattr(StrainFreeMotions, "__call__", counting(made, "strain-free motions", honest))
     monkeypatch.setattr(Dissipation, "matrices", counting(made, "C and K''", Dissipation.matrices))
@@ -71,18 +71,18 @@ def calls(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 def filled(monkeypatch: pytest.MonkeyPatch) -> list[set[str]]:
     """The fields of each evaluation by the compiled library."""
     seen: list[set[str]] = []
-    run, room = Evaluator.run, Room.run
+    run, room = Evaluator.run, PoseBuffer.run
 
     def of_batch(self: Evaluator, points: Any, arrays: Mapping[str, Any], *more: Any, **named: Any) -> Any:
         seen.append(set(arrays))
         return run(self, points, arrays, *more, **named)
 
-    def of_pose(self: Room, point: Any) -> int:
+    def of_pose(self: PoseBuffer, point: Any) -> int:
         seen.append(set(self.arrays))
         return room(self, point)
 
     monkeypatch.setattr(Evaluator, "run", of_batch)
-    monkeypatch.setattr(Room, "run", of_pose)
+    monkeypatch.setattr(PoseBuffer, "run", of_pose)
     return seen
 
 
@@ -183,7 +183,7 @@ def test_a_second_call_works_out_nothing(
     made: list[str] = []
     monkeypatch.setattr(ModeFields, "__init__", counting(made, "fields", ModeFields.__init__))
     monkeypatch.setattr("pkmodes.core.model.FieldPlan", counting(made, "plan", FieldPlan))
-    monkeypatch.setattr(Evaluator, "room", counting(made, "room", Evaluator.room))
+    monkeypatch.setattr(Evaluator, "buffer", counting(made, "room", Evaluator.buffer))
     honest = backends.solver_of
     for module in ("core.model", "core.solve.mode_fields"):
         monkeypatch.setattr(f"pkmodes.{module}.solver_of", counting(made, "solver", honest))

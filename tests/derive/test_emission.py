@@ -51,7 +51,7 @@ def test_output_does_not_depend_on_the_hash_seed(emission: Emission) -> None:
     run = subprocess.Popen(
         [sys.executable, "-c", DIGEST, str(ROBOT)],
         # Nothing that another process has derived: no folder for it.
-        env={**os.environ, "PYTHONHASHSEED": "4242", "PYTHONPATH": path, kept.VARIABLE: ""},
+        env={**os.environ, "PYTHONHASHSEED": "4242", "PYTHONPATH": path, kept.FOLDER_VARIABLE: ""},
         stdout=subprocess.PIPE,
     )
     robot = read_robot(ROBOT)

@@ -32,7 +32,7 @@ def program(rng: np.random.Generator) -> list[Statement]:
         statements.append(Statement(name, of_type, target, expression, uses, kind == "mode"))
     for k, name in enumerate(rng.choice(of_mode + lanes, 6)):
         statements.append(Statement("", "", f"out[{k}]", str(name), frozenset({str(name)}), True))
-    return sorted(statements, key=lambda one: one.each)
+    return sorted(statements, key=lambda one: one.repeated)
 
 
 def run(lines: list[str], known: dict[str, object]) -> None:
@@ -50,7 +50,7 @@ def test_pieces_compute_what_the_whole_does(monkeypatch: pytest.MonkeyPatch, see
     given: dict[str, object] = {"parameters": PARAMETERS, "pose": POSE, "shape": SHAPE}
     declared = [f"{text};" for text in INPUTS.values()]
     run([*declared, *(line for one in statements for line in one.lines(""))], {**given, "out": whole})
-    monkeypatch.setattr(pieces, "ENOUGH", 4)
+    monkeypatch.setattr(pieces, "MIN_PIECE_LINES", 4)
     parts, body, each = in_pieces("f", statements, INPUTS, {"shape": "const lane *", "out": "lane *"})
     sizes = [int(line.split("[")[1].removesuffix("];")) for line in body[:2]]
     kept = {name: [np.nan] * size for name, size in zip(("numbers", "kept"), sizes, strict=True)}
@@ -66,7 +66,7 @@ def test_pieces_compute_what_the_whole_does(monkeypatch: pytest.MonkeyPatch, see
 
 
 def test_what_no_later_piece_needs_is_not_kept(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(pieces, "ENOUGH", 1)
+    monkeypatch.setattr(pieces, "MIN_PIECE_LINES", 1)
     first = Statement("v", "lane", "const lane v", "p0 + p1", frozenset({"p0", "p1"}), False)
     last = Statement("", "", "out[0]", "p1", frozenset({"p1"}), False)
     parts, body, each = in_pieces("f", [first, last], INPUTS, {})

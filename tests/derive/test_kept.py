@@ -12,14 +12,14 @@ import sympy
 from helpers.commands.adding_a_mechanism import DEFINITION
 from pkmodes_derive import mechanisms, sources
 from pkmodes_derive.emit import product
-from pkmodes_derive.kept import VARIABLE, digest_of, kept
+from pkmodes_derive.kept import FOLDER_VARIABLE, derive_once, digest_of
 
 X, Y = sympy.symbols("x y", real=True)
 
 
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    monkeypatch.setenv(VARIABLE, str(tmp_path / "derived"))
+    monkeypatch.setenv(FOLDER_VARIABLE, str(tmp_path / "derived"))
     return tmp_path / "derived"
 
 
@@ -29,8 +29,8 @@ def refused(*_: object) -> object:
 
 @pytest.mark.usefixtures("folder")
 def test_what_is_found_is_what_was_derived() -> None:
-    assert kept("sum", "a", lambda: X + 2 * Y) == X + 2 * Y
-    assert kept("sum", "a", refused) == X + 2 * Y
+    assert derive_once("sum", "a", lambda: X + 2 * Y) == X + 2 * Y
+    assert derive_once("sum", "a", refused) == X + 2 * Y
 
 
 def change_a_source(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -48,30 +48,30 @@ CHANGES: dict[str, Callable[[pytest.MonkeyPatch], None]] = {
 @pytest.mark.usefixtures("folder")
 @pytest.mark.parametrize("change", CHANGES)
 def test_it_is_derived_again_after_a_change(change: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    assert kept("sum", "a", lambda: "before") == "before"
+    assert derive_once("sum", "a", lambda: "before") == "before"
     CHANGES[change](monkeypatch)
-    assert kept("sum", "a", lambda: "after") == "after"
+    assert derive_once("sum", "a", lambda: "after") == "after"
 
 
 @pytest.mark.usefixtures("folder")
 def test_results_are_told_apart_by_their_kind_and_by_what_they_are_derived_from() -> None:
     values = {(what, of): f"{what} of {of}" for what in ("sum", "product") for of in ("a", ("a", "b"), None)}
     for (what, of), value in values.items():
-        assert kept(what, of, lambda value=value: value) == value
+        assert derive_once(what, of, lambda value=value: value) == value
     for (what, of), value in values.items():
-        assert kept(what, of, refused) == value
+        assert derive_once(what, of, refused) == value
 
 
 def test_what_fails_is_not_kept(folder: Path) -> None:
     with pytest.raises(AssertionError, match="derived again"):
-        kept("sum", "a", refused)
+        derive_once("sum", "a", refused)
     assert not folder.exists()
-    assert kept("sum", "a", lambda: 1) == 1
+    assert derive_once("sum", "a", lambda: 1) == 1
 
 
 def test_without_a_folder_nothing_is_kept(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv(VARIABLE, "")
-    assert [kept("sum", "a", lambda value=value: value) for value in (1, 2)] == [1, 2]
+    monkeypatch.setenv(FOLDER_VARIABLE, "")
+    assert [derive_once("sum", "a", lambda value=value: value) for value in (1, 2)] == [1, 2]
     assert not folder.exists()
 
 

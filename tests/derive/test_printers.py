@@ -78,7 +78,7 @@ def model() -> Model:
 
 @pytest.fixture(scope="module")
 def texts() -> dict[str, str]:
-    return product.written((model(), PROVENANCE))[0]
+    return product.write_models((model(), PROVENANCE))[0]
 
 
 def test_numbers_are_printed_exactly() -> None:
@@ -145,9 +145,9 @@ def test_another_back_end_is_one_entry(monkeypatch: pytest.MonkeyPatch) -> None:
         ]
         return {f"{provenance.name}.txt": "\n".join([provenance.identity.digest, *lines])}
 
-    before, _ = product.written((model(), PROVENANCE))
+    before, _ = product.write_models((model(), PROVENANCE))
     monkeypatch.setattr(product, "BACKENDS", (Backend("text", sstr, model=files), *BACKENDS))
-    after, _ = product.written((model(), PROVENANCE))
+    after, _ = product.write_models((model(), PROVENANCE))
     text = after.pop("sample.txt")
     assert text.splitlines()[0] == digest(before["sample.c"])
     assert all(f"\n{name} = " in text for name in EXPRESSIONS)

@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 
 from pkmodes.core.mechanism.registry import mechanism as registered
-from pkmodes.core.mechanism.regular import sample, sample_pose
+from pkmodes.core.mechanism.regular import sample_parameters, sample_pose
 from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.loop.updating.term_changes import Surroundings, change_of
 from pkmodes_derive import mechanisms
 from pkmodes_derive.assembly import models
 from pkmodes_derive.assembly.derived import derive
-from pkmodes_derive.emit.product import arranged
+from pkmodes_derive.emit.product import arrange_functions
 from pkmodes_derive.emit.registry import BACKENDS
 from pkmodes_derive.functions import Model
 from pkmodes_derive.terms.enumeration import Term, terms
@@ -70,7 +70,7 @@ def _matrices(name: str, chosen: list[Term]) -> SimpleNamespace:
     )
     backend = next(one for one in BACKENDS if one.name == "NumPy")
     provenance = mechanisms_provenance(name)
-    (text,) = backend.model(model, arranged(model.functions), provenance).values()
+    (text,) = backend.model(model, arrange_functions(model.functions), provenance).values()
     module: dict[str, object] = {}
     exec(compile(text, f"{name}_with_terms.py", "exec"), module)
     return SimpleNamespace(**module)
@@ -121,7 +121,7 @@ def test_matrices_are_those_of_the_extended_model_with_the_term(name: str, subte
 def _apart(name: str, module: SimpleNamespace, term: Term, described: DescribedTerm) -> float:
     """Return the largest difference of an entry of M and K, relative to the diagonals of its row and column."""
     mechanism = registered(name)
-    plain, p = sample(mechanism), sample_pose(mechanism)
+    plain, p = sample_parameters(mechanism), sample_pose(mechanism)
     values = [VALUES[named.name] for named in described.parameters]
     catalogue = mechanism.extended.Effects(**_catalogue_values(mechanism))
     effect = {

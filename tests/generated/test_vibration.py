@@ -180,7 +180,7 @@ def _written(model: object, robot: object) -> dict[str, str]:
     from pkmodes_derive.emit.provenance import Provenance
 
     provenance = Provenance("corexy", "model", "t", "o", "g", "c", identity=Identity("corexy", "0"))
-    texts, _ = product.written((model, provenance))
+    texts, _ = product.write_models((model, provenance))
     return texts
 
 

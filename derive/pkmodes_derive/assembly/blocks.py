@@ -8,7 +8,7 @@ from pkmodes_derive.machine import Machine
 
 
 def named_block(
-    machine: Machine, matrix: Matrix, symbol: str, units: tuple[str, str, str], what: str
+    machine: Machine, matrix: Matrix, symbol: str, units: tuple[str, str, str], description: str
 ) -> Matrix:
     """Return a symmetric matrix, d by d, whose entries are named in the chain of a machine.
 
@@ -18,7 +18,7 @@ def named_block(
         Of the matrix.
     units : tuple of str
         Of entries between displacements, between a displacement and a rotation, and between rotations.
-    what : str
+    description : str
         Description with ``{i}`` and ``{a}`` for row and column.
     """
     names, first, named = machine.components, len(machine.directions), matrix.copy()
@@ -27,6 +27,8 @@ def named_block(
             if matrix[i, k] != 0:
                 unit = units[(i >= first) + (k >= first)]
                 latex = f"({symbol})_{{{{{{i}}{{a}}}}}}"
-                name = machine.vocabulary.declare(f"{symbol}_{{i}}_{{a}}", unit, what, latex, i=row, a=column)
+                name = machine.vocabulary.declare(
+                    f"{symbol}_{{i}}_{{a}}", unit, description, latex, i=row, a=column
+                )
                 named[i, k] = named[k, i] = machine.define(name, matrix[i, k])
     return named

@@ -6,10 +6,10 @@ from sympy import Matrix, Rational
 
 from pkmodes_derive import lagrangian
 from pkmodes_derive.assembly.closure_functions import closures
-from pkmodes_derive.assembly.condensed import COUNTS, Condensed
+from pkmodes_derive.assembly.condensed import NUMBER_WORDS, Condensed
 from pkmodes_derive.assembly.derived import (
     drive_words,
-    flat,
+    flattened,
     units_of_damping,
     units_of_mass,
     units_of_stiffness,
@@ -42,7 +42,7 @@ def extra(c: Condensed, e: Extra) -> Function:
     return Function(e.name, e.summary, e.source, e.arguments or (), e.outputs, e.definitions, e.details)
 
 
-def _by(c: Condensed) -> str:
+def _with_respect_to(c: Condensed) -> str:
     """Return the phrase that names the independent coordinates as variables of a derivative."""
     return f"with respect to the {c.machine.independent_are}"
 
@@ -77,7 +77,7 @@ def _position(c: Condensed) -> list[Function]:
                 "Free lengths of the belt spans.",
                 "equations 35 to 37; a pose is within the limits if all are positive",
                 [c.pose],
-                Output("l_f", (len(runs), len(runs[0])), flat(runs), "m", names),
+                Output("l_f", (len(runs), len(runs[0])), flattened(runs), "m", names),
             )
         )
     return functions + (closures(c) if m.links else [])
@@ -104,20 +104,20 @@ def _motion(c: Condensed) -> list[Function]:
             Output(
                 "D_p_dot",
                 (d, n),
-                flat(energies.D_p_dot),
+                flattened(energies.D_p_dot),
                 _unit(c, *_units(c, "1/s", "m/s")),
                 f"d(D_p)/dt at {q}_dot",
             ),
         ),
         c.function(
             "platform_second_derivatives",
-            f"Second derivatives of the platform position {_by(c)}.",
+            f"Second derivatives of the platform position {_with_respect_to(c)}.",
             "equation 49, by the implicit function theorem to second order",
             [c.pose],
             Output(
                 "P",
                 (d, n, n),
-                flat([tuple(of) for of in kin.P]),
+                flattened([tuple(of) for of in kin.P]),
                 _unit(c, *_units(c, "1/m", "m")),
                 "d2p_i/dq_k dq_l as P[i, k, l]"
                 + (", of rotations in the exponential chart at the pose" if turns else ""),
@@ -131,8 +131,8 @@ def _units(c: Condensed, for_length: str, for_angle: str) -> tuple[str, str]:
     """Return the units of a Jacobian of the platform, whose rotations come last."""
     if not c.machine.rotations:
         return for_length, for_angle
-    turned = {"1": "1/m", "m": "1", "1/s": "1/(m s)", "m/s": "1/s", "1/m": "1/m^2"}
-    return f"{for_length}, {turned[for_length]}", f"{for_angle}, {turned[for_angle]}"
+    rotation_unit = {"1": "1/m", "m": "1", "1/s": "1/(m s)", "m/s": "1/s", "1/m": "1/m^2"}
+    return f"{for_length}, {rotation_unit[for_length]}", f"{for_angle}, {rotation_unit[for_angle]}"
 
 
 def _links(c: Condensed) -> list[Function]:
@@ -149,14 +149,14 @@ def _links(c: Condensed) -> list[Function]:
             Output(
                 "D_d",
                 (len(D_d), 3, n),
-                flat([tuple(of) for of in D_d]),
+                flattened([tuple(of) for of in D_d]),
                 _unit(c, "1", "m"),
                 f"D_d[j-1] {q}_dot is the velocity of the centre of mass of linkage j",
             ),
             Output(
                 "D_omega",
                 (len(D_omega), 3, n),
-                flat([tuple(of) for of in D_omega]),
+                flattened([tuple(of) for of in D_omega]),
                 _unit(c, "1/m", "1"),
                 f"D_omega[j-1] {q}_dot is the angular velocity of linkage j",
             ),
@@ -183,7 +183,7 @@ def _angular_jacobian(c: Condensed, j: int) -> Matrix:
 
 def _dynamics(c: Condensed) -> list[Function]:
     m, energies, n = c.machine, c.energies, len(c.machine.independent)
-    plain = (
+    structure = (
         f"symmetric; block diagonal: M_ss ({n} by {n}) and the diagonal M_t"
         if m.links and not m.arms
         else "symmetric"
@@ -207,7 +207,7 @@ def _dynamics(c: Condensed) -> list[Function]:
             f"Mass matrix M in the {c.count}.",
             "equations 24, 30 and 33",
             [c.pose],
-            Output("M", (c.n, c.n), c.M, units_of_mass(m), "symmetric" if m.effects else plain),
+            Output("M", (c.n, c.n), c.M, units_of_mass(m), "symmetric" if m.effects else structure),
         ),
         c.function(
             "velocity_forces",
@@ -222,14 +222,14 @@ def _dynamics(c: Condensed) -> list[Function]:
                 f"generalised forces conjugate to the {m.independent_are}",
             ),
             details="With released joints locked and transmissions rigid." if m.effects else "",
-            known=c.locked,
+            substitutions=c.locked,
         ),
     ]
 
 
 def _gravity(c: Condensed) -> list[Function]:
     """Return the functions for the gravitational potential energy and its derivatives."""
-    n, by = len(c.machine.independent), _by(c)
+    n, by = len(c.machine.independent), _with_respect_to(c)
     return [
         c.function(
             "gravity_potential",
@@ -237,7 +237,7 @@ def _gravity(c: Condensed) -> list[Function]:
             "equation 26, for gravity in any direction and all moving bodies",
             [c.pose],
             Output("V_g", (), (c.energies.V_g,), "J", "zero at the origin of the base frame"),
-            known=c.locked,
+            substitutions=c.locked,
         ),
         c.function(
             "gravity_gradient",
@@ -269,12 +269,12 @@ def _transmissions(c: Condensed) -> list[Function]:
                 "Stiffnesses of the belt spans.",
                 "equations 34 to 37",
                 [c.pose],
-                Output("k", shape, flat(k), "N/m", what),
+                Output("k", shape, flattened(k), "N/m", what),
             )
         )
     force = ", ".join({"m": "N", "rad": "N m"}[u] for u in c.delta_q.unit.split(", "))
-    of_drives = drive_words(m)
-    zero = COUNTS.get(c.rigid_modes, str(c.rigid_modes)) if c.rigid_modes else "no"
+    words = drive_words(m)
+    zero_count = NUMBER_WORDS.get(c.rigid_modes, str(c.rigid_modes)) if c.rigid_modes else "no"
     return functions + [
         c.function(
             "elastic_potential",
@@ -300,27 +300,27 @@ def _transmissions(c: Condensed) -> list[Function]:
                 (c.n, c.n),
                 c.K_el,
                 units_of_stiffness(m),
-                f"d2V_el/dq2, symmetric, with {zero} zero eigenvalues",
+                f"d2V_el/dq2, symmetric, with {zero_count} zero eigenvalues",
             ),
         ),
         c.function(
             "static_equilibrium",
-            f"Drive {of_drives.loads} that hold the pose, and the corresponding {of_drives.motions}.",
+            f"Drive {words.loads} that hold the pose, and the corresponding {words.motions}.",
             "equation 44, solved at the pose",
             [c.pose],
             Output(
                 "tau_st",
                 (len(m.drives),),
                 c.equilibrium.torques,
-                of_drives.load_unit,
-                of_drives.described,
+                words.load_unit,
+                words.described,
             ),
             Output(
                 "theta_st",
                 (len(rotations),),
                 rotations,
-                of_drives.motion_unit,
-                f"{of_drives.motions} relative to the unstrained transmissions, in the order of the coordinates",
+                words.motion_unit,
+                f"{words.motions} relative to the unstrained transmissions, in the order of the coordinates",
             ),
             details="Springs added by effects are relaxed at the pose, and released joints are locked."
             if m.effects

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sympy import Add, Expr, Integer, sqrt
 
-from pkmodes_derive.assembly.condensed import COUNTS, Condensed
+from pkmodes_derive.assembly.condensed import NUMBER_WORDS, Condensed
 from pkmodes_derive.functions import Function, Output
 from pkmodes_derive.vectors import mean_square
 
@@ -50,7 +50,7 @@ def closures(c: Condensed) -> list[Function]:
         c.function(
             "jacobian_condition",
             "Assembly branch and condition number of D_l in the Frobenius norm.",
-            f"equation 15; |D_l| |D_l^-1|, one to {COUNTS.get(n, n)} times the condition number in the 2-norm",
+            f"equation 15; |D_l| |D_l^-1|, one to {NUMBER_WORDS.get(n, n)} times the condition number in the 2-norm",
             [c.pose],
             Output(
                 "determinant",
@@ -88,7 +88,7 @@ def _joints_function(c: Condensed) -> Function:
     turning, links = c.machine.turning, c.machine.links
     assert turning is not None
     joints = [turning.given[link.lever] for link in links]
-    middle = tuple(Add(*component) / len(links) for component in zip(*joints, strict=True))
+    centre = tuple(Add(*component) / len(links) for component in zip(*joints, strict=True))
     return c.function(
         "platform_joints",
         "How the joints lie on the platform: a characteristic length, and their middle.",
@@ -101,5 +101,5 @@ def _joints_function(c: Condensed) -> Function:
             "m",
             "root mean square distance of the platform joints from the platform's origin",
         ),
-        Output("middle", (3,), middle, "m", "middle of the platform joints from that origin, platform axes"),
+        Output("middle", (3,), centre, "m", "middle of the platform joints from that origin, platform axes"),
     )

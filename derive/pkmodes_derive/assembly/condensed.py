@@ -9,11 +9,11 @@ from functools import cached_property
 from sympy import Add, Expr, Integer, Symbol
 
 from pkmodes_derive import condensation
-from pkmodes_derive.assembly.derived import Derived, added, flat, joint_losses
+from pkmodes_derive.assembly.derived import Derived, flattened, joint_losses, matrix_sum
 from pkmodes_derive.assembly.rank import nullity
 from pkmodes_derive.functions import Argument, Function, Output
 
-COUNTS = {2: "two", 3: "three", 4: "four", 5: "five", 6: "six", 7: "seven", 8: "eight", 9: "nine"}
+NUMBER_WORDS = {2: "two", 3: "three", 4: "four", 5: "five", 6: "six", 7: "seven", 8: "eight", 9: "nine"}
 
 
 class Condensed:
@@ -49,15 +49,15 @@ class Condensed:
         self.machine, self.kin, self.energies, self.equilibrium = d.machine, d.kin, d.energies, d.equilibrium
         self.definitions = d.kin.definitions
         self._matrices(zeros)
-        machine, count = self.machine, COUNTS.get(self.n, str(self.n))
+        machine, count = self.machine, NUMBER_WORDS.get(self.n, str(self.n))
         self.count = f"{count} generalised coordinates"
         coordinate_units = dict.fromkeys(machine.vocabulary[q].unit for q in self.coordinates)
         self.pose = d.pose
         free = tuple(machine.velocities[i] for i in d.free)
         unit = machine.vocabulary[free[0]].unit
-        of = machine.independent_are.rsplit(" ", 1)
-        what = f"{of[0]} velocities" if len(of) > 1 else "velocities"
-        self.free_rates = Argument(f"{machine.argument}_dot", free, unit, what)
+        words = machine.independent_are.rsplit(" ", 1)
+        description = f"{words[0]} velocities" if len(words) > 1 else "velocities"
+        self.free_rates = Argument(f"{machine.argument}_dot", free, unit, description)
         self.q_dot = Argument(
             "q_dot", self.rates, ", ".join(f"{u}/s" for u in coordinate_units), f"rates of the {self.count}"
         )
@@ -75,28 +75,30 @@ class Condensed:
         K_el = [list(row) for row in d.K_el]
         for i, compliance in enumerate(machine.compliances, start=machine.base):
             K_el[i][i] += 1 / compliance  # the spring of a released joint
-        null = dict.fromkeys(zeros, Integer(0))
-        every = range(len(machine.small))
-        massless = [i for i in every if i >= machine.base and not any(e.xreplace(null) for e in d.M[i])]
-        kept = [i for i in every if i not in massless]
-        self.massless, self.n = tuple(machine.all_coordinates[i] for i in massless), len(kept)
+        zero_values = dict.fromkeys(zeros, Integer(0))
+        all_indices = range(len(machine.small))
+        massless = [
+            i for i in all_indices if i >= machine.base and not any(e.xreplace(zero_values) for e in d.M[i])
+        ]
+        with_inertia = [i for i in all_indices if i not in massless]
+        self.massless, self.n = tuple(machine.all_coordinates[i] for i in massless), len(with_inertia)
         self.coordinates, self.rates, self.displacements = (
-            tuple(symbols[i] for i in kept)
+            tuple(symbols[i] for i in with_inertia)
             for symbols in (machine.all_coordinates, machine.rates, machine.small)
         )
         # Gravity acts on masses only, so a massless coordinate follows elastic forces alone.
-        self.condensation = condensation.follow(K_el, kept, massless)
-        self._at_rest = {machine.rates[i]: Integer(0) for i in massless}
-        self._following = {
+        self.condensation = condensation.condensation_map(K_el, with_inertia, massless)
+        self._massless_rates = {machine.rates[i]: Integer(0) for i in massless}
+        self._massless_displacements = {
             machine.small[i]: Add(
                 *(f * q for f, q in zip(self.condensation[i], self.displacements, strict=True))
             )
             for i in massless
         }
-        self.M_all, self.K_all = d.M, added(K_el, d.K_g)
-        condensed = condensation.condensed(K_el, kept, massless, self.condensation)
-        self.M = tuple(d.M[k][m] for k in kept for m in kept)
-        self.K_el = flat(condensed)
+        self.M_all, self.K_all = d.M, matrix_sum(K_el, d.K_g)
+        condensed = condensation.condensed_stiffness(K_el, with_inertia, massless, self.condensation)
+        self.M = tuple(d.M[k][m] for k in with_inertia for m in with_inertia)
+        self.K_el = flattened(condensed)
         free = range(len(machine.independent))
         self.K_g = tuple(self.equilibrium.gravity_hessian[k][m] for k in free for m in free)
         self.C_v, self.K_loss = (), ()
@@ -106,9 +108,9 @@ class Condensed:
             for i, (loss, compliance) in enumerate(springs, start=machine.base):
                 K_loss[i][i] += loss / compliance
             self.C_v, self.K_loss = (
-                flat(condensation.projected(matrix, self.condensation)) for matrix in (d.C_v, K_loss)
+                flattened(condensation.project(matrix, self.condensation)) for matrix in (d.C_v, K_loss)
             )
-        self.K = flat(added(condensed, [[d.K_g[k][m] for m in kept] for k in kept]))
+        self.K = flattened(matrix_sum(condensed, [[d.K_g[k][m] for m in with_inertia] for k in with_inertia]))
 
     @property
     def elastic_gradient(self) -> tuple[Expr, ...]:
@@ -141,18 +143,18 @@ class Condensed:
         arguments: Sequence[Argument],
         *outputs: Output,
         details: str = "",
-        known: Mapping[Symbol, Expr] | None = None,
+        substitutions: Mapping[Symbol, Expr] | None = None,
     ) -> Function:
         """Return a function of the pose that uses the shared definitions.
 
-        Rates and displacements of massless coordinates are not arguments: they are substituted, as are the `known`
-        values.
+        Rates and displacements of massless coordinates are not arguments: they are substituted, as are the
+        `substitutions` values.
         """
-        known = {**self._at_rest, **self._following, **(known or {})}
-        if not known:
+        substitutions = {**self._massless_rates, **self._massless_displacements, **(substitutions or {})}
+        if not substitutions:
             return Function(name, summary, source, tuple(arguments), outputs, self.definitions, details)
-        given = tuple(
-            replace(o, entries=tuple(entry.xreplace(known) for entry in o.entries)) for o in outputs
+        results = tuple(
+            replace(o, entries=tuple(entry.xreplace(substitutions) for entry in o.entries)) for o in outputs
         )
-        definitions = {s: e.xreplace(known) for s, e in self.definitions.items()}
-        return Function(name, summary, source, tuple(arguments), given, definitions, details)
+        definitions = {s: e.xreplace(substitutions) for s, e in self.definitions.items()}
+        return Function(name, summary, source, tuple(arguments), results, definitions, details)

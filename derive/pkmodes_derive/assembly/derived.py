@@ -71,9 +71,9 @@ def derive(machine: Machine) -> Derived:
     kin = kinematics.derive(machine)
     energies = energy.derive(machine, kin)
     equilibrium = statics.derive(machine, kin, energies)
-    of_springs, unchanged = energy_of_springs(machine, kin)
-    energies = replace(energies, V_el=energies.V_el + of_springs)
-    hold = (*(d for d in kin.D if d.is_Symbol), *energies.stiffnesses, *unchanged)
+    spring_energy, spring_symbols = energy_of_springs(machine, kin)
+    energies = replace(energies, V_el=energies.V_el + spring_energy)
+    hold = (*(d for d in kin.D if d.is_Symbol), *energies.stiffnesses, *spring_symbols)
     return Derived(
         machine,
         kin,
@@ -81,7 +81,7 @@ def derive(machine: Machine) -> Derived:
         equilibrium,
         _mass_matrix(machine, kin, energies),
         kin.chain.hessian(energies.V_el, machine.small, hold=hold),
-        _placed(machine, kin, equilibrium.gravity_hessian),
+        _in_all_coordinates(machine, kin, equilibrium.gravity_hessian),
         lagrangian.damping_matrix(energies.R, machine.rates, kin.chain),
         kin.chain.hessian(energies.V_loss, machine.small, hold=hold),
         hold,
@@ -94,11 +94,11 @@ def _mass_matrix(machine: Machine, kin: kinematics.Kinematics, energies: energy.
     if machine.turning is None:
         return lagrangian.mass_matrix(T, machine.rates, kin.chain)
     twist = (*machine.v_p, *machine.turning.rates)
-    unrelated = Chain()
+    empty_chain = Chain()
     by_rates = Matrix(
         [[partial_derivative(kin.chain.definitions[v], rate) for rate in machine.rates] for v in twist]
     )
-    second = implicit.second_derivatives(T, machine.rates, twist, unrelated)
+    second = implicit.second_derivatives(T, machine.rates, twist, empty_chain)
     # The apparent mass: that of the platform if it carried the other bodies at their joints.
     what = "apparent mass of the platform, entry {i}, {a}"
     mass = named_block(machine, second.dependent, "M_p", ("kg", "kg m", "kg m^2"), what)
@@ -118,46 +118,46 @@ def _momentum(machine: Machine, i: int, k: int, value: Expr) -> Expr:
     return machine.define(name, value)
 
 
-def _placed(machine: Machine, kin: kinematics.Kinematics, block: Rows) -> list[list[Expr]]:
+def _in_all_coordinates(machine: Machine, kin: kinematics.Kinematics, block: Rows) -> list[list[Expr]]:
     """Extend the Hessian of gravity from the coordinates that move the closures to all coordinates."""
-    every = machine.all_coordinates
-    index = [every.index(q) for q in kin.independent]
-    placed = [[Integer(0)] * len(every) for _ in every]
-    for row, k in zip(block, index, strict=True):
-        for entry, m in zip(row, index, strict=True):
-            placed[k][m] = entry
-    return placed
+    coordinates = machine.all_coordinates
+    indices = [coordinates.index(q) for q in kin.independent]
+    extended = [[Integer(0)] * len(coordinates) for _ in coordinates]
+    for row, k in zip(block, indices, strict=True):
+        for entry, m in zip(row, indices, strict=True):
+            extended[k][m] = entry
+    return extended
 
 
-def added(a: Rows, b: Rows) -> list[list[Expr]]:
+def matrix_sum(a: Rows, b: Rows) -> list[list[Expr]]:
     """Return the sum of two matrices."""
     return [[Add(x, y) for x, y in zip(*rows, strict=True)] for rows in zip(a, b, strict=True)]
 
 
-def flat(rows: Rows) -> tuple[Expr, ...]:
+def flattened(rows: Rows) -> tuple[Expr, ...]:
     """Return the entries of a nested array, row by row."""
     return tuple(entry for row in rows for entry in row)
 
 
 def joint_losses(machine: Machine) -> tuple[Expr, ...]:
     """Return the loss factor of the spring of each released coordinate."""
-    of_gearboxes = {c.position: drive.loss for drive in machine.drives for c in drive.wind_up}
-    return tuple(of_gearboxes.get(c.position, Integer(0)) for c in machine.released)
+    gearbox_loss = {c.position: drive.loss for drive in machine.drives for c in drive.wind_up}
+    return tuple(gearbox_loss.get(c.position, Integer(0)) for c in machine.released)
 
 
 def units_of_mass(machine: Machine) -> str:
     """Return the units of the entries of M; only released joints couple translations with rotations."""
-    return _listed(machine, "kg", "kg m" if machine.released else "", "kg m^2")
+    return _listed_units(machine, "kg", "kg m" if machine.released else "", "kg m^2")
 
 
 def units_of_stiffness(machine: Machine) -> str:
     """Return the units of the entries of K."""
-    return _listed(machine, "N/m", "N", "N m")
+    return _listed_units(machine, "N/m", "N", "N m")
 
 
 def units_of_damping(machine: Machine) -> str:
     """Return the units of the entries of C_v."""
-    return _listed(machine, "N s/m", "N s", "N m s")
+    return _listed_units(machine, "N s/m", "N s", "N m s")
 
 
 class DriveWords(NamedTuple):
@@ -179,7 +179,7 @@ def drive_words(machine: Machine) -> DriveWords:
     return DriveWords("torques", "N m", what, "rotations", "rad")
 
 
-def _listed(machine: Machine, translation: str, both: str, rotation: str) -> str:
+def _listed_units(machine: Machine, translation: str, both: str, rotation: str) -> str:
     units = {machine.vocabulary[q].unit for q in machine.all_coordinates}
     parts = [
         translation if "m" in units else "",

@@ -1,6 +1,12 @@
-"""What the extended model emits of dissipation."""
+"""The functions of the extended model for dissipation."""
 
-from pkmodes_derive.assembly.derived import Derived, flat, joint_losses, units_of_damping, units_of_stiffness
+from pkmodes_derive.assembly.derived import (
+    Derived,
+    flattened,
+    joint_losses,
+    units_of_damping,
+    units_of_stiffness,
+)
 from pkmodes_derive.functions import Function, Output
 
 
@@ -13,11 +19,11 @@ def dissipation(d: Derived) -> Function:
         "dissipation function R = 1/2 sum b v^2, C_v = d2R/dq_dot2; complex stiffnesses k (1 + i eta)",
         (d.pose,),
         (
-            Output("C_v", (n, n), flat(d.C_v), units_of_damping(d.machine), "viscous damping matrix"),
+            Output("C_v", (n, n), flattened(d.C_v), units_of_damping(d.machine), "viscous damping matrix"),
             Output(
                 "K_loss",
                 (n, n),
-                flat(d.K_loss),
+                flattened(d.K_loss),
                 units_of_stiffness(d.machine),
                 "imaginary part of the elastic stiffness; the springs of released joints add theirs",
             ),

@@ -1,7 +1,7 @@
 """The functions of a drawing: points and their exact motion with every coordinate, and the springs between them.
 
-Points of the same body move alike, so the motion is written once for each different one; the description says which
-of them each point has.  The first point is the centre of the platform.
+Points of the same body move alike, so each different motion is written once; the description has the index of the
+motion of each point.  The first point is the centre of the platform.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 
 from sympy import Expr, Integer, Symbol
 
-from pkmodes_derive.assembly.derived import Derived, derive, flat
+from pkmodes_derive.assembly.derived import Derived, derive, flattened
 from pkmodes_derive.assembly.springs import Spring, springs
 from pkmodes_derive.drawing import Element, Point, from_parts
 from pkmodes_derive.functions import Argument, FieldGroup, Function, Model, Output
@@ -38,17 +38,17 @@ def drawing(machine: Machine) -> tuple[Model, DescribedDrawing]:
         _joints(machine),
     )
     points = list(dict.fromkeys([Point(machine.platform), *(p for one in elements for p in one.points)]))
-    moved = [_motion(d, point) for point in points]
-    motions = list(dict.fromkeys(moved))
-    of_springs = springs(d)
+    motion_of_points = [_motion(d, point) for point in points]
+    motions = list(dict.fromkeys(motion_of_points))
+    all_springs = springs(d)
     bodies = {place.words.removeprefix("the "): name for name, place in places(machine).items()}
     data = DescribedDrawing(
-        tuple(motions.index(motion) for motion in moved),
-        tuple(_data(element, points, of_springs, bodies) for element in elements),
-        tuple(spring.named for spring in of_springs),
+        tuple(motions.index(motion) for motion in motion_of_points),
+        tuple(_described_element(element, points, all_springs, bodies) for element in elements),
+        tuple(spring.named for spring in all_springs),
         len(machine.draw.uprights),
     )
-    return _model(d, points, motions, of_springs), data
+    return _model(d, points, motions, all_springs), data
 
 
 def _joints(machine: Machine) -> list[Motion]:
@@ -60,7 +60,7 @@ def _joints(machine: Machine) -> list[Motion]:
 def _motion(d: Derived, point: Point) -> Motion:
     """Return the derivatives of a point with respect to every coordinate, component by component."""
     machine, kin = d.machine, d.kin
-    every = machine.all_coordinates
+    coordinates = machine.all_coordinates
     rows = []
     for i, axis in enumerate(AXES):
         row = {q: kin.chain.derivative(point.position[i], q) for q in kin.independent}
@@ -69,15 +69,15 @@ def _motion(d: Derived, point: Point) -> Motion:
         for direction, released in zip(machine.directions, machine.frame, strict=True):
             for c in released if direction == axis else ():
                 row[c.position] = Integer(1)
-        rows += [row.get(q, Integer(0)).xreplace(kin.reference) for q in every]
+        rows += [row.get(q, Integer(0)).xreplace(kin.reference) for q in coordinates]
     return tuple(rows)
 
 
-def _data(
-    element: Element, points: Sequence[Point], of_springs: Sequence[Spring], bodies: Mapping[str, str]
+def _described_element(
+    element: Element, points: Sequence[Point], all_springs: Sequence[Spring], bodies: Mapping[str, str]
 ) -> DescribedElement:
     spring = next(
-        (i for i, s in enumerate(of_springs) if s.part is not None and s.part is element.spring), -1
+        (i for i, s in enumerate(all_springs) if s.part is not None and s.part is element.spring), -1
     )
     return DescribedElement(
         element.shape,
@@ -91,29 +91,29 @@ def _data(
 
 
 def _model(
-    d: Derived, points: Sequence[Point], motions: Sequence[Motion], of_springs: Sequence[Spring]
+    d: Derived, points: Sequence[Point], motions: Sequence[Motion], all_springs: Sequence[Spring]
 ) -> Model:
     machine, v = d.machine, d.machine.vocabulary
     n, uprights = len(machine.all_coordinates), machine.draw.uprights
     _check_names(machine)
     up = Argument(
         "up",
-        flat([u.symbols for u in uprights]),
+        flattened([u.symbols for u in uprights]),
         "1",
         "unit vectors that the robot leaves open, one after another",
     )
-    given = (d.pose, up) if uprights else (d.pose,)
+    arguments = (d.pose, up) if uprights else (d.pose,)
     functions = [
         _function(
             d,
             "drawing_points",
             "Positions of the points of a drawing.",
             "the positions that the mechanism declares, or those of its parts",
-            given,
+            arguments,
             Output(
                 "r",
                 (len(points), 3),
-                flat([[x.xreplace(d.kin.reference) for x in p.position] for p in points]),
+                flattened([[x.xreplace(d.kin.reference) for x in p.position] for p in points]),
                 "m",
                 "base frame; first the platform",
             ),
@@ -123,8 +123,8 @@ def _model(
             "drawing_motion",
             "Jacobians of these points with respect to every coordinate, one for points that move alike.",
             "the positions differentiated, with the contributions of released joints and the frame",
-            given,
-            Output("J", (len(motions), 3, n), flat(motions), "1, m", "dr_i/dq_k, base frame"),
+            arguments,
+            Output("J", (len(motions), 3, n), flattened(motions), "1, m", "dr_i/dq_k, base frame"),
         ),
         _function(
             d,
@@ -133,20 +133,20 @@ def _model(
             "equation 38 with the effects' energies; the springs of released joints are not among them",
             (d.pose,),
             Output(
-                "k", (len(of_springs),), tuple(s.stiffness for s in of_springs), "N/m, N m/rad", "stiffness"
+                "k", (len(all_springs),), tuple(s.stiffness for s in all_springs), "N/m, N m/rad", "stiffness"
             ),
             Output(
                 "g",
-                (len(of_springs), n),
-                flat([s.strain for s in of_springs]),
+                (len(all_springs), n),
+                flattened([s.strain for s in all_springs]),
                 "1, m, 1/m",
                 "the energy is the sum of k (g . q)^2 / 2",
             ),
         ),
     ]
-    functions.append(_driven(machine))
+    functions.append(_driven_function(machine))
     if uprights:
-        open_ = flat([entry for u in uprights for entry in (u.direction, u.place)])
+        directions = flattened([entry for u in uprights for entry in (u.direction, u.place)])
         functions.append(
             _function(
                 d,
@@ -155,7 +155,11 @@ def _model(
                 "the directions that the mechanism declares",
                 (d.pose,),
                 Output(
-                    "e", (len(uprights), 2, 3), open_, "1, m", "a unit vector, and the point where it is used"
+                    "e",
+                    (len(uprights), 2, 3),
+                    directions,
+                    "1, m",
+                    "a unit vector, and the point where it is used",
                 ),
             )
         )
@@ -171,7 +175,7 @@ def _model(
     )
 
 
-def _driven(machine: Machine) -> Function:
+def _driven_function(machine: Machine) -> Function:
     """Return the function that tells which rotors have a motor: the robot may choose among several."""
     share: dict[Symbol, Expr] = dict.fromkeys(machine.coordinates, Integer(0))
     for drive in machine.drives:
@@ -186,9 +190,9 @@ def _driven(machine: Machine) -> Function:
 
 def _check_names(machine: Machine) -> None:
     """Refuse a symbol with the name of the unit vectors that a drawing leaves open, or of their argument."""
-    own = {"up", *(symbol.name for upright in machine.draw.uprights for symbol in upright.symbols)}
+    reserved = {"up", *(symbol.name for upright in machine.draw.uprights for symbol in upright.symbols)}
     for quantity in machine.vocabulary if machine.draw.uprights else ():
-        if quantity.symbol.name in own:
+        if quantity.symbol.name in reserved:
             what = f"the symbol {quantity.symbol} has the name of an open direction of the drawing"
             raise DeclarationError(what, f"rename it, for example {quantity.symbol}_0")
 

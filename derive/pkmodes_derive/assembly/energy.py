@@ -80,16 +80,16 @@ def derive(machine: Machine, kinematics: Kinematics) -> Energies:
     D_p_dot = _jacobian_rate(machine, kinematics)
     if machine.links:
         _differentiate_motion(machine, kinematics, D_p_dot)
-    transmissions = _elastic(machine)
+    transmissions = _elastic_energy(machine)
     springs = zip(machine.released, machine.compliances, strict=True)
     return Energies(
-        T_ss=_structure(machine),
-        T_t=_transmissions(machine, inertias),
-        V_g=_gravity(machine),
+        T_ss=_structure_energy(machine),
+        T_t=_transmission_energy(machine, inertias),
+        V_g=_gravity_potential(machine),
         V_el=Add(transmissions, *machine.elastic),
         V_transmissions=transmissions,
         V_r=tuple(HALF * q.position**2 / c for q, c in springs),
-        V_loss=_losses(machine),
+        V_loss=_loss_energy(machine),
         R=Add(*machine.dissipation),
         D_p_dot=D_p_dot,
         stiffnesses=stiffnesses,
@@ -110,20 +110,20 @@ def _differentiate_motion(
             kinematics.chain.rule(v, q, rate)
         if machine.turning is not None:
             rates = machine.turning.rates
-            apart = machine.turning.commutator(tuple(kinematics.D_p[first:, k]), rates)
-            for w, rate, more in zip(rates, column[first:], apart, strict=True):
-                kinematics.chain.rule(w, q, rate + more)
+            commutator = machine.turning.commutator(tuple(kinematics.D_p[first:, k]), rates)
+            for w, rate, correction in zip(rates, column[first:], commutator, strict=True):
+                kinematics.chain.rule(w, q, rate + correction)
 
 
 def _define_platform_motion(machine: Machine, kinematics: Kinematics) -> None:
     """Define velocity and, if effects need it, small displacement of the platform: D times the coordinates."""
-    places = [machine.coordinates.index(q) for q in machine.independent]
-    rates = [*(machine.velocities[i] for i in places), *(c.rate for c in machine.moving)]
-    small = [*(machine.displacements[i] for i in places), *(c.position for c in machine.moving)]
+    indices = [machine.coordinates.index(q) for q in machine.independent]
+    rates = [*(machine.velocities[i] for i in indices), *(c.rate for c in machine.moving)]
+    small = [*(machine.displacements[i] for i in indices), *(c.position for c in machine.moving)]
     for i in range(len(machine.directions)):
         row, frame = kinematics.D[i, :], machine.frame[i]
-        moved = Add(*(d * rate for d, rate in zip(row, rates, strict=True)), *(c.rate for c in frame))
-        machine.define(machine.v_p[i], moved)
+        velocity = Add(*(d * rate for d, rate in zip(row, rates, strict=True)), *(c.rate for c in frame))
+        machine.define(machine.v_p[i], velocity)
         if machine.delta_p:
             displaced = Add(*(d * q for d, q in zip(row, small, strict=True)), *(c.position for c in frame))
             machine.define(machine.delta_p[i], displaced)
@@ -137,54 +137,58 @@ def velocity(machine: Machine, position: Sequence[Expr]) -> Velocity:
     lever = tuple(a - b for a, b in zip(position, machine.platform, strict=True))
     turning = machine.turning
     fixed = turning.symbols if turning is not None else set()
-    if not any(component.free_symbols - fixed - _constants(machine) for component in lever):
-        moved = [
+    if not any(component.free_symbols - fixed - _constant_symbols(machine) for component in lever):
+        terms = [
             (v, BASIS[AXES.index(name)]) for v, name in zip(machine.v_p, machine.directions, strict=True)
         ]
         if turning is not None and any(lever):
-            turned = zip(turning.rates, turning.axes, strict=True)
-            moved += [(w, cross(axis(name), lever)) for w, name in turned]
-        return moved
-    moved = []
+            rotations = zip(turning.rates, turning.axes, strict=True)
+            terms += [(w, cross(axis(name), lever)) for w, name in rotations]
+        return terms
+    terms = []
     released = (*machine.moving, *machine.swinging)
     at_pose = dict.fromkeys((c.position for c in released), Integer(0))
     rates = {q: machine.velocities[machine.coordinates.index(q)] for q in machine.independent}
     for q, rate in {**rates, **{c.position: c.rate for c in released}}.items():
-        along = tuple(machine.chain.derivative(component, q).xreplace(at_pose) for component in position)
-        if any(along):
-            moved.append((rate, along))
+        partial_velocity = tuple(
+            machine.chain.derivative(component, q).xreplace(at_pose) for component in position
+        )
+        if any(partial_velocity):
+            terms.append((rate, partial_velocity))
     frame = zip(machine.frame_rate, BASIS, strict=True)
-    return [*moved, *((rate, along) for rate, along in frame if rate != 0)]
+    return [*terms, *((rate, partial_velocity) for rate, partial_velocity in frame if rate != 0)]
 
 
-def _body(machine: Machine, body: Body, w: Sequence[Symbol]) -> Expr:
+def _body_energy(machine: Machine, body: Body, w: Sequence[Symbol]) -> Expr:
     """Return the kinetic energy of a body with the angular velocity w of the platform."""
-    v, places = velocity(machine, body.centre), range(len(w))
-    turned = Add(*(w[i] * body.inertia[i][k] * w[k] for i in places for k in places))
-    return HALF * body.mass * _product(machine, v, v) + HALF * turned
+    v, axes = velocity(machine, body.centre), range(len(w))
+    rotation = Add(*(w[i] * body.inertia[i][k] * w[k] for i in axes for k in axes))
+    return HALF * body.mass * _product(machine, v, v) + HALF * rotation
 
 
-def _leg(machine: Machine, leg: Leg) -> Expr:
+def _leg_energy(machine: Machine, leg: Leg) -> Expr:
     """Return the kinetic energy of the bodies of a leg, from the velocity of its vector s and its rate l_dot.
 
     Its direction u = s/l turns with u_dot = (s_dot - u l_dot)/l, and u . s_dot = l_dot, so the square of u_dot is
     (s_dot . s_dot - l_dot^2) / l^2.
     """
     start, end = (velocity(machine, position) for position in leg.ends)
-    moved = [*end, *((-rate, vector) for rate, vector in start)]
+    relative = [*end, *((-rate, vector) for rate, vector in start)]
     l_dot = machine.velocities[machine.coordinates.index(leg.length)]
-    T = HALF * leg.inertia * _product(machine, moved, moved)
+    T = HALF * leg.inertia * _product(machine, relative, relative)
     T += HALF * (leg.moving_mass - leg.inertia) * l_dot**2
     if start:
         direction = tuple(component / leg.length for component in leg.vector)
-        turned = [(rate * leg.moment / leg.length, vector) for rate, vector in moved]
-        turned.append((-l_dot * leg.moment / leg.length, direction))
-        along = [(rate * leg.moving_mass, vector) for rate, vector in moved]
-        T += HALF * leg.mass * _product(machine, start, start) + _product(machine, start, [*along, *turned])
+        rotation = [(rate * leg.moment / leg.length, vector) for rate, vector in relative]
+        rotation.append((-l_dot * leg.moment / leg.length, direction))
+        momentum = [(rate * leg.moving_mass, vector) for rate, vector in relative]
+        T += HALF * leg.mass * _product(machine, start, start) + _product(
+            machine, start, [*momentum, *rotation]
+        )
     return T
 
 
-def _constants(machine: Machine) -> set[Symbol]:
+def _constant_symbols(machine: Machine) -> set[Symbol]:
     """Return the symbols that no motion changes."""
     return {symbol for field in machine.tables.fields for symbol in field.symbols}
 
@@ -205,7 +209,7 @@ def scalar(machine: Machine, u: tuple[Expr, ...], w: tuple[Expr, ...]) -> Expr:
     return dot(u, w)
 
 
-def _structure(machine: Machine) -> Expr:
+def _structure_energy(machine: Machine) -> Expr:
     T = Add(*machine.kinetic)
     for body in (*machine.points, *machine.loads):
         v = velocity(machine, body.position)
@@ -216,18 +220,18 @@ def _structure(machine: Machine) -> Expr:
         T += SIXTH * rod.mass * Add(*(_product(machine, a, b) for a, b in pairs))
     for arm in machine.arms:
         rate = machine.velocities[machine.coordinates.index(arm.angle)]
-        along = tuple(machine.chain.derivative(component, arm.angle) for component in arm.centre)
-        u = tuple(a + b for a, b in zip(machine.frame_rate, arm.shift, strict=True))
-        T += HALF * arm.inertia * rate**2 + arm.mass * (rate * dot(along, u) + HALF * dot(u, u))
-    T += Add(*(_leg(machine, leg) for leg in machine.legs))
+        lever = tuple(machine.chain.derivative(component, arm.angle) for component in arm.centre)
+        shift = tuple(a + b for a, b in zip(machine.frame_rate, arm.shift, strict=True))
+        T += HALF * arm.inertia * rate**2 + arm.mass * (rate * dot(lever, shift) + HALF * dot(shift, shift))
+    T += Add(*(_leg_energy(machine, leg) for leg in machine.legs))
     if machine.turning is not None:
-        return T + Add(*(_body(machine, body, machine.turning.rates) for body in machine.bodies))
+        return T + Add(*(_body_energy(machine, body, machine.turning.rates) for body in machine.bodies))
     # One coefficient for each product of velocities: the apparent mass.
     v_p = machine.v_p
     return collect(expand(T), [c**2 for c in v_p] + list(v_p))
 
 
-def _transmissions(machine: Machine, inertias: Sequence[Expr]) -> Expr:
+def _transmission_energy(machine: Machine, inertias: Sequence[Expr]) -> Expr:
     """Return the kinetic energy of rotors and motors; wind-up turns a motor further than its driven rotor."""
     T = Add(
         *(
@@ -248,7 +252,7 @@ def _jacobian_rate(machine: Machine, kinematics: Kinematics) -> tuple[tuple[Expr
     if kinematics.solver is None:
         return tuple((Integer(0),) * n for _ in machine.directions)
     v, chain, q = machine.vocabulary, machine.chain, machine.independent
-    q_dot = [machine.velocities[machine.coordinates.index(one)] for one in q]
+    q_dot = [machine.velocities[machine.coordinates.index(coordinate)] for coordinate in q]
     s_dot = []
     for j, link in enumerate(machine.links):
         what = "rate of change of linkage vector {j}"
@@ -275,8 +279,12 @@ def _jacobian_rate(machine: Machine, kinematics: Kinematics) -> tuple[tuple[Expr
     for k in range(n):
         right = []
         for j, link in enumerate(machine.links):
-            own = chain.definitions[kinematics.D_r[j, j]]
-            rate = _diagonal_rate(machine, own, link.vector, s_dot[j], q[j], q_dot[j]) if j == k else 0
+            diagonal_entry = chain.definitions[kinematics.D_r[j, j]]
+            rate = (
+                _diagonal_rate(machine, diagonal_entry, link.vector, s_dot[j], q[j], q_dot[j])
+                if j == k
+                else 0
+            )
             right.append(rate - dot(D_l_dot[j], tuple(kinematics.D_p[:, k])))
         for m, component in enumerate(kinematics.solver.solve(right)):
             machine.define(names[m][k], component)
@@ -301,14 +309,14 @@ def _moment_rates(
 
 
 def _diagonal_rate(
-    machine: Machine, own: Expr, s: Sequence[Symbol], s_dot: Sequence[Symbol], q: Symbol, q_dot: Symbol
+    machine: Machine, entry: Expr, s: Sequence[Symbol], s_dot: Sequence[Symbol], q: Symbol, q_dot: Symbol
 ) -> Expr:
     """Return the time derivative of an entry of D_r from the rates of its link vector and its coordinate."""
-    by_vector = Add(*(diff(own, component) * rate for component, rate in zip(s, s_dot, strict=True)))
-    return by_vector + machine.chain.derivative(own, q, hold=s) * q_dot
+    by_vector = Add(*(diff(entry, component) * rate for component, rate in zip(s, s_dot, strict=True)))
+    return by_vector + machine.chain.derivative(entry, q, hold=s) * q_dot
 
 
-def _gravity(machine: Machine) -> Expr:
+def _gravity_potential(machine: Machine) -> Expr:
     """Return V_g = -g . sum m r; the weight of a rod acts midway (equations 4 and 26)."""
     frame = machine.frame_position
     bodies = [(body.mass, body.position) for body in (*machine.points, *machine.loads)]
@@ -363,7 +371,7 @@ def _define_transmissions(machine: Machine) -> tuple[Symbol, ...]:
     return tuple(spring.stiffness for spring in machine.transmissions)
 
 
-def _losses(machine: Machine) -> Expr:
+def _loss_energy(machine: Machine) -> Expr:
     """Return the energy with imaginary stiffnesses: that of a span is eta k^2 l/(w k_sp), lossless in series."""
     V = []
     for belt in machine.belts:
@@ -376,7 +384,7 @@ def _losses(machine: Machine) -> Expr:
     return Add(*V)
 
 
-def _elastic(machine: Machine) -> Expr:
+def _elastic_energy(machine: Machine) -> Expr:
     """Return the elastic energy of belts (equation 38 with the sign of a potential energy), reducers and legs."""
     V = []
     for belt in machine.belts:

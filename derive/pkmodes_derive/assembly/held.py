@@ -1,4 +1,4 @@
-r"""The matrices of one robot in use, whose motors are held, or hang on springs whose other ends are.
+r"""The matrices of one robot in use, whose motors are held, or are on springs whose other ends are held.
 
 A motor turns by a linear form in the coordinates: its rotor, and the wind-up of its gearbox.  With the motor at rest
 the rotor follows the wind-up, so all coordinates are :math:`q = T r` with those that remain, r, and a matrix A of
@@ -19,10 +19,10 @@ from sympy import Add, Expr, Integer, Matrix, Symbol
 from pkmodes_derive import condensation
 from pkmodes_derive.assembly.derived import (
     Derived,
-    added,
     derive,
-    flat,
+    flattened,
     joint_losses,
+    matrix_sum,
     units_of_damping,
     units_of_mass,
     units_of_stiffness,
@@ -36,7 +36,7 @@ NAME = "held_matrices"
 
 
 def held_motors(machine: Machine, zeros: Set[Symbol] = frozenset(), springs: str = "") -> HeldMotors:
-    """Derive what remains of a machine in use, or say why it has no modes of vibration.
+    """Derive the matrices of a machine in use, or the reason why it has no modes of vibration.
 
     Parameters
     ----------
@@ -52,17 +52,17 @@ def held_motors(machine: Machine, zeros: Set[Symbol] = frozenset(), springs: str
         for drive in machine.drives:
             drive.motor = Integer(0)
     d = derive(machine)
-    null = _all_zeros(d, zeros)
+    zero_values = _zero_values(d, zeros)
     driven = {
         selected: Integer(selected not in zeros)
         for drive in machine.drives
         for _, selected in drive.rotors
         if isinstance(selected, Symbol)
     }
-    remaining, T = _all_free(machine) if springs else _following(machine, driven)
+    remaining, T = _identity_map(machine) if springs else _follow_wind_up(machine, driven)
 
     def in_use(matrix: Sequence[Sequence[Expr]]) -> Rows:
-        return condensation.projected([[entry.xreplace(driven) for entry in row] for row in matrix], T)
+        return condensation.project([[entry.xreplace(driven) for entry in row] for row in matrix], T)
 
     K_el = [list(row) for row in d.K_el]
     K_loss = [list(row) for row in d.K_loss]
@@ -72,39 +72,47 @@ def held_motors(machine: Machine, zeros: Set[Symbol] = frozenset(), springs: str
         K_loss[i][i] += loss / compliance
     M, K_el, K_g, C_v, K_loss = map(in_use, (d.M, K_el, d.K_g, d.C_v, K_loss))
     massless = [
-        a for a, i in enumerate(remaining) if i >= machine.base and not any(e.xreplace(null) for e in M[a])
+        a
+        for a, i in enumerate(remaining)
+        if i >= machine.base and not any(e.xreplace(zero_values) for e in M[a])
     ]
-    kept = [a for a in range(len(remaining)) if a not in massless]
-    follow = condensation.follow(K_el, kept, massless)
-    K_el = condensation.condensed(K_el, kept, massless, follow)
-    names = tuple(machine.all_coordinates[remaining[a]].name for a in kept)
+    with_inertia = [a for a in range(len(remaining)) if a not in massless]
+    condensation_matrix = condensation.condensation_map(K_el, with_inertia, massless)
+    K_el = condensation.condensed_stiffness(K_el, with_inertia, massless, condensation_matrix)
+    names = tuple(machine.all_coordinates[remaining[a]].name for a in with_inertia)
     rates = _platform_rates(d)
-    reason = _loose(K_el) or _without_inertia(names, [M[a][a].xreplace(null) for a in kept])
+    reason = _reason_for_free_motions(K_el) or _reason_for_missing_inertia(
+        names, [M[a][a].xreplace(zero_values) for a in with_inertia]
+    )
     if rates is None:
         reason = reason or "the pose does not determine how the coordinates move"
     if rates is None or reason:
         return HeldMotors(names, springs=springs, reason=reason)
-    moved = [
+    momentum = [
         [entry.xreplace(driven) for entry in row] for row in _product(d.M, _rigid_motion(machine, rates))
     ]
-    momenta = _product(_transposed(T), moved)
-    # What turns is no displacement: a controller is told that of the platform's origin.
-    platform = _product(_product(d.platform_motion(machine.rates), T), follow)[: len(machine.directions)]
+    momenta = _product(_transposed(T), momentum)
+    # A controller needs the displacement of the platform's origin, not its rotation.
+    platform = _product(_product(d.platform_motion(machine.rates), T), condensation_matrix)[
+        : len(machine.directions)
+    ]
     damping: tuple[tuple[Expr, ...], ...] = ()
     if any(effect.dissipates for effect in machine.effects):
-        damping = tuple(flat(condensation.projected(matrix, follow)) for matrix in (C_v, K_loss))
-    K = added(K_el, [[K_g[a][b] for b in kept] for a in kept])
-    of_these = HeldMotors(names, dissipates=bool(damping), springs=springs)
+        damping = tuple(
+            flattened(condensation.project(matrix, condensation_matrix)) for matrix in (C_v, K_loss)
+        )
+    K = matrix_sum(K_el, [[K_g[a][b] for b in with_inertia] for a in with_inertia])
+    motors = HeldMotors(names, dissipates=bool(damping), springs=springs)
     return replace(
-        of_these,
+        motors,
         functions=(
             _function(
                 d,
-                of_these,
-                flat([[M[a][b] for b in kept] for a in kept]),
-                flat(K),
-                flat(platform),
-                tuple(momenta[a][m] for m in range(len(machine.directions)) for a in kept),
+                motors,
+                flattened([[M[a][b] for b in with_inertia] for a in with_inertia]),
+                flattened(K),
+                flattened(platform),
+                tuple(momenta[a][m] for m in range(len(machine.directions)) for a in with_inertia),
                 damping,
             ),
         ),
@@ -155,32 +163,34 @@ def _function(
     )
 
 
-def _all_zeros(d: Derived, zeros: Set[Symbol]) -> dict[Symbol, Expr]:
+def _zero_values(d: Derived, zeros: Set[Symbol]) -> dict[Symbol, Expr]:
     """Return parameters that are zero, and named values that are zero with them, such as an inertia."""
-    null: dict[Symbol, Expr] = dict.fromkeys(zeros, Integer(0))
+    zero_values: dict[Symbol, Expr] = dict.fromkeys(zeros, Integer(0))
     for symbol, value in d.kin.definitions.items():
-        if value.free_symbols & null.keys() and value.xreplace(null) == 0:
-            null[symbol] = Integer(0)
-    return null
+        if value.free_symbols & zero_values.keys() and value.xreplace(zero_values) == 0:
+            zero_values[symbol] = Integer(0)
+    return zero_values
 
 
-def _all_free(machine: Machine) -> tuple[list[int], Rows]:
-    """Return the same as `_following` where every coordinate remains."""
-    every = range(len(machine.all_coordinates))
-    return list(every), [[Integer(i == r) for r in every] for i in every]
+def _identity_map(machine: Machine) -> tuple[list[int], Rows]:
+    """Return the result of `_follow_wind_up` for a machine in which every coordinate remains."""
+    all_indices = range(len(machine.all_coordinates))
+    return list(all_indices), [[Integer(i == r) for r in all_indices] for i in all_indices]
 
 
-def _following(machine: Machine, driven: dict[Symbol, Expr]) -> tuple[list[int], Rows]:
+def _follow_wind_up(machine: Machine, driven: dict[Symbol, Expr]) -> tuple[list[int], Rows]:
     """Return the coordinates that remain, and all coordinates per unit of these: driven rotors undo the wind-up."""
-    every, follows = list(machine.all_coordinates), {}
+    coordinates, follows = list(machine.all_coordinates), {}
     for drive in machine.drives:
         for rotor, selected in drive.rotors:
             if driven.get(selected, selected) != 0:  # a number where a mechanism leaves no choice
-                follows[every.index(rotor.coordinate)] = [every.index(c.position) for c in drive.wind_up]
-    remaining = [i for i in range(len(every)) if i not in follows]
-    T = [[Integer(i == r) for r in remaining] for i in range(len(every))]
-    for rotor_index, wound in follows.items():
-        T[rotor_index] = [-Integer(r in wound) for r in remaining]
+                follows[coordinates.index(rotor.coordinate)] = [
+                    coordinates.index(c.position) for c in drive.wind_up
+                ]
+    remaining = [i for i in range(len(coordinates)) if i not in follows]
+    T = [[Integer(i == r) for r in remaining] for i in range(len(coordinates))]
+    for rotor_index, wind_up in follows.items():
+        T[rotor_index] = [-Integer(r in wind_up) for r in remaining]
     return remaining, T
 
 
@@ -209,18 +219,18 @@ def _rigid_motion(machine: Machine, rates: Matrix) -> Rows:
     return motion
 
 
-def _loose(K_el: Sequence[Sequence[Expr]]) -> str:
+def _reason_for_free_motions(K_el: Sequence[Sequence[Expr]]) -> str:
     """Return why there are not only vibrations: from the nullity of the stiffness at unrelated values."""
     if not K_el:
         return "nothing moves"
-    loose = nullity(K_el)
-    motions = "motion strains" if loose == 1 else "motions strain"
-    return f"{loose} {motions} nothing elastic" if loose else ""
+    count = nullity(K_el)
+    motions = "motion strains" if count == 1 else "motions strain"
+    return f"{count} {motions} nothing elastic" if count else ""
 
 
-def _without_inertia(names: Sequence[str], diagonal: Sequence[Expr]) -> str:
-    none = [name for name, entry in zip(names, diagonal, strict=True) if entry == 0]
-    return f"{', '.join(none)} moves no inertia" if none else ""
+def _reason_for_missing_inertia(names: Sequence[str], diagonal: Sequence[Expr]) -> str:
+    massless = [name for name, entry in zip(names, diagonal, strict=True) if entry == 0]
+    return f"{', '.join(massless)} moves no inertia" if massless else ""
 
 
 def _product(a: Sequence[Sequence[Expr]], b: Sequence[Sequence[Expr]]) -> Rows:

@@ -79,33 +79,46 @@ class Kinematics:
     @property
     def definitions(self) -> dict[Symbol, Expr]:
         """Definitions in evaluation order, with the pose as input."""
-        chain, first = self.chain.definitions, {}
+        chain, before_inverse = self.chain.definitions, {}
 
         def take(symbols: set[Symbol]) -> None:
             for symbol in chain:
-                if symbol in symbols and symbol not in first:
+                if symbol in symbols and symbol not in before_inverse:
                     take(chain[symbol].free_symbols)
-                    first[symbol] = chain[symbol]
+                    before_inverse[symbol] = chain[symbol]
 
         take({s for expression in self.inverse.values() for s in expression.free_symbols})
-        return {**first, **self.inverse, **chain}
+        return {**before_inverse, **self.inverse, **chain}
 
 
 def derive(machine: Machine) -> Kinematics:
     """Derive the kinematics; the derivative rules for the platform and D_p are added to the machine's chain."""
     chain, partial = machine.chain, machine.chain.copy()
-    moving = tuple(c.position for c in machine.moving)
-    independent = (*machine.independent, *moving)
-    reference: dict[Symbol, Expr] = dict.fromkeys(moving, Integer(0))
+    released_positions = tuple(c.position for c in machine.moving)
+    independent = (*machine.independent, *released_positions)
+    reference: dict[Symbol, Expr] = dict.fromkeys(released_positions, Integer(0))
     n = len(machine.independent)
     if not machine.links:
         D = Matrix([[chain.derivative(c, q) for q in independent] for c in _components(machine)])
         D = D.xreplace(reference)  # released coordinates are zero in the reference configuration
         empty = Matrix.zeros(0, n)
-        zero = tuple(Matrix.zeros(n, n) for _ in machine.directions)
+        no_second_derivatives = tuple(Matrix.zeros(n, n) for _ in machine.directions)
         inverse, D_p = machine.inverse, D[:, :n]
         return Kinematics(
-            chain, inverse, [], None, empty, empty, D_p, (), zero, independent, empty, D, reference, partial
+            chain,
+            inverse,
+            [],
+            None,
+            empty,
+            empty,
+            D_p,
+            (),
+            no_second_derivatives,
+            independent,
+            empty,
+            D,
+            reference,
+            partial,
         )
     closures = [
         _closure(link.vector, link.length, [c.position for c in link.elongation]) for link in machine.links
@@ -114,16 +127,16 @@ def derive(machine: Machine) -> Kinematics:
     if machine.turning is not None:
         _name_moments(machine, D_l)
     right = right.xreplace(reference)  # released coordinates are zero in the reference configuration
-    D_r = _diagonal(machine, right, n)
+    D_r = _named_diagonal(machine, right, n)
     solver = implicit.Solver(D_l, machine.vocabulary, chain, machine.components, len(machine.rotations))
     D = _jacobian(machine, solver, right, independent)
     D_p = D[:, :n]
     U = tuple(_link_jacobian(machine, j, independent) for j in range(len(machine.links)))
     P = _second_derivatives(machine, closures, D_p, solver)
     if machine.yielding:  # the derivatives of link vectors are rules by now
-        at_pose = {c.position: Integer(0) for c in machine.yielding}
+        zeros = {c.position: Integer(0) for c in machine.yielding}
         for symbol in (s for link in machine.links for s in link.vector):
-            chain.redefine(symbol, chain.definitions[symbol].xreplace(at_pose))
+            chain.redefine(symbol, chain.definitions[symbol].xreplace(zeros))
     return Kinematics(
         chain,
         machine.inverse,
@@ -151,7 +164,7 @@ def _closure(s: Sequence[Symbol], length: Expr, elongation: Sequence[Symbol]) ->
     return (dot(s, s) - Add(length, *elongation) ** 2) * HALF
 
 
-def _diagonal(machine: Machine, right: Matrix, n: int) -> Matrix:
+def _named_diagonal(machine: Machine, right: Matrix, n: int) -> Matrix:
     """Return D_r with its diagonal named."""
     D_r = Matrix.zeros(len(machine.links), n)
     for j in range(n):
@@ -241,8 +254,8 @@ def _second_derivatives(
         for m in range(k, n):
             forcing = implicit.second_order_forcing(closures, q[k], q[m], chain, jacobian=tuple(D_p))
             if machine.turning is not None:  # the second derivatives of the exponential chart are symmetric
-                other = implicit.second_order_forcing(closures, q[m], q[k], chain, jacobian=tuple(D_p))
-                forcing = [(a + b) * HALF for a, b in zip(forcing, other, strict=True)]
+                exchanged = implicit.second_order_forcing(closures, q[m], q[k], chain, jacobian=tuple(D_p))
+                forcing = [(a + b) * HALF for a, b in zip(forcing, exchanged, strict=True)]
             names = []
             for j in range(len(closures)):
                 what = f"right-hand side of closure {{j}}, differentiated {by}"
@@ -270,14 +283,16 @@ def _second_derivatives(
                     **place,
                 )
                 P[i][k, m] = P[i][m, k] = machine.define(name, solution[i])
-                rates = _unsymmetric(machine, i, name, D_p[:, k], D_p[:, m])
+                rates = _rates_of_jacobian_entries(machine, i, name, D_p[:, k], D_p[:, m])
                 chain.rule(D_p[i, k], q[m], rates[0])
                 if m != k:
                     chain.rule(D_p[i, m], q[k], rates[1])
     return P
 
 
-def _unsymmetric(machine: Machine, i: int, name: Symbol, at_k: Matrix, at_m: Matrix) -> tuple[Expr, Expr]:
+def _rates_of_jacobian_entries(
+    machine: Machine, i: int, name: Symbol, at_k: Matrix, at_m: Matrix
+) -> tuple[Expr, Expr]:
     """Return d(D_ik)/dq_m and d(D_im)/dq_k: for angular velocities they differ by a commutator (`turning`)."""
     first = len(machine.directions)
     if machine.turning is None or i < first:

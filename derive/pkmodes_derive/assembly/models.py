@@ -13,7 +13,7 @@ from pkmodes_derive.assembly.derived import (
     Derived,
     derive,
     drive_words,
-    flat,
+    flattened,
     units_of_mass,
     units_of_stiffness,
 )
@@ -54,7 +54,7 @@ def describe(
 ) -> Description:
     """Return what the runtime needs to know about a mechanism; `machine` has every effect that applies."""
     v = machine.vocabulary
-    named = tuple(Named(q.name, v[q].unit, v[q].description) for q in machine.coordinates)
+    coordinates = tuple(Named(q.name, v[q].unit, v[q].description) for q in machine.coordinates)
     pose = tuple(
         Named(axis, v[q].unit, _component(machine, axis))
         for axis, q in zip(machine.components, machine.pose, strict=True)
@@ -64,7 +64,7 @@ def describe(
         title=machine.title,
         pose=pose,
         pose_is=machine.pose_is,
-        coordinates=named,
+        coordinates=coordinates,
         independent=tuple(q.name for q in machine.independent),
         independent_are=machine.independent_are,
         directions=machine.directions,
@@ -132,7 +132,7 @@ def extended(machine: Machine) -> Model:
             dissipation(d),
             loss_of_joints(d),
             _static_equilibrium(d),
-            *_needs(machine),
+            *_requirement_functions(machine),
             *functions,
         ),
         constants=tuple(constants),
@@ -151,12 +151,12 @@ def _matrices(d: Derived) -> Function:
             Output(
                 "M",
                 shape,
-                flat(d.M),
+                flattened(d.M),
                 units_of_mass(d.machine),
                 "mass matrix; its leading block is that of the base model",
             ),
-            Output("K_el", shape, flat(d.K_el), K, "elastic stiffness with free joints"),
-            Output("K_g", shape, flat(d.K_g), K, "Hessian of the gravitational potential energy"),
+            Output("K_el", shape, flattened(d.K_el), K, "elastic stiffness with free joints"),
+            Output("K_g", shape, flattened(d.K_g), K, "Hessian of the gravitational potential energy"),
         ),
         d.kin.definitions,
     )
@@ -171,7 +171,7 @@ def _motion(d: Derived) -> Function:
         "Jacobian of the absolute motion of the platform centre.",
         "equation 15, with the contributions of released joints and the frame",
         (d.pose,),
-        (Output("J_p", shape, flat(rows), "1, m", "dp_i/dq_k, base frame"),),
+        (Output("J_p", shape, flattened(rows), "1, m", "dp_i/dq_k, base frame"),),
         d.kin.definitions,
     )
 
@@ -189,7 +189,7 @@ def _motors(d: Derived) -> Function:
         "Jacobian of the angles of the motors, seen at the rotors that they drive.",
         "the drives that the mechanism declares; a gearbox winds up by psi_j on its output side",
         (),
-        (Output("J_m", (len(rows), len(machine.small)), flat(rows), "1", "d(motor angle)/dq_k"),),
+        (Output("J_m", (len(rows), len(machine.small)), flattened(rows), "1", "d(motor angle)/dq_k"),),
         {},
         in_c=False,
     )
@@ -199,8 +199,8 @@ def _joints(d: Derived) -> Function:
     positions = [c.position for c in d.machine.released]
     stiffness = [diff(energy, q, q) for energy, q in zip(d.energies.V_r, positions, strict=True)]
     # Compliances in series add up, so the derivatives with respect to all of them are equal.
-    first = [min(c.free_symbols, key=default_sort_key, default=None) for c in d.machine.compliances]
-    rates = [Integer(0) if c is None else diff(k, c) for k, c in zip(stiffness, first, strict=True)]
+    one_compliance = [min(c.free_symbols, key=default_sort_key, default=None) for c in d.machine.compliances]
+    rates = [Integer(0) if c is None else diff(k, c) for k, c in zip(stiffness, one_compliance, strict=True)]
     n = len(positions)
     return Function(
         "joint_stiffness",
@@ -218,14 +218,14 @@ def _joints(d: Derived) -> Function:
     )
 
 
-def _needs(machine: Machine) -> list[Function]:
+def _requirement_functions(machine: Machine) -> list[Function]:
     """Return the conditions of effects on their parameters."""
     symbols = {field.name: field.symbols[0] for field in machine.effect_fields}
     conditions = []
     for effect in machine.effects:
         if effect.needs is not None:
-            of = effect.needs.of({p.name: symbols[f"{effect.name}_{p.name}"] for p in effect.parameters})
-            output = Output("margin", (1,), (of,), effect.needs.unit, "positive for physical parameters")
+            margin = effect.needs.of({p.name: symbols[f"{effect.name}_{p.name}"] for p in effect.parameters})
+            output = Output("margin", (1,), (margin,), effect.needs.unit, "positive for physical parameters")
             summary = f"Condition on the parameters of the effect {effect.name}."
             conditions.append(
                 Function(
@@ -271,12 +271,12 @@ def single(machine: Machine, zeros: Set[tuple[str, int]]) -> Model:
     zeros : set of (field, index)
         Parameters that are zero for this robot.
     """
-    c, v = Condensed(derive(machine), absent(machine, zeros)), machine.vocabulary
-    every = tuple(q.name for q in machine.all_coordinates)
-    listed = (
+    c, v = Condensed(derive(machine), zero_symbols(machine, zeros)), machine.vocabulary
+    names = tuple(q.name for q in machine.all_coordinates)
+    constant = (
         "All coordinates, including those without inertia, in the order of `condensation`.",
         "ALL_COORDINATES",
-        every,
+        names,
     )
     return Model(
         mechanism=machine.name,
@@ -286,12 +286,12 @@ def single(machine: Machine, zeros: Set[tuple[str, int]]) -> Model:
         functions=(*chapters.chapters(c), _platform_motion(c), *(_uncondensed(c) if c.massless else ())),
         rigid_modes=c.rigid_modes,
         conditions=c.machine.margins,
-        constants=(listed,) if c.massless else (),
+        constants=(constant,) if c.massless else (),
         notes=_notes(c),
     )
 
 
-def absent(machine: Machine, zeros: Set[tuple[str, int]]) -> frozenset[Symbol]:
+def zero_symbols(machine: Machine, zeros: Set[tuple[str, int]]) -> frozenset[Symbol]:
     """Return the symbols of parameters that are zero for a robot, by field and index."""
     fields = (*machine.tables.fields, *machine.effect_fields)
     return frozenset(s for field in fields for i, s in enumerate(field.symbols) if (field.name, i) in zeros)
@@ -328,7 +328,7 @@ def _platform_motion(c: Condensed) -> Function:
         "Jacobian of the absolute motion of the platform centre.",
         "equation 15, with the contributions of released joints and the frame",
         [c.pose],
-        Output("J_p", (len(rows), c.n), flat(rows), "1, m", "dp_i/dq_k, base frame"),
+        Output("J_p", (len(rows), c.n), flattened(rows), "1, m", "dp_i/dq_k, base frame"),
     )
 
 
@@ -341,8 +341,8 @@ def _uncondensed(c: Condensed) -> list[Function]:
             "Mass and stiffness matrices in all coordinates; M has zero rows and is singular.",
             "equation 48, with the effects' energies",
             [c.pose],
-            Output("M", (n, n), flat(c.M_all), units_of_mass(c.machine), "mass matrix"),
-            Output("K", (n, n), flat(c.K_all), units_of_stiffness(c.machine), "stiffness matrix"),
+            Output("M", (n, n), flattened(c.M_all), units_of_mass(c.machine), "mass matrix"),
+            Output("K", (n, n), flattened(c.K_all), units_of_stiffness(c.machine), "stiffness matrix"),
         ),
         c.function(
             "condensation",
@@ -352,7 +352,7 @@ def _uncondensed(c: Condensed) -> list[Function]:
             Output(
                 "T",
                 (n, c.n),
-                flat(c.condensation),
+                flattened(c.condensation),
                 "1, m, 1/m",
                 "all coordinates are T times those with inertia; T^T K T condenses the uncondensed K",
             ),

@@ -27,25 +27,25 @@ def motion(machine: Machine, kin: Kinematics, place: Place, direction: str) -> R
     """
     rates = machine.rates
     if place.coordinate is not None:
-        own = machine.velocities[machine.coordinates.index(place.coordinate)]
-        return [Integer(rate == own) for rate in rates]
+        own_rate = machine.velocities[machine.coordinates.index(place.coordinate)]
+        return [Integer(rate == own_rate) for rate in rates]
     if direction.startswith("r"):
         assert machine.turning is not None
         w = machine.turning.rates[machine.turning.axes.index(direction[1:])]
         return _per_rate(kin, w, rates)
-    velocity = energy.velocity(machine, place.position) if place.position else _of_frame(machine)
+    velocity = energy.velocity(machine, place.position) if place.position else _frame_velocity(machine)
     if not direction:
-        moved = [(rate, energy.scalar(machine, along, tuple(place.along))) for rate, along in velocity]
+        terms = [(rate, energy.scalar(machine, along, tuple(place.along))) for rate, along in velocity]
     else:
-        moved = [(rate, along[AXES.index(direction)]) for rate, along in velocity]
+        terms = [(rate, along[AXES.index(direction)]) for rate, along in velocity]
     rows = [
-        [factor * entry for entry in _per_rate(kin, rate, rates)] for rate, factor in moved if factor != 0
+        [factor * entry for entry in _per_rate(kin, rate, rates)] for rate, factor in terms if factor != 0
     ]
     at_pose = kin.reference
     return [Add(*column).xreplace(at_pose) for column in zip(*rows, strict=True)] or [Integer(0)] * len(rates)
 
 
-def _of_frame(machine: Machine) -> energy.Velocity:
+def _frame_velocity(machine: Machine) -> energy.Velocity:
     return [(rate, e) for rate, e in zip(machine.frame_rate, energy.BASIS, strict=True) if rate != 0]
 
 
@@ -55,13 +55,13 @@ def _per_rate(kin: Kinematics, velocity: Expr, rates: Sequence[Symbol]) -> Row:
 
 def energy_of_springs(machine: Machine, kin: Kinematics) -> tuple[Expr, tuple[Symbol, ...]]:
     """Return the energy of the springs of effects between places, and values that displacements leave unchanged."""
-    V, held = [], set[Symbol]()
+    V, symbols = [], set[Symbol]()
     for spring in machine.springs:
         for row in strains(machine, kin, spring):
-            held.update(*(entry.free_symbols for entry in row))
+            symbols.update(*(entry.free_symbols for entry in row))
             elongation = Add(*(entry * q for entry, q in zip(row, machine.small, strict=True)))
             V.append(HALF * spring.stiffness * elongation**2)
-    return Add(*V), tuple(sorted(held, key=default_sort_key))
+    return Add(*V), tuple(sorted(symbols, key=default_sort_key))
 
 
 def strains(machine: Machine, kin: Kinematics, spring: PlacedSpring) -> list[Row]:

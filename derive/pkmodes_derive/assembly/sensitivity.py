@@ -19,13 +19,13 @@ from collections.abc import Mapping, Sequence
 
 from sympy import Add, Expr, Symbol, diff
 
-from pkmodes_derive.assembly.derived import Derived, added
+from pkmodes_derive.assembly.derived import Derived, matrix_sum
 from pkmodes_derive.chain import Chain
 from pkmodes_derive.machine import Machine
 from pkmodes_description import CHOICES
 
 #: Entries of a matrix, (row, column).
-Places = tuple[tuple[int, int], ...]
+Entries = tuple[tuple[int, int], ...]
 
 
 def values(machine: Machine, moving: Sequence[Symbol]) -> tuple[Symbol, ...]:
@@ -50,29 +50,31 @@ def geometry(derived: Derived) -> tuple[Symbol, ...]:
 
 
 def _quantities(machine: Machine) -> list[Symbol]:
-    chosen = {key.field for table in machine.tables.described() for key in table.keys if key.kind in CHOICES}
-    left_out = chosen | set(machine.differences)
+    choices = {key.field for table in machine.tables.described() for key in table.keys if key.kind in CHOICES}
+    left_out = choices | set(machine.differences)
     return [s for field in machine.tables.fields if field.name not in left_out for s in field.symbols]
 
 
-def depending(derived: Derived, parameters: Sequence[Symbol]) -> list[tuple[Places, Places]]:
+def affected_entries(derived: Derived, parameters: Sequence[Symbol]) -> list[tuple[Entries, Entries]]:
     """Return, for each parameter, the entries of M and of K in the upper triangle that it may change."""
     definitions = derived.kin.definitions
-    known: dict[Symbol, frozenset[Symbol]] = {}
+    inputs_of: dict[Symbol, frozenset[Symbol]] = {}
     for symbol, value in definitions.items():
-        known[symbol] = _inputs(value, known)
+        inputs_of[symbol] = _inputs(value, inputs_of)
     by_matrix = []
-    for matrix in (derived.M, added(derived.K_el, derived.K_g)):
+    for matrix in (derived.M, matrix_sum(derived.K_el, derived.K_g)):
         n = range(len(matrix))
-        inputs = {(k, m): _inputs(matrix[k][m], known) for k in n for m in n if k <= m}
-        by_matrix.append([tuple(at for at, of in inputs.items() if theta in of) for theta in parameters])
+        inputs = {(k, m): _inputs(matrix[k][m], inputs_of) for k in n for m in n if k <= m}
+        by_matrix.append(
+            [tuple(entry for entry, symbols in inputs.items() if theta in symbols) for theta in parameters]
+        )
     of_M, of_K = by_matrix
     return list(zip(of_M, of_K, strict=True))
 
 
-def _inputs(expression: Expr, known: Mapping[Symbol, frozenset[Symbol]]) -> frozenset[Symbol]:
+def _inputs(expression: Expr, inputs_of: Mapping[Symbol, frozenset[Symbol]]) -> frozenset[Symbol]:
     """Return the inputs that an expression depends on, from those of the values that it uses."""
-    return frozenset().union(*(known.get(s, frozenset((s,))) for s in expression.free_symbols))
+    return frozenset().union(*(inputs_of.get(s, frozenset((s,))) for s in expression.free_symbols))
 
 
 class PoseChain:
@@ -84,7 +86,7 @@ class PoseChain:
         for symbol, expression in derived.kin.definitions.items():
             self.chain.define(symbol, expression)
         for theta in self.parameters:
-            self._follow(theta)
+            self._set_rules(theta)
 
     def derivatives(self, matrix: Sequence[Sequence[Expr]]) -> list[dict[tuple[int, int], Expr]]:
         """Return the derivatives of a symmetric matrix by parameter: nonzero entries of the upper triangle."""
@@ -97,24 +99,24 @@ class PoseChain:
             by_parameter.append({place: entry for place, entry in upper.items() if entry != 0})
         return by_parameter
 
-    def _follow(self, theta: Symbol) -> None:
+    def _set_rules(self, theta: Symbol) -> None:
         """Set the derivatives of independent coordinates, Jacobian and link forces with respect to a parameter."""
         machine, kin, chain = self.derived.machine, self.derived.kin, self.chain
         if kin.solver is None:
             return
-        free = machine.independent
-        held = (*free, *machine.turned)
-        rates = [chain.derivative(phi, theta, hold=held) for phi in kin.closures]
+        independent = machine.independent
+        constant = (*independent, *machine.turned)
+        rates = [chain.derivative(phi, theta, hold=constant) for phi in kin.closures]
         for j, rate in enumerate(rates):
             if rate != 0:
                 rate = rate.xreplace(kin.reference)
-                moved = self._name(free[j], theta, rate / kin.D_r[j, j])
-                chain.rule(free[j], theta, moved)
+                rate_of_coordinate = self._name(independent[j], theta, rate / kin.D_r[j, j])
+                chain.rule(independent[j], theta, rate_of_coordinate)
             else:
-                moved = rate
+                rate_of_coordinate = rate
             for symbol, (q, derivative) in machine.turned.items():
-                if q == free[j]:  # the symbol is a function of this coordinate alone
-                    chain.rule(symbol, theta, derivative * moved)
+                if q == independent[j]:  # the symbol is a function of this coordinate alone
+                    chain.rule(symbol, theta, derivative * rate_of_coordinate)
         s = [link.vector for link in machine.links]
         s_rate = [[self._name(c, theta, chain.derivative(c, theta)) for c in vector] for vector in s]
         for k in range(len(kin.independent)):
@@ -124,7 +126,7 @@ class PoseChain:
                 for j in range(len(s))
             ]
             for m, solution in enumerate(kin.solver.solve(right)):
-                self._state(kin.D[m, k], theta, solution)
+                self._set_rule(kin.D[m, k], theta, solution)
         mu = self.derived.equilibrium.force_densities
         gradient = [diff(self.derived.energies.V_g, component) for component in machine.dependent]
         right = [
@@ -132,9 +134,9 @@ class PoseChain:
             for m in range(len(gradient))
         ]
         for j, solution in enumerate(kin.solver.multipliers(right)):
-            self._state(mu[j], theta, solution)
+            self._set_rule(mu[j], theta, solution)
 
-    def _state(self, symbol: Symbol, theta: Symbol, derivative: Expr) -> None:
+    def _set_rule(self, symbol: Symbol, theta: Symbol, derivative: Expr) -> None:
         # A zero is set as well: without a rule the chain would differentiate the definition.
         self.chain.rule(symbol, theta, self._name(symbol, theta, derivative))
 

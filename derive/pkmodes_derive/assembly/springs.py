@@ -17,8 +17,8 @@ from pkmodes_derive.machine import SMALL, Machine
 from pkmodes_derive.parts import Reducer, Run
 from pkmodes_description import Named
 
-#: What precedes the name of a spring in the description of its stiffness, or of its displacement.
-BEFORE = ("stiffness of ", SMALL, "small ")
+#: Prefixes to the name of a spring in the description of its stiffness or displacement.
+DROPPED_PREFIXES = ("stiffness of ", SMALL, "small ")
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,7 @@ def springs(d: Derived) -> tuple[Spring, ...]:
         twist = machine.displacement(spring.twist)
         collected.append(_spring(d, spring.stiffness, twist, spring))
     for energy, effect in zip(machine.elastic, machine.elastic_of, strict=True):
-        collected += _of_effect(d, energy, effect)
+        collected += _springs_of_effect(d, energy, effect)
     for placed in machine.springs:
         (symbol,) = placed.stiffness.free_symbols
         what = machine.vocabulary[symbol]
@@ -71,10 +71,10 @@ def _spring(d: Derived, stiffness: Symbol, elongation: Expr, part: Run | Reducer
     )
 
 
-def _of_effect(d: Derived, energy: Expr, effect: str) -> list[Spring]:
+def _springs_of_effect(d: Derived, energy: Expr, effect: str) -> list[Spring]:
     """Return the springs of an energy, which is a quadratic form: one for each of its completed squares."""
     vocabulary, collected = d.machine.vocabulary, []
-    for symbol, stiffness, elongation in _squares(energy, _displaced(d.machine, energy)):
+    for symbol, stiffness, elongation in _squares(energy, _displacements_in(d.machine, energy)):
         what = vocabulary[symbol]
         unit = "N m/rad" if what.unit == "rad" else "N/m"
         name = f"{effect.replace('_', ' ')}: {_name(what.description)}"
@@ -84,20 +84,20 @@ def _of_effect(d: Derived, energy: Expr, effect: str) -> list[Spring]:
     return collected
 
 
-def _displaced(machine: Machine, energy: Expr) -> list[Symbol]:
+def _displacements_in(machine: Machine, energy: Expr) -> list[Symbol]:
     """Return the displacements in an energy: one of a pair of rotors may turn, their common wind-up comes last."""
     return [symbol for symbol in (*machine.small, *machine.delta_p) if symbol in energy.free_symbols]
 
 
 def _squares(energy: Expr, symbols: Sequence[Symbol]) -> list[tuple[Symbol, Expr, Expr]]:
     """Return (symbol, k, e) with energy = sum of k e^2 / 2: the square is completed in one symbol after the other."""
-    squares, rest = [], energy
+    squares, remainder = [], energy
     for symbol in symbols:
-        stiffness = diff(rest, symbol, symbol)
+        stiffness = diff(remainder, symbol, symbol)
         if stiffness != 0:
-            elongation = Add(*(diff(rest, symbol, other) / stiffness * other for other in symbols))
+            elongation = Add(*(diff(remainder, symbol, other) / stiffness * other for other in symbols))
             squares.append((symbol, stiffness, elongation))
-            rest = (rest - stiffness * elongation**2 / 2).expand()
+            remainder = (remainder - stiffness * elongation**2 / 2).expand()
     return squares
 
 
@@ -107,6 +107,6 @@ def _strain(d: Derived, elongation: Expr) -> tuple[Expr, ...]:
 
 def _name(description: str) -> str:
     """Return the short name in a description: "stiffness of span 1 of belt 2 (...)" is that of span 1 of belt 2."""
-    for words in BEFORE:
+    for words in DROPPED_PREFIXES:
         description = description.removeprefix(words)
     return description.split(" (")[0].split(", with")[0].replace(" from the pose, component ", " along ")

@@ -25,7 +25,7 @@ from pkmodes_derive.assembly.kinematics import Kinematics
 from pkmodes_derive.machine import Machine
 from pkmodes_derive.vocabulary import AXES, DeclarationError
 
-TIE = "connect each coordinate that moves the platform to its own drive with a reducer or a belt"
+CONNECT_REMEDY = "connect each coordinate that moves the platform to its own drive with a reducer or a belt"
 
 
 @dataclass(frozen=True)
@@ -83,21 +83,24 @@ def derive(machine: Machine, kinematics: Kinematics, energies: Energies) -> Stat
             for q, D in zip(machine.independent, kinematics.D_p.T.tolist(), strict=True)
         ]
         hessian = _hessian_in_blocks(machine, kinematics, energies, mu)
-    places = [machine.coordinates.index(q) for q in machine.independent]
+    independent_indices = [machine.coordinates.index(q) for q in machine.independent]
     # The independent coordinates and released joints hold the pose.
-    fixed = (*(machine.displacements[i] for i in places), *(c.position for c in machine.released))
-    at_pose = dict.fromkeys(fixed, Integer(0))
+    fixed_displacements = (
+        *(machine.displacements[i] for i in independent_indices),
+        *(c.position for c in machine.released),
+    )
+    at_pose = dict.fromkeys(fixed_displacements, Integer(0))
     hessian = [[entry.xreplace(at_pose) for entry in row] for row in hessian]
     # Springs that effects add are relaxed at the pose: only the transmissions are strained.
     elastic = [diff(energies.V_transmissions, q).xreplace(at_pose) for q in machine.displacements]
     forces = _name_forces(machine, gravity)
-    unknown = [q for i, q in enumerate(machine.displacements) if i not in places]
-    equations = [_equation(elastic[i], -forces[k], unknown, "N") for k, i in enumerate(places)]
+    unknown = [q for i, q in enumerate(machine.displacements) if i not in independent_indices]
+    equations = [_equation(elastic[i], -forces[k], unknown, "N") for k, i in enumerate(independent_indices)]
     equations += [_equation(row, Integer(0), unknown, "N m") for row in _undriven(machine, elastic)]
     _check_determined(machine, equations, unknown)
     rotations: dict[Symbol, Symbol] = {}
-    for number, (some, block) in enumerate(_blocks(equations, unknown), start=1):
-        rotations |= _solved(machine, number, some, block)
+    for number, (block_unknowns, block) in enumerate(_blocks(equations, unknown), start=1):
+        rotations |= _solve_block(machine, number, block_unknowns, block)
     torques = tuple(drive.torque for drive in machine.drives)
     for drive in machine.drives:
         by_rotor = (driven * elastic[machine.coordinates.index(r.coordinate)] for r, driven in drive.rotors)
@@ -122,8 +125,8 @@ def _undriven(machine: Machine, elastic: Sequence[Expr]) -> list[Expr]:
     rows = []
     for drive in machine.drives:
         if len(drive.rotors) == 2:
-            (first, drives_first), (second, drives_second) = drive.rotors
-            a, b = (elastic[machine.coordinates.index(r.coordinate)] for r in (first, second))
+            (first_rotor, drives_first), (second_rotor, drives_second) = drive.rotors
+            a, b = (elastic[machine.coordinates.index(r.coordinate)] for r in (first_rotor, second_rotor))
             rows.append(drives_second * a + drives_first * b)
     return rows
 
@@ -133,11 +136,13 @@ def _check_determined(machine: Machine, equations: Sequence[_Equation], unknown:
     for q, equation in zip(machine.independent, equations, strict=False):
         if not equation.row:
             what = f"the equilibrium is not determined: no spring connects {q} to a drive"
-            raise DeclarationError(what, TIE)
+            raise DeclarationError(what, CONNECT_REMEDY)
     for q in unknown:
         if not any(q in equation.row for equation in equations):
             name = _coordinate(machine, q).name
-            raise DeclarationError(f"the equilibrium is not determined: no spring acts on {name}", TIE)
+            raise DeclarationError(
+                f"the equilibrium is not determined: no spring acts on {name}", CONNECT_REMEDY
+            )
 
 
 def _coordinate(machine: Machine, displacement: Symbol) -> Symbol:
@@ -154,19 +159,19 @@ def _blocks(
     """Group the unknowns that share an equation, and return them with their equations."""
     groups: list[set[Symbol]] = []
     for equation in equations:
-        joined = set(equation.row)
-        for group in [g for g in groups if g & joined]:
+        group_of_equation = set(equation.row)
+        for group in [g for g in groups if g & group_of_equation]:
             groups.remove(group)
-            joined |= group
-        groups.append(joined)
+            group_of_equation |= group
+        groups.append(group_of_equation)
     blocks = []
     for group in sorted(groups, key=lambda g: min(unknown.index(q) for q in g)):
-        some = [q for q in unknown if q in group]
-        blocks.append((some, [equation for equation in equations if set(equation.row) & group]))
+        block_unknowns = [q for q in unknown if q in group]
+        blocks.append((block_unknowns, [equation for equation in equations if set(equation.row) & group]))
     return blocks
 
 
-def _solved(
+def _solve_block(
     machine: Machine, number: int, unknown: Sequence[Symbol], equations: Sequence[_Equation]
 ) -> dict[Symbol, Symbol]:
     """Solve one block by Cramer's rule and return the names of the solution."""
@@ -176,7 +181,7 @@ def _solved(
         names = ", ".join(_coordinate(machine, q).name for q in unknown)
         raise DeclarationError(
             f"the equilibrium has {len(equations)} equations for {n} unknowns: {names}",
-            f"{TIE}; an idler forms a pair with the rotor that is driven: [(driven, 1), (idler, 0)]",
+            f"{CONNECT_REMEDY}; an idler forms a pair with the rotor that is driven: [(driven, 1), (idler, 0)]",
         )
     right = [e.right for e in equations]
     if n == 1:

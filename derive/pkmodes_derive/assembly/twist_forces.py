@@ -29,8 +29,8 @@ def forces_of_twist(c: Condensed, turning: Turning, velocities: tuple[Symbol, ..
     for p, t in zip(m.dependent, m.v_p, strict=False):
         moving.rule(p, lagrangian.TIME, t)
     for vector in turning.fixed:
-        turned = cross(turning.spatial(turning.rates), vector)
-        for component, rate in zip(vector, turned, strict=True):
+        rate_of_vector = cross(turning.spatial(turning.rates), vector)
+        for component, rate in zip(vector, rate_of_vector, strict=True):
             if component.is_Symbol:
                 moving.rule(component, lagrangian.TIME, rate)
 

@@ -1,4 +1,4 @@
-"""Constants that the code of a model states in every language: identity, dimensions, statuses and limits."""
+"""Constants in the code of a model, the same in every language: identity, dimensions, statuses and limits."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class Constant:
 def constants(model: Model, provenance: Provenance) -> list[Constant]:
     """Return the constants of a model that has conditions on the pose."""
     identity, kind = provenance.identity, "mechanism" if provenance.parametric else "robot"
-    listed = [
+    result = [
         Constant("NAME", identity.name, f"name of the {kind}"),
         Constant("VERSION", identity.version, "version of the generator"),
         Constant("HASH", identity.digest, "SHA-256 of the C source, first digits: other code has another"),
@@ -45,33 +45,33 @@ def constants(model: Model, provenance: Provenance) -> list[Constant]:
         Constant("COORDINATES", len(model.coordinates), "coordinates, and modes"),
     ]
     if model.rigid_modes is not None:
-        listed.append(Constant("RIGID_MODES", model.rigid_modes, "rigid-body modes, the first ones"))
+        result.append(Constant("RIGID_MODES", model.rigid_modes, "rigid-body modes, the first ones"))
     if model.held is not None and model.held.functions:
-        listed.append(
+        result.append(
             Constant("HELD_MODES", len(model.held.coordinates), f"modes with the motors {model.held.motors}")
         )
     if any(margin.rule == "at_most_limit" for margin in model.conditions):
         largest = "largest condition number of a regular pose"
-        listed.append(Constant("MAX_CONDITION", MAX_CONDITION, largest, MAX_CONDITION_SINGLE))
-    listed.append(
+        result.append(Constant("MAX_CONDITION", MAX_CONDITION, largest, MAX_CONDITION_SINGLE))
+    result.append(
         Constant(
             "UNSOLVED", -1, "status: the eigenproblem has no solution, or rounding leaves it too few digits"
         )
     )
-    listed.append(Constant("NOT_FINITE", 1, f"status: {NOT_FINITE}"))
+    result.append(Constant("NOT_FINITE", 1, f"status: {NOT_FINITE}"))
     for number, margin in enumerate(model.conditions, start=2):
-        listed.append(Constant(status_name(model.conditions, number), number, f"status: {margin.meaning}"))
+        result.append(Constant(status_name(model.conditions, number), number, f"status: {margin.meaning}"))
     for limit in identity.limits:
         comment = f"[{limit.unit}] {limit.path} of the robot file: {limit.description}"
-        listed.append(Constant(limit.name, limit.value, comment))
-    return listed
+        result.append(Constant(limit.name, limit.value, comment))
+    return result
 
 
 def status_name(conditions: Sequence[Margin], number: int) -> str:
     """Return the name of a status; of several conditions with one code, the later ones are numbered."""
     code = conditions[number - 2].code
-    before = sum(margin.code == code for margin in conditions[: number - 2])
-    return f"BEYOND_{code}{before + 1 if before else ''}".upper()
+    earlier = sum(margin.code == code for margin in conditions[: number - 2])
+    return f"BEYOND_{code}{earlier + 1 if earlier else ''}".upper()
 
 
 def pose(model: Model) -> Argument:

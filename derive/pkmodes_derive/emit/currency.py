@@ -68,14 +68,14 @@ def read_manifest(folder: Path) -> dict[str, object]:
 
 def compare(folder: Path, recorded: Mapping[str, object], fresh: Mapping[str, str]) -> list[Finding]:
     """Compare a folder and its manifest with the texts of a fresh derivation."""
-    wanted = json.loads(fresh[manifest.FILE_NAME])
-    on_disk = {name: _read(folder / name) for name in fresh}
+    fresh_manifest = json.loads(fresh[manifest.FILE_NAME])
+    on_disk = {name: _read_text(folder / name) for name in fresh}
     findings = [
-        *_robot(recorded, wanted),
-        *_generator(recorded, wanted),
-        *_sources(recorded, wanted),
-        *_outputs(recorded, fresh, on_disk),
-        *_orphans(folder, recorded, fresh),
+        *_robot_findings(recorded, fresh_manifest),
+        *_generator_findings(recorded, fresh_manifest),
+        *_source_findings(recorded, fresh_manifest),
+        *_output_findings(recorded, fresh, on_disk),
+        *_orphan_findings(folder, recorded, fresh),
     ]
     text = on_disk[manifest.FILE_NAME]
     if not findings and text != fresh[manifest.FILE_NAME]:
@@ -86,23 +86,26 @@ def compare(folder: Path, recorded: Mapping[str, object], fresh: Mapping[str, st
     return findings
 
 
-def _read(path: Path) -> str | None:
+def _read_text(path: Path) -> str | None:
     # Bytes that are not UTF-8 count as an edit, so they are shown, not refused.
     if not path.is_file():
         return None
     return path.read_bytes().decode("utf-8", errors="replace")
 
 
-def _part(content: Mapping[str, object], *keys: str) -> dict[str, object]:
+def _mapping_at(content: Mapping[str, object], *keys: str) -> dict[str, object]:
     value: object = content
     for key in keys:
         value = value.get(key, {}) if isinstance(value, Mapping) else {}
     return dict(value) if isinstance(value, Mapping) else {}
 
 
-def _robot(recorded: Mapping[str, object], wanted: Mapping[str, object]) -> list[Finding]:
-    old, new = _part(recorded, "robot", "values"), _part(wanted, "robot", "values")
-    old["name"], new["name"] = _part(recorded, "robot").get("name"), _part(wanted, "robot").get("name")
+def _robot_findings(recorded: Mapping[str, object], fresh_manifest: Mapping[str, object]) -> list[Finding]:
+    old, new = _mapping_at(recorded, "robot", "values"), _mapping_at(fresh_manifest, "robot", "values")
+    old["name"], new["name"] = (
+        _mapping_at(recorded, "robot").get("name"),
+        _mapping_at(fresh_manifest, "robot").get("name"),
+    )
     return [
         Finding(
             "robot",
@@ -119,8 +122,10 @@ def _value(value: object) -> str:
     return "absent" if value is None else json.dumps(value)
 
 
-def _generator(recorded: Mapping[str, object], wanted: Mapping[str, object]) -> list[Finding]:
-    old, new = _part(recorded, "generator"), _part(wanted, "generator")
+def _generator_findings(
+    recorded: Mapping[str, object], fresh_manifest: Mapping[str, object]
+) -> list[Finding]:
+    old, new = _mapping_at(recorded, "generator"), _mapping_at(fresh_manifest, "generator")
     names = {"sympy": "SymPy"}
     return [
         Finding(
@@ -133,8 +138,8 @@ def _generator(recorded: Mapping[str, object], wanted: Mapping[str, object]) -> 
     ]
 
 
-def _sources(recorded: Mapping[str, object], wanted: Mapping[str, object]) -> list[Finding]:
-    old, new = _part(recorded, "sources"), _part(wanted, "sources")
+def _source_findings(recorded: Mapping[str, object], fresh_manifest: Mapping[str, object]) -> list[Finding]:
+    old, new = _mapping_at(recorded, "sources"), _mapping_at(fresh_manifest, "sources")
     return [
         Finding(
             "derivation",
@@ -147,11 +152,11 @@ def _sources(recorded: Mapping[str, object], wanted: Mapping[str, object]) -> li
     ]
 
 
-def _outputs(
+def _output_findings(
     recorded: Mapping[str, object], fresh: Mapping[str, str], on_disk: Mapping[str, str | None]
 ) -> list[Finding]:
     findings = []
-    digests = _part(recorded, "outputs")
+    digests = _mapping_at(recorded, "outputs")
     for name, text in fresh.items():
         content = on_disk[name]
         if name == manifest.FILE_NAME:
@@ -168,16 +173,16 @@ def _outputs(
     return findings
 
 
-def _orphans(folder: Path, recorded: Mapping[str, object], fresh: Mapping[str, str]) -> list[Finding]:
+def _orphan_findings(folder: Path, recorded: Mapping[str, object], fresh: Mapping[str, str]) -> list[Finding]:
     """Find generated files that do not belong to this model; regenerating removes those of its former name.
 
     Everything else in the folder, including folders and links, belongs to the user.
     """
-    former, findings = _part(recorded, "outputs"), []
+    earlier_outputs, findings = _mapping_at(recorded, "outputs"), []
     for path in sorted(folder.iterdir()):
         if path.name in fresh or path.is_symlink() or not (path.is_file() and carries_header(path)):
             continue
-        if path.name in former:
+        if path.name in earlier_outputs:
             findings.append(
                 Finding(
                     "different", path.name, f"{path.name} is of a former model: another name, or with effects"
@@ -200,11 +205,11 @@ def carries_header(path: Path) -> bool:
         return False
 
 
-def _diff(name: str, content: str, wanted: str) -> str:
+def _diff(name: str, content: str, expected: str) -> str:
     lines = list(
         difflib.unified_diff(
             content.splitlines(),
-            wanted.splitlines(),
+            expected.splitlines(),
             f"{name} (on disk)",
             f"{name} (derived now)",
             lineterm="",

@@ -1,4 +1,4 @@
-"""What generated code says about itself: name, version, digest, and the limits that the robot file declares."""
+"""The identity of generated code: name, version, digest, and the limits that the robot file declares."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from pkmodes_derive.machine import Machine
 from pkmodes_derive.tables import unit_of
 
 #: Hexadecimal digits of a digest; 64 bits tell the models of a machine apart.
-DIGITS = 16
+DIGEST_DIGITS = 16
 #: Names that are string literals of any language as they stand; the schema of robot files allows no others.
-PLAIN = re.compile(r"[A-Za-z0-9][A-Za-z0-9 ._+-]*")
+LITERAL_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9 ._+-]*")
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,7 @@ class Limit:
 
 @dataclass(frozen=True)
 class Identity:
-    """A product as its own code states it.
+    """The identity of a product, as stated in its code.
 
     Attributes
     ----------
@@ -62,19 +62,19 @@ class Identity:
     limits: tuple[Limit, ...] = ()
 
 
-def literal(name: str, otherwise: str) -> str:
-    """Return a name that can stand in a string literal: `otherwise`, an identifier, if the name cannot."""
-    return name if PLAIN.fullmatch(name) else otherwise
+def literal(name: str, identifier: str) -> str:
+    """Return a name that can stand in a string literal: `identifier`, an identifier, if the name cannot."""
+    return name if LITERAL_NAME.fullmatch(name) else identifier
 
 
 def digest(source: str) -> str:
     """Return the digest of a C source from its first directive on: comments before it do not count.
 
-    What the model computes is in its C source.  A value of the robot that is folded away, such as one of two factors
-    of a product, may change without changing it.
+    All that the model computes is in its C source.  If a value of the robot is folded into others, such as one of two
+    factors of a product, a change of it may leave the source unchanged.
     """
     code = source[source.index('#include "') :]
-    return hashlib.sha256(code.encode("utf-8")).hexdigest()[:DIGITS]
+    return hashlib.sha256(code.encode("utf-8")).hexdigest()[:DIGEST_DIGITS]
 
 
 def limits(machine: Machine, fields: Mapping[str, Any]) -> tuple[Limit, ...]:
@@ -89,18 +89,18 @@ def limits(machine: Machine, fields: Mapping[str, Any]) -> tuple[Limit, ...]:
     """
     if not any(margin.code == "limits" for margin in machine.margins):
         return ()
-    declared = []
+    found = []
     for table in machine.tables.described():
         for key in (key for key in table.keys if key.kind == "pair"):
-            for place, first in _places(table.name, table.count):
+            for path, entry_index in _places(table.name, table.count):
                 values: Any = fields[key.field]
-                for i in (*first, *key.index):
+                for i in (*entry_index, *key.index):
                     values = values[i]
-                declared += [
-                    Limit(f"{place}.{key.name}.{end}", float(value), unit_of(key.dimension), key.description)
+                found += [
+                    Limit(f"{path}.{key.name}.{end}", float(value), unit_of(key.dimension), key.description)
                     for end, value in zip(("min", "max"), values, strict=True)
                 ]
-    return tuple(declared)
+    return tuple(found)
 
 
 def _places(table: str, count: int) -> list[tuple[str, tuple[int, ...]]]:

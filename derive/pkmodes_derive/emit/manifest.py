@@ -1,4 +1,4 @@
-"""The manifest: a record of what a product was made from, so a later check can tell what has changed.
+"""The manifest: a record of what a product was made from, so that a later check can report what has changed.
 
 It holds digests of the derivation's sources and templates and of every output, the generator's version,
 the operation counts and, for a robot, the values of its file.
@@ -51,7 +51,7 @@ def text(
         "generator": {"pkmodes_derive": pkmodes_derive.__version__, "sympy": sympy.__version__},
         "sources": {
             **sources.source_digests(),
-            **{name: sources.digest(of_copy) for name, of_copy in copies.items()},
+            **{name: sources.digest(copy_text) for name, copy_text in copies.items()},
         },
         "outputs": {name: sources.digest(outputs[name]) for name in outputs},
         "operations": {
@@ -69,6 +69,6 @@ def text(
             "name": specification.name,
             "values": dict(specification.values),
         }
-    written = json.dumps(content, indent=1, sort_keys=True, ensure_ascii=False) + "\n"
+    json_text = json.dumps(content, indent=1, sort_keys=True, ensure_ascii=False) + "\n"
     # Bytes of a file name that are not UTF-8 are surrogates here, which must be escaped in JSON.
-    return written.encode("utf-8", "backslashreplace").decode("utf-8")
+    return json_text.encode("utf-8", "backslashreplace").decode("utf-8")

@@ -1,4 +1,4 @@
-"""What the printers of all languages share."""
+"""Base of the printers of all languages."""
 
 from __future__ import annotations
 

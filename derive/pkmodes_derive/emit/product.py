@@ -22,13 +22,13 @@ from pkmodes_derive.emit.provenance import ANY_ROBOT, Provenance, pasteable
 from pkmodes_derive.emit.registry import BACKENDS
 from pkmodes_derive.emit.specification import Specification
 from pkmodes_derive.functions import Function, Model
-from pkmodes_derive.kept import digest_of, keeps, kept
+from pkmodes_derive.kept import derive_once, digest_of, has_folder
 from pkmodes_derive.specialise import specialise
 from pkmodes_description import FILE_NAME as DESCRIPTION
 from pkmodes_description import encode
 
 REGENERATE = "python -m pkmodes_derive generate"
-#: What the names of a robot's functions without its effects have in addition.
+#: Suffix of the module, and prefix of the programs, of a robot without its effects.
 WITHOUT_EFFECTS = "without_effects"
 
 
@@ -42,29 +42,29 @@ def parametric(mechanism: str, definition: str = "", effects: Sequence[str] = ()
     effects : sequence of str
         Paths of the files of its effects of one's own, in their order, relative to the product.
     """
-    of = mechanism, definition, tuple(effects), mechanisms.origin(mechanism)
-    return kept("parametric", of, lambda: _parametric(mechanism, definition, effects))
+    inputs = mechanism, definition, tuple(effects), mechanisms.origin(mechanism)
+    return derive_once("parametric", inputs, lambda: _parametric(mechanism, definition, effects))
 
 
 def _parametric(mechanism: str, definition: str, effects: Sequence[str]) -> dict[str, str]:
     model, extended = mechanisms.base(mechanism), mechanisms.extended(mechanism)
-    own, of_effects = mechanisms.source(mechanism), mechanisms.own_effects(mechanism)
-    given = [f"--mechanism {pasteable(definition)}"] if own is not None else []
-    given += [f"--effect {pasteable(path)}" for path in effects]
-    command = " ".join(["pkmodes generate", *given, ANY_ROBOT, "--out .."])
+    definition_text, effect_files = mechanisms.source(mechanism), mechanisms.own_effects(mechanism)
+    options = [f"--mechanism {pasteable(definition)}"] if definition_text is not None else []
+    options += [f"--effect {pasteable(path)}" for path in effects]
+    command = " ".join(["pkmodes generate", *options, ANY_ROBOT, "--out .."])
     provenance = Provenance(
         name=mechanism,
         module="model",
         title=f"Dynamics of the mechanism {mechanism}, for a robot given by its parameters.",
         origin=f"the derivation of {mechanism}",
         generator=_generator(),
-        command=command if given else REGENERATE,
-        place=", run in this folder" if given else "",
+        command=command if options else REGENERATE,
+        place=", run in this folder" if options else "",
         identity=Identity(mechanism, pkmodes_derive.__version__),
     )
-    beyond = f"the derivation of {mechanism} and the catalogue of effects"
-    (drawing, _), (terms, _) = mechanisms.drawing(mechanism), mechanisms.beyond(mechanism)
-    texts, programs = written(
+    origin_with_effects = f"the derivation of {mechanism} and the catalogue of effects"
+    (drawing, _), (terms, _) = mechanisms.drawing(mechanism), mechanisms.terms_beyond_catalogue(mechanism)
+    texts, programs = write_models(
         (model, provenance),
         (
             extended,
@@ -73,7 +73,7 @@ def _parametric(mechanism: str, definition: str, effects: Sequence[str]) -> dict
                 name=f"{mechanism}_extended",
                 module="extended",
                 title=f"Dynamics of the mechanism {mechanism} with effects: extended matrices and sensitivities.",
-                origin=beyond,
+                origin=origin_with_effects,
             ),
         ),
         (
@@ -82,7 +82,7 @@ def _parametric(mechanism: str, definition: str, effects: Sequence[str]) -> dict
                 provenance,
                 module="drawing",
                 title=f"Points and springs of the mechanism {mechanism}, with effects, for pictures of it.",
-                origin=beyond,
+                origin=origin_with_effects,
             ),
         ),
         (
@@ -91,14 +91,14 @@ def _parametric(mechanism: str, definition: str, effects: Sequence[str]) -> dict
                 provenance,
                 module="terms",
                 title=f"Terms of the mechanism {mechanism}: motion of its bodies, and what holds them yielding.",
-                origin=beyond,
+                origin=origin_with_effects,
             ),
         ),
     )
     description = mechanisms.description(mechanism)
-    of_both = replace(provenance, title=f"The mechanism {mechanism} for the compiled evaluator.")
+    header_provenance = replace(provenance, title=f"The mechanism {mechanism} for the compiled evaluator.")
     for backend in BACKENDS:
-        more_texts, more_programs = backend.mechanism(model, extended, description, of_both)
+        more_texts, more_programs = backend.mechanism(model, extended, description, header_provenance)
         texts |= more_texts
         programs |= more_programs
     texts[DESCRIPTION] = encode(description)
@@ -106,22 +106,26 @@ def _parametric(mechanism: str, definition: str, effects: Sequence[str]) -> dict
         f'"""Generated model of the mechanism {mechanism}: see `model`."""\n\n'
         "from .model import *  # noqa: F403\n"  # relative: a user-defined mechanism may be anywhere
     )
-    if own is not None:
-        texts[FILE_NAME] = own
-    texts |= {file_name(effect): text for text, effect in of_effects}
-    origin = None if own is None else (definition, own)
-    copied = {
-        path: (file_name(effect), text) for path, (text, effect) in zip(effects, of_effects, strict=True)
+    if definition_text is not None:
+        texts[FILE_NAME] = definition_text
+    texts |= {file_name(effect): text for text, effect in effect_files}
+    origin = None if definition_text is None else (definition, definition_text)
+    effect_copies = {
+        path: (file_name(effect), text) for path, (text, effect) in zip(effects, effect_files, strict=True)
     }
-    texts[manifest.FILE_NAME] = manifest.text(mechanism, mechanism, None, texts, programs, origin, copied)
+    texts[manifest.FILE_NAME] = manifest.text(
+        mechanism, mechanism, None, texts, programs, origin, effect_copies
+    )
     return texts
 
 
 def of_robot(specification: Specification) -> Model:
     """Return the model of a robot, base or with its effects, before its parameters are folded in."""
     name, zeros = specification.mechanism, _zeros(specification)
-    plain = not specification.effects
-    model: Model = mechanisms.base(name) if plain else mechanisms.single(name, specification.effects, zeros)
+    has_no_effects = not specification.effects
+    model: Model = (
+        mechanisms.base(name) if has_no_effects else mechanisms.single(name, specification.effects, zeros)
+    )
     held = mechanisms.held(name, specification.effects, zeros, specification.springs)
     held = replace(held, ratio=specification.damping_ratio)
     return replace(model, functions=(*model.functions, *held.functions), held=held)
@@ -139,15 +143,15 @@ def _zeros(specification: Specification) -> frozenset[tuple[str, int]]:
 
 def specialised(specification: Specification) -> dict[str, str]:
     """Build the model of one robot, constants folded: texts by file name."""
-    of = specification, mechanisms.origin(specification.mechanism)
-    return kept("specialised", of, lambda: _specialised(specification))
+    inputs = specification, mechanisms.origin(specification.mechanism)
+    return derive_once("specialised", inputs, lambda: _specialised(specification))
 
 
 def _specialised(specification: Specification) -> dict[str, str]:
     model = of_robot(specification)
-    name, given = specification.identifier, specification.definition
-    option = f"--mechanism {pasteable(given)} " if given else ""
-    own = mechanisms.source(specification.mechanism)
+    name, definition = specification.identifier, specification.definition
+    option = f"--mechanism {pasteable(definition)} " if definition else ""
+    definition_text = mechanisms.source(specification.mechanism)
     provenance = Provenance(
         name=name,
         module=name,
@@ -164,25 +168,27 @@ def _specialised(specification: Specification) -> dict[str, str]:
         ),
     )
     if specification.effects:
-        beside = f"{name}_{WITHOUT_EFFECTS}"
-        note = f"The same functions for the robot without its effects are in `{beside}`."
+        bare_name = f"{name}_{WITHOUT_EFFECTS}"
+        note = f"The same functions for the robot without its effects are in `{bare_name}`."
         model = replace(model, notes=(*model.notes, note))
-    texts, programs = written((specialise(model, _values(model, specification)), provenance))
+    texts, programs = write_models((specialise(model, _values(model, specification)), provenance))
     if specification.effects:
         title = (
             f"Dynamics of the robot {specification.name} ({specification.mechanism}) without its effects, "
             "parameters folded in."
         )
-        own_texts, own_programs = _without_effects(
-            specification, replace(provenance, name=beside, module=beside, title=title)
+        bare_texts, bare_programs = _without_effects(
+            specification, replace(provenance, name=bare_name, module=bare_name, title=title)
         )
-        texts |= own_texts
-        programs |= {f"{WITHOUT_EFFECTS}_{key}": program for key, program in own_programs.items()}
-    origin = (given, own) if given or own is not None else None
-    of_effects = mechanisms.own_effects(specification.mechanism)
-    copied = {f"{given}/{file_name(effect)}": (file_name(effect), text) for text, effect in of_effects}
+        texts |= bare_texts
+        programs |= {f"{WITHOUT_EFFECTS}_{key}": program for key, program in bare_programs.items()}
+    origin = (definition, definition_text) if definition or definition_text is not None else None
+    effect_files = mechanisms.own_effects(specification.mechanism)
+    effect_copies = {
+        f"{definition}/{file_name(effect)}": (file_name(effect), text) for text, effect in effect_files
+    }
     texts[manifest.FILE_NAME] = manifest.text(
-        name, specification.mechanism, specification, texts, programs, origin, copied
+        name, specification.mechanism, specification, texts, programs, origin, effect_copies
     )
     return texts
 
@@ -190,7 +196,7 @@ def _specialised(specification: Specification) -> dict[str, str]:
 def _without_effects(
     specification: Specification, provenance: Provenance
 ) -> tuple[dict[str, str], dict[str, Program]]:
-    """Write the model of a robot without its effects, which is the same whatever they are."""
+    """Write the model of a robot without its effects; it does not depend on them."""
     fields = {field.name for field in mechanisms.base(specification.mechanism).fields}
     bare = replace(
         specification,
@@ -203,10 +209,10 @@ def _without_effects(
     def write() -> tuple[dict[str, str], dict[str, Program]]:
         model = of_robot(bare)
         own = replace(provenance, constants=_constants(model, bare))
-        return written((specialise(model, _values(model, bare)), own))
+        return write_models((specialise(model, _values(model, bare)), own))
 
-    of = bare, replace(provenance, constants=()), mechanisms.origin(bare.mechanism)
-    return kept("without_effects", of, write)
+    inputs = bare, replace(provenance, constants=()), mechanisms.origin(bare.mechanism)
+    return derive_once("without_effects", inputs, write)
 
 
 def _values(model: Model, specification: Specification) -> dict[str, float]:
@@ -218,31 +224,31 @@ def _values(model: Model, specification: Specification) -> dict[str, float]:
     }
 
 
-def written(*models: tuple[Model, Provenance]) -> tuple[dict[str, str], dict[str, Program]]:
+def write_models(*models: tuple[Model, Provenance]) -> tuple[dict[str, str], dict[str, Program]]:
     """Write models in every language: return the texts by file name, and the programs that all of them print."""
     texts: dict[str, str] = {}
     programs: dict[str, Program] = {}
     for model, provenance in models:
-        of_model = arranged(model.functions)
+        model_programs = arrange_functions(model.functions)
         by_backend: dict[str, Mapping[str, str]] = {}
         # First the language whose source identifies the model, because the others state its digest.
         for backend in sorted(BACKENDS, key=lambda backend: not backend.source):
-            files = by_backend[backend.name] = backend.model(model, of_model, provenance)
+            files = by_backend[backend.name] = backend.model(model, model_programs, provenance)
             if backend.source and files:
                 provenance = provenance.of_source(files[f"{provenance.name}{backend.source}"])
         for backend in BACKENDS:
             texts |= by_backend[backend.name]
-        programs |= of_model
+        programs |= model_programs
     return texts, programs
 
 
-def arranged(functions: Sequence[Function]) -> dict[str, Program]:
+def arrange_functions(functions: Sequence[Function]) -> dict[str, Program]:
     """Return the program of each function by name."""
 
     def arrange_all() -> dict[str, Program]:
         return {function.name: arrange(function) for function in functions}
 
-    return kept("programs", digest_of(functions), arrange_all) if keeps() else arrange_all()
+    return derive_once("programs", digest_of(functions), arrange_all) if has_folder() else arrange_all()
 
 
 def _constants(model: Model, specification: Specification) -> tuple[str, ...]:

@@ -75,18 +75,19 @@ class Program:
 
 def arrange(function: Function) -> Program:
     """Select the definitions that `function` needs, share common subexpressions, and put the steps in order."""
-    before = _written_out(function)
+    written_out = _operations_written_out(function)
     needed = {name: function.definitions[name] for name in _needed(function)}
     function = fold(replace(function, definitions=needed))
     names = list(function.definitions)
     outputs = [Result(output, _entries(output)) for output in function.outputs]
     values = [entry.value for result in outputs for entry in result.entries]
     shared, reduced = cse([function.definitions[name] for name in names] + values, order="canonical")
-    named, expressions, values = _renamed(names, shared, reduced)
+    named, expressions, values = _use_names(names, shared, reduced)
     order = _topological(expressions, named, values)
-    kept = set(named)
+    named_symbols = set(named)
     number = {
-        s: Symbol(f"t{i}", real=True) for i, s in enumerate((s for s in order if s not in kept), start=1)
+        s: Symbol(f"t{i}", real=True)
+        for i, s in enumerate((s for s in order if s not in named_symbols), start=1)
     }
     steps = tuple((number.get(s, s), expressions[s].xreplace(number)) for s in order)
     values = [value.xreplace(number) for value in values]
@@ -95,8 +96,8 @@ def arrange(function: Function) -> Program:
     return Program(
         inputs=tuple(sorted(used - defined, key=default_sort_key)),
         steps=steps,
-        results=_filled(outputs, values),
-        operations_written_out=before,
+        results=_with_values(outputs, values),
+        operations_written_out=written_out,
         operations=sum(_operations(e) for e in [*(e for _, e in steps), *values]),
     )
 
@@ -115,7 +116,7 @@ def _entries(output: Output) -> tuple[Entry, ...]:
     return tuple(entries)
 
 
-def _renamed(
+def _use_names(
     names: Sequence[Symbol], shared: Sequence[tuple[Symbol, Expr]], reduced: Sequence[Expr]
 ) -> tuple[list[Symbol], dict[Symbol, Expr], list[Expr]]:
     """Return named values, the expressions of all steps, and results, with names in place of numbers if possible."""
@@ -143,12 +144,12 @@ def _renamed(
 
 def _needed(function: Function) -> list[Symbol]:
     """Return the defined symbols that the outputs depend on, in the order of their definitions."""
-    wanted = {s for output in function.outputs for entry in output.entries for s in entry.free_symbols}
+    symbols = {s for output in function.outputs for entry in output.entries for s in entry.free_symbols}
     needed = []
     for symbol in reversed(function.definitions):
-        if symbol in wanted:
+        if symbol in symbols:
             needed.append(symbol)
-            wanted |= function.definitions[symbol].free_symbols
+            symbols |= function.definitions[symbol].free_symbols
     return needed[::-1]
 
 
@@ -163,7 +164,7 @@ def _names(expression: Expr) -> tuple[Symbol, ...]:
     return tuple(node for node in preorder_traversal(expression) if isinstance(node, Symbol))
 
 
-def _written_out(function: Function) -> int:
+def _operations_written_out(function: Function) -> int:
     cost: dict[Symbol, int] = {}
 
     def count(expression: Expr) -> int:
@@ -196,9 +197,9 @@ def _topological(
     return list(order)
 
 
-def _filled(results: Sequence[Result], values: Sequence[Expr]) -> tuple[Result, ...]:
+def _with_values(results: Sequence[Result], values: Sequence[Expr]) -> tuple[Result, ...]:
     """Return the results with the values left after sharing, in the same order."""
-    left = iter(values)
+    remaining = iter(values)
     return tuple(
-        Result(r.output, tuple(Entry(next(left), entry.places) for entry in r.entries)) for r in results
+        Result(r.output, tuple(Entry(next(remaining), entry.places) for entry in r.entries)) for r in results
     )

@@ -52,10 +52,10 @@ class Specification:
     def identifier(self) -> str:
         """The name as an identifier of Python and C, in lower case."""
         text = re.sub(r"\W+", "_", self.name.lower(), flags=re.ASCII).strip("_") or "robot"
-        taken = (
+        is_reserved = (
             keyword.iskeyword(text)
             or text in C_KEYWORDS
             or text in sys.stdlib_module_names
             or text == "numpy"
         )
-        return f"robot_{text}" if text[0].isdigit() or taken else text
+        return f"robot_{text}" if text[0].isdigit() or is_reserved else text

@@ -51,7 +51,7 @@ class Belts:
 
 
 @dataclass(frozen=True)
-class Fastened:
+class FastenedBelt:
     """A belt on the machine.
 
     Attributes
@@ -94,7 +94,7 @@ def declare(table: Repeated, lengths_are: str) -> Belts:
     return Belts(table.name, lengths, k_sp, w_b, R_p, I_p, I_m, i_g)
 
 
-def fasten(m: Machine, belts: Belts, turns: Sequence[Symbol], pulls: Sequence[Form]) -> list[Fastened]:
+def fasten(m: Machine, belts: Belts, turns: Sequence[Symbol], pulls: Sequence[Form]) -> list[FastenedBelt]:
     """Add the belts with their motor pulleys and motors.
 
     Parameters
@@ -111,13 +111,13 @@ def fasten(m: Machine, belts: Belts, turns: Sequence[Symbol], pulls: Sequence[Fo
     ]
     for i in BELTS:
         moment = "moment of inertia of motor pulley {j}, including the motor"
-        named = v.declare("I_{j}", "kg m^2", moment, "I_{j}", j=i + 1)
+        name = v.declare("I_{j}", "kg m^2", moment, "I_{j}", j=i + 1)
         words = f"the motor pulley of belt {i + 1}"
-        rotor = m.rotor(turns[i], belts.I_p[i], named, f"pulley_{i + 1}", words)
+        rotor = m.rotor(turns[i], belts.I_p[i], name, f"pulley_{i + 1}", words)
         m.drive([(rotor, Integer(1))], belts.i_g[i] ** 2 * belts.I_m[i], torque[i])
         clamp = Clamp()
         rim = {turns[i]: -belts.R_p[i]}
-        grown = Add(*(factor * q for q, factor in pulls[i].items()))
+        growth = Add(*(factor * q for q, factor in pulls[i].items()))
         runs = []
         for k, sign in enumerate((1, -1)):
             place = {"j": i + 1, "s": k + 1}
@@ -130,8 +130,8 @@ def fasten(m: Machine, belts: Belts, turns: Sequence[Symbol], pulls: Sequence[Fo
             # Both runs leave the motor pulley to the same side: its bearing moves both their ends away from it.
             bearing = rotor.bearing if sign < 0 else rotor.bearing.reversed
             ends = (pulls[i], clamp), (rim, bearing)
-            runs.append(Run(l_f, stiffness, belts.lengths[i][k] + sign * grown, ends))
+            runs.append(Run(l_f, stiffness, belts.lengths[i][k] + sign * growth, ends))
         m.belt(belts.w_b[i] * belts.k_sp[i], runs, clamp)
-        m.follows[turns[i]] = -grown / belts.R_p[i]
-        fastened.append(Fastened(pulls[i], belts.R_p[i], turns[i], runs, clamp))
+        m.follows[turns[i]] = -growth / belts.R_p[i]
+        fastened.append(FastenedBelt(pulls[i], belts.R_p[i], turns[i], runs, clamp))
     return fastened

@@ -51,7 +51,7 @@ def scales(m: Machine, pulleys: tuple[int, int]) -> tuple[Scale, ...]:
 
 
 def condition_of_travel(
-    m: Machine, within: Travel, summary: str, meaning: str, sentence: str, names: tuple[str, str]
+    m: Machine, travel: Travel, summary: str, meaning: str, sentence: str, names: tuple[str, str]
 ) -> None:
     """Require that a pose is within the travel.
 
@@ -65,7 +65,7 @@ def condition_of_travel(
     names : tuple of str
         For x and y.
     """
-    ends = zip(m.pose, within.low, within.high, strict=True)
+    ends = zip(m.pose, travel.low, travel.high, strict=True)
     margins = tuple(margin for q, low, high in ends for margin in (q - low, high - q))
     m.extras.append(
         Extra(
@@ -93,10 +93,10 @@ def condition_of_travel(
     )
 
 
-def condition_of_runs(m: Machine, within: Travel, belts: Belts, pulls: Sequence[Form], given_by: str) -> None:
+def condition_of_runs(m: Machine, travel: Travel, belts: Belts, pulls: Sequence[Form], given_by: str) -> None:
     """Require that the runs of all belts have a length in the whole workspace; `given_by` names the keys to check."""
-    least = [
-        belts.lengths[i][k] + _least(m, within, pulls[i], sign)
+    shortest = [
+        belts.lengths[i][k] + _minimum(m, travel, pulls[i], sign)
         for i in BELTS
         for k, sign in enumerate((1, -1))
     ]
@@ -105,7 +105,11 @@ def condition_of_runs(m: Machine, within: Travel, belts: Belts, pulls: Sequence[
             "run_margin",
             "Shortest free length of each run in the whole workspace.",
             "the lengths are linear in x and y, so the shortest is at a corner",
-            (Output("margin", (2, 2), tuple(least), "m", "for runs 1 and 2 of each belt; must be positive"),),
+            (
+                Output(
+                    "margin", (2, 2), tuple(shortest), "m", "for runs 1 and 2 of each belt; must be positive"
+                ),
+            ),
             arguments=(),
             definitions={},
         )
@@ -122,8 +126,8 @@ def condition_of_runs(m: Machine, within: Travel, belts: Belts, pulls: Sequence[
     )
 
 
-def _least(m: Machine, within: Travel, pull: Form, sign: int) -> Expr:
+def _minimum(m: Machine, travel: Travel, pull: Form, sign: int) -> Expr:
     """Return the least value in the workspace of a pull whose factors are 1 or -1, or of its negative."""
-    ends = [(pull[q], a, b) for q, a, b in zip(m.pose, within.low, within.high, strict=True) if q in pull]
-    middle = Add(*(factor * (a + b) for factor, a, b in ends))
-    return HALF * (sign * middle - Add(*(b - a for _, a, b in ends)))
+    ends = [(pull[q], a, b) for q, a, b in zip(m.pose, travel.low, travel.high, strict=True) if q in pull]
+    sum_of_ends = Add(*(factor * (a + b) for factor, a, b in ends))
+    return HALF * (sign * sum_of_ends - Add(*(b - a for _, a, b in ends)))

@@ -25,7 +25,7 @@ from pkmodes_derive.effect import Effect
 from pkmodes_derive.effect_application import apply_effects
 from pkmodes_derive.effects import catalogue
 from pkmodes_derive.functions import HeldMotors, Model
-from pkmodes_derive.kept import kept
+from pkmodes_derive.kept import derive_once
 from pkmodes_derive.machine import Machine
 from pkmodes_description import Description, Drawing
 from pkmodes_description import Term as DescribedTerm
@@ -69,7 +69,7 @@ def add(name: str, text: str, place: str) -> None:
         return
     module = definition.read(name, text, place)
     _added[name] = text, module
-    _forget()
+    _clear_derived()
     machine(name)
 
 
@@ -91,19 +91,19 @@ def add_effects(name: str, files: Sequence[tuple[str, str]]) -> None:
     if [text for text, _ in files] == [text for text, _ in own_effects(name)]:
         return
     _own_effects.pop(name, None)
-    _forget()
-    read: dict[str, tuple[str, Effect]] = {}
+    _clear_derived()
+    accepted: dict[str, tuple[str, Effect]] = {}
     for text, place in files:
         effect = effect_file.read(text, place)
-        if effect.name in read:
+        if effect.name in accepted:
             what = f'two effects have the name "{effect.name}"'
             raise DefinitionError(what, place, "give one of them another name")
-        bare = machine(name)
+        plain_machine = machine(name)
         with as_definition_errors(place, "fix the effect", f", applied to {name}"):
-            applied = machine(name, [effect]) if effect.parts(bare) else bare
-        effect_file.check(effect, bare, applied, place)
-        read[effect.name] = text, effect
-    _own_effects[name] = tuple(read.values())
+            with_effect = machine(name, [effect]) if effect.parts(plain_machine) else plain_machine
+        effect_file.check(effect, plain_machine, with_effect, place)
+        accepted[effect.name] = text, effect
+    _own_effects[name] = tuple(accepted.values())
 
 
 def own_effects(name: str) -> tuple[tuple[str, Effect], ...]:
@@ -111,10 +111,10 @@ def own_effects(name: str) -> tuple[tuple[str, Effect], ...]:
     return _own_effects.get(name, ())
 
 
-def _forget() -> None:
+def _clear_derived() -> None:
     """Derive everything again."""
-    for known in (base, extended, drawing, beyond, single, held):
-        known.cache_clear()
+    for derivation in (base, extended, drawing, terms_beyond_catalogue, single, held):
+        derivation.cache_clear()
 
 
 def source(name: str) -> str | None:
@@ -130,121 +130,125 @@ def origin(name: str) -> tuple[str | None, tuple[str, ...]]:
 def machine(name: str, effects: Sequence[Effect] = (), zeros: Zeros = frozenset()) -> Machine:
     """Return the machine that a mechanism declares, with some effects; `zeros` are a robot's zero parameters."""
     if name not in _added:
-        return _machine(import_module(f"{__name__}.{name}"), name, effects, zeros)
+        return _declared_machine(import_module(f"{__name__}.{name}"), name, effects, zeros)
     module = _added[name][1]
-    with _reported(name):
-        check_declared(_machine(module, name, ()))
-    with _reported(name, f", with the effects {', '.join(e.name for e in effects)}" if effects else ""):
-        return _machine(module, name, effects, zeros)
+    with _mistakes_reported(name):
+        check_declared(_declared_machine(module, name, ()))
+    with _mistakes_reported(
+        name, f", with the effects {', '.join(e.name for e in effects)}" if effects else ""
+    ):
+        return _declared_machine(module, name, effects, zeros)
 
 
-def _reported(name: str, during: str = "") -> AbstractContextManager[None]:
+def _mistakes_reported(name: str, during: str = "") -> AbstractContextManager[None]:
     """Report mistakes in the definition of a user-defined mechanism, not those in one that comes with pkmodes."""
     if name not in _added:
         return nullcontext()
     return as_definition_errors(str(_added[name][1].__file__), "fix the declaration", during)
 
 
-def _machine(module: ModuleType, name: str, effects: Sequence[Effect], zeros: Zeros = frozenset()) -> Machine:
-    declared = Machine(name, module.TITLE, module.DIRECTIONS, getattr(module, "ROTATIONS", ()))
-    module.declare(declared)
-    declared.finish()
-    apply_effects(declared, effects, zeros)
-    return declared
+def _declared_machine(
+    module: ModuleType, name: str, effects: Sequence[Effect], zeros: Zeros = frozenset()
+) -> Machine:
+    result = Machine(name, module.TITLE, module.DIRECTIONS, getattr(module, "ROTATIONS", ()))
+    module.declare(result)
+    result.finish()
+    apply_effects(result, effects, zeros)
+    return result
 
 
 def effects(name: str) -> tuple[Effect, ...]:
     """Return the effects that apply to a mechanism, which are those with parts to act on."""
-    bare = machine(name)
+    plain_machine = machine(name)
     # In an order that does not depend on that of the files.
     own = sorted((effect for _, effect in own_effects(name)), key=lambda effect: effect.name)
-    applying = [effect for effect in (*catalogue(), *own) if effect.parts(bare)]
+    applicable = [effect for effect in (*catalogue(), *own) if effect.parts(plain_machine)]
     # Those that release coordinates are last, in the order of their coordinates.
-    return tuple(sorted(applying, key=lambda effect: (effect.released is not None, effect.order)))
+    return tuple(sorted(applicable, key=lambda effect: (effect.released is not None, effect.order)))
 
 
-def _once(derive: Callable[..., T]) -> _lru_cache_wrapper[T]:
+def _derived_once(derive: Callable[..., T]) -> _lru_cache_wrapper[T]:
     """Derive once per process, and keep the result where a folder is named for it."""
 
     @cache
     @wraps(derive)
-    def found(name: str, *choice: object) -> T:
-        of = name, *origin(name), [sorted(c) if isinstance(c, frozenset) else c for c in choice]
-        return kept(derive.__name__, of, lambda: derive(name, *choice))
+    def cached(name: str, *choice: object) -> T:
+        inputs = name, *origin(name), [sorted(c) if isinstance(c, frozenset) else c for c in choice]
+        return derive_once(derive.__name__, inputs, lambda: derive(name, *choice))
 
-    return found
+    return cached
 
 
-@_once
+@_derived_once
 def base(name: str) -> Model:
     """Return the model of a mechanism without effects, derived once per process."""
     if name not in _added:
         return models.base(machine(name), getattr(import_module(f"{__name__}.{name}"), "relations", None))
     declared = machine(name)
-    with _reported(name, ", during the derivation"):
+    with _mistakes_reported(name, ", during the derivation"):
         model = models.base(declared)
-    with _reported(name):
+    with _mistakes_reported(name):
         check_model(declared, model)
         check_names(declared, model)
     return model
 
 
-@_once
+@_derived_once
 def extended(name: str) -> Model:
     """Return the model of a mechanism with every effect that applies, derived once per process."""
     declared = machine(name, effects(name))
-    with _reported(name, ", during the derivation with every effect"):
+    with _mistakes_reported(name, ", during the derivation with every effect"):
         model = models.extended(declared)
     if name in _added:
-        with _reported(name):
+        with _mistakes_reported(name):
             check_names(declared, model)
     return model
 
 
-@_once
+@_derived_once
 def drawing(name: str) -> tuple[Model, Drawing]:
     """Return the model of a mechanism's drawing, with every effect, and its description; derived once per process."""
     declared = machine(name, effects(name))
-    with _reported(name, ", during the derivation of its drawing"):
+    with _mistakes_reported(name, ", during the derivation of its drawing"):
         return model_and_drawing(declared)
 
 
-@_once
-def beyond(name: str) -> tuple[Model, tuple[DescribedTerm, ...]]:
+@_derived_once
+def terms_beyond_catalogue(name: str) -> tuple[Model, tuple[DescribedTerm, ...]]:
     """Return the functions of a mechanism's terms beyond the catalogue, and the terms; derived once per process."""
 
-    def with_effects(more: Sequence[Effect]) -> Machine:
-        return machine(name, (*effects(name), *more))
+    def with_effects(mounts: Sequence[Effect]) -> Machine:
+        return machine(name, (*effects(name), *mounts))
 
-    with _reported(name, ", during the derivation of its terms"):
+    with _mistakes_reported(name, ", during the derivation of its terms"):
         return terms_model(machine(name), with_effects, [effect.name for effect in effects(name)])
 
 
-@_once
-def single(name: str, chosen: tuple[str, ...], zeros: Zeros) -> Model:
+@_derived_once
+def single(name: str, effect_names: tuple[str, ...], zeros: Zeros) -> Model:
     """Return the model of a mechanism with some effects, by name, for one robot; derived once per process.
 
     `zeros` are the (field, index) of the robot's zero parameters: a coordinate without inertia has no mode.
     """
-    return models.single(machine(name, _some(name, chosen), zeros), zeros)
+    return models.single(machine(name, _effects_by_name(name, effect_names), zeros), zeros)
 
 
-@_once
-def held(name: str, chosen: tuple[str, ...], zeros: Zeros, springs: str = "") -> HeldMotors:
+@_derived_once
+def held(name: str, effect_names: tuple[str, ...], zeros: Zeros, springs: str = "") -> HeldMotors:
     """Return a robot with some effects as it is in use, for one robot; derived once per process.
 
     `springs` is the effect through which its motors hang on springs; without one they are held.
     """
-    declared = machine(name, _some(name, chosen), zeros)
-    with _reported(name, ", during the derivation with held motors"):
-        return held_motors(declared, models.absent(declared, zeros), springs)
+    declared = machine(name, _effects_by_name(name, effect_names), zeros)
+    with _mistakes_reported(name, ", during the derivation with held motors"):
+        return held_motors(declared, models.zero_symbols(declared, zeros), springs)
 
 
-def _some(name: str, chosen: tuple[str, ...]) -> tuple[Effect, ...]:
-    return tuple(effect for effect in effects(name) if effect.name in chosen)
+def _effects_by_name(name: str, effect_names: tuple[str, ...]) -> tuple[Effect, ...]:
+    return tuple(effect for effect in effects(name) if effect.name in effect_names)
 
 
 def description(name: str) -> Description:
     """Return what the runtime needs to know about a mechanism."""
-    (_, drawn), (_, terms) = drawing(name), beyond(name)
-    return models.describe(machine(name, effects(name)), base(name).rigid_modes, drawn, terms)
+    (_, picture), (_, terms) = drawing(name), terms_beyond_catalogue(name)
+    return models.describe(machine(name, effects(name)), base(name).rigid_modes, picture, terms)

@@ -57,7 +57,7 @@ class Axes:
     sigma: tuple[Symbol, ...]
 
     @property
-    def places(self) -> range:
+    def indices(self) -> range:
         """Indices of the axes."""
         return range(len(self.n))
 
@@ -118,11 +118,11 @@ def declare_axes(m: Machine, count: int, words: Words) -> Axes:
 
 def coordinates(m: Machine, count: int) -> tuple[tuple[Symbol, ...], tuple[tuple[Symbol, ...], ...]]:
     """Declare carriage positions and pulley rotations (equations 29 and 32): x_j, and theta_j_k as [k-1][j-1]."""
-    places = range(count)
+    indices = range(count)
     m.generalised(
         [
             ("x_{j}", "m", "position of carriage {j} along its rail", "{{x}}_{j}", {"j": j + 1})
-            for j in places
+            for j in indices
         ],
         [
             (
@@ -133,7 +133,7 @@ def coordinates(m: Machine, count: int) -> tuple[tuple[Symbol, ...], tuple[tuple
                 {"j": j + 1, "k": k},
             )
             for k in (1, 2)
-            for j in places
+            for j in indices
         ],
     )
     x = m.coordinates[:count]
@@ -150,16 +150,16 @@ def close(
     """
     r = m.vectors("r", "m", "platform joint {j} relative to the origin of rail {j}", "r_{j}")
     s = m.vectors("s", "m", "linkage vector {j}, from carriage to platform joint", "s_{j}")
-    for j in axes.places:
+    for j in axes.indices:
         m.define_all(r[j], (p[i] + lever[j][i] - axes.o[j][i] for i in range(3)))
-    for j in axes.places:
+    for j in axes.indices:
         m.define_all(s[j], (r[j][i] - x[j] * axes.n[j][i] for i in range(3)))
         m.unit_vector(axes.n[j])
         m.link(s[j], axes.l_d[j], x[j], lever[j] if m.turning is not None else ())
     along = m.each("a", "m", "coordinate of platform joint {j} along rail {j}", "a_{j}")
     across = m.vectors("w", "m", "vector from rail {j} to platform joint {j}, perpendicular to it", "w_{j}")
     distance2 = m.each("w2", "m^2", "squared distance of platform joint {j} from rail {j}", r"|w_{j}|^2")
-    for j in axes.places:
+    for j in axes.indices:
         n = axes.n[j]
         m.inverse[along[j]] = dot(n, r[j])
         m.inverse.update(zip(across[j], (r[j][i] - along[j] * n[i] for i in range(3)), strict=True))
@@ -172,7 +172,7 @@ def bodies(
     m: Machine, axes: Axes, x: Sequence[Symbol], p: Sequence[Symbol], lever: Sequence[Sequence[Symbol]]
 ) -> None:
     """Add carriages and links (equations 24 and 26)."""
-    for j in axes.places:
+    for j in axes.indices:
         e = tuple(axes.o[j][i] + x[j] * axes.n[j][i] for i in range(3))
         c = tuple(p[i] + lever[j][i] for i in range(3))
         m.points.append(PointMass(axes.m_t[j], e, f"carriage_{j + 1}"))
@@ -191,8 +191,8 @@ def belts(
     v = m.vocabulary
     moment = "moment of inertia of pulley {k} of axis {j}, including the motor if it is driven"
     torque = m.each("tau_st", "N m", "static torque on the driven pulley of axis {j}", r"\tau_{{st,{j}}}")
-    drawn = []
-    for j in axes.places:
+    drawn_axes = []
+    for j in axes.indices:
         rotors = [
             m.rotor(
                 theta[k][j],
@@ -210,27 +210,31 @@ def belts(
         carriage_end = ({x[j]: 1}, clamp)
         rim_1, rim_2 = (({theta[k][j]: axes.R_p[j]}, rotors[k].bearing) for k in (0, 1))
         # Between the pulleys the belt goes back: a bearing that moves along the rail moves that end the other way.
-        back_1, back_2 = ((form, bearing.reversed) for form, bearing in (rim_1, rim_2))
-        room = HALF * axes.l_t[j]
-        free = (axes.x_max[j] - axes.x_min[j], x[j] - axes.x_min[j] - room, axes.x_max[j] - x[j] - room)
-        ends = ((back_2, back_1), (carriage_end, rim_2), (rim_1, carriage_end))
+        reversed_1, reversed_2 = ((form, bearing.reversed) for form, bearing in (rim_1, rim_2))
+        half_carriage = HALF * axes.l_t[j]
+        free_lengths = (
+            axes.x_max[j] - axes.x_min[j],
+            x[j] - axes.x_min[j] - half_carriage,
+            axes.x_max[j] - x[j] - half_carriage,
+        )
+        ends = ((reversed_2, reversed_1), (carriage_end, rim_2), (rim_1, carriage_end))
         runs = [
             Run(*_span(m, j + 1, k), length, pair)
-            for k, (length, pair) in enumerate(zip(free, ends, strict=True), 1)
+            for k, (length, pair) in enumerate(zip(free_lengths, ends, strict=True), 1)
         ]
         m.belt(axes.w_b[j] * axes.k_sp[j], runs, clamp)
         for k in (0, 1):  # with rigid belts
             m.follows[theta[k][j]] = x[j] / axes.R_p[j]
-        turned = (theta[0][j], theta[1][j])
-        at = (axes.x_max[j], axes.x_min[j])
-        drawn.append(
+        rotations = (theta[0][j], theta[1][j])
+        pulley_positions = (axes.x_max[j], axes.x_min[j])
+        drawn_axes.append(
             Axis(
                 axes.o[j],
                 axes.n[j],
                 x[j],
-                at,
+                pulley_positions,
                 axes.R_p[j],
-                turned,
+                rotations,
                 lever[j],
                 axes.l_d[j],
                 axes.l_t[j],
@@ -238,16 +242,16 @@ def belts(
                 clamp,
             )
         )
-    return drawn
+    return drawn_axes
 
 
 def _span(m: Machine, j: int, s: int) -> tuple[Symbol, Symbol]:
     """Declare the names of the free length and the stiffness of a belt span."""
-    of = "span {s} of belt {j} (1 between the pulleys, 2 from carriage to pulley 2, 3 from carriage to pulley 1)"
+    span = "span {s} of belt {j} (1 between the pulleys, 2 from carriage to pulley 2, 3 from carriage to pulley 1)"
     declare = m.vocabulary.declare
     return (
-        declare("l_f_{j}_{s}", "m", f"free length of {of}", "l_{{f,{j},{s}}}", j=j, s=s),
-        declare("k_{j}_{s}", "N/m", f"stiffness of {of}", "k_{{{j},{s}}}", j=j, s=s),
+        declare("l_f_{j}_{s}", "m", f"free length of {span}", "l_{{f,{j},{s}}}", j=j, s=s),
+        declare("k_{j}_{s}", "N/m", f"stiffness of {span}", "k_{{{j},{s}}}", j=j, s=s),
     )
 
 
@@ -263,7 +267,7 @@ def conditions(m: Machine, axes: Axes, distance2: Sequence[Symbol], joint: str) 
                 Output(
                     "margin",
                     (len(x),),
-                    tuple(axes.l_d[j] - sqrt(distance2[j]) for j in axes.places),
+                    tuple(axes.l_d[j] - sqrt(distance2[j]) for j in axes.indices),
                     "m",
                     "link length minus distance of the platform joint from its rail, for each axis",
                 ),
@@ -277,7 +281,7 @@ def conditions(m: Machine, axes: Axes, distance2: Sequence[Symbol], joint: str) 
                 Output(
                     "margin",
                     (len(x),),
-                    tuple(axes.x_max[j] - axes.x_min[j] - axes.l_t[j] for j in axes.places),
+                    tuple(axes.x_max[j] - axes.x_min[j] - axes.l_t[j] for j in axes.indices),
                     "m",
                     "max - min - l_t for each axis; positive for a robot that can move",
                 ),
@@ -292,13 +296,13 @@ def conditions(m: Machine, axes: Axes, distance2: Sequence[Symbol], joint: str) 
         ),
         ParameterGroup("axis.joint_radius", "radius", "joint", "m", joint),
     )
-    m.scales = tuple(Scale(x[j].name, "pulley_radius", (j,), "R_p") for j in axes.places)
+    m.scales = tuple(Scale(x[j].name, "pulley_radius", (j,), "R_p") for j in axes.indices)
     m.margins += _margins(len(x))
     m.requirements += (
         Requirement(
             "travel_margin",
             "above_zero",
-            tuple(f"axis.{j + 1}.limits" for j in axes.places),
+            tuple(f"axis.{j + 1}.limits" for j in axes.indices),
             "expected a carriage shorter than the travel, found a length of {carriage.length}",
             "check the limits and carriage.length",
             "m",

@@ -1,4 +1,4 @@
-"""What a picture of carriages on rails shows, with their links and the platform.
+"""The picture of carriages on rails, with their links and the platform.
 
 The robot file does not say in which plane a belt runs, how wide a parallelogram is, or how long a carriage looks:
 these follow from the pulley radius and the length of the linkage.
@@ -45,24 +45,28 @@ def draw(m: Machine, axes: Sequence[Axis], *, parallelograms: bool) -> None:
         up = m.draw.upright(a.direction, a.origin)
         side = cross(up, a.direction)
 
-        def at(x: Expr, over: Expr, a: Axis = a, up: Sequence[Expr] = up) -> tuple[Expr, ...]:
-            return tuple(a.origin[i] + x * a.direction[i] + over * up[i] for i in range(3))
+        def at(x: Expr, height: Expr, a: Axis = a, up: Sequence[Expr] = up) -> tuple[Expr, ...]:
+            return tuple(a.origin[i] + x * a.direction[i] + height * up[i] for i in range(3))
 
         m.draw.line("rail", f"rail {j}", at(a.ends[1], 0), at(a.ends[0], 0))
         m.draw.block(
             "carriage", f"carriage {j}", at(a.position, 0), a.direction, a.radius + HALF * a.carriage
         )
         for sign in (1, -1) if parallelograms else (0,):
-            beside = tuple(sign * HALF_WIDTH * a.link * side[i] for i in range(3))
-            foot = tuple(c + d for c, d in zip(at(a.position, 0), beside, strict=True))
-            corners.append(tuple(m.dependent[i] + a.lever[i] + beside[i] for i in range(3)))
+            offset = tuple(sign * HALF_WIDTH * a.link * side[i] for i in range(3))
+            foot = tuple(c + d for c, d in zip(at(a.position, 0), offset, strict=True))
+            corners.append(tuple(m.dependent[i] + a.lever[i] + offset[i] for i in range(3)))
             name = f"rod of linkage {j}" if parallelograms else f"rod {j}"
             m.draw.line("link", name, foot, corners[-1], place=f"link_{j}")
-        for k, (end, turned) in enumerate(zip(a.ends, a.turns, strict=True), start=1):
-            m.draw.wheel("pulley", f"pulley {k} of axis {j}", at(end, 0), side, a.radius, turns=turned)
+        for k, (end, rotation) in enumerate(zip(a.ends, a.turns, strict=True), start=1):
+            m.draw.wheel("pulley", f"pulley {k} of axis {j}", at(end, 0), side, a.radius, turns=rotation)
         top, bottom = ([at(end, sign * a.radius) for end in a.ends] for sign in (1, -1))
-        clamped = m.draw.fastened(at(a.position, a.radius), a.clamp, a.direction)
-        spans: list[tuple[Place, Place]] = [(bottom[1], bottom[0]), (clamped, top[1]), (top[0], clamped)]
+        clamp_point = m.draw.fastened(at(a.position, a.radius), a.clamp, a.direction)
+        spans: list[tuple[Place, Place]] = [
+            (bottom[1], bottom[0]),
+            (clamp_point, top[1]),
+            (top[0], clamp_point),
+        ]
         for run, span in zip(a.runs, spans, strict=True):
             m.draw.line("belt", f"belt {j}", *span, spring=run)
     m.draw.plate("platform", "platform", *corners)

@@ -46,27 +46,32 @@ class Term:
 
     @property
     def effect(self) -> Effect:
-        """The term in the language of the catalogue."""
+        """The term as an effect, like those of the catalogue."""
         names = [place.name for place in self.ends]
-        given = {"along": self.along} if self.along else {}
-        effect: Effect = FORMS[self.form](*names, **given, sentence=self.sentence)
+        direction = {"along": self.along} if self.along else {}
+        effect: Effect = FORMS[self.form](*names, **direction, sentence=self.sentence)
         return effect
 
 
 def terms(machine: Machine) -> tuple[Term, ...]:
     """Return all terms of a machine without effects, by form."""
-    known = list(places(machine).values())
-    return (*_masses(known), *_springs(known), *_mounts(machine, known), *_resonators(known))
+    all_places = list(places(machine).values())
+    return (
+        *_masses(all_places),
+        *_springs(all_places),
+        *_mounts(machine, all_places),
+        *_resonators(all_places),
+    )
 
 
-def _masses(known: Sequence[Place]) -> Iterator[Term]:
-    for place in known:
+def _masses(all_places: Sequence[Place]) -> Iterator[Term]:
+    for place in all_places:
         what = "extra moment of inertia of" if place.rotates else "an extra mass on"
         yield Term("mass", (place,), "", f"{what} {place.words}")
 
 
-def _springs(known: Sequence[Place]) -> Iterator[Term]:
-    for place in known:
+def _springs(all_places: Sequence[Place]) -> Iterator[Term]:
+    for place in all_places:
         kind = "a torsional spring" if place.rotates else "a spring"
         if not place.directions:
             yield Term("spring", (place,), "", f"{kind} from {place.words} to ground")
@@ -76,7 +81,7 @@ def _springs(known: Sequence[Place]) -> Iterator[Term]:
             where = f"about {along[1:]}" if along.startswith("r") else f"along {along}"
             kind = "a torsional spring" if along.startswith("r") else "a spring"
             yield Term("spring", (place,), along, f"{kind} from {place.words} to ground {where}")
-    for a, b in combinations(known, 2):
+    for a, b in combinations(all_places, 2):
         between = f"between {a.words} and {b.words}"
         if not a.directions and not b.directions:
             if a.rotates == b.rotates:
@@ -86,8 +91,8 @@ def _springs(known: Sequence[Place]) -> Iterator[Term]:
                 yield Term("spring", (a, b), along, f"a spring {between} along {along}")
 
 
-def _mounts(machine: Machine, known: Sequence[Place]) -> Iterator[Term]:
-    for place in known:
+def _mounts(machine: Machine, all_places: Sequence[Place]) -> Iterator[Term]:
+    for place in all_places:
         if isinstance(place.part, Rotor) and _carries_a_belt(machine, place.part):
             yield Term("mount", (place,), "", f"a bearing of {place.words} that yields along the belt")
         elif place.seat is not None:
@@ -101,8 +106,8 @@ def _carries_a_belt(machine: Machine, rotor: Rotor) -> bool:
     return any(clamp and clamp.released is bearing.released for clamp in ends)
 
 
-def _resonators(known: Sequence[Place]) -> Iterator[Term]:
-    for place in known:
+def _resonators(all_places: Sequence[Place]) -> Iterator[Term]:
+    for place in all_places:
         if not place.directions:
             kind = "a rotor on a torsional spring" if place.rotates else "a mass on a spring of its own"
             yield Term("resonator", (place,), "", f"{kind} on {place.words}")

@@ -32,8 +32,8 @@ from pkmodes_derive.vocabulary import AXES, DeclarationError
 HALF = Rational(1, 2)
 #: Coordinates of terms follow those of the catalogue.
 ORDER = 10
-#: What a resonator needs, whose mass would otherwise hang on nothing.
-SWINGS = Positive(
+#: Condition on a resonator: without a frequency, nothing would hold its mass.
+FREQUENCY_REQUIREMENT = Positive(
     lambda parameters: parameters["frequency"],
     "frequency",
     "expected the natural frequency of the resonator above 0, found {value}",
@@ -56,10 +56,10 @@ def mass(place: str, *, name: str = "", sentence: str = "") -> Effect:
     """
 
     def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
-        _load(machine, _found(machine, place), *parameters.values())
+        _add_mass(machine, _find_place(machine, place), *parameters.values())
 
     def parameters(machine: Machine) -> tuple[EffectParameter, ...]:
-        return (_inertia(_found(machine, place), "extra"),)
+        return (_inertia_parameter(_find_place(machine, place), "extra"),)
 
     return _effect(name or f"mass_{place}", sentence, (place,), parameters, apply)
 
@@ -80,18 +80,18 @@ def spring(place: str, other: str = "", along: str = "", *, name: str = "", sent
     ends = (place, other) if other else (place,)
 
     def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
-        bodies = tuple(_found(machine, end) for end in ends)
+        bodies = tuple(_find_place(machine, end) for end in ends)
         directions = (along,) if along else strained_directions(bodies)
         machine.springs.append(PlacedSpring(parameters["stiffness"], bodies, directions))
 
     def parameters(machine: Machine) -> tuple[EffectParameter, ...]:
-        turns = along.startswith("r") or _found(machine, place).rotates
-        between = " and ".join(_found(machine, end).words for end in ends)
+        turns = along.startswith("r") or _find_place(machine, place).rotates
+        between = " and ".join(_find_place(machine, end).words for end in ends)
         what = f"stiffness between {between}" if other else f"stiffness from {between} to ground"
         return (EffectParameter("stiffness", "N m/rad" if turns else "N/m", what, "k_X", "k_X"),)
 
-    known = name or "_".join(["spring", *ends, *([along] if along else [])])
-    return _effect(known, sentence, ends, parameters, apply, grounds=not other, along=along)
+    effect_name = name or "_".join(["spring", *ends, *([along] if along else [])])
+    return _effect(effect_name, sentence, ends, parameters, apply, grounds=not other, along=along)
 
 
 def mount(place: str, along: str = "", *, name: str = "", sentence: str = "") -> Effect:
@@ -108,23 +108,25 @@ def mount(place: str, along: str = "", *, name: str = "", sentence: str = "") ->
     """
 
     def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
-        body, (w,) = _found(machine, place), released
+        body, (w,) = _find_place(machine, place), released
         if isinstance(body.part, Rotor):
             _yield_bearing(machine, body.part, w, parameters["mass"])
         else:
             _yield_seat(machine, body, w, axis(along))
 
     def parameters(machine: Machine) -> tuple[EffectParameter, ...]:
-        body = _found(machine, place)
-        held = EffectParameter(COMPLIANCE, "m/N", f"compliance of what holds {body.words}", "c_X", "c_X")
+        body = _find_place(machine, place)
+        compliance_of_seat = EffectParameter(
+            COMPLIANCE, "m/N", f"compliance of what holds {body.words}", "c_X", "c_X"
+        )
         if not isinstance(body.part, Rotor):
-            return (held,)
+            return (compliance_of_seat,)
         what = f"mass that moves with the bearing of {body.words}"
-        return held, EffectParameter("mass", "kg", what, "m_X", "m_X")
+        return compliance_of_seat, EffectParameter("mass", "kg", what, "m_X", "m_X")
 
-    known = name or "_".join(["mount", place, *([along] if along else [])])
-    free = Released(f"w_{place}{along}", "m", f"displacement of what holds {place}", "w", order=ORDER)
-    return _effect(known, sentence, (place,), parameters, apply, released=free, along=along)
+    effect_name = name or "_".join(["mount", place, *([along] if along else [])])
+    coordinate = Released(f"w_{place}{along}", "m", f"displacement of what holds {place}", "w", order=ORDER)
+    return _effect(effect_name, sentence, (place,), parameters, apply, released=coordinate, along=along)
 
 
 def compliance(coordinate: str, *, name: str = "", sentence: str = "") -> Effect:
@@ -138,7 +140,7 @@ def compliance(coordinate: str, *, name: str = "", sentence: str = "") -> Effect
         As for `mass`.
     """
 
-    def whole(machine: Machine) -> tuple[Effect, int]:
+    def find_effect(machine: Machine) -> tuple[Effect, int]:
         for effect in (one.on(machine) for one in catalogue() if one.released is not None):
             names = [effect.released.name.format(i=p, j=p) for p in effect.places] if effect.released else []
             if coordinate in names and effect.parts(machine):
@@ -148,35 +150,37 @@ def compliance(coordinate: str, *, name: str = "", sentence: str = "") -> Effect
         )
 
     def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
-        effect, own = whole(machine)
+        effect, index = find_effect(machine)
         # The others are released as well, and locked again.
         others = [Coordinate(Dummy("locked"), Dummy("locked")) for _ in effect.places]
-        every = [released[0] if k == own else other for k, other in enumerate(others)]
+        coordinates = [released[0] if k == index else other for k, other in enumerate(others)]
         symbols = {p.name: Dummy(p.name) for p in effect.parameters} | dict(parameters)
-        effect.apply(machine, symbols, tuple(every))
-        locked = [other for k, other in enumerate(others) if k != own]
+        effect.apply(machine, symbols, tuple(coordinates))
+        locked = [other for k, other in enumerate(others) if k != index]
         for joints in _released_lists(machine):
             joints[:] = [joint for joint in joints if joint not in locked]
 
     def parameters(machine: Machine) -> tuple[EffectParameter, ...]:
-        effect, _ = whole(machine)
+        effect, _ = find_effect(machine)
         (own,) = (p for p in effect.parameters if p.name == COMPLIANCE)
         what = f"compliance of {coordinate} alone"
         return (replace(own, description=what, symbol="c_X", latex="c_X"),)
 
-    def there(machine: Machine) -> Sequence[object]:
+    def parts(machine: Machine) -> Sequence[object]:
         try:
-            effect, own = whole(machine)
+            effect, own = find_effect(machine)
         except DeclarationError:
             return []
         return [effect.places[own]]
 
-    known = name or f"compliance_{coordinate}"
+    effect_name = name or f"compliance_{coordinate}"
     stem = coordinate.rpartition("_")[0]
     units = {one.released.name.rpartition("_")[0]: one.released.unit for one in catalogue() if one.released}
-    free = Released(f"w_{coordinate}", units.get(stem, "m"), f"{coordinate} alone", "w", order=ORDER)
-    made = _effect(known, sentence, (), parameters, apply, released=free)
-    return replace(made, parts=there)
+    coordinate_released = Released(
+        f"w_{coordinate}", units.get(stem, "m"), f"{coordinate} alone", "w", order=ORDER
+    )
+    effect_of_joint = _effect(effect_name, sentence, (), parameters, apply, released=coordinate_released)
+    return replace(effect_of_joint, parts=parts)
 
 
 def _released_lists(machine: Machine) -> list[list[Coordinate]]:
@@ -205,7 +209,7 @@ def resonator(place: str, along: str = "", *, name: str = "", sentence: str = ""
     """
 
     def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
-        body, (y,) = _found(machine, place), released
+        body, (y,) = _find_place(machine, place), released
         m, f = parameters.values()
         machine.add_elastic(HALF * m * (2 * pi * f) ** 2 * y.position**2)
         if body.coordinate is not None:
@@ -218,16 +222,18 @@ def resonator(place: str, along: str = "", *, name: str = "", sentence: str = ""
         machine.loads.append(PointMass(m, position))
 
     def parameters(machine: Machine) -> tuple[EffectParameter, ...]:
-        body = _found(machine, place)
+        body = _find_place(machine, place)
         f = EffectParameter("frequency", "Hz", "its natural frequency with the body at rest", "f_X", "f_X")
-        return _inertia(body, "swinging"), f
+        return _inertia_parameter(body, "swinging"), f
 
-    known = name or "_".join(["resonator", place, *([along] if along else [])])
-    free = Released(
+    effect_name = name or "_".join(["resonator", place, *([along] if along else [])])
+    coordinate = Released(
         f"y_{place}{along}", "m", f"displacement relative to {place}", "y", order=ORDER, sprung=False
     )
-    made = _effect(known, sentence, (place,), parameters, apply, released=free, along=along)
-    return replace(made, needs=SWINGS)
+    effect_without_condition = _effect(
+        effect_name, sentence, (place,), parameters, apply, released=coordinate, along=along
+    )
+    return replace(effect_without_condition, needs=FREQUENCY_REQUIREMENT)
 
 
 def _effect(
@@ -244,10 +250,10 @@ def _effect(
     """Return an effect that applies where a machine has its places, which can move that way."""
 
     def parts(machine: Machine) -> list[Place]:
-        known = places(machine)
-        if any(end not in known for end in ends):
+        place_of = places(machine)
+        if any(end not in place_of for end in ends):
             return []
-        bodies = [known[end] for end in ends]
+        bodies = [place_of[end] for end in ends]
         return bodies[:1] if not along or any(along in body.directions for body in bodies) or released else []
 
     return Effect(
@@ -264,16 +270,16 @@ def _effect(
     )
 
 
-def _found(machine: Machine, name: str) -> Place:
-    known = places(machine)
-    if name not in known:
+def _find_place(machine: Machine, name: str) -> Place:
+    place_of = places(machine)
+    if name not in place_of:
         raise DeclarationError(
-            f"the machine has no place {name}", f"its places are {', '.join(known)}: choose one of these"
+            f"the machine has no place {name}", f"its places are {', '.join(place_of)}: choose one of these"
         )
-    return known[name]
+    return place_of[name]
 
 
-def _inertia(place: Place, kind: str) -> EffectParameter:
+def _inertia_parameter(place: Place, kind: str) -> EffectParameter:
     """Return the mass or moment of inertia that a term has at a place."""
     if place.rotates:
         what = f"{kind} moment of inertia at {place.words}"
@@ -281,7 +287,7 @@ def _inertia(place: Place, kind: str) -> EffectParameter:
     return EffectParameter("mass", "kg", f"{kind} mass at {place.words}", "m_X", "m_X")
 
 
-def _load(machine: Machine, place: Place, m: Symbol) -> None:
+def _add_mass(machine: Machine, place: Place, m: Symbol) -> None:
     """Add to the mass of a body, or to the moment of inertia of one that rotates."""
     part = place.part
     if isinstance(part, Rod | PointMass):
@@ -314,8 +320,8 @@ def _yield_seat(machine: Machine, body: Place, w: Coordinate, direction: Sequenc
     components = [AXES.index(name) for name in machine.directions]
     for symbol, i in zip(seat.link.vector, components, strict=True):
         if direction[i] != 0:
-            moved = machine.chain.definitions[symbol] - w.position * direction[i]
-            machine.chain.redefine(symbol, moved)
+            new_definition = machine.chain.definitions[symbol] - w.position * direction[i]
+            machine.chain.redefine(symbol, new_definition)
 
     def shifted(position: Sequence[Expr]) -> tuple[Expr, ...]:
         return tuple(r + w.position * e for r, e in zip(position, direction, strict=True))

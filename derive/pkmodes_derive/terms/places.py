@@ -83,7 +83,7 @@ def _places(m: Machine) -> Iterator[Place]:
         yield Place(PLATFORM, "the platform", (*m.directions, *rotations), m.platform)
     for number, point in enumerate(m.points, start=1):
         name = point.place or (PLATFORM if at_platform[number - 1] else f"body_{number}")
-        slides = _slide(m, point.position)
+        slides = _slide_direction(m, point.position)
         yield Place(
             name,
             point.words or ("the platform" if name == PLATFORM else _words(name)),
@@ -116,7 +116,7 @@ def _places(m: Machine) -> Iterator[Place]:
     yield Place(FRAME, "the frame", m.directions)
 
 
-def _slide(m: Machine, position: Position) -> tuple[Expr, ...]:
+def _slide_direction(m: Machine, position: Position) -> tuple[Expr, ...]:
     """Return the unit vector along which a body slides whose position is linear in one coordinate; else nothing."""
     moving = {s for c in position for s in c.free_symbols} & {
         *m.independent,

@@ -119,15 +119,15 @@ def check(
     A mechanism of your own is derived from the definition stored with its code, which is executed.
     """
     from pkmodes.codegen.checking import products
-    from pkmodes.core.mechanism.registry import add_folder, supplied
+    from pkmodes.core.mechanism.registry import add_folder, supplied_names
 
     check_targets(json_file, targets)
     if mechanism is not None:
         add_folder(mechanism)
         targets = targets or (mechanism,)
     reports: list[Report] = []
-    for number, name in enumerate(() if targets else supplied(), start=1):
-        say(f"{name}, {number} of {len(supplied())}: deriving it again")
+    for number, name in enumerate(() if targets else supplied_names(), start=1):
+        say(f"{name}, {number} of {len(supplied_names())}: deriving it again")
         reports.append(products.check_committed(name))
     for number, target in enumerate(targets, start=1):
         say(f"{target}, {number} of {len(targets)}: deriving it again")
@@ -145,7 +145,7 @@ def check(
             report,
             findings=list(map(FindingDocument.of, report.findings)),
             consistency=list(map(RelationDocument.of, report.checks)),
-            mend=report.mend or None,
+            mend=report.fix_command or None,
         )
         for report in reports
     ]
@@ -201,8 +201,8 @@ def _detailed_lines(report: Report, diff: bool) -> Iterator[str]:
         yield f"{report.target}: not checked: {sentence}"
     if diffs and not diff:
         yield "what differs, line by line: --diff"
-    if report.mend:
-        yield f"fix with: {report.mend}"
+    if report.fix_command:
+        yield f"fix with: {report.fix_command}"
     elif report.holds:
         yield f"{report.target}: {_verdict_if_holding(report)}"
     for text in diffs if diff else ():

@@ -26,7 +26,7 @@ from pkmodes.cli.targets import Target, check_targets, report_target
 from pkmodes.core.base.numbers import plain
 from pkmodes.core.robot.reading import read_robot
 from pkmodes.core.support.ordering import listed
-from pkmodes.core.support.pasting import pasted
+from pkmodes.core.support.pasting import shell_path
 
 if TYPE_CHECKING:
     from pkmodes.core.robot.robot import Robot
@@ -39,9 +39,9 @@ MAX_WIDENED_NAMED = 3
 
 
 @click.command(
-    epilog="\b\nExample:\n  pkmodes diagnose examples/closed_loop/robot.toml \\\n"
-    "    examples/closed_loop/measured.csv \\\n    --candidates effects,parameter:axis.span --holdout P3,P7 \\\n"
-    "    --save-robot corrected.toml"
+    epilog="\b\nExample:\n  pkmodes diagnose examples/closed_loop/robot.toml \\\n    "
+    "examples/closed_loop/measured.csv \\\n    --candidates effects,parameter:axis.span --holdout P3,P7 "
+    "\\\n    --save-robot corrected.toml"
 )
 @robot_argument
 @click.argument("modes", metavar="MODES.csv", type=PATH)
@@ -186,7 +186,9 @@ def diagnose(
     effect_file = ResultFile(
         effect_to,
         lambda: effect_text(result, "--save-effect"),
-        lambda file: [f"\nwrote {file}; next: pkmodes generate ROBOT.toml --effect {pasted(file)} --out DIR"],
+        lambda file: [
+            f"\nwrote {file}; next: pkmodes generate ROBOT.toml --effect {shell_path(file)} --out DIR"
+        ],
     )
     report = report_file(report_to, lambda: page_of(result, declared_robot, data, sources))
     try:
@@ -216,19 +218,17 @@ def _saved_robot_lines(file: Path, mechanism: Path | None, robot: Robot, result:
         for effect in result.every_cause
         if len(effect.members) > 1  # which these data cannot distinguish
     ]
-    widened_values = sorted(
-        widened_values(result), key=lambda value: -value.saved_sigma / max(value.sigma, 1e-300)
-    )
+    widened = sorted(widened_values(result), key=lambda value: -value.saved_sigma / max(value.sigma, 1e-300))
     widened_texts = [
         f"{value.name.removeprefix('effects.')} {plain(value.saved_sigma, 2)} instead of "
         f"{plain(value.sigma, 2)} {value.unit} ({value.unseen.candidate or value.unseen.default})"
-        for value in widened_values
+        for value in widened
         if value.unseen is not None
     ]
     if widened_texts:
         sentences.append(
             "the sigmas in it include what a candidate that these data do not show could have done to the values: "
-            + listed(widened_texts, MAX_WIDENED_NAMED, last=", and ")
+            + listed(widened_texts, MAX_WIDENED_NAMED, before_surplus=", and ")
         )
     # Constants of the causes that are known only from the load cases, such as a belt tension.
     load_paths = {path for row in result.rows for path in row.load}
@@ -239,8 +239,10 @@ def _saved_robot_lines(file: Path, mechanism: Path | None, robot: Robot, result:
                 sentences.append(
                     f"effects.{constant} is known from the measurements alone: add its value in operation to {file}"
                 )
-    option = f"--mechanism {pasted(mechanism)} " if mechanism else ""
-    command = f"pkmodes generate {option}{pasted(file)} --out DIR"  # not wrapped, so that it can be copied
+    option = f"--mechanism {shell_path(mechanism)} " if mechanism else ""
+    command = (
+        f"pkmodes generate {option}{shell_path(file)} --out DIR"  # not wrapped, so that it can be copied
+    )
     lines = [line for text in sentences for line in Terminal().wrap(text)]
     return [f"\nwrote {file}; next: {command}", *lines]
 
@@ -250,9 +252,9 @@ def _saved_term_lines(file: Path, effect: Path | None, term: TermClass) -> list[
     from pkmodes.loop.updating.saved_term import is_declared
 
     if is_declared(term):
-        return [f"\nwrote {file}; next: pkmodes generate {pasted(file)} --out DIR"]
-    argument = "FILE.py" if effect is None else pasted(effect)
-    lines = [f"\nwrote {file}; next: pkmodes generate {pasted(file)} --effect {argument} --out DIR"]
+        return [f"\nwrote {file}; next: pkmodes generate {shell_path(file)} --out DIR"]
+    argument = "FILE.py" if effect is None else shell_path(effect)
+    lines = [f"\nwrote {file}; next: pkmodes generate {shell_path(file)} --effect {argument} --out DIR"]
     if effect is None:
         lines.append("FILE.py is the effect itself: write it with --save-effect FILE.py")
     return [*lines, "then give other commands --mechanism DIR/<mechanism>"]

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pkmodes.cli.measured_rows import poses_in_words, rows_in_words, settings_in_words
 from pkmodes.cli.terminal import Terminal
 from pkmodes.core.base.drives import HELD
-from pkmodes.core.base.numbers import p_in_words, plain, rounded
+from pkmodes.core.base.numbers import p_in_words, plain, round_to_sigma
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.support.motors import motors_in_words
 from pkmodes.core.support.ordering import sorted_labels
@@ -124,7 +124,7 @@ def _show_values(terminal: Terminal, effect: Finding, corrected: Sequence[Correc
     if effect.alone is not None:
         joint = effect.alone.joint
         term = f" ({joint.term})" if joint.term else ""
-        joint_change = rounded(100.0 * effect.alone.change, 100.0 * effect.alone.sigma)
+        joint_change = round_to_sigma(100.0 * effect.alone.change, 100.0 * effect.alone.sigma)
         terminal.line(f"{joint.words} alone: its {joint.quantity} changes by {joint_change} %{term}", "  ")
     if relative:
         terminal.line("relative to their mean:", "  ")

@@ -13,7 +13,7 @@ from pkmodes.cli.options import PATH, json_option, overwrite_option
 from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import check_targets
 from pkmodes.core.support.documents import Document
-from pkmodes.core.support.pasting import pasted
+from pkmodes.core.support.pasting import shell_path
 from pkmodes.core.support.writing import write_files
 from pkmodes.loop.robot_files.supplied import EXAMPLES, ROBOTS, supplied
 
@@ -171,8 +171,8 @@ def examples(name: str | None, out: Path, overwrite: bool, json_file: str | None
                 echo(f"{example.name:{width}}  {example.text}")
                 echo(f"{'':{width}}  {example.page}")
             echo(
-                "\npkmodes examples NAME writes one of them, with the robot files; pkmodes examples all writes "
-                "everything."
+                "\npkmodes examples NAME writes one of them, with the robot files; pkmodes examples all "
+                "writes everything."
             )
 
         deliver(json_file, ExamplesDocument(chosen, None, [], []).as_json(), list_all)
@@ -187,7 +187,7 @@ def examples(name: str | None, out: Path, overwrite: bool, json_file: str | None
             echo(out / file)
         if unchanged:
             echo(f"files that were there already: {len(unchanged)}")
-        folder_note = "" if out == Path() else f" in {pasted(out)}"
+        folder_note = "" if out == Path() else f" in {shell_path(out)}"
         for example in chosen:
             echo(f"next{folder_note}: {example.command} ({example.page})")
 

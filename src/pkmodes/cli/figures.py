@@ -23,7 +23,7 @@ from pkmodes.cli.targets import check_targets
 from pkmodes.cli.terminal import Terminal
 from pkmodes.core.base.errors import OutputError, shown
 from pkmodes.core.support.documents import Document
-from pkmodes.core.support.places import resolved
+from pkmodes.core.support.places import resolve_path
 
 
 class FiguresDocument(Document, frozen=True):
@@ -77,7 +77,7 @@ def figures(
     folder = Path(out)
     if not out or "\0" in out or (folder.exists() and not folder.is_dir()):
         raise OutputError("expected the name of a folder", f"--out {shown(out)}", "choose another place")
-    resolved(folder, "--out")
+    resolve_path(folder, "--out")
     model = load(robot)
     from pkmodes.machine.maps.ranges import parse_grid
     from pkmodes.pages.figures.files import write_pictures_and_sentences

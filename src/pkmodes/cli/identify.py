@@ -14,7 +14,7 @@ from pkmodes.cli.options import PATH, json_option, mechanism_option, report_opti
 from pkmodes.cli.printing import echo
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
-from pkmodes.core.base.drives import motors
+from pkmodes.core.base.drives import motors_text
 from pkmodes.core.base.numbers import plain
 from pkmodes.core.support.motors import motors_in_words
 
@@ -69,9 +69,7 @@ def identify(
     )
     rows = len(identification.measurements.frequency)
     file = ResultFile(
-        out,
-        lambda: csv_text,
-        lambda path: (f"wrote {path}: {rows} mode{'' if rows == 1 else 's'}",),
+        out, lambda: csv_text, lambda path: (f"wrote {path}: {rows} mode{'' if rows == 1 else 's'}",)
     )
 
     def page() -> str:
@@ -98,8 +96,8 @@ def _print(identification: Identification, campaign: Campaign, content: dict[str
     terminal = Terminal()
     for record_number, identified in enumerate(identification.records):
         drives, model = identified.record.drives, campaign.model
-        motors_text = motors([drives]) if model is None else motors_in_words(model.robot, drives)
-        terminal.heading(f"{identified.record.pose}, {identified.record.kind}, {motors_text}")
+        state = motors_text([drives]) if model is None else motors_in_words(model.robot, drives)
+        terminal.heading(f"{identified.record.pose}, {identified.record.kind}, {state}")
         found_modes = content["records"][record_number]["modes"]
         if found_modes:
             terminal.block(replace(modes_table(record_number, found_modes), caption=""))

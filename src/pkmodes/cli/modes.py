@@ -18,11 +18,11 @@ from pkmodes.cli.options import drives_option, json_option, mechanism_option, ro
 from pkmodes.cli.poses import pose_of, pose_option
 from pkmodes.cli.targets import check_targets
 from pkmodes.core.base.drives import DRIVES, FREE, HELD, other_drives
-from pkmodes.core.mechanism.length import headings, lengths_of, unit_vectors
-from pkmodes.core.mechanism.poses import placed
+from pkmodes.core.mechanism.length import lengths_of, unit_vector_headings, unit_vectors
+from pkmodes.core.mechanism.poses import format_pose
 from pkmodes.core.model import Model
 from pkmodes.core.solve.backends import AUTO, SOLVERS
-from pkmodes.core.solve.fields import FIELDS, INDEPENDENT, of_modes
+from pkmodes.core.solve.fields import FIELDS, INDEPENDENT, mode_fields
 from pkmodes.core.solve.results import Modes, Statics
 from pkmodes.core.support.documents import Count, Document
 from pkmodes.core.support.motors import motors_give_way, motors_in_words
@@ -69,14 +69,14 @@ _FURTHER_KEYS: tuple[tuple[str, Any, str], ...] = (
     (
         "static_torques",
         list[float],
-        "Torque of each drive that holds the pose against gravity, positive with its coordinate [N m]; its force [N] "
-        "where that is a length.",
+        "Torque of each drive that holds the pose against gravity, positive with its coordinate [N m]; its "
+        "force [N] where that is a length.",
     ),
     (
         "poles",
         list[tuple[float, float]],
-        "Real and imaginary part of every pole [1/s], by ascending magnitude; of a pair, the one with positive "
-        "imaginary part first.",
+        "Real and imaginary part of every pole [1/s], by ascending magnitude; of a pair, the one with "
+        "positive imaginary part first.",
     ),
     (
         "rigid_modes",
@@ -91,7 +91,7 @@ _FURTHER_KEYS: tuple[tuple[str, Any, str], ...] = (
 
 def modes_document() -> type[Document]:
     """Return the class of the JSON document: its keys are fields of the modes (`pkmodes.core.solve.fields`)."""
-    fields = [FIELDS[name] for name in of_modes() if FIELDS[name].key]
+    fields = [FIELDS[name] for name in mode_fields() if FIELDS[name].key]
     keys: list[tuple[str, Any, str]] = []
     optional_fields: list[Any] = []
     for field in fields:
@@ -144,7 +144,7 @@ def modes(robot: Path, pose: str, drives: str, json_file: str | None) -> None:
     def show() -> None:
         from pkmodes.cli.terminal import Terminal
 
-        terminal, pose_text = Terminal(), placed(model.mechanism, result.poses, "g")
+        terminal, pose_text = Terminal(), format_pose(model.mechanism, result.poses, "g")
         terminal.heading(f"{model.robot.name} at {pose_text}, {motors_in_words(model.robot, result.drives)}")
         terminal.line()
         sigmas = spread_of(model, result.poses, result.drives)
@@ -212,7 +212,7 @@ def _table(model: Model, result: Modes, sigmas: Array | None) -> Table:
         result.platform_shapes, lengths_of(model.mechanism, model.robot.parameters)
     )
     names = [f"{name}{symbols.get(name, '')}" for name in result.coordinates]
-    names += headings(model.mechanism)
+    names += unit_vector_headings(model.mechanism)
     components = np.concatenate([scaled_shapes, platform_vectors], axis=1).T
     rows += [[name, *map(_format_fixed, row)] for name, row in zip(names, components, strict=True)]
     columns = [Column("mode", numbers=False), *map(Column, numbers)]
@@ -269,8 +269,8 @@ def _motor_sentences(model: Model, result: Modes) -> Iterator[str]:
     motor_state = motors_in_words(model.robot, drives).removeprefix("motors ")
     motor_state = {FREE: "turning freely", HELD: "with their shafts held"}.get(motor_state, motor_state)
     yield (
-        f"{motors_in_words(model.robot, result.drives)}; {motor_state} the first mode of vibration "
-        f"is at {first_otherwise:.4g} Hz"
+        f"{motors_in_words(model.robot, result.drives)}; {motor_state} the first mode of vibration is at "
+        f"{first_otherwise:.4g} Hz"
     )
 
 

@@ -11,11 +11,11 @@ from pkmodes.cli.options import PATH, forwarded_mechanism_option, overwrite_opti
 from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import Target, check_targets
 from pkmodes.core.mechanism import registry
-from pkmodes.core.support.pasting import pasted
+from pkmodes.core.support.pasting import shell_path
 from pkmodes.core.support.writing import write_file
 
 
-@click.command(epilog=f"\b\nExample:\n  pkmodes new {registry.supplied()[0]} --out my-robot.toml")
+@click.command(epilog=f"\b\nExample:\n  pkmodes new {registry.supplied_names()[0]} --out my-robot.toml")
 @click.argument("name", metavar="[MECHANISM]", required=False)
 @click.option("--out", metavar="FILE.toml", type=PATH, help="File to write instead of standard output.")
 @overwrite_option
@@ -48,5 +48,5 @@ def new(name: str | None, out: Path | None, overwrite: bool, mechanism: Path | N
         return
     if files_to_write(out.parent, {out.name: text}, "--out", overwrite):
         write_file(out, text)
-    option = "" if mechanism is None else f" --mechanism {pasted(mechanism)}"
-    echo(f"wrote {out}; next: pkmodes show {pasted(out)}{option}")
+    option = "" if mechanism is None else f" --mechanism {shell_path(mechanism)}"
+    echo(f"wrote {out}; next: pkmodes show {shell_path(out)}{option}")

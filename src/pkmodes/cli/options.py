@@ -12,7 +12,7 @@ import click
 
 from pkmodes.core.base.drives import DRIVES
 from pkmodes.core.base.errors import PkmodesError, shown
-from pkmodes.core.support.pasting import pasted
+from pkmodes.core.support.pasting import shell_path
 
 #: The type of arguments and options that name a file or a folder.
 PATH = click.Path(path_type=Path)
@@ -140,7 +140,7 @@ def check_file_order(robot: Path, modes: Path, command: str) -> None:
     if modes.suffix.lower() == ".toml" and robot.suffix.lower() != ".toml":
         problem = f"expected ROBOT.toml before MODES.csv, found {robot} before {modes}"
         raise PkmodesError(
-            problem, command, f"the robot file comes first: {command} {pasted(modes)} {pasted(robot)}"
+            problem, command, f"the robot file comes first: {command} {shell_path(modes)} {shell_path(robot)}"
         )
 
 

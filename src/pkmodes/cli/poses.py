@@ -28,8 +28,8 @@ grid_option = click.option(
     "--grid",
     metavar="X=START:STOP:COUNT,...",
     help="For each component of the pose, start:stop:count with both ends included, or one value, in SI units or "
-    "with units.  Rotations that are not given are 0.  By default the reachable workspace, within the [usable] "
-    "limits of the robot file.",
+    "with units.  Rotations that are not given are 0.  By default the reachable workspace, within the "
+    "[usable] limits of the robot file.",
 )
 
 poses_option = click.option(
@@ -69,24 +69,29 @@ def pose_of(model: Model, text: str) -> list[float]:
     were in millimetres, or its bare angles in degrees.  Other poses that cannot be reached are left to the model to
     reject.
     """
-    from pkmodes.core.mechanism.poses import MEANT
+    from pkmodes.core.mechanism.poses import LIKELY_UNITS
 
     pose, units = parse_pose(text, model.mechanism), [component.unit for component in model.mechanism.pose]
     if any(c.isalpha() for c in re.sub(r"\d[eE]", "", text)) or model.check(pose).valid:
         return pose
     large_units = {
-        unit for c, unit in zip(pose, units, strict=True) if unit in MEANT and abs(c) >= MEANT[unit].size
+        unit
+        for c, unit in zip(pose, units, strict=True)
+        if unit in LIKELY_UNITS and abs(c) >= LIKELY_UNITS[unit].size
     }
     converted = [
-        c * MEANT[unit].factor if unit in large_units else c for c, unit in zip(pose, units, strict=True)
+        c * LIKELY_UNITS[unit].factor if unit in large_units else c
+        for c, unit in zip(pose, units, strict=True)
     ]
     if large_units and model.check(converted).valid:
         parts = [part.strip() for part in text.split(",")]
         with_units = ",".join(
-            f"{part} {MEANT[unit].unit}" if unit in large_units else part
+            f"{part} {LIKELY_UNITS[unit].unit}" if unit in large_units else part
             for part, unit in zip(parts, units, strict=True)
         )
-        apparent_units = " and ".join(MEANT[unit].plural for unit in MEANT if unit in large_units)
+        apparent_units = " and ".join(
+            LIKELY_UNITS[unit].plural for unit in LIKELY_UNITS if unit in large_units
+        )
         remedy = f'the numbers look like {apparent_units}: write --pose "{with_units}"'
         raise PoseError(str(model.check(pose).sentences).partition(";")[0], "--pose", remedy)
     return pose

@@ -14,7 +14,7 @@ from contextlib import contextmanager, suppress
 from typing import TextIO
 
 from pkmodes.core.base.errors import printable
-from pkmodes.core.support.progress import told
+from pkmodes.core.support.progress import reporting_to
 
 #: Seconds before a command shows its progress, and between two updates of the line.
 FIRST_DELAY, UPDATE_INTERVAL = 0.3, 0.2
@@ -96,7 +96,7 @@ def progress_line(text: str) -> Iterator[None]:
         return
     line = _current = ProgressLine(sys.stderr, text)
     try:
-        with told(line.say):
+        with reporting_to(line.say):
             yield
     finally:
         end_progress()

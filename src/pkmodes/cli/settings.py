@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pkmodes.core.base.errors import PkmodesError, shown
-from pkmodes.core.robot.declaration import changeable
+from pkmodes.core.robot.declaration import changeable_units
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
@@ -41,7 +41,7 @@ def settings_given(model: Model, texts: tuple[str, ...]) -> dict[str, Any] | Non
         return None
     from pkmodes.machine.maps.ranges import parse_settings
 
-    return parse_settings(texts, changeable(model.robot), "--set")
+    return parse_settings(texts, changeable_units(model.robot), "--set")
 
 
 def height_given(
@@ -70,7 +70,7 @@ def height_given(
             raise PkmodesError(problem, "--height", f"a number without a unit is in m: {HEIGHT_EXAMPLE}")
         return low, high
     ((path, values),) = ranges.items()
-    unit = changeable(model.robot)[path]
+    unit = changeable_units(model.robot)[path]
     if unit != "kg":
         problem = f"expected two heights, as {path} is no mass that a print could have, found {shown(text)}"
         raise PkmodesError(problem, "--height", "write --height 0:200mm")

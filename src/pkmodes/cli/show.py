@@ -28,7 +28,7 @@ from pkmodes.cli.targets import Target, check_targets
 from pkmodes.core.base.errors import PkmodesError, nearest_name, shown
 from pkmodes.core.support.documents import Document
 from pkmodes.core.support.progress import say
-from pkmodes.core.support.replacing import check_replaced, holds
+from pkmodes.core.support.replacing import check_replaced, contains_mark
 
 if TYPE_CHECKING:
     from pkmodes.core.robot.robot import Robot
@@ -46,8 +46,7 @@ class ShowDocument(Document, frozen=True):
 
 
 @click.command(
-    epilog="\b\nExample:\n  pkmodes show robots/linear-delta-2022.toml \\\n"
-    "    --pose 0.6,0,-0.245 --out delta.html"
+    epilog="\b\nExample:\n  pkmodes show robots/linear-delta-2022.toml \\\n    --pose 0.6,0,-0.245 --out delta.html"
 )
 @robot_argument
 @click.option(
@@ -62,12 +61,7 @@ class ShowDocument(Document, frozen=True):
     "the robot file's name with .html, which replaces only a page of this command.",
 )
 @overwrite_option
-@click.option(
-    "--mode",
-    metavar="N",
-    type=click.IntRange(1),
-    help="Vibration mode of FILE.gif, by default 1.",
-)
+@click.option("--mode", metavar="N", type=click.IntRange(1), help="Vibration mode of FILE.gif, by default 1.")
 @click.option(
     VARY_OPTION,
     "vary",
@@ -103,7 +97,9 @@ def show(
     if out is None:
         problem = "the file exists, and is not a page of pkmodes show"
         remedy = "name the page with --out FILE.html, or replace what is there with --overwrite"
-        check_replaced([Path(output_name)], "--out", overwrite, holds(PAGE_MARK), what=problem, remedy=remedy)
+        check_replaced(
+            [Path(output_name)], "--out", overwrite, contains_mark(PAGE_MARK), what=problem, remedy=remedy
+        )
     is_gif = Path(output_name).suffix.lower() == ".gif"
     if mode is not None and not is_gif:
         remedy = "choose the mode on the page, or name FILE.gif"
@@ -147,7 +143,7 @@ def parse_vary(text: str, robot: Robot) -> dict[str, NDArray[np.float64]]:
     Returns values in SI units by path, in the order given.
     Raises PkmodesError if a path is unknown or repeated, a range is invalid, or there are too many.
     """
-    from pkmodes.core.robot.declaration import changeable
+    from pkmodes.core.robot.declaration import changeable_units
     from pkmodes.machine.maps.ranges import parse_range
     from pkmodes.pages.view.varying import DEFAULT_COUNTS, MAX_PARAMETERS
 
@@ -155,7 +151,7 @@ def parse_vary(text: str, robot: Robot) -> dict[str, NDArray[np.float64]]:
     if len(parts) > MAX_PARAMETERS:
         problem = f"expected at most {MAX_PARAMETERS} parameters, found {len(parts)}"
         raise PkmodesError(problem, VARY_OPTION, "vary the others on another page")
-    units, ranges = changeable(robot), dict[str, NDArray[np.float64]]()
+    units, ranges = changeable_units(robot), dict[str, NDArray[np.float64]]()
     for part in parts:
         path, equals, range_text = (piece.strip() for piece in part.partition("="))
         if not equals or not path or not range_text:

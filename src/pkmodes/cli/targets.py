@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from pkmodes.core.base.errors import OutputError, shown
-from pkmodes.core.support.pasting import pasted
-from pkmodes.core.support.places import resolved
+from pkmodes.core.support.pasting import shell_path
+from pkmodes.core.support.places import resolve_path
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ def check_targets(json_file: str | None, inputs: Sequence[Path | None], *other_t
             if target.file is None:
                 continue
             path = Path(str(target.file))
-            resolved_path = resolved(path, target.option)
+            resolved_path = resolve_path(path, target.option)
             where = f"{target.option} {target.file if target.option == '--json' else path}"
             if resolved_path in labels_by_path:
                 problem = f"{labels_by_path[resolved_path]} and {target.label} would be the same file"
@@ -90,5 +90,7 @@ def _check_ending(target: Target, path: Path) -> None:
         problem = f"expected a name that ends in {' or '.join(target.endings)}, found {shown(path.name)}"
         shown_name = target.file if isinstance(target.file, Path) else shown(target.file)
         raise OutputError(
-            problem, f"{target.option} {shown_name}", f"write {pasted(path.with_suffix(target.endings[0]))}"
+            problem,
+            f"{target.option} {shown_name}",
+            f"write {shell_path(path.with_suffix(target.endings[0]))}",
         )

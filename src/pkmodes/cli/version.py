@@ -16,7 +16,7 @@ from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.base.version import VERSION
 from pkmodes.core.compiled import build, loader
 from pkmodes.core.mechanism import registry
-from pkmodes.core.solve.backends import AUTO, chosen
+from pkmodes.core.solve.backends import AUTO, choose_backend
 
 #: Instruction sets of a compiled library, by the processor's architecture and the length of the vectors.
 INSTRUCTION_SETS = {
@@ -49,12 +49,12 @@ def version_facts() -> Iterator[tuple[str, str]]:
     yield "system", f"{platform.system()} {platform.release()}, {build.machine()}"
     yield from _libraries()
     try:
-        name = chosen(AUTO)
+        name = choose_backend(AUTO)
         yield "back end", "compiled where there is a library, else numpy" if name == AUTO else name
     except PkmodesError as error:
         yield "back end", str(error)
-    for name in registry.supplied():
-        library = loader.present(registry.mechanism(name).package, name)
+    for name in registry.supplied_names():
+        library = loader.load_existing(registry.mechanism(name).package, name)
         text = "no library; it is built at first use where there is a C compiler"
         if library is not None:
             instructions = INSTRUCTION_SETS.get((build.machine(), library.width), "")

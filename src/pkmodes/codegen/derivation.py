@@ -16,8 +16,8 @@ from tempfile import TemporaryDirectory
 from types import ModuleType
 
 from pkmodes.core.base.errors import MissingExtraError, PkmodesError
-from pkmodes.core.mechanism.packages import DEFINITION, GIVE, effect_files
-from pkmodes.core.mechanism.registry import Mechanism, supplied, temporarily_registered
+from pkmodes.core.mechanism.packages import DEFINITION, FOLDER_REMEDY, effect_files
+from pkmodes.core.mechanism.registry import Mechanism, supplied_names, temporarily_registered
 from pkmodes.core.support.writing import write_files
 
 #: The extra `derive` of pyproject.toml, repeated here so that it can be installed without a pkmodes index entry.
@@ -103,24 +103,24 @@ def define(definition: Definition) -> None:
 
 def definition_of(mechanism: Mechanism) -> Definition | None:
     """Return the definition stored with a mechanism's code, None for a mechanism that comes with pkmodes."""
-    if mechanism.name in supplied():
+    if mechanism.name in supplied_names():
         return None
     file = Path(str(files(mechanism.package))) / DEFINITION
     if not file.is_file():
         problem = (
             f"expected {DEFINITION}, from which the mechanism {mechanism.name} is derived, found no such file"
         )
-        raise PkmodesError(problem, str(file.parent), GIVE)
+        raise PkmodesError(problem, str(file.parent), FOLDER_REMEDY)
     return read_definition(file, mechanism.name)
 
 
 @contextmanager
 def as_pkmodes_errors() -> Iterator[None]:
     """Convert errors of a definition to `PkmodesError`."""
-    mistake = derivation("definition").DefinitionError
+    definition_error = derivation("definition").DefinitionError
     try:
         yield
-    except mistake as error:
+    except definition_error as error:
         raise PkmodesError(error.what, error.where, error.remedy) from None
 
 
@@ -174,7 +174,7 @@ def parametric(
 @contextmanager
 def staged(name: str, texts: dict[str, str]) -> Iterator[Mechanism]:
     """Register a mechanism from code that has not been written to its folder yet."""
-    with TemporaryDirectory(prefix="pkmodes-") as place:
-        write_files(Path(place) / name, texts)
-        with temporarily_registered(Path(place) / name) as mechanism:
+    with TemporaryDirectory(prefix="pkmodes-") as folder:
+        write_files(Path(folder) / name, texts)
+        with temporarily_registered(Path(folder) / name) as mechanism:
             yield mechanism

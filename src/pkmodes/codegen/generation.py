@@ -26,11 +26,11 @@ from pkmodes.codegen.derivation import (
 )
 from pkmodes.codegen.product_folder import (
     MANIFEST,
-    alone,
     check_mechanism,
     check_no_link,
     check_owner,
     check_place,
+    folder_lock,
     stale_outputs,
 )
 from pkmodes.core.base.errors import OutputError, PkmodesError, shown
@@ -87,32 +87,32 @@ def specialised(specification: Any) -> dict[str, str]:
 class _Folder:
     """A folder of generated code, its manifest before anything is derived, and what else may be in it."""
 
-    place: Path
-    recorded: dict[str, Any] | None
-    beside: tuple[Path, ...]
+    path: Path
+    manifest: dict[str, Any] | None
+    allowed: tuple[Path, ...]
 
     @classmethod
-    def checked(cls, place: Path, *beside: Path) -> _Folder:
+    def checked(cls, path: Path, *allowed: Path) -> _Folder:
         """Check that generated files may be written there."""
-        folder = cls(place, _recorded(place), beside)
-        check_place(place, beside, folder.recorded)
+        folder = cls(path, _read_manifest(path), allowed)
+        check_place(path, allowed, folder.manifest)
         return folder
 
     def check_again(self, texts: Mapping[str, str]) -> None:
         """Refuse a folder that another process has changed meanwhile, unless it wrote the same."""
-        now = _recorded(self.place)
-        if now not in (self.recorded, json.loads(texts[MANIFEST])):
+        manifest = _read_manifest(self.path)
+        if manifest not in (self.manifest, json.loads(texts[MANIFEST])):
             problem = "another process has generated into the folder meanwhile"
-            raise OutputError(problem, str(self.place), "choose another folder, or run the command again")
-        check_place(self.place, self.beside, now)
+            raise OutputError(problem, str(self.path), "choose another folder, or run the command again")
+        check_place(self.path, self.allowed, manifest)
         for name in texts:
-            check_no_link(self.place / name)
+            check_no_link(self.path / name)
 
     def write(self, texts: Mapping[str, str]) -> list[Path]:
         """Write the generated files and remove those that a previous generation wrote under other names."""
         generated = derivation("emit.currency").carries_header
-        stale = [] if self.recorded is None else stale_outputs(self.place, self.recorded, texts, generated)
-        written = write_files(self.place, texts)
+        stale = [] if self.manifest is None else stale_outputs(self.path, self.manifest, texts, generated)
+        written = write_files(self.path, texts)
         for path in stale:
             path.unlink(missing_ok=True)
         return written
@@ -141,17 +141,19 @@ def generate(
     if mechanism is not None and not mechanism.is_dir():
         definition = read_definition(mechanism)
         return _generate_both(robot_file, out, definition.name, definition, new_effects)
-    added = None if mechanism is None else registry.add_folder(mechanism)
+    given_mechanism = None if mechanism is None else registry.add_folder(mechanism)
     if new_effects:
-        bare = added or registry.mechanism(_mechanism_name(robot_file))
-        all_effects = with_stored_effects(bare, new_effects)
-        return _generate_both(robot_file, out, bare.name, definition_of(bare), all_effects)
+        base_mechanism = given_mechanism or registry.mechanism(_mechanism_name(robot_file))
+        all_effects = with_stored_effects(base_mechanism, new_effects)
+        return _generate_both(
+            robot_file, out, base_mechanism.name, definition_of(base_mechanism), all_effects
+        )
     robot = read_robot(robot_file)
     folder = _Folder.checked(out, robot_file)
-    folder_of_mechanism = folder_of(robot.mechanism.package)
-    reference = relative(Path(folder_of_mechanism), out) if folder_of_mechanism else ""
+    mechanism_folder = folder_of(robot.mechanism.package)
+    reference = relative(Path(mechanism_folder), out) if mechanism_folder else ""
     texts = _texts(robot, robot_file, folder, reference)
-    with alone(out):
+    with folder_lock(out):
         folder.check_again(texts)
         return folder.write(texts)
 
@@ -173,14 +175,14 @@ def _generate_both(
     """Generate the code of a mechanism and the model of a robot; write nothing unless both succeed."""
     package = out / name
     source_files = [source.file for source in (definition, *effects) if source is not None]
-    outer = _Folder.checked(out, robot_file, *source_files, package)
+    robot_folder = _Folder.checked(out, robot_file, *source_files, package)
     check_no_link(package)
-    inner = _Folder.checked(package)
-    check_mechanism(package, inner.recorded, name)
+    mechanism_folder = _Folder.checked(package)
+    check_mechanism(package, mechanism_folder.manifest, name)
     references = {relative(effect.file, package): effect for effect in effects}
-    of_definition = "" if definition is None else relative(definition.file, package)
-    of_mechanism = parametric(name, definition, of_definition, references)
-    with staged(name, of_mechanism):
+    definition_reference = "" if definition is None else relative(definition.file, package)
+    mechanism_texts = parametric(name, definition, definition_reference, references)
+    with staged(name, mechanism_texts):
         robot = read_robot(robot_file)
         if robot.mechanism_name != name:
             problem = f"the robot is a {robot.mechanism_name}, not a {name}"
@@ -188,21 +190,21 @@ def _generate_both(
             raise PkmodesError(problem, f"{robot_file}: mechanism", remedy)
         # The mechanism's folder has its definition and its effects; a definition without effects is named directly.
         source = package if definition is None or effects else definition.file
-        of_robot = _texts(robot, robot_file, outer, relative(source, out))
-    with alone(out):
+        robot_texts = _texts(robot, robot_file, robot_folder, relative(source, out))
+    with folder_lock(out):
         check_no_link(package)
-        inner.check_again(of_mechanism)
-        outer.check_again(of_robot)
-        written = [*inner.write(of_mechanism), *outer.write(of_robot)]
+        mechanism_folder.check_again(mechanism_texts)
+        robot_folder.check_again(robot_texts)
+        written = [*mechanism_folder.write(mechanism_texts), *robot_folder.write(robot_texts)]
     registry.add_folder(package)
     return written
 
 
 def _texts(robot: Robot, robot_file: Path, folder: _Folder, definition: str) -> dict[str, str]:
     """Derive the model of a robot, for a folder that is free or already holds this robot's model."""
-    reference = relative(robot_file, folder.place)
-    if folder.recorded is not None:
-        check_owner(folder.place, folder.recorded, reference, robot.name)
+    reference = relative(robot_file, folder.path)
+    if folder.manifest is not None:
+        check_owner(folder.path, folder.manifest, reference, robot.name)
     return specialised(specification(robot, reference, definition))
 
 
@@ -211,11 +213,11 @@ def relative(source: Path, out: Path) -> str:
     return Path(os.path.relpath(source.resolve(), out.resolve())).as_posix()
 
 
-def _recorded(folder: Path) -> dict[str, Any] | None:
+def _read_manifest(folder: Path) -> dict[str, Any] | None:
     """Return the manifest in a folder, None if there is none."""
-    place = folder / MANIFEST
+    manifest_file = folder / MANIFEST
     try:
-        place.stat()
+        manifest_file.stat()
     except (FileNotFoundError, NotADirectoryError):
         return None
     except (OSError, ValueError) as error:  # not a valid folder name
@@ -226,7 +228,7 @@ def _recorded(folder: Path) -> dict[str, Any] | None:
     except (ValueError, OSError) as error:
         raise OutputError(
             f"the folder holds a manifest that cannot be read: {error}",
-            str(place),
+            str(manifest_file),
             "choose another folder, or remove that file",
         ) from None
     return content

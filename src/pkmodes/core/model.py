@@ -23,17 +23,17 @@ from pkmodes.core.mechanism.poses import (
     CheckedPoses,
     OnError,
     as_points,
-    largest_condition,
+    check_max_condition,
 )
-from pkmodes.core.robot.pose_table import by_name
+from pkmodes.core.robot.pose_table import ordered_by_name
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.usable import reasons_of
-from pkmodes.core.solve.backends import AUTO, checked_threads, chosen, solver_of
+from pkmodes.core.solve.backends import AUTO, checked_threads, choose_backend, solver_of
 from pkmodes.core.solve.batch import run_job
-from pkmodes.core.solve.field_arrays import FieldArrays, Fields, Out, chosen_fields
+from pkmodes.core.solve.field_arrays import FieldArrays, FieldNames, OutArrays, chosen_fields
 from pkmodes.core.solve.fields import FIELDS
 from pkmodes.core.solve.gravity import gravitational_stiffness
-from pkmodes.core.solve.mode_fields import FieldPlan, Later, ModeFields
+from pkmodes.core.solve.mode_fields import DeferredFields, FieldPlan, ModeFields
 from pkmodes.core.solve.results import Modes, PoseCheck, Statics
 from pkmodes.core.solve.solver import Solver
 from pkmodes.core.system.dissipation import Dissipation
@@ -70,7 +70,7 @@ class Model:
     def __init__(self, robot: Robot, max_condition: float = MAX_CONDITION) -> None:
         if not isinstance(robot, Robot):
             raise PkmodesError(f"expected a Robot, found {shown(robot)}", "Model", "use pkmodes.load(path)")
-        self.max_condition = largest_condition(max_condition)
+        self.max_condition = check_max_condition(max_condition)
         self.robot, self.mechanism = robot, robot.mechanism
         # Effects do not change the kinematics: the generated base model serves every robot.
         self._generated = Generated(self.mechanism.model, robot.parameters)
@@ -136,9 +136,9 @@ class Model:
         poses: ArrayLike,
         on_error: OnError = "raise",
         *,
-        fields: Fields = None,
+        fields: FieldNames = None,
         drives: str | None = None,
-        out: Out = None,
+        out: OutArrays = None,
         backend: str = AUTO,
         threads: int | None = None,
     ) -> Modes:
@@ -195,8 +195,8 @@ class Model:
         for name, same in plan.shared.items():
             arrays[name] = arrays[same]
         later = None
-        if plan.later:
-            later = Later(plan, self.robot, self.max_condition, checked, number)
+        if plan.deferred:
+            later = DeferredFields(plan, self.robot, self.max_condition, checked, number)
         return Modes(
             codes=checked.codes.reshape(checked.batch),
             known=checked.reasons,
@@ -256,7 +256,7 @@ class Model:
         poses: ArrayLike,
         on_error: OnError = "raise",
         *,
-        out: Out = None,
+        out: OutArrays = None,
         backend: str = AUTO,
         threads: int | None = None,
     ) -> tuple[Array, Array]:
@@ -288,7 +288,7 @@ class Model:
             As for `modes`.
         """
         names = "mass_matrix", "stiffness_matrix"
-        _, arrays = self._into(out, names, poses, on_error, backend, threads)
+        _, arrays = self._evaluate_into(out, names, poses, on_error, backend, threads)
         return arrays["mass_matrix"], arrays["stiffness_matrix"]
 
     def gravitational_stiffness(
@@ -345,7 +345,7 @@ class Model:
         Statics
             With the leading axes of the poses.
         """
-        checked, arrays = self._into(None, ("static_torque", "static_rotation"), poses, on_error)
+        checked, arrays = self._evaluate_into(None, ("static_torque", "static_rotation"), poses, on_error)
         poses = checked.points.reshape((*checked.batch, -1))
         codes = checked.codes.reshape(checked.batch)
         torques, rotations = arrays["static_torque"], arrays["static_rotation"]
@@ -478,13 +478,13 @@ class Model:
         kind = self.mechanism.independent_are
         size, names = len(self.mechanism.independent), ", ".join(self.mechanism.independent)
         units = {q.name: q.unit for q in self.mechanism.coordinates}
-        ordered = by_name(positions, {name: units[name] for name in self.mechanism.independent}, kind)
+        ordered = ordered_by_name(positions, {name: units[name] for name in self.mechanism.independent}, kind)
         q, batch = as_points(ordered, kind, size, lambda: f"give {names} in SI units")
         with np.errstate(all="ignore"):
             p: Array = function(q, assembly)
-        bad = ~np.isfinite(p).all(axis=-1)
-        if bad.any():
-            index = int(np.argmax(bad))
+        invalid = ~np.isfinite(p).all(axis=-1)
+        if invalid.any():
+            index = int(np.argmax(invalid))
             raise PoseError("the links do not meet", f"{kind} {index}", f"choose {kind} that assemble", index)
         return p.reshape((*batch, -1))
 
@@ -524,7 +524,7 @@ class Model:
         determinant, _ = self.evaluated(self._generated.jacobian_condition, checked)
         return np.sign(determinant)
 
-    # What the methods and the applications share.
+    # Shared by the methods above and the applications.
 
     def fields_at(
         self,
@@ -534,7 +534,7 @@ class Model:
         backend: str,
         *,
         drives: str = FREE,
-        out: Out = None,
+        out: OutArrays = None,
         threads: int = 1,
         given: Mapping[str, Any] | None = None,
     ) -> tuple[CheckedPoses, dict[str, Array]]:
@@ -569,9 +569,9 @@ class Model:
         fields = self._fields(names, self.solver(backend, drives), drives, given)
         return self._run(fields, poses, on_error, out, threads)
 
-    def _into(
+    def _evaluate_into(
         self,
-        out: Out,
+        out: OutArrays,
         names: tuple[str, ...],
         poses: ArrayLike,
         on_error: OnError,
@@ -586,11 +586,11 @@ class Model:
 
     def _field(self, name: str, poses: ArrayLike, on_error: OnError, out: Array | None) -> Array:
         """Evaluate one field with free motors."""
-        _, arrays = self._into(None if out is None else {name: out}, (name,), poses, on_error)
+        _, arrays = self._evaluate_into(None if out is None else {name: out}, (name,), poses, on_error)
         return arrays[name]
 
     def _run(
-        self, fields: ModeFields, poses: ArrayLike, on_error: OnError, out: Out, threads: int
+        self, fields: ModeFields, poses: ArrayLike, on_error: OnError, out: OutArrays, threads: int
     ) -> tuple[CheckedPoses, dict[str, Array]]:
         """Evaluate fields at poses."""
         return run_job(fields.job, self.robot, self.max_condition, poses, on_error, out, threads)
@@ -603,19 +603,23 @@ class Model:
         fields = None if extra else self._fields_of.get(key)
         if fields is None:
             lengths = lengths_of(self.mechanism, self.robot.parameters)
-            needs = {"dissipation": self.dissipation, "lengths": lengths, **(extra or {})}
-            fields = ModeFields(solver, self.system, self.solved(drives), self.robot.source, names, needs)
+            quantities = {"dissipation": self.dissipation, "lengths": lengths, **(extra or {})}
+            fields = ModeFields(
+                solver, self.system, self.solved(drives), self.robot.source, names, quantities
+            )
             if not extra:
                 self._fields_of[key] = fields
         return fields
 
-    def _plan(self, requested: tuple[str, ...] | None, out: Out, backend: str, drives: str) -> FieldPlan:
+    def _plan(
+        self, requested: tuple[str, ...] | None, out: OutArrays, backend: str, drives: str
+    ) -> FieldPlan:
         """Return what a call does; kept, so that a call for one pose takes microseconds.
 
         - requested: fields, in their order; None for all, of which some are evaluated when they are read
         """
-        apart = tuple(name for name in requested or () if out and name in out and FIELDS[name].same_as)
-        key = requested, apart, chosen(backend), drives, len(FIELDS)
+        separate = tuple(name for name in requested or () if out and name in out and FIELDS[name].same_as)
+        key = requested, separate, choose_backend(backend), drives, len(FIELDS)
         try:
             return self._plans[key]
         except (KeyError, TypeError):  # a new one, or drives that cannot be a key
@@ -625,19 +629,19 @@ class Model:
         shared = {
             name: FIELDS[name].same_as
             for name in names
-            if FIELDS[name].same_as in names and name not in apart
+            if FIELDS[name].same_as in names and name not in separate
         }
         later = [
             name
             for name in names
-            if requested is None and FIELDS[name].on_demand and name not in solver.at_hand
+            if requested is None and FIELDS[name].on_demand and name not in solver.cheap_fields
         ]
         at_once = [name for name in names if name not in shared and name not in later]
         plan = self._plans[key] = FieldPlan(
             fields=self._fields(at_once, solver, drives),
             shared=shared,
-            later={name: self._fields([name], solver, drives) for name in later},
-            paired={
+            deferred={name: self._fields([name], solver, drives) for name in later},
+            deferred_pairs={
                 name: self._fields(sorted({name, FIELDS[name].read_with} & set(later)), solver, drives)
                 for name in later
             },
@@ -659,7 +663,7 @@ class Model:
         Solver
             Kept from call to call.
         """
-        key = chosen(backend), checked_drives(drives)
+        key = choose_backend(backend), checked_drives(drives)
         if key not in self._solvers:
             free = None if drives == FREE else self.solver(key[0], FREE)
             solver = solver_of(self.solved(drives), self.max_condition, key[0], free)
@@ -698,7 +702,7 @@ class Model:
         CheckedPoses
             The poses one after the other, with the code of each.
         """
-        checked, _ = self._into(None, (), poses, on_error)
+        checked, _ = self._evaluate_into(None, (), poses, on_error)
         return checked
 
     def _function(self, name: str) -> Callable[..., Any]:
@@ -713,9 +717,9 @@ class Model:
     @staticmethod
     def evaluated(function: Callable[[Array], Any], checked: CheckedPoses) -> tuple[Array, ...]:
         """Evaluate a function at the valid poses, chunk by chunk; results have the leading axes of all poses."""
-        fields = FieldArrays(checked.batch, blank=bool(checked.codes.any()))
-        for where, p in checked.parts(CHUNK):
+        fields = FieldArrays(checked.batch, filled_with_nan=bool(checked.codes.any()))
+        for indices, p in checked.parts(CHUNK):
             values = function(p)
             columns = values if isinstance(values, tuple) else (values,)
-            fields.put(where, {str(i): column for i, column in enumerate(columns)})
+            fields.put(indices, {str(i): column for i, column in enumerate(columns)})
         return tuple(fields.finish().values())

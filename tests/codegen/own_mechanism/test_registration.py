@@ -62,7 +62,7 @@ def test_an_installed_package_is_known_by_its_entry_point(
     )
     (metadata / "entry_points.txt").write_text(points)
     monkeypatch.syspath_prepend(str(copy / "site"))
-    mechanism_packages.installed.cache_clear()
+    mechanism_packages.installed_packages.cache_clear()
     try:
         robot = pkmodes.read_robot(copy / "robot.toml")
         assert robot.mechanism.package == "my_robots.five_bar"
@@ -71,7 +71,7 @@ def test_an_installed_package_is_known_by_its_entry_point(
         with pytest.raises(PkmodesError, match=r"cannot read the description .* \(package nowhere\)"):
             known.mechanism("lost")
     finally:
-        mechanism_packages.installed.cache_clear()
+        mechanism_packages.installed_packages.cache_clear()
         for name in [name for name in sys.modules if name.startswith("my_robots")]:
             del sys.modules[name]
 
@@ -89,7 +89,7 @@ def test_folders_that_are_none(copy: Path) -> None:
     assert "the generated code cannot be imported: ValueError: broken" in said("build/five_bar")
     error = refused("modes", "robot.toml", "--pose", "0.03,-0.42")
     assert (
-        f'unknown mechanism "five_bar" (robot.toml: mechanism); known: {", ".join(known.supplied())}; '
+        f'unknown mechanism "five_bar" (robot.toml: mechanism); known: {", ".join(known.supplied_names())}; '
         in error
     )
     assert "--mechanism" in error

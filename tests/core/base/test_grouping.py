@@ -15,4 +15,4 @@ def test_each_joins_the_first_group_with_one_that_is_like_it() -> None:
 
 
 def test_only_the_first_members_are_compared() -> None:
-    assert grouped([1, 2, 3, 4], near, compared=1) == [[1, 2], [3, 4]]
+    assert grouped([1, 2, 3, 4], near, compared_members=1) == [[1, 2], [3, 4]]

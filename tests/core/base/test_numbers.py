@@ -11,7 +11,14 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 import pkmodes
-from pkmodes.core.base.numbers import hertz, p_in_words, plain, rounded, signed, times
+from pkmodes.core.base.numbers import (
+    format_factor,
+    format_frequency,
+    format_signed,
+    p_in_words,
+    plain,
+    round_to_sigma,
+)
 from pkmodes.pages.plots.labels import typeset
 
 #: What a rounded number with its standard deviation looks like.
@@ -35,7 +42,7 @@ def parts(text: str) -> tuple[str, str, int]:
 @example(sigma=4.0, ratio=-1e-10)
 def test_both_end_at_the_second_digit_of_the_standard_deviation(sigma: float, ratio: float) -> None:
     value = sigma * ratio
-    digits, spread, power = parts(str(rounded(value, sigma)))
+    digits, spread, power = parts(str(round_to_sigma(value, sigma)))
     exact, of_sigma = Decimal(value).scaleb(-power), Decimal(sigma).scaleb(-power)
     seen, its = Decimal(digits), Decimal(spread)
     assert abs(its - of_sigma) <= Decimal("0.0501") * of_sigma  # two digits: at most half of one in ten
@@ -66,7 +73,7 @@ def test_both_end_at_the_second_digit_of_the_standard_deviation(sigma: float, ra
     ],
 )
 def test_as_it_is_printed(value: float, sigma: float, text: str, print_: str) -> None:
-    assert str(rounded(value, sigma)) == text
+    assert str(round_to_sigma(value, sigma)) == text
     assert typeset(text) == print_
 
 
@@ -82,12 +89,12 @@ def test_as_it_is_printed(value: float, sigma: float, text: str, print_: str) ->
     ],
 )
 def test_a_value_keeps_the_digits_of_its_fit(value: float, sigma: float, fit: float, text: str) -> None:
-    assert str(rounded(value, sigma, fit)) == text
+    assert str(round_to_sigma(value, sigma, fit)) == text
 
 
 def test_columns_of_a_table_share_the_power_of_ten() -> None:
-    assert rounded(1.9234e-4, 1.31e-5).columns == ("1.92e-4", "0.13e-4")
-    assert rounded(29.97661, 0.0601).columns == ("29.977", "0.060")
+    assert round_to_sigma(1.9234e-4, 1.31e-5).columns == ("1.92e-4", "0.13e-4")
+    assert round_to_sigma(29.97661, 0.0601).columns == ("29.977", "0.060")
 
 
 @given(
@@ -107,7 +114,7 @@ def test_the_smallest_number_has_the_digits_that_it_has() -> None:
 
 def test_infinities_keep_their_signs_and_zeros_have_none() -> None:
     assert [plain(value) for value in (float("inf"), float("-inf"), 0.0, -0.0)] == ["inf", "-inf", "0", "0"]
-    assert str(rounded(float("-inf"), 1.0)) == "-inf +- 1"
+    assert str(round_to_sigma(float("-inf"), 1.0)) == "-inf +- 1"
 
 
 def test_integers_and_large_values_are_readable() -> None:
@@ -133,8 +140,8 @@ def test_p_values_below_a_millionth_are_not_told_apart(p: float, text: str) -> N
 
 def test_frequencies_have_three_decimals_and_large_ones_a_power_of_ten() -> None:
     shown = {0.0: "0.000", 0.0042: "0.0042", 72.3514: "72.351", 99_999.9: "99999.900", 9041462019.1: "9.04e9"}
-    assert {value: hertz(value) for value in shown} == shown
-    assert hertz(-2e5) == "-2.00e5"
+    assert {value: format_frequency(value) for value in shown} == shown
+    assert format_frequency(-2e5) == "-2.00e5"
 
 
 @pytest.mark.parametrize(
@@ -151,11 +158,11 @@ def test_frequencies_have_three_decimals_and_large_ones_a_power_of_ten() -> None
     ],
 )
 def test_a_factor_has_no_power_of_ten(factor: float, words: str) -> None:
-    assert times(factor) == words
+    assert format_factor(factor) == words
 
 
 def test_a_signed_number_has_its_sign() -> None:
-    assert [signed(value) for value in (0.1234, 123.0, -123.0)] == ["+0.12", "+120", "-120"]
+    assert [format_signed(value) for value in (0.1234, 123.0, -123.0)] == ["+0.12", "+120", "-120"]
 
 
 @pytest.mark.parametrize(
@@ -170,7 +177,7 @@ def test_a_signed_number_has_its_sign() -> None:
 def test_numbers_between_a_hundredth_and_ten_thousand_have_no_power_of_ten(
     value: float, sigma: float, text: str
 ) -> None:
-    assert str(rounded(value, sigma)) == text
+    assert str(round_to_sigma(value, sigma)) == text
 
 
 @given(
@@ -183,7 +190,7 @@ def test_no_number_in_that_range_has_one(value: float, ratio: float, digits: int
     if float(f"{value:.{digits - 1}e}") < 1e4:
         assert "e" not in plain(value, digits)
     if value * ratio >= 0.01 and float(f"{value:.1e}") < 1e4:
-        assert "e" not in str(rounded(value, value * ratio))
+        assert "e" not in str(round_to_sigma(value, value * ratio))
 
 
 def test_no_text_rounds_a_number_to_a_power_of_ten() -> None:

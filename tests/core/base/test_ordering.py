@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from pkmodes.core.support.ordering import in_order, joined, listed, sorted_labels
+from pkmodes.core.support.ordering import joined, listed, natural_order, sorted_labels
 
 
 @pytest.mark.parametrize(
@@ -21,11 +21,11 @@ from pkmodes.core.support.ordering import in_order, joined, listed, sorted_label
 )
 def test_the_order(given: list[str], expected: list[str]) -> None:
     assert sorted_labels(given) == expected
-    assert sorted(in_order(given)) == list(range(len(given)))
+    assert sorted(natural_order(given)) == list(range(len(given)))
 
 
 def test_equal_labels_keep_their_order() -> None:
-    assert in_order(["1.0 mm", "1 mm", "0 mm"]) == [2, 0, 1]
+    assert natural_order(["1.0 mm", "1 mm", "0 mm"]) == [2, 0, 1]
 
 
 def test_a_list_in_a_sentence_says_how_many_it_leaves_out() -> None:

@@ -17,7 +17,7 @@ def fresh(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[Path]:
     monkeypatch.setattr(build, "WIDTHS", {build.machine(): {2: ()}})
     cache = tmp_path / "cache"
     monkeypatch.setenv(loader.CACHE_VARIABLE, str(cache))
-    monkeypatch.setattr(loader, "SHIPPED", tmp_path / "nothing")
+    monkeypatch.setattr(loader, "INSTALLED_LIBRARIES", tmp_path / "nothing")
     loader.load.cache_clear()
     yield cache
     loader.load.cache_clear()

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from pkmodes.core.compiled import build
-from pkmodes.core.linalg.eigen import TIE
+from pkmodes.core.linalg.eigen import TIE_TOLERANCE
 
 pytestmark = pytest.mark.compiler
 
@@ -177,4 +177,4 @@ def test_units_do_not_matter(solve: Solver, scale: float) -> None:
 def test_ties_are_those_of_the_reference() -> None:
     text = (build.FOLDER / "eigen.h").read_text(encoding="utf-8")
     assert re.findall(r"#define EIGEN_TIE (\S+)", text) == ["1e-6"]
-    assert float("1e-6") == TIE
+    assert float("1e-6") == TIE_TOLERANCE

@@ -134,14 +134,14 @@ def test_matrices_that_are_read_of_modes_are_those_that_are_asked_for(
     it = model("linear_delta", True)
     given = regular_poses(it._generated, it.mechanism, it.robot.parameters)
     read = list[str]()
-    again = ModeFields.again
+    again = ModeFields.evaluate_again
 
     def counted(fields: ModeFields, *arguments: Any) -> dict[str, np.ndarray]:
         found = again(fields, *arguments)
         read.extend(found)
         return found
 
-    monkeypatch.setattr(ModeFields, "again", counted)
+    monkeypatch.setattr(ModeFields, "evaluate_again", counted)
     second = {"mass_matrix": "stiffness_matrix", "stiffness_matrix": "mass_matrix"}[first]
     for at in (given[0], given, np.resize(given, (CHUNK + 1, given.shape[1]))):
         asked = it.modes(at, fields=["frequencies", first, second], drives=drives)

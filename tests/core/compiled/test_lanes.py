@@ -11,7 +11,7 @@ import pkmodes
 from helpers.robots.lane_samples import NAMES, SIX_LEGGED, case, evaluator, results
 from helpers.robots.one_of_each import EVERY, ROBOTS
 from pkmodes.core.compiled import build
-from pkmodes.core.compiled.evaluator import SHARE
+from pkmodes.core.compiled.evaluator import POSES_PER_SHARE
 from pkmodes.core.compiled.loader import load
 from pkmodes.core.mechanism.poses import check_poses
 
@@ -96,7 +96,7 @@ def test_a_singular_pose_is_named_as_by_numpy() -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_threads_do_not_change_a_bit(name: str) -> None:
-    given = case(name, 2, count=4 * SHARE + 11)
+    given = case(name, 2, count=4 * POSES_PER_SHARE + 11)
     run = evaluator(given)
     found = []
     for threads in (1, 2, 3, 4):

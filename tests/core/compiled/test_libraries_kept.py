@@ -78,7 +78,7 @@ def test_a_damaged_library_of_the_package_is_built_again(
     name = f"corexy.{kept.name.split('.')[-2]}.so"
     (shipped / name).write_bytes(kept.read_bytes())
     kept.unlink()
-    monkeypatch.setattr(loader, "SHIPPED", shipped)
+    monkeypatch.setattr(loader, "INSTALLED_LIBRARIES", shipped)
     loader.load.cache_clear()
     assert frequencies("compiled").backend == "compiled"
     assert not libraries(fresh), "that of the package is as good"
@@ -101,7 +101,7 @@ def test_a_library_for_a_lesser_processor_is_not_used_and_stays(
         pytest.skip("this processor is the least")
     cc = build.compiler()
     assert cc is not None
-    assert build.widths_here(cc) == (loader.Library(kept).width, 2)
+    assert build.processor_widths(cc) == (loader.Library(kept).width, 2)
     kept.unlink()
     header = (ROOT / "generated/pkmodes_generated/corexy/lanes.h").read_text(encoding="utf-8")
     lesser = build.build(header, fresh, kept.name.split(".")[0], cc, [2])
@@ -117,7 +117,7 @@ def test_all_lanes_are_built_where_the_processor_cannot_be_asked(tmp_path: Path)
     says_nothing = tmp_path / "cc"
     says_nothing.write_text("#!/bin/sh\nexit 1\n", encoding="utf-8")
     says_nothing.chmod(0o755)
-    assert build.widths_here([str(says_nothing)]) == tuple(build.WIDTHS.get(build.machine(), {2: ()}))
+    assert build.processor_widths([str(says_nothing)]) == tuple(build.WIDTHS.get(build.machine(), {2: ()}))
 
 
 def test_a_library_reaches_the_disk_before_it_has_its_name(
@@ -176,7 +176,7 @@ def test_a_library_from_other_sources_is_not_used(fresh: Path, monkeypatch: pyte
     """A library that came with the package, and then the generated code changed."""
     shipped = fresh.parent / "shipped"
     shipped.mkdir()
-    monkeypatch.setattr(loader, "SHIPPED", shipped)
+    monkeypatch.setattr(loader, "INSTALLED_LIBRARIES", shipped)
     header = (ROOT / "generated/pkmodes_generated/corexy" / build.HEADER).read_text(encoding="utf-8")
     cc = build.compiler()
     assert cc is not None

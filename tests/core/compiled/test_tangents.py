@@ -11,7 +11,7 @@ import pytest
 
 from helpers.robots.lane_samples import EFFECTS, NAMES, ROOT, SIX_LEGGED, case, robot_of
 from pkmodes.core.compiled import build
-from pkmodes.core.compiled.lanes import ALL_COORDINATES, ALONG_OF_MODES, RATES_OF_MATRICES
+from pkmodes.core.compiled.lanes import FULL_MATRIX_FIELDS, MATRIX_RATE_FIELDS, MODE_RATE_FIELDS
 from pkmodes.core.compiled.loader import NoLibraryError, load
 from pkmodes.core.mechanism.poses import MAX_CONDITION
 from pkmodes.core.solve.at_poses import RobotAtPoses
@@ -20,7 +20,7 @@ from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.core.system.motors import solved_system
 from pkmodes.loop.sensitivity.compiled import CompiledDerivatives, derivatives_of, terms_of, terms_of_all
 from pkmodes.loop.sensitivity.locked import locked_joints
-from pkmodes.loop.sensitivity.matrices import POSE, STEP, MatrixDerivatives
+from pkmodes.loop.sensitivity.matrices import COMPLEX_STEP, POSE, MatrixDerivatives
 from pkmodes.loop.sensitivity.paths import ParameterPath, paths, resolve_all
 from pkmodes.loop.sensitivity.shapes import shape_derivatives
 from pkmodes.loop.updating.modes_of_systems import ModesOfSystems, modes_of_systems
@@ -46,7 +46,7 @@ class Robots(NamedTuple):
         of_each, (system, eigenvalues, shapes, _, _, solver) = [self.paths] * len(self.systems), self.modes
         terms = terms_of_all(self.systems, of_each)
         found = derivatives_of(
-            solver, system, self.points, of_each, (eigenvalues, shapes), terms, ALONG_OF_MODES
+            solver, system, self.points, of_each, (eigenvalues, shapes), terms, MODE_RATE_FIELDS
         )
         assert isinstance(found, CompiledDerivatives)
         return found, MatrixDerivatives(system, self.points, of_each)
@@ -115,9 +115,9 @@ def test_the_motion_of_the_platform_by_complex_step(name: str) -> None:
     motions = found.motions(given.modes.shapes)
     assert motions is not None
     for i in range(given.points.shape[1]):
-        step = STEP * 1j * np.eye(given.points.shape[1])[i]
+        step = COMPLEX_STEP * 1j * np.eye(given.points.shape[1])[i]
         system = given.modes.system
-        J = system.motion_of_all(given.points + step).imag[..., system.free] / STEP
+        J = system.full_platform_motion(given.points + step).imag[..., system.free] / COMPLEX_STEP
         expected = given.modes.shapes @ np.swapaxes(J, -1, -2)
         pose = len(given.paths) - given.points.shape[1] + i
         np.testing.assert_allclose(
@@ -135,7 +135,7 @@ def assert_matrices(name: str, effects: str, drives: str) -> None:
     solver = CompiledSolver.init(system, MAX_CONDITION)
     moves = resolve_all(robot, [path for path in paths(robot) if path != "axis.joint_radius"])
     terms, locked = terms_of(system, moves), locked_joints(system, moves)
-    fields = (*RATES_OF_MATRICES, *ALL_COORDINATES)
+    fields = (*MATRIX_RATE_FIELDS, *FULL_MATRIX_FIELDS)
     none = np.empty((EACH, 0)), np.empty((EACH, 0, len(system.coordinates)))
     at = RobotAtPoses(system, given.poses, "", {})
     found = derivatives_of(solver, system, given.poses, [moves], none, terms, fields)
@@ -176,7 +176,7 @@ def test_numpy_evaluates_poses_that_the_library_refuses() -> None:
     assert solver is not None
     far, terms = given.points + 5.0, terms_of(given.systems[0], given.paths)
     found = derivatives_of(
-        solver, given.systems[0], far, [given.paths], (eigenvalues, shapes), terms, ALONG_OF_MODES
+        solver, given.systems[0], far, [given.paths], (eigenvalues, shapes), terms, MODE_RATE_FIELDS
     )
     assert type(found) is MatrixDerivatives
 

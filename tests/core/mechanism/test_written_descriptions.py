@@ -13,7 +13,7 @@ import pytest
 from pkmodes.core.mechanism import registry
 from pkmodes_description import Description, DescriptionError, decode, encode
 
-MECHANISMS = registry.supplied()
+MECHANISMS = registry.supplied_names()
 
 
 def text_of(name: str) -> str:

@@ -18,8 +18,8 @@ import pkmodes
 from helpers.robots.sample_robots import ROBOTS
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.mechanism import registry
+from pkmodes.core.mechanism.code_check import check_code
 from pkmodes.core.mechanism.described import Mechanism
-from pkmodes.core.mechanism.fitting import check_code
 from pkmodes_description import DescriptionError, decode
 
 #: A robot of each mechanism, and a pose of it.

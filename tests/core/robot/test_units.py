@@ -217,14 +217,16 @@ def test_any_text_is_a_finite_number_or_a_clear_error(text: str, dimension: str)
 
 
 @given(
-    st.sampled_from([(si_unit, unit) for si_unit, factors in units.COMMON.items() for unit in factors]),
+    st.sampled_from(
+        [(si_unit, unit) for si_unit, factors in units.COMMON_FACTORS.items() for unit in factors]
+    ),
     st.decimals(-100_000, 100_000, places=6),
 )
 def test_common_units_have_the_same_bits_as_by_pint(names: tuple[str, str], number: Decimal) -> None:
     si_unit, unit = names
     found = units._convert(number, unit, si_unit)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(units, "COMMON", {})
+        patch.setattr(units, "COMMON_FACTORS", {})
         assert found == units._convert(number, unit, si_unit)
 
 

@@ -19,7 +19,7 @@ from pkmodes.core.base.errors import PkmodesError, RobotFileError
 from pkmodes.core.robot.reading import read_robot, robot_from_document
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.usable import Radius, limits_in_words
-from pkmodes.core.robot.usable_poses import limits_of
+from pkmodes.core.robot.usable_poses import bounding_box
 from pkmodes.loop.robot_files.differences import differences
 from pkmodes.loop.robot_files.saving import Correction
 from pkmodes.loop.sensitivity.paths import paths
@@ -128,7 +128,7 @@ def test_a_radius_and_an_angle_are_read_in_si_units_and_told_in_words(tmp_path: 
     )
     aside = read(tmp_path, ASIDE)
     assert aside.usable == {"x": (0.0, 1.0), "radius": Radius(0.12, (0.6, 0.0))}
-    low, high = limits_of(aside.mechanism, aside.usable)
+    low, high = bounding_box(aside.mechanism, aside.usable)
     assert (low.tolist(), high.tolist()) == ([0.48, -0.12, -math.inf], [0.72, 0.12, math.inf])
     assert read(tmp_path, '\n[usable]\nradius = "9 cm"\n', "corexy-printer").usable == {
         "radius": Radius(0.09, (0.0, 0.0))

@@ -12,12 +12,12 @@ import pkmodes
 from helpers.robots.robot_text import PUBLISHED
 from helpers.robots.same_robots import same_to_the_last_digit
 from pkmodes.core.base.errors import RobotFileError
-from pkmodes.core.robot.declaration import changeable
-from pkmodes.core.robot.layout import by_path, lent
+from pkmodes.core.robot.declaration import changeable_units
+from pkmodes.core.robot.layout import items_by_path, table_sources
 from pkmodes.core.robot.parameter_groups import group_value, groups_by_path
 from pkmodes.core.robot.reading import robot_from_document
 from pkmodes.core.robot.units import Quantity
-from pkmodes.core.robot.variants import OTHER_VALUES, document_of, raw_values
+from pkmodes.core.robot.variants import SOURCE_SUFFIX, document_of, raw_values
 
 ROBOTS = sorted(PUBLISHED.parent.glob("*.toml"))
 
@@ -39,7 +39,7 @@ def with_effects(robot: pkmodes.Robot) -> pkmodes.Robot:
 
 def document_with(robot: pkmodes.Robot, path: str, raw: object) -> dict[str, object]:
     """The document of a robot whose file gives another value at a path."""
-    declared, item = raw_values(robot), by_path(robot.mechanism).get(path)
+    declared, item = raw_values(robot), items_by_path(robot.mechanism).get(path)
     if item is not None and path != item.path:  # elements that the file does not give have their default
         declared = {number.path: item.key.default for number in item.numbers} | declared
     return document_of(
@@ -64,7 +64,7 @@ def read_again(robot: pkmodes.Robot, path: str, raw: object) -> pkmodes.Robot | 
     """The robot of the whole document with that value, or the problems for which it is refused."""
     try:
         return robot_from_document(
-            document_with(robot, path, raw), f"{robot.source.removesuffix(OTHER_VALUES)}{OTHER_VALUES}"
+            document_with(robot, path, raw), f"{robot.source.removesuffix(SOURCE_SUFFIX)}{SOURCE_SUFFIX}"
         )
     except RobotFileError as error:
         return [(problem.what, problem.where, problem.remedy) for problem in error.problems]
@@ -76,9 +76,9 @@ def test_other_values_are_those_of_the_whole_document(path: Path, declared: str)
     robot = pkmodes.read_robot(path)
     robot = with_effects(robot) if declared == "effects" else robot
     same_to_the_last_digit(robot.with_values({}), robot_from_document(document_of_robot(robot), ""))
-    lent_paths, wholes = lent(robot.mechanism), groups_by_path(robot.mechanism)
+    lent_paths, wholes = table_sources(robot.mechanism), groups_by_path(robot.mechanism)
     accepted, refused, chain = 0, 0, robot
-    for own in changeable(robot):
+    for own in changeable_units(robot):
         if own in wholes:
             continue
         others = {name for name in robot.quantities if name.startswith(f"{own.rpartition('.')[0]}.")} - {own}
@@ -105,5 +105,5 @@ def test_other_values_are_those_of_the_whole_document(path: Path, declared: str)
             chain = chain.with_values({whole: group_value(chain, wholes[whole]) * 1.0625})
     assert chain != robot
     same_to_the_last_digit(chain, robot_from_document(document_of_robot(chain), ""))
-    assert accepted > len(changeable(robot))
-    assert refused > len(changeable(robot))
+    assert accepted > len(changeable_units(robot))
+    assert refused > len(changeable_units(robot))

@@ -33,7 +33,7 @@ def registered(monkeypatch: pytest.MonkeyPatch) -> None:
         name="lightnesses",
         dims=(MODE,),
         needs=("shapes", "mass_matrix"),
-        of=lightness,
+        function=lightness,
         variable="lightness",
         key="lightnesses_1",
         units="kg",
@@ -72,7 +72,7 @@ def test_it_is_computed_alone_part_by_part_in_an_array_of_the_caller(
 ) -> None:
     whole = model.modes(POSES * 4, "nan", backend=backend).lightnesses
     out = np.empty((12, 9))
-    monkeypatch.setattr(mode_fields, "PART", 5)
+    monkeypatch.setattr(mode_fields, "POSES_PER_THREAD", 5)
     modes = pkmodes.load(ROBOT).modes(POSES * 4, "nan", out={"lightnesses": out}, backend=backend, threads=1)
     assert modes.lightnesses is out
     np.testing.assert_array_equal(out, whole)

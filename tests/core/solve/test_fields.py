@@ -295,7 +295,7 @@ def test_a_pose_takes_the_memory_of_its_result(
     With one thread, both batches are longer than the part for which more is kept, such as eigenvalues.
     """
     some, more = (around(POSE, n) for n in (6000, 18000))
-    assert len(some) > mode_fields.PART
+    assert len(some) > mode_fields.POSES_PER_THREAD
     peaks = [peak(lambda p=p: model.modes(p, fields=fields, threads=1)) for p in (some, more)]
     assert (peaks[1] - peaks[0]) / 12000 < 8 * (numbers + 3) + 20
 

@@ -26,7 +26,7 @@ def solver(coordinates: int, first: int, rigid: int, held: int = 0) -> CompiledS
     names = tuple(f"q_{i}" for i in range(coordinates))
     system: Any = SimpleNamespace(
         coordinates=names,
-        first=first,
+        base_count=first,
         rigid_modes=rigid,
         held_motions=held,
         loose_motions=rigid + held if held else 0,
@@ -54,20 +54,22 @@ MARKS = (
 def test_what_the_kernel_cannot_resolve_is_left_to_numpy(
     sizes: tuple[int, ...], eigenvalues: tuple[float, ...], left: bool
 ) -> None:
-    codes = solver(*sizes)._marked(np.zeros(1, np.int8), {"eigenvalues": np.array([eigenvalues])})
+    codes = solver(*sizes)._mark_unresolved(np.zeros(1, np.int8), {"eigenvalues": np.array([eigenvalues])})
     assert codes[0] == (UNSOLVED if left else 0)
 
 
 def test_frequencies_alone_show_magnitudes_out_of_proportion() -> None:
     frequencies = np.array([[0.0, 1.0, 900.0], [0.0, 1.0, 1100.0], [np.nan, np.nan, np.nan]])
-    codes = solver(3, 3, 1)._marked(np.array([0, 0, 2], np.int8), {"frequencies": frequencies})
+    codes = solver(3, 3, 1)._mark_unresolved(np.array([0, 0, 2], np.int8), {"frequencies": frequencies})
     assert codes.tolist() == [0, UNSOLVED, 2]
 
 
 def test_a_pose_that_cannot_be_evaluated_is_not_left_to_numpy() -> None:
     """Whatever its eigenvalues seem to be."""
     eigenvalues = np.array([[1e-9, 1.0, 1e9]] * 3)
-    codes = solver(3, 2, 0)._marked(np.array([2, 0, UNSOLVED], np.int8), {"eigenvalues": eigenvalues})
+    codes = solver(3, 2, 0)._mark_unresolved(
+        np.array([2, 0, UNSOLVED], np.int8), {"eigenvalues": eigenvalues}
+    )
     assert codes.tolist() == [2, UNSOLVED, UNSOLVED]
 
 
@@ -75,7 +77,7 @@ def test_a_pose_that_cannot_be_evaluated_is_not_left_to_numpy() -> None:
 def test_eigenvalues_that_are_not_finite_are_refused(monkeypatch: pytest.MonkeyPatch, bad: float) -> None:
     eigenvalues = np.array([[1.0, 2.0, 3.0], [1.0, 2.0, bad]])
     monkeypatch.setattr(numpy_solver, "modes_of", lambda at: (eigenvalues, np.zeros((2, 3, 3))))
-    system = SimpleNamespace(held_motions=0, rigid_modes=0, first=3, coordinates=("x", "y", "z"))
+    system = SimpleNamespace(held_motions=0, rigid_modes=0, base_count=3, coordinates=("x", "y", "z"))
     with pytest.raises(PoseError, match="the eigenvalues are not finite"):
         numpy_solver.checked_modes(SimpleNamespace(system=system, source="a robot"))  # type: ignore[arg-type]
 

@@ -7,7 +7,7 @@ import numpy as np
 from helpers.references.numpy_modes import solve
 from helpers.robots.lane_samples import Case, results
 from pkmodes.core.linalg.eigen import has_stiff_joint, natural_frequencies
-from pkmodes.core.linalg.statics import amplitudes_of_steps
+from pkmodes.core.linalg.statics import step_amplitudes
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.poses import check_poses
 from pkmodes.core.system.strain_free import strain_free_motions
@@ -60,7 +60,7 @@ def errors(given: Case) -> tuple[Errors, Errors]:
     assert (np.abs(moved) <= 1e-12 * (np.abs(shapes) @ np.abs(np.swapaxes(motion, -1, -2)))).all()
     own = _of_equations(M, K, eigenvalues, shapes)
     # Poses with a stiff joint are solved in graded form, by NumPy; the others have all digits.
-    plain = ~has_stiff_joint(expected.eigenvalues, given.evaluation.first, rigid)
+    plain = ~has_stiff_joint(expected.eigenvalues, given.evaluation.base_count, rigid)
     frequencies = natural_frequencies(expected.eigenvalues)[plain, rigid:]
     own["frequency"] = np.abs(found["frequencies"][plain, rigid:] / frequencies - 1.0).max(
         axis=1, initial=0.0
@@ -98,8 +98,8 @@ def _assert_amplitudes_agree(
     """With the modes that were found, to the rounding of sums times the conditions of D_p and of springs."""
     linear, rigid = slice(len(given.mechanism.directions)), given.evaluation.rigid_modes
     parts = found["eigenvalues"], found["shapes"], found["platform_shapes"][..., linear]
-    expected = amplitudes_of_steps(*parts, momenta[..., linear])[:, rigid:]
-    size = amplitudes_of_steps(parts[0], np.abs(parts[1]), parts[2], np.abs(momenta[..., linear]))[:, rigid:]
+    expected = step_amplitudes(*parts, momenta[..., linear])[:, rigid:]
+    size = step_amplitudes(parts[0], np.abs(parts[1]), parts[2], np.abs(momenta[..., linear]))[:, rigid:]
     amplitudes = found["vibration_amplitudes"]
     assert np.isnan(amplitudes[:, :rigid]).all()
     assert (np.abs(amplitudes[:, rigid:] - expected) <= 1e-11 * size).all()

@@ -8,7 +8,7 @@ from typing import Self
 import numpy as np
 import scipy.linalg
 
-from pkmodes.core.linalg.eigen import TIE
+from pkmodes.core.linalg.eigen import TIE_TOLERANCE
 from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.solve.solver import EIGENVALUES, SHAPES, Codes, Solver
 from pkmodes.core.system.evaluation import Evaluation
@@ -37,7 +37,7 @@ class LoopSolver(Solver):
                 arrays[EIGENVALUES][i] = eigenvalues
             if SHAPES in arrays:
                 size = np.abs(shapes) * np.sqrt(np.diagonal(M)[q])[:, None]
-                first = np.argmax(size >= (1.0 - TIE) * size.max(axis=0), axis=0)
+                first = np.argmax(size >= (1.0 - TIE_TOLERANCE) * size.max(axis=0), axis=0)
                 shapes *= np.sign(shapes[first, np.arange(len(q))])
                 arrays[SHAPES][i][:, q], arrays[SHAPES][i][:, r] = shapes.T, (follow @ shapes).T
         return np.zeros(len(at.points), dtype=np.int8)

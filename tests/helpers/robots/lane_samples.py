@@ -15,7 +15,7 @@ from helpers.robots import sample_mechanisms, sample_robots, six_legged
 from helpers.robots.one_of_each import EVERY, ROBOTS
 from pkmodes import read_robot
 from pkmodes.core.compiled.evaluator import Evaluator
-from pkmodes.core.compiled.lanes import FIELDS, RATES, Terms
+from pkmodes.core.compiled.lanes import FIELDS, RATE_FIELDS, Terms
 from pkmodes.core.compiled.loader import load
 from pkmodes.core.mechanism import registry
 from pkmodes.core.mechanism.poses import MAX_CONDITION
@@ -148,9 +148,9 @@ def results(
 ) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     run = evaluator(given)
     varied, terms = directions(given)
-    sizes = fields.sizes_of(given.mechanism, run.modes, run.coordinates)
-    tails = {name: fields.tail(fields.FIELDS[name], sizes) for name in FIELDS if name != "eigenvalues"}
-    tails |= {"eigenvalues": (run.modes,), **dict.fromkeys(RATES, (len(varied), run.modes))}
+    sizes = fields.axis_lengths(given.mechanism, run.modes, run.coordinates)
+    tails = {name: fields.pose_shape(fields.FIELDS[name], sizes) for name in FIELDS if name != "eigenvalues"}
+    tails |= {"eigenvalues": (run.modes,), **dict.fromkeys(RATE_FIELDS, (len(varied), run.modes))}
     # Poisoned, so that an entry that is not written shows.
-    arrays = {name: np.full((len(poses), *tails[name]), 12345.0) for name in (*FIELDS, *RATES)}
+    arrays = {name: np.full((len(poses), *tails[name]), 12345.0) for name in (*FIELDS, *RATE_FIELDS)}
     return run.run(np.ascontiguousarray(poses), arrays, width=width, terms=terms), arrays

@@ -18,7 +18,7 @@ import numpy as np
 from helpers.references.high_precision_mechanisms import Compared, HighPrecision, Reference, exact_values
 from helpers.references.oracle_corexy import CoreXY
 from helpers.references.oracle_rotary_delta import RotaryDelta
-from pkmodes.core.mechanism.registry import supplied
+from pkmodes.core.mechanism.registry import supplied_names
 
 ORACLES: dict[str, type[HighPrecision]] = {"rotary_delta": RotaryDelta, "corexy": CoreXY}
 NAMES = tuple(ORACLES)
@@ -103,7 +103,9 @@ def effects(name: str, chosen: Iterable[str] = ()) -> Any:
 
 def sampled() -> tuple[str, ...]:
     """Mechanisms of which there are samples: those with a function here, and all that move in a workspace."""
-    return tuple(name for name in supplied() if name in NAMES or "workspace" in description(name)["sample"])
+    return tuple(
+        name for name in supplied_names() if name in NAMES or "workspace" in description(name)["sample"]
+    )
 
 
 @cache

@@ -77,7 +77,7 @@ def test_a_name_stands_for_a_candidate_without_a_sentence() -> None:
 
 def test_every_candidate_with_a_kind_is_one_of_some_mechanism() -> None:
     known = {f"measurement:offset.{axis}" for axis in "xyz"}
-    for name in registry.supplied():
+    for name in registry.supplied_names():
         described = registry.mechanism(name)
         known |= {name for effect in described.effects.values() for name in effect.forms}
         known |= {f"parameter:{table.name}.{key.name}" for table in described.tables for key in table.keys}

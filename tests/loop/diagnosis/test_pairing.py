@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.core.support.mac import ALIKE, explained_difference, space
+from pkmodes.core.support.mac import INDEPENDENCE_TOLERANCE, explained_difference, subspace_basis
 from pkmodes.loop.diagnosis import Measurements, Prediction
 from pkmodes.loop.diagnosis.match.pairing import Pairer, Pairing
 
@@ -286,12 +286,12 @@ def test_a_hypothesis_that_brings_two_modes_together_is_not_judged_less_strictly
 @pytest.mark.parametrize(("apart", "dimension"), [(1e-4, 2), (3e-6, 2), (3e-7, 1), (0.0, 1)])
 def test_modes_span_two_directions_if_they_differ_by_a_millionth(apart: float, dimension: int) -> None:
     """By the components, not by their squares."""
-    basis, _ = space(np.array([[[1.0, 0.0], [0.0, apart]]]))
+    basis, _ = subspace_basis(np.array([[[1.0, 0.0], [0.0, apart]]]))
     assert np.linalg.matrix_rank(basis[0]) == dimension
 
 
 def test_a_difference_of_exactly_the_limit_does_not_count() -> None:
-    basis, back = space(np.array([[[1.0, 0.0], [0.0, ALIKE]]]))
+    basis, back = subspace_basis(np.array([[[1.0, 0.0], [0.0, INDEPENDENCE_TOLERANCE]]]))
     assert basis.shape == back.shape == (1, 2, 2)
     np.testing.assert_array_equal(basis[0, 0], 0.0)
     np.testing.assert_array_equal(np.abs(basis[0, 1]), [1.0, 0.0])

@@ -14,7 +14,7 @@ import pytest
 import xarray
 
 import pkmodes
-from pkmodes.core.robot.pose_table import by_name
+from pkmodes.core.robot.pose_table import ordered_by_name
 from pkmodes.pages.view import scene
 
 ROBOT = Path(__file__).parents[3] / "robots" / "linear-delta-2022.toml"
@@ -108,7 +108,7 @@ def test_coordinates_are_taken_by_name_too(model: pkmodes.Model) -> None:
 
 def test_units_are_converted_to_the_nearest_double() -> None:
     table = pandas.DataFrame({"x [mm]": [600.0, -245.3], "a [deg]": [180.0, 30.0]})
-    found = np.asarray(by_name(table, {"a": "rad", "x": "m"}, "poses"))
+    found = np.asarray(ordered_by_name(table, {"a": "rad", "x": "m"}, "poses"))
     assert found[:, 1].tolist() == [0.6, -0.2453]
     np.testing.assert_allclose(found[:, 0], [math.pi, math.pi / 6], rtol=4e-16)
 

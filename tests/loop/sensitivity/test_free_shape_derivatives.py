@@ -21,7 +21,7 @@ def test_modes_that_nothing_holds_do_not_overflow() -> None:
         locked=(),
         free=np.arange(3),
         size=3,
-        system=SimpleNamespace(massless=np.zeros(3, dtype=bool), of_model=np.asarray),
+        system=SimpleNamespace(massless=np.zeros(3, dtype=bool), to_model_coordinates=np.asarray),
     )
     found = shape_derivatives(cast(Any, still), eigenvalues, shapes)
     assert np.isfinite(found).all()

@@ -21,7 +21,7 @@ from helpers.commands.map_runs import PROGRAM
 from helpers.commands.printed_tables import printed_table
 from helpers.robots.robot_text import PUBLISHED, edited
 from helpers.runs.processes import ROOT, environment
-from pkmodes.core.robot.declaration import changeable
+from pkmodes.core.robot.declaration import changeable_units
 from pkmodes.machine.maps.ranges import parse_settings
 
 ROBOT = str(PUBLISHED)
@@ -113,7 +113,7 @@ def test_units_sweeps_and_a_file(tmp_path: Path) -> None:
 
 def test_every_changeable_path_can_be_swept() -> None:
     for file in sorted((ROOT / "robots").glob("*.toml")):
-        units = changeable(pkmodes.load(file).robot)
+        units = changeable_units(pkmodes.load(file).robot)
         assert units
         for path in units:
             assert parse_settings((f"{path}=1:2:3",), units, "--set")[path].tolist() == [1.0, 1.5, 2.0]

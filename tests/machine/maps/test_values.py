@@ -15,7 +15,7 @@ from helpers.commands.adding_a_mechanism import COMMANDS, DECLARED, DEFINITION
 from helpers.commands.adding_a_mechanism import ROBOT as FIVE_BAR
 from pkmodes.cli import run
 from pkmodes.core.mechanism import registry as mechanism
-from pkmodes.core.robot.declaration import changeable
+from pkmodes.core.robot.declaration import changeable_units
 from pkmodes.core.solve import mode_fields
 from pkmodes.machine.maps.pose_file import read_poses
 
@@ -71,7 +71,7 @@ def expect_equal_to_single_poses(model: pkmodes.Model, found: xarray.Dataset, na
 @pytest.mark.parametrize("robot", GRIDS)
 def test_each_pose_has_the_numbers_of_a_single_evaluation(robot: str, effects: str, drives: str) -> None:
     model = pkmodes.load(ROBOTS / f"{robot}.toml")
-    known = changeable(model.robot)
+    known = changeable_units(model.robot)
     model = model.with_values({path: value for path, value in EFFECTS[effects].items() if path in known})
     found = model.map(GRIDS[robot], shapes=True, drives=drives)
     assert found.attrs["drives"] == drives
@@ -92,7 +92,7 @@ def test_digits_do_not_depend_on_the_parts(monkeypatch: pytest.MonkeyPatch) -> N
     grid = {"x": [0.45, 0.5, 0.6, 9.0], "y": np.linspace(-0.05, 0.05, 5), "z": -0.245}
     whole = model.map(grid)
     monkeypatch.setattr(mode_fields, "CHUNK", 4)
-    monkeypatch.setattr(mode_fields, "PART", 10)
+    monkeypatch.setattr(mode_fields, "POSES_PER_THREAD", 10)
     parts = model.map(grid)
     assert whole["valid"].sum() == 15
     for name in whole.data_vars:

@@ -15,7 +15,7 @@ from pkmodes.codegen.checking.consistency import check_drawing
 from pkmodes.codegen.derivation import Definition, define, parametric, staged
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.mechanism import registry as known
-from pkmodes.core.mechanism.regular import sample
+from pkmodes.core.mechanism.regular import sample_parameters
 from pkmodes.core.robot.robot import Robot
 from pkmodes.pages.view import page, poses_around, scene, typical_pose
 
@@ -33,7 +33,7 @@ def _known_here_only(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_mechanism_written_by_hand_is_shown() -> None:
     known.add("planar_pair")
     effects = {"clamp_compliance.compliance": 2e-5, "cable_stiffness.stiffness": 3e3}
-    robot = Robot("pair", PAIR.name, "pair.toml", sample(PAIR), {}, effects)
+    robot = Robot("pair", PAIR.name, "pair.toml", sample_parameters(PAIR), {}, effects)
     model = pkmodes.Model(robot)
     shown = scene(model, [0.1, 0.05])
     assert [spring.name for spring in shown.springs] == [
@@ -51,20 +51,24 @@ def test_a_mechanism_written_by_hand_is_shown() -> None:
 
 def test_the_checks_see_a_wrong_motion_and_a_wrong_spring(monkeypatch: pytest.MonkeyPatch) -> None:
     known.add("planar_pair")
-    assert all(check.holds for check in check_drawing(PAIR, sample(PAIR)))
-    assert {check.name.split(" (")[0] for check in check_drawing(PAIR, sample(PAIR))} == {
+    assert all(check.holds for check in check_drawing(PAIR, sample_parameters(PAIR)))
+    assert {check.name.split(" (")[0] for check in check_drawing(PAIR, sample_parameters(PAIR))} == {
         *("motion of drawn points", "springs")
     }
     right = PAIR.drawn.drawing_motion
     monkeypatch.setattr(
         PAIR.drawn, "drawing_motion", lambda p, parameters: right(p, parameters)[..., ::-1, :, :]
     )
-    failed = {check.name.split(" (")[0] for check in check_drawing(PAIR, sample(PAIR)) if not check.holds}
+    failed = {
+        check.name.split(" (")[0] for check in check_drawing(PAIR, sample_parameters(PAIR)) if not check.holds
+    }
     assert failed == {"motion of drawn points"}
     monkeypatch.undo()
     springs = PAIR.drawn.springs
     monkeypatch.setattr(PAIR.drawn, "springs", lambda *given: (2.0 * springs(*given)[0], springs(*given)[1]))
-    failed = {check.name.split(" (")[0] for check in check_drawing(PAIR, sample(PAIR)) if not check.holds}
+    failed = {
+        check.name.split(" (")[0] for check in check_drawing(PAIR, sample_parameters(PAIR)) if not check.holds
+    }
     assert failed == {"springs"}
 
 

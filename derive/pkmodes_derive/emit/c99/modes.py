@@ -14,7 +14,7 @@ from pkmodes_derive.emit.templating import render
 from pkmodes_derive.functions import FieldGroup, Function, Model, Output
 from pkmodes_description import Margin
 
-COMPARED = {"at_least_zero": ">= 0", "above_zero": "> 0"}
+COMPARISONS = {"at_least_zero": ">= 0", "above_zero": "> 0"}
 #: What a controller calls of every model.
 FUNCTIONS = ("status", "natural_frequencies", "modes")
 
@@ -60,7 +60,7 @@ def _value(constant: Constant) -> str:
 def source(model: Model, name: str, groups: Sequence[FieldGroup]) -> str:
     """Return the functions; `groups` are the parameters that every function of the pose takes."""
     upper, by_name = name.upper(), {function.name: function for function in model.functions}
-    taken = ["p", *(group.argument for group in groups)]
+    argument_names = ["p", *(group.argument for group in groups)]
     return render(
         __package__,
         "modes.c.j2",
@@ -69,8 +69,8 @@ def source(model: Model, name: str, groups: Sequence[FieldGroup]) -> str:
         n=len(model.coordinates),
         vibration="0" if model.rigid_modes is None else f"{upper}_RIGID_MODES",
         arguments=arguments(model, groups),
-        passed=", ".join(taken),
-        parts=_of_one_robot(model, name, groups, taken),
+        passed=", ".join(argument_names),
+        parts=_robot_functions(model, name, groups, argument_names),
         solver=files(__package__).joinpath("eigen.c").read_text(encoding="utf-8").rstrip(),
         checks=[
             _check(
@@ -78,40 +78,46 @@ def source(model: Model, name: str, groups: Sequence[FieldGroup]) -> str:
                 by_name[margin.function],
                 f"{upper}_{status_name(model.conditions, number)}",
                 name,
-                taken,
+                argument_names,
             )
             for number, margin in enumerate(model.conditions, start=2)
         ],
     )
 
 
-def _of_one_robot(model: Model, name: str, groups: Sequence[FieldGroup], taken: list[str]) -> list[str]:
+def _robot_functions(
+    model: Model, name: str, groups: Sequence[FieldGroup], argument_names: list[str]
+) -> list[str]:
     """Return the functions that only the model of a robot has."""
     if model.held is None:
         return []
     parts = [shaper.source(name, len(pose(model).symbols))]
     if model.held.functions:
-        parts.insert(0, vibration.source(model.held, name, arguments(model, groups), taken))
+        parts.insert(0, vibration.source(model.held, name, arguments(model, groups), argument_names))
     return [part.rstrip("\n") for part in parts]
 
 
 def example(model: Model, name: str, groups: Sequence[FieldGroup]) -> list[str]:
     """Return lines of C that call the functions in order."""
     d, n = len(pose(model).symbols), len(model.coordinates)
-    taken = ", ".join(["p", *(group.argument for group in groups)])
+    argument_list = ", ".join(["p", *(group.argument for group in groups)])
     return [
         f" *   pkmodes_real p[{d}] = {{...}}, f[{n}], phi[{n}][{n}], M[{n}][{n}], K[{n}][{n}];",
-        f" *   if ({name}_status({taken}) == 0) {{",
-        f" *       {name}_modal_matrices({taken}, M, K);",
-        f" *       {name}_modes({taken}, f, phi);",
+        f" *   if ({name}_status({argument_list}) == 0) {{",
+        f" *       {name}_modal_matrices({argument_list}, M, K);",
+        f" *       {name}_modes({argument_list}, f, phi);",
         " *   }",
     ]
 
 
-def checked_first(function: Function, model: Model, name: str) -> str:
+def call_status_first(function: Function, model: Model, name: str) -> str:
     """Return what to call before a function of the pose: nothing for those on which the status rests."""
-    known = {"inverse_kinematics", *(margin.function for margin in model.conditions)}
-    if not model.conditions or function.name in known or not any(a.name == "p" for a in function.arguments):
+    status_functions = {"inverse_kinematics", *(margin.function for margin in model.conditions)}
+    if (
+        not model.conditions
+        or function.name in status_functions
+        or not any(a.name == "p" for a in function.arguments)
+    ):
         return ""
     return f"Call `{name}_status` first: where it is not 0, the results are NaN or have no meaning."
 
@@ -122,20 +128,20 @@ def arguments(model: Model, groups: Sequence[FieldGroup]) -> str:
     return ", ".join([f"const pkmodes_real p[{len(pose(model).symbols)}]", *types])
 
 
-def _check(margin: Margin, function: Function, code: str, name: str, taken: Sequence[str]) -> _Check:
+def _check(margin: Margin, function: Function, code: str, name: str, argument_names: Sequence[str]) -> _Check:
     result = function.outputs[margin.output]
-    passed = [*taken, *(_passed(output) for output in function.outputs)]
+    passed = [*argument_names, *(_passed_argument(output) for output in function.outputs)]
     return _Check(
         declared=", ".join(
             output.name + "".join(f"[{n}]" for n in output.shape) for output in function.outputs
         ),
         call=f"{name}_{function.name}({', '.join(passed)})",
         count=prod(result.shape),
-        result=_passed(result),
-        compared=COMPARED.get(margin.rule, f"<= {name.upper()}_MAX_CONDITION"),
+        result=_passed_argument(result),
+        compared=COMPARISONS.get(margin.rule, f"<= {name.upper()}_MAX_CONDITION"),
         code=code,
     )
 
 
-def _passed(output: Output) -> str:
+def _passed_argument(output: Output) -> str:
     return output.name if output.shape else f"&{output.name}"

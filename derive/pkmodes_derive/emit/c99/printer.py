@@ -17,9 +17,9 @@ from sympy.printing.precedence import PRECEDENCE
 from pkmodes_derive.emit.printing import Ordered
 
 HALF = Rational(1, 2)
-LARGEST_PRODUCT = 4
+MAX_PRODUCT_POWER = 4
 #: Whole numbers below it are exact in either precision, and fit into an int.
-EXACT = 2**24
+EXACT_LIMIT = 2**24
 
 
 class C99Printer(Ordered, C99CodePrinter):  # type: ignore[misc]  # SymPy has no types
@@ -40,7 +40,7 @@ class C99Printer(Ordered, C99CodePrinter):  # type: ignore[misc]  # SymPy has no
         base, exponent = expr.as_base_exp()
         if exponent == -HALF:
             return f"{self.one}/{self._print(Pow(base, HALF))}"
-        if exponent.is_Integer and 2 <= exponent <= LARGEST_PRODUCT:
+        if exponent.is_Integer and 2 <= exponent <= MAX_PRODUCT_POWER:
             factor = self.parenthesize(base, PRECEDENCE["Mul"])
             return f"({'*'.join([factor] * int(exponent))})"
         if exponent.is_Integer and exponent.is_negative:
@@ -67,7 +67,7 @@ class EitherPrecisionPrinter(C99Printer):
         return f"R({super()._print_Float(expr)})"
 
     def _print_Integer(self, expr: Integer) -> str:
-        return str(int(expr)) if abs(expr) < EXACT else self._print_Float(Float(int(expr)))
+        return str(int(expr)) if abs(expr) < EXACT_LIMIT else self._print_Float(Float(int(expr)))
 
     def _print_Pi(self, expr: Expr) -> str:
         return f"R({super()._print_Pi(expr)})"

@@ -47,7 +47,7 @@ def files(model: Model, programs: Mapping[str, Program], provenance: Provenance)
         "indices": layout.prose(commentary.indices(model.vocabulary, used.values()), " * "),
         "names": _items(commentary.glossary(model.vocabulary, used.values())),
         "includes": [f"{model.mechanism}.h" for group in groups if not group.declared],
-        "headers": ["math.h", *(["string.h"] if any(map(_cleared, used.values())) else [])],
+        "headers": ["math.h", *(["string.h"] if any(map(_needs_clearing, used.values())) else [])],
         "groups": [
             (
                 _type(group, model),
@@ -97,7 +97,7 @@ def _type(group: FieldGroup, model: Model) -> str:
     return f"{model.mechanism}_{group.argument}"
 
 
-def _cleared(program: Program) -> bool:
+def _needs_clearing(program: Program) -> bool:
     return any(result.output.shape and result.has_zeros for result in program.results)
 
 
@@ -118,13 +118,13 @@ def _function(
     text = ", ".join(argument.replace(" ", UNBROKEN) for argument in arguments) + ")"
     lines = layout.prose(text, "    ", first=head, room=len(";"))
     prototype = [line.replace(UNBROKEN, " ") for line in lines]
-    first = modes.checked_first(function, model, prefix)
-    return _Block(_comment(function, program, first), prototype, _body(function, program, used))
+    advice = modes.call_status_first(function, model, prefix)
+    return _Block(_comment(function, program, advice), prototype, _body(function, program, used))
 
 
-def _comment(function: Function, program: Program, first: str) -> list[str]:
+def _comment(function: Function, program: Program, advice: str) -> list[str]:
     lines = [f"/* {function.summary}", " *"]
-    for paragraph in filter(None, (function.details, first)):
+    for paragraph in filter(None, (function.details, advice)):
         lines += [*layout.prose(paragraph, " * "), " *"]
     for argument in function.arguments:
         lines += layout.prose(

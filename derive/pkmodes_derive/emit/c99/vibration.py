@@ -12,14 +12,14 @@ from pkmodes_derive.functions import HeldMotors
 FUNCTIONS = ("vibration",)
 
 
-def source(held: HeldMotors, name: str, arguments: str, taken: list[str]) -> str:
+def source(held: HeldMotors, name: str, arguments: str, argument_names: list[str]) -> str:
     """Return the function of a robot that has modes of vibration in use.
 
     Parameters
     ----------
     arguments : str
         Declared arguments of a function of the pose.
-    taken : list of str
+    argument_names : list of str
         Their names.
     """
     (function,) = held.functions
@@ -34,7 +34,7 @@ def source(held: HeldMotors, name: str, arguments: str, taken: list[str]) -> str
         dissipates=held.dissipates,
         ratio=expression(Float(held.ratio)),
         arguments=arguments,
-        passed=", ".join(taken),
+        passed=", ".join(argument_names),
         declared=", ".join(o.name + "".join(f"[{n}]" for n in o.shape) for o in outputs),
-        call=f"{name}_{function.name}({', '.join([*taken, *(o.name for o in outputs)])})",
+        call=f"{name}_{function.name}({', '.join([*argument_names, *(o.name for o in outputs)])})",
     )

@@ -41,8 +41,8 @@ def gradient(function: Function, inputs: Sequence[Symbol], differentiated: Colle
     shape = tuple(named(f"shape_{i}") for i in range(1, function.outputs[0].shape[0] + 1))
     eigenvalue = named("eigenvalue")
     steps, values = elementary(program, 2)
-    weighted = _weights(program.results[:2], shape, (-eigenvalue, Integer(1)))
-    back, derivatives = _backwards(steps, list(zip(values, weighted, strict=False)))
+    weights = _weights(program.results[:2], shape, (-eigenvalue, Integer(1)))
+    reverse_steps, derivatives = _reverse_sweep(steps, list(zip(values, weights, strict=False)))
     entries = tuple(derivatives.get(s, Integer(0)) if s in differentiated else Integer(0) for s in inputs)
     return Function(
         f"{function.name}_gradient",
@@ -54,7 +54,7 @@ def gradient(function: Function, inputs: Sequence[Symbol], differentiated: Colle
             Argument("eigenvalue", (eigenvalue,), "1/s^2", "its eigenvalue", scalar=True),
         ),
         (Output("gradient", (len(entries),), entries, "1/s^2 per unit of the quantity", "derivatives"),),
-        dict([*steps, *back]),
+        dict([*steps, *reverse_steps]),
     )
 
 
@@ -65,22 +65,22 @@ def _weights(results: Sequence[Result], shape: Sequence[Symbol], factors: Sequen
             yield factor * Add(*(shape[row] * shape[column] for row, column in entry.places))
 
 
-def _backwards(
+def _reverse_sweep(
     steps: Sequence[Step], weighted: Sequence[tuple[Expr, Expr]]
 ) -> tuple[list[Step], dict[Symbol, Expr]]:
     """Return the steps of the reverse sweep, and the derivatives with respect to the symbols that are left."""
     terms: dict[Symbol, list[Expr]] = {}
 
-    def spread(value: Expr, adjoint: Expr, symbol: Symbol | None = None) -> None:
+    def add_terms(value: Expr, adjoint: Expr, symbol: Symbol | None = None) -> None:
         for variable in value.free_symbols:
             terms.setdefault(variable, []).append(adjoint * partial(value, variable, symbol))
 
     for value, weight in weighted:
-        spread(value, weight)
-    back: list[Step] = []
+        add_terms(value, weight)
+    reverse_steps: list[Step] = []
     for symbol, value in reversed(steps):
         if symbol in terms:
             adjoint = named(f"adjoint_{symbol.name}")
-            back.append((adjoint, Add(*terms.pop(symbol))))
-            spread(value, adjoint, symbol)
-    return back, {symbol: Add(*parts) for symbol, parts in terms.items()}
+            reverse_steps.append((adjoint, Add(*terms.pop(symbol))))
+            add_terms(value, adjoint, symbol)
+    return reverse_steps, {symbol: Add(*parts) for symbol, parts in terms.items()}

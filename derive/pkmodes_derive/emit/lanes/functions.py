@@ -1,4 +1,4 @@
-"""What the compiled evaluator asks of a mechanism, put together from the functions of its two models."""
+"""The functions that the compiled evaluator needs of a mechanism, combined from those of its two models."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def position(model: Model, description: Description) -> Function:
     kinematics = by_name["inverse_kinematics"]
     margins = [_output(by_name, margin) for margin in description.margins]
     entries = tuple(entry for output in margins for entry in output.entries)
-    used = [kinematics, *(by_name[margin.function] for margin in description.margins)]
+    sources = [kinematics, *(by_name[margin.function] for margin in description.margins)]
     (q,) = kinematics.outputs
     return Function(
         "position",
@@ -30,7 +30,7 @@ def position(model: Model, description: Description) -> Function:
                 "margin", (len(entries),), entries, "m, rad, 1", "in the order of LANES_RULES", listed=True
             ),
         ),
-        _definitions(used),
+        _definitions(sources),
     )
 
 
@@ -51,8 +51,10 @@ def base(model: Model, description: Description) -> Function:
     entries: list[Expr] = []
     for i in range(len(description.platform)):
         row = D_p.entries[i * width :][:width]
-        at = {names.index(name): value for name, value in zip(description.independent, row, strict=True)}
-        entries += [at.get(i, Integer(0)) for i in range(len(names))]
+        entry_of = {
+            names.index(name): value for name, value in zip(description.independent, row, strict=True)
+        }
+        entries += [entry_of.get(i, Integer(0)) for i in range(len(names))]
     motion = Output(
         "J_p",
         (len(description.platform), len(names)),
@@ -117,8 +119,8 @@ def coordinate_indices(description: Description) -> dict[str, list[int]]:
 
 def choices(model: Model, description: Description) -> set[Symbol]:
     """Parameters that are not quantities, so that nothing is differentiated with respect to them."""
-    chosen = {key.field for table in description.tables for key in table.keys if key.kind in CHOICES}
-    return {s for field in model.fields if field.name in chosen for s in field.symbols}
+    fields = {key.field for table in description.tables for key in table.keys if key.kind in CHOICES}
+    return {s for field in model.fields if field.name in fields for s in field.symbols}
 
 
 def _output(by_name: Mapping[str, Function], margin: Margin) -> Output:

@@ -13,11 +13,11 @@ from pkmodes_derive.emit import layout
 
 INDENT = "    "
 #: Longest function that is written in one piece, and shortest piece of the others [lines].
-LONG, ENOUGH = 2400, 250
+MAX_LINES, MIN_PIECE_LINES = 2400, 250
 #: The arrays by the type of their elements.
 ARRAYS = {"double": "numbers", "lane": "kept"}
 #: The types of what every piece takes, by name.
-TAKEN = {
+COMMON_ARGUMENTS = {
     "pose": "const lane *restrict ",
     "parameters": "const double *restrict ",
     "effects": "const double *restrict ",
@@ -38,7 +38,7 @@ class Statement:
         What is assigned to what; a call has no target.
     uses : frozenset of str
         Names in the expression.
-    each : bool
+    repeated : bool
         Whether it depends on the mode or path.
     """
 
@@ -47,7 +47,7 @@ class Statement:
     target: str
     expression: str
     uses: frozenset[str]
-    each: bool
+    repeated: bool
 
     def lines(self, indent: str) -> list[str]:
         """Return its lines."""
@@ -88,53 +88,56 @@ def in_pieces(
         The lines that call them.
     """
     parts = list(_parts(statements))
-    last = {used: i for i, part in enumerate(parts) for one in part for used in one.uses}
+    last_use = {used: i for i, part in enumerate(parts) for statement in part for used in statement.uses}
     slots: dict[str, tuple[str, str]] = {}
     counts = dict.fromkeys(ARRAYS, 0)
     for i, part in enumerate(parts):
-        for one in part:
-            if one.name and last.get(one.name, i) > i:
-                slots[one.name] = one.kind, f"{ARRAYS[one.kind]}[{counts[one.kind]}]"
-                counts[one.kind] += 1
-    known = {**inputs, **{own: f"const {kind} {own} = {slot}" for own, (kind, slot) in slots.items()}}
+        for statement in part:
+            if statement.name and last_use.get(statement.name, i) > i:
+                slots[statement.name] = statement.kind, f"{ARRAYS[statement.kind]}[{counts[statement.kind]}]"
+                counts[statement.kind] += 1
+    declarations = {
+        **inputs,
+        **{value: f"const {kind} {value} = {slot}" for value, (kind, slot) in slots.items()},
+    }
     pieces = []
     body = [f"{INDENT}{kind} {array}[{max(counts[kind], 1)}];" for kind, array in ARRAYS.items()]
     calls: tuple[list[str], list[str]] = body, []
     for number, part in enumerate(parts, start=1):
-        of_each = part[0].each
-        taken = {**TAKEN, **(given if of_each else {})}
-        arguments = layout.listing((f"{kind}{own}" for own, kind in taken.items()), INDENT)
+        is_repeated = part[0].repeated
+        argument_types = {**COMMON_ARGUMENTS, **(given if is_repeated else {})}
+        arguments = layout.listing((f"{kind}{value}" for value, kind in argument_types.items()), INDENT)
         arguments[-1] = arguments[-1].removesuffix(",") + ")"
-        pieces.append(Piece(number, arguments, list(_lines(part, known, slots))))
-        indent = INDENT * (2 if of_each else 1)
-        calls[of_each].append(f"{indent}lanes_{name}_{number}({', '.join(taken)});")
+        pieces.append(Piece(number, arguments, list(_lines(part, declarations, slots))))
+        indent = INDENT * (2 if is_repeated else 1)
+        calls[is_repeated].append(f"{indent}lanes_{name}_{number}({', '.join(argument_types)});")
     return pieces, *calls
 
 
 def _lines(
-    part: Sequence[Statement], known: Mapping[str, str], slots: Mapping[str, tuple[str, str]]
+    part: Sequence[Statement], declarations: Mapping[str, str], slots: Mapping[str, tuple[str, str]]
 ) -> Iterator[str]:
-    """Yield the lines of a piece, each value read before its first use, and kept where it is found."""
-    own: set[str] = set()
-    for one in part:
-        for name in sorted(one.uses - own):
-            if name in known:
-                yield f"{INDENT}{known[name]};"
-        own |= {one.name, *one.uses}
-        yield from one.lines(INDENT)
-        if one.name in slots:
-            yield f"{INDENT}{slots[one.name][1]} = {one.name};"
+    """Yield the lines of a piece, each value read before its first use and stored where it is computed."""
+    defined: set[str] = set()
+    for statement in part:
+        for name in sorted(statement.uses - defined):
+            if name in declarations:
+                yield f"{INDENT}{declarations[name]};"
+        defined |= {statement.name, *statement.uses}
+        yield from statement.lines(INDENT)
+        if statement.name in slots:
+            yield f"{INDENT}{slots[statement.name][1]} = {statement.name};"
 
 
 def _parts(statements: Sequence[Statement]) -> Iterator[list[Statement]]:
     """Yield statements until there are enough lines, or those for each mode or path begin."""
     part: list[Statement] = []
     lines = 0
-    for one in statements:
-        if part and (lines >= ENOUGH or one.each != part[0].each):
+    for statement in statements:
+        if part and (lines >= MIN_PIECE_LINES or statement.repeated != part[0].repeated):
             yield part
             part, lines = [], 0
-        part.append(one)
-        lines += len(one.lines(INDENT))
+        part.append(statement)
+        lines += len(statement.lines(INDENT))
     if part:
         yield part

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pkmodes_derive.emit import commentary, layout
 from pkmodes_derive.emit.lanes import functions
 from pkmodes_derive.emit.lanes.adjoint import gradient
-from pkmodes_derive.emit.lanes.pieces import LONG, Piece, Statement, in_pieces
+from pkmodes_derive.emit.lanes.pieces import MAX_LINES, Piece, Statement, in_pieces
 from pkmodes_derive.emit.lanes.printer import expression
 from pkmodes_derive.emit.lanes.tangent import tangent
 from pkmodes_derive.emit.program import Entry, Program, Result, arrange
@@ -55,12 +55,12 @@ def files(
     matrices = functions.base(base, description), functions.extended(extended)
     pose = matrices[0].arguments[0].symbols
     inputs = [*(s for group in groups for field in group.fields for s in field.symbols), *pose]
-    varied = set(inputs) - functions.choices(base, description)
-    gradients = [gradient(f, inputs, varied) for f in matrices]
+    variables = set(inputs) - functions.choices(base, description)
+    gradients = [gradient(f, inputs, variables) for f in matrices]
     equilibria = functions.statics(base), functions.extended_statics(extended)
-    of_pose = functions.position(base, description), *matrices, *equilibria
-    tangents = [tangent(matrices[1], inputs, varied)]
-    programs = {f"lanes_{f.name}": arrange(f) for f in (*of_pose, *gradients, *tangents)}
+    pose_functions = functions.position(base, description), *matrices, *equilibria
+    tangents = [tangent(matrices[1], inputs, variables)]
+    programs = {f"lanes_{f.name}": arrange(f) for f in (*pose_functions, *gradients, *tangents)}
     margins = functions.margins_of(base, description)
     text = render(
         __package__,
@@ -87,10 +87,10 @@ def files(
         ],
         rules=layout.listing((f"{{{count}, {RULES[rule]}}}" for count, rule in margins), "    "),
         indices_of=[
-            (name, ", ".join(map(str, found)))
-            for name, found in functions.coordinate_indices(description).items()
+            (name, ", ".join(map(str, index_list)))
+            for name, index_list in functions.coordinate_indices(description).items()
         ],
-        functions=[_function(f, programs[f"lanes_{f.name}"], groups) for f in of_pose],
+        functions=[_function(f, programs[f"lanes_{f.name}"], groups) for f in pose_functions],
         gradients=[_function(f, programs[f"lanes_{f.name}"], groups) for f in gradients],
         tangents=[_function(f, programs[f"lanes_{f.name}"], groups) for f in tangents],
     )
@@ -111,20 +111,24 @@ def _function(function: Function, program: Program, groups: Sequence[FieldGroup]
     ]
     arguments = layout.listing(names, INDENT)
     arguments[-1] = arguments[-1].removesuffix(",") + ")"
-    of_pose, of_each, statements = _statements(function, program, groups)
+    pose_inputs, repeated_inputs, statements = _statements(function, program, groups)
     (_, *of_mode) = function.arguments
     count = len(of_mode[0].symbols) if of_mode else 0
-    body = [f"{INDENT}{text};" for text in of_pose.values()]
-    each = [f"{2 * INDENT}{text};" for text in of_each.values()]
-    for one in statements:
-        body += [] if one.each else one.lines(INDENT)
-        each += one.lines(2 * INDENT) if one.each else []
+    body = [f"{INDENT}{text};" for text in pose_inputs.values()]
+    repeated = [f"{2 * INDENT}{text};" for text in repeated_inputs.values()]
+    for statement in statements:
+        body += [] if statement.repeated else statement.lines(INDENT)
+        repeated += statement.lines(2 * INDENT) if statement.repeated else []
     pieces: list[Piece] = []
-    if of_mode and len(body) + len(each) > LONG:
-        given = {one.name: "lane " if one.scalar else "const lane *restrict " for one in of_mode}
+    if of_mode and len(body) + len(repeated) > MAX_LINES:
+        given = {
+            statement.name: "lane " if statement.scalar else "const lane *restrict " for statement in of_mode
+        }
         given |= {output.name: "lane *restrict " for output in function.outputs}
-        pieces, body, each = in_pieces(function.name, statements, {**of_pose, **of_each}, given)
-    return _Block(comment, function.name, arguments, body, each, count, pieces)
+        pieces, body, repeated = in_pieces(
+            function.name, statements, {**pose_inputs, **repeated_inputs}, given
+        )
+    return _Block(comment, function.name, arguments, body, repeated, count, pieces)
 
 
 def _statements(
@@ -136,13 +140,15 @@ def _statements(
     """
     pose, *of_mode = function.arguments
     inputs = set(program.inputs)
-    of_pose = {s.name: f"const lane {s.name} = pose[{i}]" for i, s in enumerate(pose.symbols) if s in inputs}
+    pose_inputs = {
+        s.name: f"const lane {s.name} = pose[{i}]" for i, s in enumerate(pose.symbols) if s in inputs
+    }
     for group in groups:
         places = (symbol for field in group.fields for symbol in field.symbols)
         for i, symbol in enumerate(places):
             if symbol in inputs:
-                of_pose[symbol.name] = f"const double {symbol.name} = {group.argument}[{i}]"
-    of_each = {
+                pose_inputs[symbol.name] = f"const double {symbol.name} = {group.argument}[{i}]"
+    repeated_inputs = {
         symbol.name: f"const lane {symbol.name} = {argument.name}[{i}]"
         for argument in of_mode
         for i, symbol in enumerate(argument.symbols)
@@ -158,28 +164,28 @@ def _statements(
         elif names & by_pose:
             by_pose.add(symbol)
         kind = "lane" if symbol in by_mode | by_pose else "double"
-        uses = frozenset(one.name for one in names)
+        uses = frozenset(symbol_used.name for symbol_used in names)
         target = f"const {kind} {symbol.name}"
         statements.append(Statement(symbol.name, kind, target, expression(value), uses, symbol in by_mode))
     for result in program.results:
         statements += _result(result, bool(of_mode))
-    return of_pose, of_each, sorted(statements, key=lambda one: one.each)
+    return pose_inputs, repeated_inputs, sorted(statements, key=lambda symbol_used: symbol_used.repeated)
 
 
-def _result(result: Result, each: bool) -> Iterator[Statement]:
+def _result(result: Result, repeated: bool) -> Iterator[Statement]:
     if result.has_zeros:
         clear = f"lanes_clear({result.output.name}, {len(result.output.entries)})"
-        yield Statement("", "", "", clear, frozenset(), each)
+        yield Statement("", "", "", clear, frozenset(), repeated)
     for entry in result.entries:
         target = " = ".join(_places(result, entry))
-        uses = frozenset(one.name for one in entry.value.free_symbols)
-        yield Statement("", "", target, f"LANES({expression(entry.value)})", uses, each)
+        uses = frozenset(symbol.name for symbol in entry.value.free_symbols)
+        yield Statement("", "", target, f"LANES({expression(entry.value)})", uses, repeated)
 
 
 def _places(result: Result, entry: Entry) -> Iterable[str]:
     """Entries in row-major order."""
     for index in entry.places:
-        place = 0
-        for at, extent in zip(index, result.output.shape, strict=True):
-            place = place * extent + at
-        yield f"{result.output.name}[{place}]"
+        offset = 0
+        for i, extent in zip(index, result.output.shape, strict=True):
+            offset = offset * extent + i
+        yield f"{result.output.name}[{offset}]"

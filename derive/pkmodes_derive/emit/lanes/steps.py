@@ -8,7 +8,7 @@ from sympy.core.function import Function as Applied
 
 from pkmodes_derive.differentiation import partial_derivative
 from pkmodes_derive.emit.program import Program
-from pkmodes_derive.reserved_words import NUMBERED
+from pkmodes_derive.reserved_words import SHARED_SUBEXPRESSION
 
 Step = tuple[Symbol, Expr]
 
@@ -35,7 +35,9 @@ def elementary(program: Program, outputs: int) -> tuple[list[Step], list[Expr]]:
     steps: list[Step] = []
     known: dict[Expr, Symbol] = {}
     # The numbers are given again when the whole is arranged.
-    renamed = {s: named(f"forward_{s.name}") for s, _ in program.steps if NUMBERED.fullmatch(s.name)}
+    renamed = {
+        s: named(f"forward_{s.name}") for s, _ in program.steps if SHARED_SUBEXPRESSION.fullmatch(s.name)
+    }
 
     def split(expression: Expr) -> Expr:
         if not expression.args:

@@ -38,33 +38,35 @@ def tangent(function: Function, inputs: Sequence[Symbol], differentiated: Collec
     """
     program = arrange(function)
     direction = tuple(named(f"along_{i}") for i in range(1, len(inputs) + 1))
-    rates = {s: along for s, along in zip(inputs, direction, strict=True) if s in differentiated}
+    rates = {s: component for s, component in zip(inputs, direction, strict=True) if s in differentiated}
     steps, values = elementary(program, len(function.outputs))
-    moved = []
+    rate_steps = []
     for symbol, value in steps:
         rate = _rate(value, rates, symbol)
         if rate != 0:
             rates[symbol] = named(f"tangent_{symbol.name}")
-            moved.append((rates[symbol], rate))
+            rate_steps.append((rates[symbol], rate))
     remaining = iter(values)
     outputs = []
     for name, result in zip(NAMES, program.results, strict=True):
-        places = {
+        rate_at = {
             place: rate
             for entry in result.entries
             for rate in [_rate(next(remaining), rates)]
             for place in entry.places
         }
-        of = result.output
-        entries = tuple(places.get(index, Integer(0)) for index in of.indices)
-        outputs.append(Output(name, of.shape, entries, f"{of.unit} per unit", f"derivative of {of.name}"))
+        output = result.output
+        entries = tuple(rate_at.get(index, Integer(0)) for index in output.indices)
+        outputs.append(
+            Output(name, output.shape, entries, f"{output.unit} per unit", f"derivative of {output.name}")
+        )
     return Function(
         f"{function.name}_tangent",
         "Derivatives of the matrices and of the motion of the platform along a direction.",
         f"forward accumulation through {function.name}",
         (*function.arguments, Argument("direction", direction, "", "change of every quantity")),
         tuple(outputs),
-        dict([*steps, *moved]),
+        dict([*steps, *rate_steps]),
     )
 
 

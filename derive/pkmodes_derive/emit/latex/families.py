@@ -18,7 +18,7 @@ from pkmodes_derive.vocabulary import AXES, Quantity, Vocabulary
 
 Index = Mapping[str, object]
 #: Guesses that are tried for one part of a family before it is split.
-LARGEST_SEARCH = 2000
+MAX_GUESSES = 2000
 
 
 @dataclass(frozen=True)
@@ -61,37 +61,39 @@ class Families:
         return self._formulas(members, True, {})
 
     def _formulas(
-        self, members: Sequence[Member], whole: bool, known: dict[tuple[int, ...], list[Formula]]
+        self, members: Sequence[Member], is_whole_family: bool, known: dict[tuple[int, ...], list[Formula]]
     ) -> list[Formula]:
         if len(members) == 1:
-            return [self._spelled(members[0])]
-        part = tuple(map(id, members))
-        if part not in known:
-            formula = self._general(members, whole)
-            splits = () if formula else _splits(members)
-            tried = ([f for part in parts for f in self._formulas(part, False, known)] for parts in splits)
-            known[part] = [formula] if formula else min(tried, key=len)
-        return known[part]
+            return [self._written_out(members[0])]
+        key = tuple(map(id, members))
+        if key not in known:
+            formula = self._common_formula(members, is_whole_family)
+            splits = () if formula else _possible_splits(members)
+            alternatives = (
+                [f for key in groups for f in self._formulas(key, False, known)] for groups in splits
+            )
+            known[key] = [formula] if formula else min(alternatives, key=len)
+        return known[key]
 
-    def _spelled(self, member: Member) -> Formula:
+    def _written_out(self, member: Member) -> Formula:
         names = {s: self._vocabulary[s].latex for s in member.expression.free_symbols}
         return Formula(member.index, member.expression, names)
 
-    def _general(self, members: Sequence[Member], whole: bool) -> Formula | None:
+    def _common_formula(self, members: Sequence[Member], is_whole_family: bool) -> Formula | None:
         """Return one formula for all members, or None."""
-        left = _left(members)
-        letters = [letter for letter, value in left.items() if letter == value]
+        common = _common_indices(members)
+        letters = [letter for letter, value in common.items() if letter == value]
         members, sums = _without_common_sums(members)
         # A member with distinct indices leaves the fewest guesses.
         first = max(members, key=lambda m: len({m.index[letter] for letter in letters}))
         symbols = sorted(first.expression.free_symbols - sums.keys(), key=default_sort_key)
         choices = [list(self._choices(s, first, members, letters)) for s in symbols]
         others = [m for m in members if m is not first]
-        for indices in islice(product(*choices), LARGEST_SEARCH):
+        for indices in islice(product(*choices), MAX_GUESSES):
             guess = dict(zip(symbols, indices, strict=True))
             if self._holds(guess, first, others):
-                unequal = () if whole else tuple(_unequal(members, left))
-                return self._written(guess, first, sums, left, unequal)
+                unequal = () if is_whole_family else tuple(_unequal(members, common))
+                return self._formula_of_guess(guess, first, sums, common, unequal)
         return None
 
     def _choices(
@@ -123,30 +125,30 @@ class Families:
 
     def _holds(self, guess: Mapping[Symbol, Index], first: Member, others: list[Member]) -> bool:
         for member in others:
-            place = {s: self._symbol(self._vocabulary[s], index, member) for s, index in guess.items()}
-            if first.expression.xreplace(place) != member.expression:
+            substitution = {s: self._symbol(self._vocabulary[s], index, member) for s, index in guess.items()}
+            if first.expression.xreplace(substitution) != member.expression:
                 others.remove(member)  # the next guess is likely to fail here as well
                 others.insert(0, member)
                 return False
         return True
 
-    def _written(
+    def _formula_of_guess(
         self,
         guess: Mapping[Symbol, Index],
         first: Member,
         sums: Mapping[Symbol, Expr],
-        left: Index,
+        common: Index,
         unequal: tuple[tuple[str, str], ...],
     ) -> Formula:
-        place: dict[Symbol, Expr] = dict(sums)
+        substitution: dict[Symbol, Expr] = dict(sums)
         names = {s: self._vocabulary[s].latex for e in sums.values() for s in e.free_symbols}
         for symbol, index in guess.items():
             quantity = self._vocabulary[symbol]
             text = quantity.typeset(index)
             if text != quantity.latex:
-                place[symbol] = Symbol(f"{quantity.family.name}:{text}", real=True)
-            names[place.get(symbol, symbol)] = text
-        return Formula(left, first.expression.xreplace(place), names, unequal)
+                substitution[symbol] = Symbol(f"{quantity.family.name}:{text}", real=True)
+            names[substitution.get(symbol, symbol)] = text
+        return Formula(common, first.expression.xreplace(substitution), names, unequal)
 
 
 def _without_common_sums(members: Sequence[Member]) -> tuple[list[Member], dict[Symbol, Expr]]:
@@ -161,32 +163,32 @@ def _without_common_sums(members: Sequence[Member]) -> tuple[list[Member], dict[
     return named, {name: part for part, name in names.items()}
 
 
-def _value(value: object, like: object) -> object:
-    """Return the value of an index, as a component (x, y, z) if `like` is one."""
-    if like in AXES and isinstance(value, int) and 1 <= value <= len(AXES):
+def _value(value: object, example: object) -> object:
+    """Return the value of an index, as a component (x, y, z) if `example` is one."""
+    if example in AXES and isinstance(value, int) and 1 <= value <= len(AXES):
         return AXES[value - 1]
     return value
 
 
-def _left(members: Sequence[Member]) -> dict[str, object]:
+def _common_indices(members: Sequence[Member]) -> dict[str, object]:
     """Return the indices of a common left-hand side: a value shared by all members, an equal index, or a letter."""
-    left: dict[str, object] = {}
+    common: dict[str, object] = {}
     for letter, value in members[0].index.items():
-        equal = [a for a in left if left[a] == a and all(m.index[a] == m.index[letter] for m in members)]
-        same = all(m.index[letter] == value for m in members)
-        left[letter] = value if same else equal[0] if equal else letter
-    return left
+        equal = [a for a in common if common[a] == a and all(m.index[a] == m.index[letter] for m in members)]
+        is_constant = all(m.index[letter] == value for m in members)
+        common[letter] = value if is_constant else equal[0] if equal else letter
+    return common
 
 
-def _unequal(members: Sequence[Member], left: Index) -> Iterator[tuple[str, str]]:
-    free = [letter for letter, value in left.items() if value == letter]
+def _unequal(members: Sequence[Member], common: Index) -> Iterator[tuple[str, str]]:
+    free = [letter for letter, value in common.items() if value == letter]
     for a, b in combinations(free, 2):
         comparable = {m.index[a] for m in members} & {m.index[b] for m in members}
         if comparable and all(m.index[a] != m.index[b] for m in members):
             yield a, b
 
 
-def _splits(members: Sequence[Member]) -> Iterator[list[list[Member]]]:
+def _possible_splits(members: Sequence[Member]) -> Iterator[list[list[Member]]]:
     """Yield ways to split members: by whether two indices are equal, and by the value of an index."""
     letters = list(members[0].index)
     keys: list[list[object]] = [

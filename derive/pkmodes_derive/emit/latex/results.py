@@ -14,7 +14,7 @@ LETTERS = ("k", "l", "m")
 
 
 @dataclass(frozen=True)
-class Shown:
+class DisplayedResult:
     """A result as the page shows it.
 
     Attributes
@@ -34,20 +34,22 @@ class Shown:
 
 def results(
     model: Model, families: Families, equation: Callable[[str, Formula], str]
-) -> list[tuple[Function, list[Shown]]]:
+) -> list[tuple[Function, list[DisplayedResult]]]:
     """Return every function with its results."""
     coordinates = {q.symbol.name: q for q in model.vocabulary}
     labels = [coordinates[name] for name, _ in model.coordinates]
-    seen: dict[tuple[object, ...], str] = {}
+    first_use: dict[tuple[object, ...], str] = {}
     results = []
     for function in model.functions:
-        shown = []
+        result_list = []
         for output in function.outputs:
-            same = seen.get((output.shape, output.entries), "")
-            equations = () if same else _equations(output, labels, model.vocabulary, families, equation)
-            seen.setdefault((output.shape, output.entries), f"`{output.name}` of `{function.name}`")
-            shown.append(Shown(output.name, output.unit, output.description, same, equations))
-        results.append((function, shown))
+            earlier = first_use.get((output.shape, output.entries), "")
+            equations = () if earlier else _equations(output, labels, model.vocabulary, families, equation)
+            first_use.setdefault((output.shape, output.entries), f"`{output.name}` of `{function.name}`")
+            result_list.append(
+                DisplayedResult(output.name, output.unit, output.description, earlier, equations)
+            )
+        results.append((function, result_list))
     return results
 
 
@@ -83,15 +85,15 @@ def _equations(
         )
         for index, entry in entries
     )
-    where = {
+    index_of = {
         tuple(k for d, i in zip(dimensions, index, strict=True) for k in d.index(i).items()): index
         for index, _ in entries
     }
     for part in parts:
-        first = where[tuple(part[0].index.items())]
+        first = index_of[tuple(part[0].index.items())]
         for formula in families.formulas(part):
-            place = ",".join(d.text(i, formula.index) for d, i in zip(dimensions, first, strict=True))
-            lines.append(equation(f"{symbol}_{{{place}}}" if place else symbol, formula))
+            subscript = ",".join(d.text(i, formula.index) for d, i in zip(dimensions, first, strict=True))
+            lines.append(equation(f"{symbol}_{{{subscript}}}" if subscript else symbol, formula))
     return tuple(lines)
 
 

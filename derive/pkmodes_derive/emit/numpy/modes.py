@@ -17,13 +17,13 @@ RULES = {
     "at_most_limit": "np.less_equal, MAX_CONDITION",
 }
 #: Constants of C only: lengths of arrays, in Python the names of their entries; and a status, here an exception.
-OF_C = {"POSE", "COORDINATES", "RIGID_MODES", "HELD_MODES", "UNSOLVED"}
+C_ONLY = {"POSE", "COORDINATES", "RIGID_MODES", "HELD_MODES", "UNSOLVED"}
 FUNCTIONS = ("status", "natural_frequencies", "modes")
 
 
 def own_constants(model: Model, provenance: Provenance) -> list[Constant]:
     """Return the constants of the module besides those of any model."""
-    return [constant for constant in constants(model, provenance) if constant.name not in OF_C]
+    return [constant for constant in constants(model, provenance) if constant.name not in C_ONLY]
 
 
 def source(model: Model) -> str:

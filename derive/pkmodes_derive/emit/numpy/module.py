@@ -33,8 +33,8 @@ def files(model: Model, programs: Mapping[str, Program], provenance: Provenance)
     """Return the text of the module by its file name."""
     groups = model.groups if provenance.parametric else ()
     functions = [_function(f, programs[f.name], groups) for f in model.functions]
-    solved = bool(model.conditions) and not provenance.parametric
-    own = modes.own_constants(model, provenance) if solved else []
+    has_solver = bool(model.conditions) and not provenance.parametric
+    own_constants = modes.own_constants(model, provenance) if has_solver else []
     text = render(
         __package__,
         "module.py.j2",
@@ -51,9 +51,11 @@ def files(model: Model, programs: Mapping[str, Program], provenance: Provenance)
         coordinates=[name for name, _ in model.coordinates],
         coordinate_units=[unit for _, unit in model.coordinates],
         rigid_modes=model.rigid_modes,
-        exported=_exported(model, groups, [constant.name for constant in own] if solved else None),
-        own=own,
-        controller=modes.source(model) if solved else "",
+        exported=_exported(
+            model, groups, [constant.name for constant in own_constants] if has_solver else None
+        ),
+        own=own_constants,
+        controller=modes.source(model) if has_solver else "",
         literals=[
             (layout.prose(comment, "#: "), name, _literal(value)) for comment, name, value in model.constants
         ],

@@ -6,7 +6,7 @@ the platform.
 
 from __future__ import annotations
 
-from pkmodes_derive.conditions import Apart, require_a_plane, require_different_legs, rotation_margin
+from pkmodes_derive.conditions import LegDifferences, require_a_plane, require_different_legs, rotation_margin
 from pkmodes_derive.machine import Machine
 from pkmodes_derive.mechanisms.hexaglide.sample import SAMPLE
 from pkmodes_derive.platform_table import platform_that_turns
@@ -49,15 +49,15 @@ def declare(m: Machine) -> None:
     rotation_margin(m)
     require_a_plane(m, "joint", axes.b, "joints on the platform")
 
-    def apart(j: int, k: int) -> Apart:
-        between = tuple(v - w for v, w in zip(axes.o[j], axes.o[k], strict=True))
-        beside = cross(between, axes.n[j])  # of two rails in the same line it is zero
+    def leg_differences(j: int, k: int) -> LegDifferences:
+        offset = tuple(v - w for v, w in zip(axes.o[j], axes.o[k], strict=True))
+        distance_of_rails = cross(offset, axes.n[j])  # of two rails in the same line it is zero
         joints = [v - w for v, w in zip(axes.b[j], axes.b[k], strict=True)]
         directions = [v - w for v, w in zip(axes.n[j], axes.n[k], strict=True)]
-        lengths = [*joints, *beside, axes.l_d[j] - axes.l_d[k]]
+        lengths = [*joints, *distance_of_rails, axes.l_d[j] - axes.l_d[k]]
         return lengths, [*directions, axes.sigma[j] - axes.sigma[k]]
 
     remedy = "check joint, origin, direction, length of the rod and branch of both"
-    require_different_legs(m, axes.b, "rods", apart, remedy)
+    require_different_legs(m, axes.b, "rods", leg_differences, remedy)
     rails.conditions(m, axes, distance2, "distance of the platform joints from the platform's origin")
     m.sample = SAMPLE

@@ -62,10 +62,10 @@ def declare(m: Machine) -> None:
         latex="k_{{l,{j}}}",
         above=0.0,
     )
-    m_b, c_b, I_b = _body(
+    m_b, c_b, I_b = _leg_part(
         leg, "base", "b", "the part of leg {j} that turns about the base joint", "base joint"
     )
-    m_r, c_r, I_r = _body(
+    m_r, c_r, I_r = _leg_part(
         leg, "rod", "r", "the part of leg {j} that ends in the platform joint", "platform joint"
     )
     motor = axis.shared("motor", "the motor of a leg")
@@ -143,7 +143,7 @@ def declare(m: Machine) -> None:
         m,
         b,
         "legs",
-        lambda j, k: ([v - w for of in (a, b) for v, w in zip(of[j], of[k], strict=True)], ()),
+        lambda j, k: ([v - w for points in (a, b) for v, w in zip(points[j], points[k], strict=True)], ()),
         "check base and joint of both",
     )
     require_legs_that_do_not_cross(m, a, b, "check base and joint of both: joints may be exchanged")
@@ -164,7 +164,7 @@ def declare(m: Machine) -> None:
     m.sample = SAMPLE
 
 
-def _body(leg: Declared, key: str, index: str, what: str, joint: str) -> tuple[tuple[Symbol, ...], ...]:
+def _leg_part(leg: Declared, key: str, index: str, what: str, joint: str) -> tuple[tuple[Symbol, ...], ...]:
     """Declare the mass of a part of a leg, its centre of mass along the leg, and its moment of inertia."""
     mass = leg.quantity(
         f"{key}_mass", f"m_{index}", "mass", f"mass of {what}", latex=f"m_{{{{{index},{{j}}}}}}", at_least=0.0

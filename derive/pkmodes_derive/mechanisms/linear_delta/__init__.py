@@ -50,7 +50,7 @@ def declare(m: Machine) -> None:
     draw(m, rails.belts(m, axes, x, theta, axes.b), parallelograms=True)
 
     rails.conditions(m, axes, distance2, "distance of the platform joints from the centre")
-    m.extras.append(spheres(m, [_centre(axes, x, j) for j in axes.places], axes.l_d))
+    m.extras.append(spheres(m, [_centre(axes, x, j) for j in axes.indices], axes.l_d))
     m.sample = SAMPLE
 
 

@@ -77,8 +77,8 @@ def euler_route(machine: Machine, kinematics: Kinematics, j: int) -> EulerRoute:
         ]
     )
     u_of_s = R_f.T * -Matrix(link.vector)
-    at = dict(zip(u, u_of_s, strict=True))
-    D_omega = R_f * (Psi * D_f).xreplace(at) * (R_f.T * -kinematics.U[j])
+    values = dict(zip(u, u_of_s, strict=True))
+    D_omega = R_f * (Psi * D_f).xreplace(values) * (R_f.T * -kinematics.U[j])
     direction = Matrix(link.vector) / link.length
     mass = machine.rods[j].mass
     inertia = mass * link.length**2 * Rational(1, 12) * (Matrix.eye(3) - direction * direction.T)

@@ -28,7 +28,7 @@ TITLE = "three arms on elastic reducers, parallelogram linkages"
 DIRECTIONS = AXES
 J = range(3)
 #: Largest accepted |axis . zero|; the zero direction must be perpendicular to the axis.
-PERPENDICULAR = Rational(1, 10**6)
+PERPENDICULAR_TOLERANCE = Rational(1, 10**6)
 
 
 def declare(m: Machine) -> None:
@@ -197,7 +197,7 @@ def declare(m: Machine) -> None:
     draw(m, [Axis(o[j], a[j], e[j], theta[j], phi[j], L_a[j], b[j], m.reducers[j]) for j in J])
 
     # Conditions on a pose and on a robot ---------------------------------------------------------------------
-    given = _direct(m, theta, z, y, o, b, L_a)
+    sphere_centres = _sphere_centres(m, theta, z, y, o, b, L_a)
     m.extras += [
         _margin(
             "reach_margin",
@@ -223,7 +223,7 @@ def declare(m: Machine) -> None:
                 Output(
                     "margin",
                     (3,),
-                    tuple(PERPENDICULAR**2 - dot(a[j], z[j]) ** 2 for j in J),
+                    tuple(PERPENDICULAR_TOLERANCE**2 - dot(a[j], z[j]) ** 2 for j in J),
                     "1",
                     "at least zero for perpendicular directions",
                 ),
@@ -247,7 +247,7 @@ def declare(m: Machine) -> None:
             arguments=(),
             definitions={},
         ),
-        spheres(m, given, l_d),
+        spheres(m, sphere_centres, l_d),
     ]
     m.parameter_groups = (
         ParameterGroup(
@@ -265,11 +265,11 @@ HALF_TURN = 3.141592653589793
 
 def _reach(r: tuple[Symbol, ...], rho2: Symbol, arm: Symbol, link: Symbol) -> tuple[Expr, Expr]:
     """Return the margins of a linkage length above the distance of the nearest point and below the farthest."""
-    square, product = dot(r, r) + arm**2, 2 * arm * sqrt(rho2)
-    return link - sqrt(square - product), sqrt(square + product) - link
+    squares, product = dot(r, r) + arm**2, 2 * arm * sqrt(rho2)
+    return link - sqrt(squares - product), sqrt(squares + product) - link
 
 
-def _direct(
+def _sphere_centres(
     m: Machine,
     theta: tuple[Symbol, ...],
     z: tuple[tuple[Symbol, ...], ...],

@@ -1,4 +1,4 @@
-"""What a picture of the rotary delta shows.
+"""The picture of the rotary delta.
 
 The robot file does not give the sizes of motors, reducers and parallelograms: they follow from the length of the arm.
 """
@@ -15,7 +15,12 @@ from pkmodes_derive.parts import Reducer
 
 #: As fractions of the length of the arm: half the distance of the rods of a linkage, radii of motor and reducer, and
 #: the distance of the motor from the arm, along the axis.
-HALF_WIDTH, MOTOR, REDUCER, BESIDE = Rational(1, 8), Rational(1, 8), Rational(1, 6), Rational(1, 4)
+HALF_WIDTH, MOTOR_RADIUS, REDUCER_RADIUS, MOTOR_DISTANCE = (
+    Rational(1, 8),
+    Rational(1, 8),
+    Rational(1, 6),
+    Rational(1, 4),
+)
 
 
 @dataclass(frozen=True)
@@ -35,30 +40,35 @@ class Axis:
 def draw(m: Machine, axes: Sequence[Axis]) -> None:
     """Declare base, motors, reducers, arms, linkages and platform."""
     corners = []
-    m.draw.plate("base", "base", *(_aside(a.origin, a, sign * HALF_WIDTH) for a in axes for sign in (1, -1)))
+    m.draw.plate(
+        "base", "base", *(_moved_along_axis(a.origin, a, sign * HALF_WIDTH) for a in axes for sign in (1, -1))
+    )
     for j, a in enumerate(axes, start=1):
-        motor = _aside(a.origin, a, BESIDE)
-        m.draw.wheel("motor", f"motor {j}", motor, a.axis, MOTOR * a.arm, turns=a.motor_turns)
+        motor = _moved_along_axis(a.origin, a, MOTOR_DISTANCE)
+        m.draw.wheel("motor", f"motor {j}", motor, a.axis, MOTOR_RADIUS * a.arm, turns=a.motor_turns)
         m.draw.line("shaft", f"shaft {j}", motor, a.origin)
         m.draw.wheel(
             "reducer",
             f"reducer {j}",
             a.origin,
             a.axis,
-            REDUCER * a.arm,
+            REDUCER_RADIUS * a.arm,
             turns=a.arm_turns,
             spring=a.reducer,
         )
         m.draw.line("arm", f"arm {j}", a.origin, a.end)
-        across = [_aside(a.end, a, sign * HALF_WIDTH) for sign in (1, -1)]
-        m.draw.line("axle", f"elbow {j}", *across)
-        ends = [_aside([m.pose[i] + a.joint[i] for i in range(3)], a, sign * HALF_WIDTH) for sign in (1, -1)]
-        for foot, end in zip(across, ends, strict=True):
+        elbow = [_moved_along_axis(a.end, a, sign * HALF_WIDTH) for sign in (1, -1)]
+        m.draw.line("axle", f"elbow {j}", *elbow)
+        ends = [
+            _moved_along_axis([m.pose[i] + a.joint[i] for i in range(3)], a, sign * HALF_WIDTH)
+            for sign in (1, -1)
+        ]
+        for foot, end in zip(elbow, ends, strict=True):
             m.draw.line("link", f"rod of linkage {j}", foot, end, place=f"link_{j}")
         corners += ends
     m.draw.plate("platform", "platform", *corners)
 
 
-def _aside(point: Sequence[Expr], a: Axis, fraction: Expr) -> tuple[Expr, ...]:
+def _moved_along_axis(point: Sequence[Expr], a: Axis, fraction: Expr) -> tuple[Expr, ...]:
     """Return a point moved along the axis of an arm by a fraction of its length."""
     return tuple(point[i] + fraction * a.arm * a.axis[i] for i in range(3))

@@ -13,13 +13,13 @@ OUTWARD = ((1.0, 0.1, -0.05), (-0.5, 0.85, 0.1), (-0.55, -0.8, 0.05))
 
 
 def _unit(v: tuple[float, ...]) -> list[float]:
-    size = sqrt(sum(c * c for c in v))
-    return [c / size for c in v]
+    length = sqrt(sum(c * c for c in v))
+    return [c / length for c in v]
 
 
 def _perpendicular(v: tuple[float, ...], axis: list[float]) -> list[float]:
-    along = sum(a * b for a, b in zip(v, axis, strict=True))
-    return _unit(tuple(a - along * b for a, b in zip(v, axis, strict=True)))
+    component = sum(a * b for a, b in zip(v, axis, strict=True))
+    return _unit(tuple(a - component * b for a, b in zip(v, axis, strict=True)))
 
 
 ROTATION = [_unit(axis) for axis in AXES]

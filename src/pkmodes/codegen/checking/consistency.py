@@ -25,7 +25,7 @@ from pkmodes.core.support.progress import say
 Array = NDArray[np.float64]
 
 #: Package of relations that hold for one mechanism only, in the module of its name.
-OWN = "pkmodes.codegen.mechanisms"
+MECHANISM_RELATIONS = "pkmodes.codegen.mechanisms"
 #: Complex step: rounding only, some 1e-14 per unit of the condition number.
 COMPLEX_STEP_BOUND = 1e-10
 #: Fourth-order central differences: truncation grows with the fifth derivative and so with the condition number; at
@@ -52,14 +52,14 @@ def check_consistency(
     mechanism: Mechanism,
     parameters: Any,
     effects: bool = False,
-    yielded: Callable[[State], Iterator[Relation]] | None = None,
+    relations_at: Callable[[State], Iterator[Relation]] | None = None,
 ) -> list[Check]:
     """Check the derivatives of a generated model at a few poses.
 
     - generated: the functions
     - parameters: the robot's parameters, used to find poses
     - effects: whether the model has effects; some relations of the base model do not hold with effects
-    - yielded: yields the relations at a pose; by default those of a model
+    - relations_at: yields the relations in a state; by default those of a model
 
     Returns one check for each relation and kind of difference; a single failed one if no regular pose is found.
     """
@@ -73,27 +73,27 @@ def check_consistency(
         ("central differences", _central_differences, CENTRAL_BOUND),
     )
     with np.errstate(all="ignore"):  # a broken function may give NaN; it then fails the check
-        for name_of_kind, derivative, bound in differences:
+        for kind, derivative, bound in differences:
             errors: dict[str, float] = {}
             for p in poses:
-                at = State(generated, mechanism, parameters, p, derivative, effects)
+                state = State(generated, mechanism, parameters, p, derivative, effects)
                 try:
-                    for name, value, expected, weight in (yielded or _all)(at):
-                        errors[name] = max(errors.get(name, 0.0), _relative(value, expected, weight))
+                    for name, value, expected, weight in (relations_at or _all_relations)(state):
+                        errors[name] = max(errors.get(name, 0.0), _relative_error(value, expected, weight))
                 except np.linalg.LinAlgError as error:  # from NaN or zeros in the stiffness
                     errors[f"the static equilibrium: {error}"] = np.inf
-            checks += [Check(f"{name} ({name_of_kind})", error, bound) for name, error in errors.items()]
+            checks += [Check(f"{name} ({kind})", error, bound) for name, error in errors.items()]
     return checks
 
 
 def check_drawing(mechanism: Mechanism, parameters: object) -> list[Check]:
     """Check the motion of drawn points by differences of their positions, and the springs by the elastic Hessian."""
     return check_consistency(
-        Generated(mechanism.model, parameters), mechanism, parameters, yielded=drawing_relations
+        Generated(mechanism.model, parameters), mechanism, parameters, relations_at=drawing_relations
     )
 
 
-def _relative(value: Array, expected: Array, weight: float) -> float:
+def _relative_error(value: Array, expected: Array, weight: float) -> float:
     """Return the largest difference relative to the largest expected value, infinite where one is not a number."""
     if not (np.isfinite(value).all() and np.isfinite(expected).all()):
         return float(np.inf)
@@ -102,26 +102,26 @@ def _relative(value: Array, expected: Array, weight: float) -> float:
     return difference / scale if scale > 0.0 else 0.0
 
 
-def _all(at: State) -> Iterator[Relation]:
+def _all_relations(state: State) -> Iterator[Relation]:
     """Yield the relations of every mechanism, and those of this one alone."""
-    yield from relations(at)
-    module_name = f"{OWN}.{at.mechanism.name}"
+    yield from relations(state)
+    module_name = f"{MECHANISM_RELATIONS}.{state.mechanism.name}"
     if find_spec(module_name) is not None:
-        yield from import_module(module_name).relations(at)
+        yield from import_module(module_name).relations(state)
 
 
-def _complex_step(function: Callable[[Array], Array], at: Array, step: float) -> Array:
+def _complex_step(function: Callable[[Array], Array], point: Array, step: float) -> Array:
     """Differentiate by complex step; the last axis of the result is that of the derivative."""
     h = 1e-30
-    columns = [np.imag(function(at + 1j * h * e)) / h for e in np.eye(len(at))]
+    columns = [np.imag(function(point + 1j * h * e)) / h for e in np.eye(len(point))]
     return np.stack(columns, axis=-1)
 
 
-def _central_differences(function: Callable[[Array], Array], at: Array, step: float) -> Array:
+def _central_differences(function: Callable[[Array], Array], point: Array, step: float) -> Array:
     """Differentiate by fourth-order central differences; the last axis of the result is that of the derivative."""
     columns = []
-    for e in step * np.eye(len(at)):
-        near = function(at + e) - function(at - e)
-        far = function(at + 2 * e) - function(at - 2 * e)
+    for e in step * np.eye(len(point)):
+        near = function(point + e) - function(point - e)
+        far = function(point + 2 * e) - function(point - 2 * e)
         columns.append((8.0 * near - far) / (12.0 * step))
     return np.stack(columns, axis=-1)

@@ -15,11 +15,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.linalg.rotations import AXES, about, rates_of
+from pkmodes.core.linalg.rotations import AXES, left_jacobian, vectors_about
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.length import lengths_of
 from pkmodes.core.mechanism.registry import Mechanism
-from pkmodes.core.mechanism.regular import extent, travel
+from pkmodes.core.mechanism.regular import reach_bound, travel_limits
 
 Array = NDArray[np.float64]
 Derivative = Callable[[Callable[[Array], Array], Array, float], Array]
@@ -29,7 +29,7 @@ Relation = tuple[str, Array, Array, float]
 
 SEED = 20220102
 #: Step of differences relative to the distance over which the platform Jacobian changes.
-STEP = 5e-5
+RELATIVE_STEP = 5e-5
 
 
 class State:
@@ -43,7 +43,7 @@ class State:
     - effects: whether the model has effects; some relations of the base model do not hold with effects
 
     Its attributes:
-    - places: indices of the independent coordinates, length k
+    - independent: indices of the independent coordinates, length k
     - base: number of coordinates without effects
     - positions: independent coordinates at the pose, (k,)
     """
@@ -60,34 +60,34 @@ class State:
         self.generated, self.mechanism, self.parameters = generated, mechanism, parameters
         self.pose, self.derivative, self.effects = pose, derivative, effects
         names = [q.name for q in mechanism.coordinates]
-        self.places, self.base = [names.index(name) for name in mechanism.independent], len(names)
+        self.independent, self.base = [names.index(name) for name in mechanism.independent], len(names)
         self.positions: Array = generated.inverse_kinematics(pose)
 
     @cached_property
     def travel(self) -> float:
         """Smallest travel of an independent coordinate; without limits 1, or the size of the robot if smaller."""
-        without = min(1.0, extent(self.mechanism, self.parameters))
-        ends = travel(self.mechanism, self.parameters)
-        return float(np.ptp(ends, axis=-1).min()) if len(ends) else without
+        default = min(1.0, reach_bound(self.mechanism, self.parameters))
+        limits = travel_limits(self.mechanism, self.parameters)
+        return float(np.ptp(limits, axis=-1).min()) if len(limits) else default
 
     @cached_property
     def step(self) -> float:
         """Step in the independent coordinates, small relative to their travel and to the curvature of the motion."""
-        size = self.travel
+        distance = self.travel
         if self.generated.has("platform_second_derivatives"):
-            bend = float(np.abs(self.generated.platform_second_derivatives(self.pose)).max())
-            straight = float(np.abs(self.generated.platform_jacobian(self.pose)).max())
-            if bend > 0.0 and np.isfinite(bend):
-                size = min(size, straight / bend)
-        return STEP * size
+            curvature = float(np.abs(self.generated.platform_second_derivatives(self.pose)).max())
+            slope = float(np.abs(self.generated.platform_jacobian(self.pose)).max())
+            if curvature > 0.0 and np.isfinite(curvature):
+                distance = min(distance, slope / curvature)
+        return RELATIVE_STEP * distance
 
     def rate(self, function: Callable[[Array], Any]) -> Array:
         """Differentiate a function of the pose numerically with respect to the independent coordinates."""
         if self.generated.has("direct_kinematics"):
-            return self.derivative(lambda q: function(self.assembled(q)), self.positions, self.step)
+            return self.derivative(lambda q: function(self.direct_pose(q)), self.positions, self.step)
         return self.derivative(function, self.pose, self.step) @ self.motion
 
-    def assembled(self, positions: Array) -> Array:
+    def direct_pose(self, positions: Array) -> Array:
         """Compute the pose from the independent coordinates, on the assembly branch of this pose."""
         determinant, _ = self.generated.jacobian_condition(self.pose)
         pose: Array = self.generated.direct_kinematics(positions, np.sign(determinant))
@@ -97,98 +97,98 @@ class State:
     def motion(self) -> Array:
         """Numerical derivative of the pose with respect to the independent coordinates, (d, k)."""
         if self.generated.has("direct_kinematics"):
-            return self.derivative(self.assembled, self.positions, self.step)
+            return self.derivative(self.direct_pose, self.positions, self.step)
         return np.asarray(
             np.linalg.inv(self.derivative(self.generated.inverse_kinematics, self.pose, self.step))
         )
 
     @cached_property
-    def turning(self) -> Array:
+    def rotation_rates(self) -> Array:
         """How the platform moves per change of the pose, (d, d): rotations about base axes per rotation vector."""
         mechanism = self.mechanism
-        turning, first = np.eye(len(self.pose)), len(mechanism.directions)
+        rates, first = np.eye(len(self.pose)), len(mechanism.directions)
         if mechanism.rotations:
             axes = [AXES.index(axis) for axis in mechanism.rotations]
-            turning[first:, first:] = rates_of(about(mechanism.rotations, self.pose[first:]))[
+            rates[first:, first:] = left_jacobian(vectors_about(mechanism.rotations, self.pose[first:]))[
                 np.ix_(axes, axes)
             ]
-        return turning
+        return rates
 
-    def unstrained(self, pose: Array) -> Array:
+    def unstrained_motion(self, pose: Array) -> Array:
         """Return the motion of all coordinates with the independent ones in unstrained motion, (n, k)."""
-        dependent = [i for i in range(self.base) if i not in self.places]
+        dependent = [i for i in range(self.base) if i not in self.independent]
         H = Generated(self.mechanism.model, self.parameters).elastic_hessian(pose)
-        motion = np.zeros((self.generated.coordinates, len(self.places)), dtype=H.dtype)
-        motion[self.places] = np.eye(len(self.places))
+        motion = np.zeros((self.generated.coordinates, len(self.independent)), dtype=H.dtype)
+        motion[self.independent] = np.eye(len(self.independent))
         motion[dependent] = -np.linalg.solve(
-            H[np.ix_(dependent, dependent)], H[np.ix_(dependent, self.places)]
+            H[np.ix_(dependent, dependent)], H[np.ix_(dependent, self.independent)]
         )
         return motion
 
 
-def relations(at: State) -> Iterator[Relation]:
+def relations(state: State) -> Iterator[Relation]:
     """Yield every relation at one pose."""
     for group in (_closures, _motion, _gravity, _elastic, _matrices, _inertia, _statics):
-        yield from group(at)
+        yield from group(state)
 
 
-def _closures(at: State) -> Iterator[Relation]:
-    g, p = at.generated, at.pose
+def _closures(state: State) -> Iterator[Relation]:
+    g, p = state.generated, state.pose
     if not g.has("constraint_jacobians"):
         return
     D_l, D_r = g.constraint_jacobians(p)
     length = float(np.abs(D_l).max())
     if g.has("direct_kinematics"):
-        yield "direct of inverse kinematics", at.assembled(at.positions), p, length
+        yield "direct of inverse kinematics", state.direct_pose(state.positions), p, length
     if g.has("jacobian_condition"):
         determinant, condition = g.jacobian_condition(p)
         yield "determinant", determinant, np.linalg.det(D_l), length ** len(D_l)
-        alike = D_l / lengths_of(at.mechanism, at.parameters)
-        frobenius = np.asarray(np.linalg.norm(alike) * np.linalg.norm(np.linalg.inv(alike)))
+        scaled = D_l / lengths_of(state.mechanism, state.parameters)
+        frobenius = np.asarray(np.linalg.norm(scaled) * np.linalg.norm(np.linalg.inv(scaled)))
         yield "condition", condition, frobenius, 0.0
     yield "constraint Jacobians", D_l @ g.platform_jacobian(p), D_r, length
 
 
-def _motion(at: State) -> Iterator[Relation]:
-    g, p = at.generated, at.pose
-    yield "platform Jacobian", g.platform_jacobian(p), at.turning @ at.motion, 0.0
+def _motion(state: State) -> Iterator[Relation]:
+    g, p = state.generated, state.pose
+    yield "platform Jacobian", g.platform_jacobian(p), state.rotation_rates @ state.motion, 0.0
     if g.has("platform_second_derivatives"):
-        P, bend = g.platform_second_derivatives(p), at.rate(g.platform_jacobian)
-        rates, size = _velocities(at), float(np.abs(P).max())
-        if at.mechanism.rotations:
+        P, curvature = g.platform_second_derivatives(p), state.rate(g.platform_jacobian)
+        rates, size = _velocities(state), float(np.abs(P).max())
+        if state.mechanism.rotations:
             # In the exponential chart at the pose, of which angular velocities have the symmetric part.
-            yield "platform second derivatives", P, 0.5 * (bend + np.swapaxes(bend, -1, -2)), 0.0
+            yield "platform second derivatives", P, 0.5 * (curvature + np.swapaxes(curvature, -1, -2)), 0.0
         else:
-            yield "platform second derivatives", P, bend, 0.0
-            bend = P
+            yield "platform second derivatives", P, curvature, 0.0
+            curvature = P
         if g.has("platform_jacobian_rate"):
-            yield "platform Jacobian rate", g.platform_jacobian_rate(p, rates), bend @ rates, size
+            yield "platform Jacobian rate", g.platform_jacobian_rate(p, rates), curvature @ rates, size
 
 
-def _gravity(at: State) -> Iterator[Relation]:
-    g, p = at.generated, at.pose
+def _gravity(state: State) -> Iterator[Relation]:
+    g, p = state.generated, state.pose
     if not g.has("gravity_potential", "gravity_gradient", "gravity_hessian"):
         return
     gradient = g.gravity_gradient(p)
     weight = float(np.abs(gradient).max())
-    bend = float(np.abs(at.rate(g.platform_jacobian)).max())
-    yield "gravity gradient", gradient, at.rate(g.gravity_potential), weight
-    yield "gravity Hessian", g.gravity_hessian(p), at.rate(g.gravity_gradient), weight * bend
+    curvature = float(np.abs(state.rate(g.platform_jacobian)).max())
+    yield "gravity gradient", gradient, state.rate(g.gravity_potential), weight
+    yield "gravity Hessian", g.gravity_hessian(p), state.rate(g.gravity_gradient), weight * curvature
 
 
-def _elastic(at: State) -> Iterator[Relation]:
-    g, p, derivative = at.generated, at.pose, at.derivative
+def _elastic(state: State) -> Iterator[Relation]:
+    g, p, derivative = state.generated, state.pose, state.derivative
     if not g.has("elastic_potential", "elastic_gradient", "elastic_hessian"):
         return
-    moved = 1e-3 * np.random.default_rng(SEED).normal(size=g.coordinates)
-    pull = derivative(lambda d: g.elastic_potential(p, d), moved, at.step)
-    yield "elastic gradient", g.elastic_gradient(p, moved), pull, 0.0
-    bend = derivative(lambda d: g.elastic_gradient(p, d), moved, at.step)
-    yield "elastic Hessian", g.elastic_hessian(p), bend, 0.0
+    displacement = 1e-3 * np.random.default_rng(SEED).normal(size=g.coordinates)
+    gradient = derivative(lambda d: g.elastic_potential(p, d), displacement, state.step)
+    yield "elastic gradient", g.elastic_gradient(p, displacement), gradient, 0.0
+    hessian = derivative(lambda d: g.elastic_gradient(p, d), displacement, state.step)
+    yield "elastic Hessian", g.elastic_hessian(p), hessian, 0.0
 
 
-def _matrices(at: State) -> Iterator[Relation]:
-    g, p = at.generated, at.pose
+def _matrices(state: State) -> Iterator[Relation]:
+    g, p = state.generated, state.pose
     M, K = g.modal_matrices(p)
     if g.has("mass_matrix"):
         yield "modal mass matrix", M, g.mass_matrix(p), 0.0
@@ -200,51 +200,51 @@ def _matrices(at: State) -> Iterator[Relation]:
         yield "modal stiffness matrix", K, stiffness, 0.0
         if g.has("elastic_hessian", "gravity_hessian"):
             # Gravity also acts on the coordinates of effects, which are not part of its Hessian.
-            whole = g.elastic_hessian(p)[: at.base, : at.base].copy()
-            whole[np.ix_(at.places, at.places)] += g.gravity_hessian(p)
-            yield "stiffness matrix", stiffness[: at.base, : at.base], whole, 0.0
+            total = g.elastic_hessian(p)[: state.base, : state.base].copy()
+            total[np.ix_(state.independent, state.independent)] += g.gravity_hessian(p)
+            yield "stiffness matrix", stiffness[: state.base, : state.base], total, 0.0
 
 
-def _inertia(at: State) -> Iterator[Relation]:
+def _inertia(state: State) -> Iterator[Relation]:
     """Yield the inertia forces: the inertia that effects add to the drives changes as the robot moves."""
-    g, p = at.generated, at.pose
-    if not g.has("velocity_forces", "mass_matrix") or not hasattr(at.mechanism.model, "elastic_hessian"):
+    g, p = state.generated, state.pose
+    if not g.has("velocity_forces", "mass_matrix") or not hasattr(state.mechanism.model, "elastic_hessian"):
         return
 
-    def reduced(pose: Array) -> Array:
-        follow = at.unstrained(pose)
-        return np.asarray(follow.T @ g.mass_matrix(pose) @ follow)
+    def reduced_inertia(pose: Array) -> Array:
+        motion = state.unstrained_motion(pose)
+        return np.asarray(motion.T @ g.mass_matrix(pose) @ motion)
 
-    dM, rates = at.rate(reduced), _velocities(at)
+    dM, rates = state.rate(reduced_inertia), _velocities(state)
     forces = (dM @ rates) @ rates - 0.5 * np.einsum("klm,k,l->m", dM, rates, rates)
     # A constant inertia leaves only rounding, of the size of the inertia divided by the travel.
-    weight = max(float(np.abs(dM).max()), float(np.abs(reduced(p)).max()) / at.travel)
+    weight = max(float(np.abs(dM).max()), float(np.abs(reduced_inertia(p)).max()) / state.travel)
     yield "velocity forces", g.velocity_forces(p, rates), forces, weight
 
 
-def _statics(at: State) -> Iterator[Relation]:
-    g, p = at.generated, at.pose
+def _statics(state: State) -> Iterator[Relation]:
+    g, p = state.generated, state.pose
     # Springs of effects are relaxed at the pose, so the gradient of all springs is not the torque.
-    if at.effects or not g.has("static_equilibrium", "elastic_gradient", "gravity_gradient"):
+    if state.effects or not g.has("static_equilibrium", "elastic_gradient", "gravity_gradient"):
         return
     torques, values = g.static_equilibrium(p)
-    dependent = [i for i in range(at.base) if i not in at.places]
-    displaced = np.zeros(at.base)
-    displaced[dependent] = values
-    carried, gradient = g.elastic_gradient(p, displaced), g.gravity_gradient(p)
-    yield "static equilibrium", carried[at.places], -gradient, float(np.abs(gradient).max())
+    dependent = [i for i in range(state.base) if i not in state.independent]
+    displacement = np.zeros(state.base)
+    displacement[dependent] = values
+    spring_forces, gradient = g.elastic_gradient(p, displacement), g.gravity_gradient(p)
+    yield "static equilibrium", spring_forces[state.independent], -gradient, float(np.abs(gradient).max())
     # Only the drives carry torques.
-    size = float(np.abs(torques).max())
-    order = np.argsort(-np.abs(carried[dependent]))
+    largest = float(np.abs(torques).max())
+    order = np.argsort(-np.abs(spring_forces[dependent]))
     driven, free = order[: len(torques)], order[len(torques) :]
-    yield "static torques", np.sort(torques), np.sort(carried[dependent][driven]), size
+    yield "static torques", np.sort(torques), np.sort(spring_forces[dependent][driven]), largest
     if len(free):
-        yield "torques of the drives only", carried[dependent][free], np.zeros(len(free)), size
+        yield "torques of the drives only", spring_forces[dependent][free], np.zeros(len(free)), largest
 
 
-def _velocities(at: State) -> Array:
+def _velocities(state: State) -> Array:
     """Return arbitrary velocities of the independent coordinates."""
-    return np.random.default_rng(SEED).normal(size=len(at.places))
+    return np.random.default_rng(SEED).normal(size=len(state.independent))
 
 
 def _quadratic_form(energy: Callable[[Array], Any], n: int) -> Array:
@@ -256,17 +256,17 @@ def _quadratic_form(energy: Callable[[Array], Any], n: int) -> Array:
     return matrix
 
 
-def drawing_relations(at: State) -> Iterator[Relation]:
+def drawing_relations(state: State) -> Iterator[Relation]:
     """Yield the relations between a drawing and the model, at a pose of a robot without effects."""
-    drawing = at.mechanism.drawing
-    drawn = Generated(at.mechanism.drawn, at.parameters, at.mechanism.extended.Effects())
+    drawing = state.mechanism.drawing
+    drawn = Generated(state.mechanism.drawn, state.parameters, state.mechanism.extended.Effects())
     # Any constant vectors will do for those that the robot leaves open.
-    up = (np.tile([0.6, -0.48, 0.64], drawing.uprights),) if drawing.uprights else ()
-    motion = drawn.drawing_motion(at.pose, *up)[list(drawing.motions)]
-    moved = at.rate(lambda p: drawn.drawing_points(p, *up))
-    yield "motion of drawn points", motion[..., at.places], moved, 0.0
-    if at.generated.has("elastic_hessian"):
-        stiffness, strain = drawn.springs(at.pose)
-        strain = strain[:, : at.base]
-        hessian = at.generated.elastic_hessian(at.pose)
+    open_directions = (np.tile([0.6, -0.48, 0.64], drawing.uprights),) if drawing.uprights else ()
+    motion = drawn.drawing_motion(state.pose, *open_directions)[list(drawing.motions)]
+    rates = state.rate(lambda p: drawn.drawing_points(p, *open_directions))
+    yield "motion of drawn points", motion[..., state.independent], rates, 0.0
+    if state.generated.has("elastic_hessian"):
+        stiffness, strain = drawn.springs(state.pose)
+        strain = strain[:, : state.base]
+        hessian = state.generated.elastic_hessian(state.pose)
         yield "springs", strain.T @ (stiffness[:, None] * strain), hessian, 0.0

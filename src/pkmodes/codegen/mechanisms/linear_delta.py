@@ -12,13 +12,13 @@ from pkmodes.codegen.checking.relations import Relation, State
 GROWTH = np.array([0.0, 1.0, -1.0])
 
 
-def relations(at: State) -> Iterator[Relation]:
+def relations(state: State) -> Iterator[Relation]:
     """Yield the relations of belts, links and pulleys at one pose."""
-    g, p = at.generated, at.pose
+    g, p = state.generated, state.pose
     spans, k = g.belt_spans(p), g.belt_stiffness(p)
     D_l, D_r = g.constraint_jacobians(p)
-    yield "belt spans", at.rate(g.belt_spans), np.eye(3)[:, None, :] * GROWTH[None, :, None], 1.0
-    if at.effects:  # the compliance in series with a span does not grow with its length
+    yield "belt spans", state.rate(g.belt_spans), np.eye(3)[:, None, :] * GROWTH[None, :, None], 1.0
+    if state.effects:  # the compliance in series with a span does not grow with its length
         (short, middle, long), (a, b, c) = np.sort(spans, axis=1).T, -np.sort(-k, axis=1).T
         yield "belt stiffness", (1 / b - 1 / a) * (long - short), (1 / c - 1 / a) * (middle - short), 0.0
     else:
@@ -32,13 +32,13 @@ def relations(at: State) -> Iterator[Relation]:
     yield "reach margin", (links - g.reach_margin(p)) ** 2, links**2 - np.diag(D_r) ** 2, length**2
     # Velocity of the platform end of each link: from the link's centre and rotation, and from the platform.
     D_d, D_omega = g.link_jacobians(p)
-    turning = np.cross(D_omega, 0.5 * D_l[:, :, None], axisa=1, axisb=1, axisc=1)
-    yield "link Jacobians", D_d + turning, np.broadcast_to(g.platform_jacobian(p), D_d.shape), 1.0
-    if at.effects:
+    rotation_part = np.cross(D_omega, 0.5 * D_l[:, :, None], axisa=1, axisb=1, axisc=1)
+    yield "link Jacobians", D_d + rotation_part, np.broadcast_to(g.platform_jacobian(p), D_d.shape), 1.0
+    if state.effects:
         return
     torques, rotations = g.static_equilibrium(p)
     pulleys = g.elastic_gradient(p, np.concatenate([np.zeros(3), rotations]))[3:].reshape(2, 3)
-    torque = float(np.abs(torques).max())
-    yield "static torques by axis", torques, pulleys.sum(axis=0), torque
+    largest = float(np.abs(torques).max())
+    yield "static torques by axis", torques, pulleys.sum(axis=0), largest
     # Together with the relation before: one pulley of an axis carries the torque, the other carries none.
-    yield "torque on one pulley only", np.abs(torques), np.abs(pulleys).max(axis=0), torque
+    yield "torque on one pulley only", np.abs(torques), np.abs(pulleys).max(axis=0), largest

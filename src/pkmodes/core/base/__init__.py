@@ -1,1 +1,1 @@
-"""What every other part uses: errors, checks of arguments, numbers in words, motors, methods of applications."""
+"""Errors, checks of arguments, formatting of numbers, states of the motors, methods that applications attach."""

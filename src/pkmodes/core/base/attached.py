@@ -11,16 +11,16 @@ from typing import Any
 class Attached:
     """A function of an application as a method, loaded at its first use.
 
-    - place: module and name of the function, ``"pkmodes.machine.maps.mapping:map_of"``; its first argument is the
+    - target: module and name of the function, ``"pkmodes.machine.maps.mapping:map_of"``; its first argument is the
     instance
     """
 
-    def __init__(self, place: str) -> None:
-        self._place = place
+    def __init__(self, target: str) -> None:
+        self._target = target
 
     @cached_property
     def _function(self) -> Callable[..., Any]:
-        module, _, name = self._place.partition(":")
+        module, _, name = self._target.partition(":")
         function: Callable[..., Any] = getattr(import_module(module), name)
         return function
 

@@ -13,7 +13,7 @@ FREE, HELD = DRIVES = "free", "held"
 #: The same in a JSON document.
 Drives = Annotated[Literal["free", "held"], Meta(description="What the motors do: turn freely, or are held.")]
 
-_ONE_OF_THEM = Constraint(alternatives(f'"{word}"' for word in DRIVES), one_of(DRIVES).holds)
+_FREE_OR_HELD = Constraint(alternatives(f'"{word}"' for word in DRIVES), one_of(DRIVES).holds)
 
 
 def other_drives(drives: str) -> str:
@@ -21,19 +21,21 @@ def other_drives(drives: str) -> str:
     return HELD if drives == FREE else FREE
 
 
-def motors(drives: Iterable[str | None]) -> str:
+def motors_text(drives: Iterable[str | None]) -> str:
     """Return what the motors do in one or several measurements, in words: motors free or held."""
-    did = set(drives)
-    return f"motors {' or '.join(word for word in DRIVES if word in did)}"
+    states = set(drives)
+    return f"motors {' or '.join(word for word in DRIVES if word in states)}"
 
 
-def motors_to_be(drives: Iterable[str | None]) -> str:
+def motors_instruction(drives: Iterable[str | None]) -> str:
     """Return how to set the motors for measurements still to be made, in words.
 
     Shafts are clamped: position loops hold the motors of many machines only as springs do.
     """
     return (
-        motors(drives).replace(f"motors {HELD}", "motor shafts clamped").replace(HELD, "their shafts clamped")
+        motors_text(drives)
+        .replace(f"motors {HELD}", "motor shafts clamped")
+        .replace(HELD, "their shafts clamped")
     )
 
 
@@ -43,5 +45,5 @@ def checked_drives(drives: str) -> str:
     Raises PkmodesError if it is neither "free" nor "held".
     """
     remedy = "say whether the motors turn freely or position loops hold them"
-    check_argument(drives, _ONE_OF_THEM, "drives", remedy)
+    check_argument(drives, _FREE_OR_HELD, "drives", remedy)
     return drives

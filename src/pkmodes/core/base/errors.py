@@ -6,7 +6,7 @@ import difflib
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-LONGEST_SHOWN = 60
+MAX_SHOWN_LENGTH = 60
 
 
 def shown(value: object) -> str:
@@ -23,8 +23,8 @@ def shown(value: object) -> str:
         return "a very large number"
     except Exception:  # an object of the caller that cannot be converted to text
         text = f"an object of type {type(value).__name__}"
-    text = printable(text[: LONGEST_SHOWN + 1])
-    text = text if len(text) <= LONGEST_SHOWN else f"{text[:LONGEST_SHOWN]}..."
+    text = printable(text[: MAX_SHOWN_LENGTH + 1])
+    text = text if len(text) <= MAX_SHOWN_LENGTH else f"{text[:MAX_SHOWN_LENGTH]}..."
     return f'"{text}"' if isinstance(value, str) else text
 
 
@@ -37,8 +37,10 @@ def nearest_name(name: object, candidates: Iterable[str], otherwise: str = "") -
     """Return the remedy for an unknown name: the nearest known name, `otherwise`, or all known names."""
     names = list(candidates)
     by_lower = {candidate.lower(): candidate for candidate in reversed(names)}
-    near = difflib.get_close_matches(name.lower(), by_lower, n=1, cutoff=0.5) if isinstance(name, str) else []
-    matches = [by_lower[lower] for lower in near]
+    close = (
+        difflib.get_close_matches(name.lower(), by_lower, n=1, cutoff=0.5) if isinstance(name, str) else []
+    )
+    matches = [by_lower[lower] for lower in close]
     return f'did you mean "{matches[0]}"?' if matches else otherwise or f"known: {', '.join(names)}"
 
 
@@ -130,7 +132,7 @@ class MeasurementError(PkmodesError):
     """Modal measurements that cannot be read or used with a robot."""
 
 
-def listed(
+def checked_list(
     values: Iterable[Any],
     plural: str,
     where: str,

@@ -1,17 +1,17 @@
-"""What is looked at in a TOML file before it is parsed."""
+"""Checks of a TOML file before it is parsed."""
 
 from __future__ import annotations
 
 import re
 
-#: Most parts of a key: the memory for a key grows with the square of their number.
-MOST_PARTS = 100
+#: Maximum number of parts of a key: the memory for a key grows with the square of their number.
+MAX_KEY_PARTS = 100
 #: Patterns of a part of a key, and of a key with more parts than that.
-PART = r"""(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')"""
-LONG_KEY = re.compile(rf"(?<![\w-]){PART}(?:[ \t]*+\.[ \t]*+{PART}){{{MOST_PARTS}}}")
+KEY_PART = r"""(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')"""
+LONG_KEY = re.compile(rf"(?<![\w-]){KEY_PART}(?:[ \t]*+\.[ \t]*+{KEY_PART}){{{MAX_KEY_PARTS}}}")
 
 
-def long_key(text: str) -> int | None:
+def line_of_long_key(text: str) -> int | None:
     """Return the number of the line of a key with too many parts, None if there is none.
 
     - text: of a TOML file

@@ -60,11 +60,11 @@ WIDTHS = {
     }
 }
 #: A program whose exit status is the largest number of lanes of its processor.
-WIDEST = '#include "processor.h"\nint main(void) { return processor_lanes(); }\n'
+WIDEST_PROGRAM = '#include "processor.h"\nint main(void) { return processor_lanes(); }\n'
 #: Why nothing is compiled on Windows: GCC's code would end the process at a misaligned vector.
 WINDOWS = "GCC does not align vectors on the stack there (its bug 54412)"
-#: Seconds after which a compiler is stopped.
-PATIENCE = 600
+#: Time after which a compiler is stopped [s].
+COMPILER_TIMEOUT = 600
 
 
 class BuildError(Exception):
@@ -115,17 +115,17 @@ def digest(header: str) -> str:
 
 
 def checksum(library: Path) -> str:
-    """Digest of the bytes of a library: compared with that in its name, it tells whether the file is whole."""
+    """Digest of the bytes of a library: a file is intact if this is the digest in its name."""
     with library.open("rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()[:32]
 
 
-def is_whole(library: Path) -> bool:
+def is_intact(library: Path) -> bool:
     """Whether a library has the bytes that were built; the system ends a process that loads a truncated one."""
     return library.name.split(".")[-2] == checksum(library)
 
 
-def widths_here(cc: Sequence[str]) -> tuple[int, ...]:
+def processor_widths(cc: Sequence[str]) -> tuple[int, ...]:
     """Find the widths that this processor uses: its widest, and 2 for a single pose.
 
     - cc: the compiler, from `compiler`
@@ -134,18 +134,18 @@ def widths_here(cc: Sequence[str]) -> tuple[int, ...]:
     """
     all_widths = tuple(WIDTHS.get(machine(), {2: ()}))
     with tempfile.TemporaryDirectory(prefix="pkmodes-") as name:
-        place = Path(name)
-        (place / "widest.c").write_text(WIDEST, encoding="utf-8")
-        shutil.copyfile(FOLDER / "processor.h", place / "processor.h")
+        folder = Path(name)
+        (folder / "widest.c").write_text(WIDEST_PROGRAM, encoding="utf-8")
+        shutil.copyfile(FOLDER / "processor.h", folder / "processor.h")
         try:
-            _run([*cc, "widest.c", "-o", "widest"], place)
-            widest = subprocess.run([place / "widest"], timeout=PATIENCE, check=False).returncode
+            _run([*cc, "widest.c", "-o", "widest"], folder)
+            widest = subprocess.run([folder / "widest"], timeout=COMPILER_TIMEOUT, check=False).returncode
         except (BuildError, OSError, subprocess.TimeoutExpired):
             return all_widths
-    return tuple(sorted({widest_of(widest), 2}, reverse=True)) if widest > 1 else all_widths
+    return tuple(sorted({widest_within(widest), 2}, reverse=True)) if widest > 1 else all_widths
 
 
-def widest_of(lanes: int) -> int:
+def widest_within(lanes: int) -> int:
     """Return the widest of `WIDTHS` for this architecture that a processor with lanes has."""
     return max(width for width in WIDTHS.get(machine(), {2: ()}) if width <= lanes)
 
@@ -153,7 +153,7 @@ def widest_of(lanes: int) -> int:
 def build(
     header: str, folder: Path, stem: str, cc: Sequence[str], widths: Sequence[int] | None = None
 ) -> Path:
-    """Compile and link a library, and put it in place whole or not at all.
+    """Compile and link a library, and put it in place completely or not at all.
 
     - header: text of the generated header
     - folder: where the library will be; it exists
@@ -165,12 +165,12 @@ def build(
     Raises OSError if the library cannot be written.
     """
     with tempfile.TemporaryDirectory(prefix="pkmodes-") as name:
-        place = Path(name)
-        (place / HEADER).write_text(header, encoding="utf-8")
+        build_folder = Path(name)
+        (build_folder / HEADER).write_text(header, encoding="utf-8")
         for source in SOURCES:
-            shutil.copyfile(FOLDER / source, place / source)
+            shutil.copyfile(FOLDER / source, build_folder / source)
         options_of = WIDTHS.get(machine(), {2: ()})
-        chosen = tuple(options_of) if widths is None else tuple(widths)
+        built_widths = tuple(options_of) if widths is None else tuple(widths)
         jobs = [
             [
                 *FLAGS,
@@ -181,28 +181,28 @@ def build(
                 "kernel.c",
             ]
             + ["-o", f"kernel_{width}.o"]
-            for width in chosen
+            for width in built_widths
         ]
-        has = [f"-DPKMODES_HAS_{width}" for width in chosen]
-        digested = f'-DPKMODES_DIGEST="{digest(header)}"'
-        jobs.append([*FLAGS, *has, digested, "-c", "dispatch.c", "-o", "dispatch.o"])
+        width_flags = [f"-DPKMODES_HAS_{width}" for width in built_widths]
+        digest_flag = f'-DPKMODES_DIGEST="{digest(header)}"'
+        jobs.append([*FLAGS, *width_flags, digest_flag, "-c", "dispatch.c", "-o", "dispatch.o"])
         with ThreadPoolExecutor(os.cpu_count()) as pool:
-            list(pool.map(lambda job: _run([*cc, *job], place), jobs))
+            list(pool.map(lambda job: _run([*cc, *job], build_folder), jobs))
         objects = [job[-1] for job in jobs]
-        _run([*cc, "-shared", "-o", "library.so", *objects, "-lm"], place)
-        library = folder / f"{stem}.{checksum(place / 'library.so')}.so"
+        _run([*cc, "-shared", "-o", "library.so", *objects, "-lm"], build_folder)
+        library = folder / f"{stem}.{checksum(build_folder / 'library.so')}.so"
         # Next to its place first: a library that is being written is never loaded.
         with tempfile.NamedTemporaryFile(dir=folder, prefix=".", suffix=".part", delete=False) as file:
-            part = Path(file.name)
+            temporary = Path(file.name)
         try:
-            with part.open("wb") as written, (place / "library.so").open("rb") as built:
-                shutil.copyfileobj(built, written)
-                written.flush()
-                os.fsync(written.fileno())  # else its name may survive a power failure, but not its bytes
-            part.chmod(0o755)
-            part.replace(library)
+            with temporary.open("wb") as destination, (build_folder / "library.so").open("rb") as source_file:
+                shutil.copyfileobj(source_file, destination)
+                destination.flush()
+                os.fsync(destination.fileno())  # else its name may survive a power failure, but not its bytes
+            temporary.chmod(0o755)
+            temporary.replace(library)
         except OSError:
-            part.unlink(missing_ok=True)
+            temporary.unlink(missing_ok=True)
             raise
     return library
 
@@ -215,7 +215,7 @@ def _run(command: Sequence[str], folder: Path) -> None:
             capture_output=True,
             text=True,
             errors="replace",
-            timeout=PATIENCE,
+            timeout=COMPILER_TIMEOUT,
             check=False,
         )
     except (OSError, subprocess.TimeoutExpired) as error:

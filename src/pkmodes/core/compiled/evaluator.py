@@ -1,7 +1,7 @@
 """The compiled evaluator of one robot, or of several: modes at poses, written into arrays.
 
-Those of several poses are the caller's; a single pose has a `Room`, so that a call needs no new arrays and looks up
-no addresses.
+Arrays of several poses belong to the caller; a single pose has a `PoseBuffer`, so that a call needs no new arrays and
+looks up no addresses.
 """
 
 from __future__ import annotations
@@ -19,9 +19,9 @@ from pkmodes.core.compiled.loader import Library, Request
 
 Array = NDArray[np.float64]
 #: Poses that a thread takes at a time, a multiple of those in a block.
-SHARE = 4800
+POSES_PER_SHARE = 4800
 #: Lanes for a single pose: every processor has this many, more are slower, and the results are the same.
-NARROWEST = 2
+SINGLE_POSE_LANES = 2
 
 
 class Evaluator:
@@ -91,23 +91,23 @@ class Evaluator:
         """
         count = len(points)
         codes = np.empty(count, dtype=np.int8)
-        request = self._with(terms)
-        helpers = min(threads, -(-count // SHARE)) - 1 if self._robots == 1 else 0
+        request = self._with_terms(terms)
+        helpers = min(threads, -(-count // POSES_PER_SHARE)) - 1 if self._robots == 1 else 0
         if helpers < 1:
-            self._part(request, points, arrays, codes, width)
+            self._run_part(request, points, arrays, codes, width)
             return codes
-        starts, lock = iter(range(0, count, SHARE)), Lock()
+        starts, lock = iter(range(0, count, POSES_PER_SHARE)), Lock()
 
         def work() -> None:
-            """Take shares until none is left: a thread that is held up delays the others by one share at most."""
+            """Take shares until none is left: a slow thread delays the others by one share at most."""
             while True:
                 with lock:
                     start = next(starts, None)
                 if start is None:
                     return
-                part = slice(start, start + SHARE)
+                part = slice(start, start + POSES_PER_SHARE)
                 share_arrays = {name: array[part] for name, array in arrays.items()}
-                self._part(request, points[part], share_arrays, codes[part], width)
+                self._run_part(request, points[part], share_arrays, codes[part], width)
 
         with ThreadPoolExecutor(helpers) as pool:
             futures = [pool.submit(work) for _ in range(helpers)]
@@ -116,9 +116,9 @@ class Evaluator:
                 future.result()
         return codes
 
-    def room(self, size: int, tails: Mapping[str, tuple[int, ...]]) -> Room:
-        """Return room for one pose of some components and some fields of one robot: see `Room`."""
-        return Room(self._library, self._request, size, tails)
+    def buffer(self, size: int, pose_shapes: Mapping[str, tuple[int, ...]]) -> PoseBuffer:
+        """Return a buffer for one pose with `size` components and some fields of one robot: see `PoseBuffer`."""
+        return PoseBuffer(self._library, self._request, size, pose_shapes)
 
     def along(
         self, points: Array, modes: tuple[Array, Array] | None, terms: Terms, fields: Sequence[str]
@@ -136,28 +136,28 @@ class Evaluator:
         if modes is None:
             modes = np.empty((len(points), 0)), np.empty((len(points), 0, self.coordinates))
         count, m, n = modes[1].shape
-        request = Request.from_buffer_copy(self._with(terms))
+        request = Request.from_buffer_copy(self._with_terms(terms))
         contiguous = [np.ascontiguousarray(array) for array in modes]
         request.given_eigenvalues, request.given_shapes = (array.ctypes.data for array in contiguous)
         request.modes, request.path_count = m, terms.first.shape[-1] - 1
         request.term_count = terms.first.shape[-1] if terms.first.ndim > 1 else 0
-        paths, full = (count, request.path_count), (count, self._size, self._size)
-        of_all = {
-            "changes": (*paths, m, n),
-            "mode_rates": (*paths, m),
-            "norms": (*paths, m),
-            "motions": (*paths, m, self._components),
-            "mass_rates": (*paths, n, n),
-            "stiffness_rates": (*paths, n, n),
-            "mass_of_all": full,
-            "stiffness_of_all": full,
+        per_path, full_matrix = (count, request.path_count), (count, self._size, self._size)
+        shapes = {
+            "changes": (*per_path, m, n),
+            "mode_rates": (*per_path, m),
+            "norms": (*per_path, m),
+            "motions": (*per_path, m, self._components),
+            "mass_rates": (*per_path, n, n),
+            "stiffness_rates": (*per_path, n, n),
+            "mass_of_all": full_matrix,
+            "stiffness_of_all": full_matrix,
         }
-        arrays = {name: np.empty(of_all[name]) for name in fields}
+        arrays = {name: np.empty(shapes[name]) for name in fields}
         codes = np.empty(count, dtype=np.int8)
-        self._part(request, points, arrays, codes, None)
+        self._run_part(request, points, arrays, codes, None)
         return None if codes.any() else arrays
 
-    def _with(self, terms: Terms | None) -> Request:
+    def _with_terms(self, terms: Terms | None) -> Request:
         """Return the request with paths."""
         if terms is None:
             return self._request
@@ -169,38 +169,38 @@ class Evaluator:
         request.all_coordinates, request.locked_joints = terms.all_coordinates, terms.locked_joints
         return request
 
-    def _part(
+    def _run_part(
         self,
-        robot: Request,
+        template: Request,
         points: Array,
         arrays: Mapping[str, Array],
         codes: NDArray[np.int8],
         width: int | None,
     ) -> None:
-        request = Request.from_buffer_copy(robot)
+        request = Request.from_buffer_copy(template)
         request.count, request.poses, request.codes = len(points), points.ctypes.data, codes.ctypes.data
         for name, array in arrays.items():
             setattr(request, name, array.ctypes.data)
         self._library.run(ctypes.addressof(request), self._library.width if width is None else width)
 
 
-class Room:
+class PoseBuffer:
     """A request for one pose with arrays that stay where they are; for one thread at a time.
 
-    - robot: with one robot; what its addresses point to must outlive the room
+    - request: with one robot; what its addresses point to must outlive the buffer
     - size: components of a pose
-    - tails: shape at one pose of each field of `pkmodes.core.compiled.lanes.FIELDS` that is requested
+    - pose_shapes: shape at one pose of each field of `pkmodes.core.compiled.lanes.FIELDS` that is requested
 
     Its attributes:
     - arrays: what `run` has filled, by field, each (1, *tail)
     """
 
     def __init__(
-        self, library: Library, robot: Request, size: int, tails: Mapping[str, tuple[int, ...]]
+        self, library: Library, request: Request, size: int, pose_shapes: Mapping[str, tuple[int, ...]]
     ) -> None:
         self._pose, self._codes = np.empty((1, size)), np.empty(1, dtype=np.int8)
-        self.arrays = {name: np.empty((1, *tail)) for name, tail in tails.items()}
-        self._request = Request.from_buffer_copy(robot)
+        self.arrays = {name: np.empty((1, *shape)) for name, shape in pose_shapes.items()}
+        self._request = Request.from_buffer_copy(request)
         self._request.count = 1
         self._request.poses, self._request.codes = self._pose.ctypes.data, self._codes.ctypes.data
         for name, array in self.arrays.items():
@@ -210,5 +210,5 @@ class Room:
     def run(self, point: Array) -> int:
         """Evaluate a pose, (1, d), and return its code, as `pkmodes.core.compiled.evaluator.Evaluator.run` does."""
         self._pose[...] = point
-        self._run(self._address, NARROWEST)
+        self._run(self._address, SINGLE_POSE_LANES)
         return int(self._codes[0])

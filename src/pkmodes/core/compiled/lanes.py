@@ -24,16 +24,16 @@ FIELDS = (
     "mass_matrix",
     "stiffness_matrix",
 )
-#: The fields that it writes if it is given paths.
-RATES = ("eigenvalue_rates", "frequency_rates")
-#: What it writes of m given modes at N poses along T paths: (dK - lambda dM) phi, (N, T, m, n), without terms of
-#: locked joints; phi^T (dK - lambda dM) phi and phi^T dM phi, (N, T, m); dJ phi, (N, T, m, components), J the motion
-#: of the platform.
-ALONG_OF_MODES = ("changes", "mode_rates", "norms", "motions")
+#: Further fields that it writes if paths are given.
+RATE_FIELDS = ("eigenvalue_rates", "frequency_rates")
+#: Fields of m given modes that it writes at N poses along T paths: (dK - lambda dM) phi, (N, T, m, n), without terms
+#: of locked joints; phi^T (dK - lambda dM) phi and phi^T dM phi, (N, T, m); dJ phi, (N, T, m, components), J the
+#: motion of the platform.
+MODE_RATE_FIELDS = ("changes", "mode_rates", "norms", "motions")
 #: Further results along paths: dM and dK, (N, T, n, n), without terms of locked joints.
-RATES_OF_MATRICES = ("mass_rates", "stiffness_rates")
+MATRIX_RATE_FIELDS = ("mass_rates", "stiffness_rates")
 #: Further results: M and K in all coordinates, (N, e, e), without the springs of released joints.
-ALL_COORDINATES = ("mass_of_all", "stiffness_of_all")
+FULL_MATRIX_FIELDS = ("mass_of_all", "stiffness_of_all")
 #: The code of a pose whose eigenproblem needs another solver.
 UNSOLVED = -1
 
@@ -103,10 +103,10 @@ class Terms(NamedTuple):
 
 def no_paths(effects: Array) -> Terms:
     """Return the terms of no path of a robot with effects."""
-    none = np.empty(0)
-    return Terms(np.zeros(1, dtype=np.int32), none.astype(np.int32), none, effects, False, False)
+    empty = np.empty(0)
+    return Terms(np.zeros(1, dtype=np.int32), empty.astype(np.int32), empty, effects, False, False)
 
 
-def flat(values: Any) -> Array:
+def flattened(values: Any) -> Array:
     """The fields of a named tuple, one after the other."""
     return np.concatenate(values, axis=None, dtype=float)

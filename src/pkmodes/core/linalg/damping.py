@@ -19,8 +19,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-#: Modes whose eigenvalues differ by less than this fraction form a group, whose basis the damping chooses.
-REPEATED = 1e-9
+#: Modes whose eigenvalues differ by less than this fraction form a group; the damping decides which basis of it is
+#: used.
+EQUAL_TOLERANCE = 1e-9
 
 
 class ModalDamping(NamedTuple):
@@ -48,21 +49,21 @@ def modal_damping(
     """
     D = shapes @ viscous @ np.swapaxes(shapes, -1, -2)
     omega = np.sqrt(np.abs(eigenvalues[:, rigid:]))
-    of_loss = np.einsum("Nia,Nab,Nib->Ni", shapes[:, rigid:], loss, shapes[:, rigid:])
-    diagonal = rates_of_ratio(eigenvalues, ratio, rigid)[:, rigid:]
+    loss_terms = np.einsum("Nia,Nab,Nib->Ni", shapes[:, rigid:], loss, shapes[:, rigid:])
+    diagonal = modal_rates_of_ratio(eigenvalues, ratio, rigid)[:, rigid:]
     with np.errstate(divide="ignore", invalid="ignore"):
-        diagonal += np.where(of_loss == 0.0, 0.0, of_loss / omega)
-    place = np.arange(rigid, eigenvalues.shape[1])
-    D[:, place, place] += diagonal
+        diagonal += np.where(loss_terms == 0.0, 0.0, loss_terms / omega)
+    vibrations = np.arange(rigid, eigenvalues.shape[1])
+    D[:, vibrations, vibrations] += diagonal
     if loss.any():
-        for pose, group in _repeated(eigenvalues, rigid):
+        for pose, group in _repeated_groups(eigenvalues, rigid):
             phi = shapes[pose, group]
             coupling = phi @ loss[pose] @ phi.T / omega[pose, group.start - rigid : group.stop - rigid].mean()
             D[pose, group, group] += coupling - np.diag(np.diag(coupling))
     return ModalDamping(eigenvalues, D, rigid)
 
 
-def rates_of_ratio(eigenvalues: Array, ratio: float, rigid: int) -> Array:
+def modal_rates_of_ratio(eigenvalues: Array, ratio: float, rigid: int) -> Array:
     """Return the diagonal damping 2 zeta omega_i of a ratio of every vibration mode [1/s], (..., m)."""
     rates = 2.0 * ratio * np.sqrt(np.abs(eigenvalues))
     rates[..., :rigid] = 0.0
@@ -82,16 +83,16 @@ def damping_ratios(
     ratios = np.full(eigenvalues.shape, np.nan)
     diagonal = np.diagonal(damping.matrix, axis1=-2, axis2=-1)
     ratios[:, rigid:] = diagonal[:, rigid:] / (2.0 * omega[:, rigid:])
-    for pose, group in _repeated(eigenvalues, rigid):
+    for pose, group in _repeated_groups(eigenvalues, rigid):
         ratios[pose, group] = np.linalg.eigvalsh(damping.matrix[pose, group, group]) / (
             2.0 * omega[pose, group].mean()
         )
     return ratios
 
 
-def _repeated(eigenvalues: Array, rigid: int) -> Iterator[tuple[int, slice]]:
+def _repeated_groups(eigenvalues: Array, rigid: int) -> Iterator[tuple[int, slice]]:
     """Yield the groups of vibration modes with equal eigenvalues, with their poses."""
-    close = np.diff(eigenvalues, axis=1) <= REPEATED * np.abs(eigenvalues[:, 1:])
+    close = np.diff(eigenvalues, axis=1) <= EQUAL_TOLERANCE * np.abs(eigenvalues[:, 1:])
     close[:, :rigid] = False
     for pose in np.flatnonzero(close.any(axis=1)):
         for group in _groups(close[pose]):

@@ -12,7 +12,7 @@ def thin_svd(matrix: Array) -> tuple[Array, Array, Array]:
     """Return the thin singular value decomposition of a matrix.
 
     LAPACK's divide and conquer (gesdd), which NumPy calls, does not converge for a few matrices of low rank, such as
-    the signatures of causes of which many act alike.  The slower QR iteration (gesvd) takes its place there.
+    the signatures of many causes with the same effect.  The slower QR iteration (gesvd) then takes its place.
 
     - matrix: (a, b)
 

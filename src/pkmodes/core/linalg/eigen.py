@@ -17,17 +17,17 @@ Array = NDArray[np.float64]
 
 #: Components that differ from the largest by less than this fraction count as equal to it: symmetric poses have
 #: shapes with components of equal size, and rounding must not decide which of them sets the sign.
-TIE = 1e-6
+TIE_TOLERANCE = 1e-6
 
-#: Ratio of the largest eigenvalue to the lowest vibration eigenvalue up to which the latter has eleven correct
+#: Maximum ratio of the largest eigenvalue to the lowest vibration eigenvalue at which the latter has eleven correct
 #: digits: the symmetric solver's error is 1e-15 of the largest.
-GRADED = 1e4
-#: Below this ratio of the lowest to the largest eigenvalue, motions that springs hold to ground have barely nine
-#: digits: random robots with frames and links have errors of up to 2e-15 of the largest.  Their springs are solved
-#: separately (`pkmodes.core.solve.held_motions`).
-HELD = 3e-6
+MAX_EIGENVALUE_RATIO = 1e4
+#: Minimum ratio of the lowest to the largest eigenvalue: below it, motions that springs hold to ground have barely
+#: nine digits: random robots with frames and links have errors of up to 2e-15 of the largest.  Their springs are
+#: solved separately (`pkmodes.core.solve.held_motions`).
+MIN_EIGENVALUE_RATIO = 3e-6
 #: The ratio is attributed to a stiff joint if the largest eigenvalue exceeds this multiple of the base coordinates'.
-STIFFER = 10.0
+STIFF_JOINT_RATIO = 10.0
 
 
 def generalised_eigh(M: Array, K: Array) -> tuple[Array, Array]:
@@ -46,18 +46,18 @@ def generalised_eigh(M: Array, K: Array) -> tuple[Array, Array]:
     if not (diagonal > 0.0).all():
         raise np.linalg.LinAlgError("the diagonal of M is not positive")
     scale = 1.0 / np.sqrt(diagonal)
-    both = scale[..., :, None] * scale[..., None, :]
-    inverse = np.linalg.inv(np.linalg.cholesky(M * both))
+    scaling = scale[..., :, None] * scale[..., None, :]
+    inverse = np.linalg.inv(np.linalg.cholesky(M * scaling))
     transposed = np.swapaxes(inverse, -1, -2)
-    standard = inverse @ (K * both) @ transposed
+    standard = inverse @ (K * scaling) @ transposed
     eigenvalues, y = np.linalg.eigh(0.5 * (standard + np.swapaxes(standard, -1, -2)))
     scaled = np.swapaxes(transposed @ y, -1, -2)
-    scaled *= _sign(scaled)[..., None]
+    scaled *= _signs(scaled)[..., None]
     return eigenvalues, scaled * scale[..., None, :]
 
 
 def condensed_eigh(
-    M: Array, K: Array, first: int, rigid: int = 0, massless: NDArray[np.bool_] | None = None
+    M: Array, K: Array, first_joint: int, rigid: int = 0, massless: NDArray[np.bool_] | None = None
 ) -> tuple[Array, Array]:
     r"""Solve K phi = lambda M phi where released joints may have no inertia or hardly any compliance.
 
@@ -67,7 +67,7 @@ def condensed_eigh(
     vibration modes digits, the system is solved in its graded form (`pkmodes.core.linalg.graded`).
 
     - M, K: symmetric, (N, n, n); M positive definite except for rows and columns of zeros, where K must be regular
-    - first: index of the first released joint; released joints may be massless or stiff
+    - first_joint: index of the first released joint; released joints may be massless or stiff
     - rigid: number of rigid-body modes, whose eigenvalues are zero except for gravity
     - massless: which coordinates have no inertia, (n,); by default those whose rows of M are zero.  Needed for an
       empty batch.
@@ -80,74 +80,78 @@ def condensed_eigh(
     the massless ones.
     """
     if massless is None:
-        massless = without_inertia(M, first)
+        massless = without_inertia(M, first_joint)
     if not massless.any():
-        return _all_sizes(M, K, first, rigid)
+        return _eigh_with_stiff_joints(M, K, first_joint, rigid)
     q, r = np.flatnonzero(~massless), np.flatnonzero(massless)
-    follow = -np.linalg.solve(K[:, r[:, None], r], K[:, r[:, None], q])
-    eigenvalues, kept = _all_sizes(
-        M[:, q[:, None], q], K[:, q[:, None], q] + K[:, q[:, None], r] @ follow, first, rigid
+    condensation = -np.linalg.solve(K[:, r[:, None], r], K[:, r[:, None], q])
+    eigenvalues, q_shapes = _eigh_with_stiff_joints(
+        M[:, q[:, None], q], K[:, q[:, None], q] + K[:, q[:, None], r] @ condensation, first_joint, rigid
     )
     shapes = np.empty((len(M), len(q), M.shape[-1]))
-    shapes[:, :, q] = kept
-    shapes[:, :, r] = kept @ np.swapaxes(follow, -1, -2)
+    shapes[:, :, q] = q_shapes
+    shapes[:, :, r] = q_shapes @ np.swapaxes(condensation, -1, -2)
     return eigenvalues, shapes
 
 
-def without_inertia(M: Array, first: int) -> NDArray[np.bool_]:
+def without_inertia(M: Array, first_joint: int) -> NDArray[np.bool_]:
     """Return which coordinates of released joints have rows of zeros in M, (n,); none for an empty batch."""
-    none = (M == 0.0).all(axis=(0, 1)) if len(M) else np.zeros(M.shape[-1], dtype=bool)
-    return np.asarray(none & (np.arange(M.shape[-1]) >= first))
+    zero_rows = (M == 0.0).all(axis=(0, 1)) if len(M) else np.zeros(M.shape[-1], dtype=bool)
+    return np.asarray(zero_rows & (np.arange(M.shape[-1]) >= first_joint))
 
 
-def _all_sizes(M: Array, K: Array, first: int, rigid: int) -> tuple[Array, Array]:
-    """Solve the eigenproblem; solve systems whose modes lost digits to a stiff joint again, one by one."""
+def _eigh_with_stiff_joints(M: Array, K: Array, first_joint: int, rigid: int) -> tuple[Array, Array]:
+    """Solve the eigenproblem; solve again, one by one, the systems whose modes lost digits to a stiff joint."""
     eigenvalues, shapes = generalised_eigh(M, K)
-    stiff = np.flatnonzero(has_stiff_joint(eigenvalues, first, rigid))
+    stiff = np.flatnonzero(has_stiff_joint(eigenvalues, first_joint, rigid))
     if len(stiff):
         from pkmodes.core.linalg.graded import graded_eigh  # SciPy's linear algebra takes a while to import
     for i in stiff:
         scale = 1.0 / np.sqrt(np.diagonal(M[i]))
-        both = scale[:, None] * scale
-        eigenvalues[i], scaled = graded_eigh(M[i] * both, K[i] * both, first)
-        shapes[i] = scaled * _sign(scaled)[:, None] * scale
+        scaling = scale[:, None] * scale
+        eigenvalues[i], scaled = graded_eigh(M[i] * scaling, K[i] * scaling, first_joint)
+        shapes[i] = scaled * _signs(scaled)[:, None] * scale
     return eigenvalues, shapes
 
 
-def has_stiff_joint(eigenvalues: Array, first: int, rigid: int) -> NDArray[np.bool_]:
-    """Return where the largest eigenvalue belongs to a stiff joint and is too large for the symmetric solver.
+def has_stiff_joint(eigenvalues: Array, first_joint: int, rigid: int) -> NDArray[np.bool_]:
+    """Return for which systems a stiff joint has an eigenvalue too large for the symmetric solver.
+
+    It is then the largest eigenvalue.
 
     - eigenvalues: ascending, accurate to rounding of the largest or better, (N, m) or (m,)
-    - first: index of the first released joint
+    - first_joint: index of the first released joint
     - rigid: number of rigid-body modes
 
     Returns (N,) or ().
     """
-    if eigenvalues.shape[-1] <= first:
+    if eigenvalues.shape[-1] <= first_joint:
         return np.zeros(eigenvalues.shape[:-1], dtype=bool)
-    of_mode = eigenvalues.T  # numbers where there is no batch
-    largest = of_mode[-1]
-    stiff: NDArray[np.bool_] = (largest > GRADED * abs(of_mode[rigid])) & (
-        largest > STIFFER * abs(of_mode[first - 1])
+    by_mode = eigenvalues.T  # scalars if there is no batch
+    largest = by_mode[-1]
+    stiff: NDArray[np.bool_] = (largest > MAX_EIGENVALUE_RATIO * abs(by_mode[rigid])) & (
+        largest > STIFF_JOINT_RATIO * abs(by_mode[first_joint - 1])
     )
     return stiff
 
 
-def held_softly(eigenvalues: Array, motions: int) -> NDArray[np.bool_]:
-    """Return where springs to ground are too soft for the symmetric solver, (N,) or ().
+def has_soft_ground_springs(eigenvalues: Array, loose_motions: int) -> NDArray[np.bool_]:
+    """Return for which systems springs to ground are too soft for the symmetric solver, (N,) or ().
 
     - eigenvalues: ascending, accurate to rounding of the largest or better, (N, m) or (m,)
-    - motions: number of motions that nothing else holds, whether or not the springs hold all of them; 0 for a system
-      that is not held
+    - loose_motions: number of motions that nothing else holds, whether or not the springs hold all of them; 0 for a
+      system that is not held
     """
-    if not motions:
+    if not loose_motions:
         return np.zeros(eigenvalues.shape[:-1], dtype=bool)
-    size = np.abs(eigenvalues)
-    softly: NDArray[np.bool_] = size[..., :motions].min(axis=-1) < HELD * size[..., -1]
-    return softly
+    magnitudes = np.abs(eigenvalues)
+    soft: NDArray[np.bool_] = (
+        magnitudes[..., :loose_motions].min(axis=-1) < MIN_EIGENVALUE_RATIO * magnitudes[..., -1]
+    )
+    return soft
 
 
-def magnitude(eigenvalues: Array, first: int, rigid: int, motions: int = 0) -> Array:
+def rounding_scale(eigenvalues: Array, first_joint: int, rigid: int, loose_motions: int = 0) -> Array:
     """Return the magnitude to which the rounding of each eigenvalue of a robot is relative.
 
     This is the largest eigenvalue; where a joint is stiff, the larger of the eigenvalue itself and those of the
@@ -155,38 +159,40 @@ def magnitude(eigenvalues: Array, first: int, rigid: int, motions: int = 0) -> A
     of these.
 
     - eigenvalues: (N, m)
-    - first, rigid: as for `condensed_eigh`
-    - motions: as for `held_softly`
+    - first_joint, rigid: as for `condensed_eigh`
+    - loose_motions: as for `has_soft_ground_springs`
 
     Returns (N, m): not negative.
     """
-    size = np.abs(eigenvalues)
-    magnitudes = np.repeat(size.max(axis=-1, keepdims=True), size.shape[-1], axis=-1)
-    stiff = has_stiff_joint(eigenvalues, first, rigid)
-    magnitudes[stiff] = np.maximum(size[stiff], size[stiff, first - 1 : first])
-    softly = held_softly(eigenvalues, motions)
-    magnitudes[softly, :motions] = size[softly, :motions].max(axis=-1, keepdims=True, initial=0.0)
-    return magnitudes
+    magnitudes = np.abs(eigenvalues)
+    scales = np.repeat(magnitudes.max(axis=-1, keepdims=True), magnitudes.shape[-1], axis=-1)
+    stiff = has_stiff_joint(eigenvalues, first_joint, rigid)
+    scales[stiff] = np.maximum(magnitudes[stiff], magnitudes[stiff, first_joint - 1 : first_joint])
+    soft = has_soft_ground_springs(eigenvalues, loose_motions)
+    scales[soft, :loose_motions] = magnitudes[soft, :loose_motions].max(axis=-1, keepdims=True, initial=0.0)
+    return scales
 
 
-def base_level(M: Array, K: Array, first: int) -> Array:
+def base_eigenvalue_scale(M: Array, K: Array, first_joint: int) -> Array:
     """Return the largest K_ii / M_ii of the base coordinates, (N,): the order of their largest eigenvalue."""
-    level: Array = np.max(
-        np.diagonal(K, axis1=-2, axis2=-1)[:, :first] / np.diagonal(M, axis1=-2, axis2=-1)[:, :first], axis=1
+    largest: Array = np.max(
+        np.diagonal(K, axis1=-2, axis2=-1)[:, :first_joint]
+        / np.diagonal(M, axis1=-2, axis2=-1)[:, :first_joint],
+        axis=1,
     )
-    return level
+    return largest
 
 
-def positive_components(shapes: Array, M: Array) -> Array:
+def with_sign_convention(shapes: Array, M: Array) -> Array:
     """Return shapes, (N, m, n), with the signs of `generalised_eigh`."""
     scale = np.sqrt(np.diagonal(M, axis1=-2, axis2=-1))[:, None, :]
-    return np.asarray(shapes * _sign(shapes * scale)[..., None])
+    return np.asarray(shapes * _signs(shapes * scale)[..., None])
 
 
-def _sign(shapes: Array) -> Array:
-    size = np.abs(shapes)
-    largest = np.argmax(size >= (1.0 - TIE) * size.max(axis=-1, keepdims=True), axis=-1)
-    return np.sign(np.take_along_axis(shapes, largest[..., None], axis=-1))[..., 0]
+def _signs(shapes: Array) -> Array:
+    magnitudes = np.abs(shapes)
+    index = np.argmax(magnitudes >= (1.0 - TIE_TOLERANCE) * magnitudes.max(axis=-1, keepdims=True), axis=-1)
+    return np.sign(np.take_along_axis(shapes, index[..., None], axis=-1))[..., 0]
 
 
 def natural_frequencies(eigenvalues: Array) -> Array:

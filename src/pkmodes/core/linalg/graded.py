@@ -23,14 +23,14 @@ from scipy.linalg.lapack import dgejsv
 Array = NDArray[np.float64]
 
 #: A coordinate this much stiffer than a mode follows its forces quasi-statically, up to a small correction.
-STIFF = 1e4
+QUASI_STATIC_RATIO = 1e4
 
 
-def graded_eigh(M: Array, K: Array, soft: int, shift: float = 0.0) -> tuple[Array, Array]:
+def graded_eigh(M: Array, K: Array, soft_count: int, shift: float = 0.0) -> tuple[Array, Array]:
     """Solve K phi = lambda M phi for one system with some very stiff coordinates.
 
     - M, K: symmetric, (n, n); M positive definite with a unit diagonal.  The diagonal of K may be arbitrarily large.
-    - soft: at least this many coordinates are not stiff
+    - soft_count: at least this many coordinates are not stiff
     - shift: a larger shift, if that of the soft coordinates does not make K + shift M positive definite
 
     Returns, in this order:
@@ -44,11 +44,15 @@ def graded_eigh(M: Array, K: Array, soft: int, shift: float = 0.0) -> tuple[Arra
     order = np.argsort(np.diagonal(K), kind="stable")
     M, K = M[np.ix_(order, order)], K[np.ix_(order, order)]
     # Exactly triangular, so that large numbers of later rows do not enter earlier ones.
-    unit = np.eye(len(M))
-    inverse = unit if np.array_equal(M, unit) else solve_triangular(np.linalg.cholesky(M), unit, lower=True)
-    H = inverse @ K @ inverse.T
+    identity = np.eye(len(M))
+    inverse_factor = (
+        identity
+        if np.array_equal(M, identity)
+        else solve_triangular(np.linalg.cholesky(M), identity, lower=True)
+    )
+    H = inverse_factor @ K @ inverse_factor.T
     H = 0.5 * (H + H.T)
-    shift = max(shift, 2.0 * float(np.linalg.norm(H[:soft, :soft])))
+    shift = max(shift, 2.0 * float(np.linalg.norm(H[:soft_count, :soft_count])))
     H[np.diag_indices_from(H)] += shift
     # gejsv is designed for scaled columns.  U is not needed, but without it gejsv takes a path that may fail.
     sigma, _, V, scaled, _, info = dgejsv(np.linalg.cholesky(H).T, joba=0, jobu=0, jobv=1, jobt=1)
@@ -56,22 +60,22 @@ def graded_eigh(M: Array, K: Array, soft: int, shift: float = 0.0) -> tuple[Arra
         raise np.linalg.LinAlgError("the singular value decomposition did not converge")
     sigma = sigma * (scaled[0] / scaled[1])
     eigenvalues = (sigma * sigma - shift)[::-1]
-    sorted_shapes = (inverse.T @ V).T[::-1]
-    _follow(M, K, eigenvalues, sorted_shapes, shift)
+    sorted_shapes = (inverse_factor.T @ V).T[::-1]
+    _correct_stiff_coordinates(M, K, eigenvalues, sorted_shapes, shift)
     shapes = np.empty_like(sorted_shapes)
     shapes[:, order] = sorted_shapes
     return eigenvalues, shapes
 
 
-def _follow(M: Array, K: Array, eigenvalues: Array, shapes: Array, shift: float) -> None:
-    """Correct in place the stiff coordinates of softer modes, using their rows of (K - lambda M) phi = 0."""
-    size = np.sqrt(np.abs(np.diagonal(K)))
-    for i, value in enumerate(eigenvalues):
-        first = int(np.searchsorted(np.diagonal(K), STIFF * max(abs(value), shift)))
-        if first == len(size):
+def _correct_stiff_coordinates(M: Array, K: Array, eigenvalues: Array, shapes: Array, shift: float) -> None:
+    """Correct the stiff coordinates of softer modes in place, from their rows of (K - lambda M) phi = 0."""
+    scales = np.sqrt(np.abs(np.diagonal(K)))
+    for i, eigenvalue in enumerate(eigenvalues):
+        first_stiff = int(np.searchsorted(np.diagonal(K), QUASI_STATIC_RATIO * max(abs(eigenvalue), shift)))
+        if first_stiff == len(scales):
             continue
-        rows = K[first:] - value * M[first:]
-        scale = size[first:]
-        forces = rows[:, :first] @ shapes[i, :first]
-        scaled = rows[:, first:] / (scale[:, None] * scale)
-        shapes[i, first:] = -np.linalg.solve(scaled, forces / scale) / scale
+        rows = K[first_stiff:] - eigenvalue * M[first_stiff:]
+        stiff_scales = scales[first_stiff:]
+        forces = rows[:, :first_stiff] @ shapes[i, :first_stiff]
+        scaled = rows[:, first_stiff:] / (stiff_scales[:, None] * stiff_scales)
+        shapes[i, first_stiff:] = -np.linalg.solve(scaled, forces / stiff_scales) / stiff_scales

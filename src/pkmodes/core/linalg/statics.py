@@ -1,4 +1,4 @@
-"""Statics of small vibration problems: the softest direction, and what a step excites."""
+"""Small vibration problems: compliance, stiffness in the softest direction, and amplitudes after a step."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ def compliance(stiffness: Array, motion: Array) -> Array:
     return np.asarray(0.5 * (flexibility + np.swapaxes(flexibility, -1, -2)))
 
 
-def softest(stiffness: Array, motion: Array) -> Array:
+def softest_stiffness(stiffness: Array, motion: Array) -> Array:
     """Return the smallest eigenvalue of the stiffness against forces on some outputs, (N,).
 
     It is that of the inverse of the `compliance`, negative where the system is not stable.  Arguments are the same.
     """
-    values = np.linalg.eigvalsh(compliance(stiffness, motion))
+    compliances = np.linalg.eigvalsh(compliance(stiffness, motion))
     with np.errstate(divide="ignore"):
-        return np.asarray((1.0 / values).min(axis=-1))
+        return np.asarray((1.0 / compliances).min(axis=-1))
 
 
-def amplitudes_of_steps(eigenvalues: Array, shapes: Array, outputs: Array, momenta: Array) -> Array:
+def step_amplitudes(eigenvalues: Array, shapes: Array, outputs: Array, momenta: Array) -> Array:
     r"""Return the amplitude with which each mode rings after a step of acceleration, (N, m, j).
 
     .. math:: |l \phi_i| \, |\phi_i^T M r_j| \, / \, \omega_i^2
@@ -38,6 +38,6 @@ def amplitudes_of_steps(eigenvalues: Array, shapes: Array, outputs: Array, momen
     - outputs: l phi_i, (N, m, d): the norm over the d outputs counts
     - momenta: M r_j, with the motion r_j that is accelerated by 1, (N, n, j)
     """
-    moved = np.linalg.norm(outputs, axis=-1, keepdims=True)
+    output_sizes = np.linalg.norm(outputs, axis=-1, keepdims=True)
     with np.errstate(divide="ignore", invalid="ignore"):
-        return np.asarray(moved * np.abs(shapes @ momenta) / np.abs(eigenvalues)[..., None])
+        return np.asarray(output_sizes * np.abs(shapes @ momenta) / np.abs(eigenvalues)[..., None])

@@ -58,7 +58,7 @@ class Mechanism(Description, frozen=True, eq=False, dict=True, kw_only=True):
 
     @cached_property
     def conservative_effects(self) -> dict[str, Effect]:
-        """Those that change M or K: all but those that only dissipate."""
+        """The effects that change M or K: all except those that only dissipate."""
         return {name: effect for name, effect in self.effects.items() if not effect.dissipates}
 
     @cached_property
@@ -78,12 +78,12 @@ class Mechanism(Description, frozen=True, eq=False, dict=True, kw_only=True):
 
     @cached_property
     def placed(self) -> ModuleType:
-        """The generated motion of the places of terms, and matrices of mounts."""
+        """The generated module ``terms``: the motion at the places of terms, and the matrices of mounts."""
         return import_module(f"{self.package}.terms")
 
     @cached_property
     def drawn(self) -> ModuleType:
-        """The generated points and springs of the drawing."""
+        """The generated module ``drawing``: the points and springs of the drawing."""
         return import_module(f"{self.package}.drawing")
 
 

@@ -16,10 +16,10 @@ def unit_direction(
 ) -> NDArray[np.float64]:
     """Return a unit vector, (d,).
 
-    - direction: as the user gives it: a number for each of the directions, not all of them 0
+    - direction: from the user: a number for each of the directions, not all of them 0
     - directions: linear components of the pose
     - where: for messages
-    - error: of the error
+    - error: class of the error
 
     Raises PkmodesError if it is not a direction.
     """

@@ -20,7 +20,7 @@ class Generated:
     """
 
     def __init__(self, module: Any, parameters: Any = None, effects: Any = None) -> None:
-        self._module, self._supplied = module, {"parameters": parameters, "effects": effects}
+        self._module, self._bound = module, {"parameters": parameters, "effects": effects}
 
     @property
     def coordinates(self) -> int:
@@ -33,13 +33,17 @@ class Generated:
 
     def __getattr__(self, name: str) -> Callable[..., Any]:
         function = getattr(self._module, name)
-        supplied = [self._supplied[taken] for taken in _taken(function) if self._supplied[taken] is not None]
-        return lambda *arguments: function(*arguments, *supplied)
+        bound = [
+            self._bound[name_taken]
+            for name_taken in _bound_arguments(function)
+            if self._bound[name_taken] is not None
+        ]
+        return lambda *arguments: function(*arguments, *bound)
 
 
 @cache
-def _taken(function: Callable[..., Any]) -> tuple[str, ...]:
+def _bound_arguments(function: Callable[..., Any]) -> tuple[str, ...]:
     """Return which of ``parameters`` and ``effects`` a function takes."""
-    declared = signature(function).parameters
-    variadic = any(parameter.kind is Parameter.VAR_POSITIONAL for parameter in declared.values())
-    return tuple(name for name in ("parameters", "effects") if variadic or name in declared)
+    signature_parameters = signature(function).parameters
+    variadic = any(parameter.kind is Parameter.VAR_POSITIONAL for parameter in signature_parameters.values())
+    return tuple(name for name in ("parameters", "effects") if variadic or name in signature_parameters)

@@ -25,17 +25,17 @@ def characteristic_length(mechanism: Mechanism, parameters: Any) -> float:
 
 
 def middle_of_joints(mechanism: Mechanism, parameters: Any) -> Array:
-    """Return the middle of the joints of a platform that turns, from its origin in platform axes, (3,) [m]."""
+    """Return the centre of the joints of a platform that turns, from its origin in platform axes, (3,) [m]."""
     return np.asarray(Generated(mechanism.model, parameters).platform_joints()[1])
 
 
 def lengths_of(mechanism: Mechanism, parameters: Any) -> Array:
-    """Return what turns each component of the platform's motion into a length: 1, or the characteristic length."""
+    """Return a factor for each component of the platform's motion: 1, or the characteristic length of a rotation."""
     length = characteristic_length(mechanism, parameters)
     return np.array([1.0] * len(mechanism.directions) + [length] * len(mechanism.rotations))
 
 
-def headings(mechanism: Mechanism) -> list[str]:
+def unit_vector_headings(mechanism: Mechanism) -> list[str]:
     """Return the headings of `unit_vectors` in tables: L is the characteristic length."""
     return [
         f"{component.name}*L" if component.unit == "rad" else component.name
@@ -50,6 +50,6 @@ def unit_vectors(motions: Array, lengths: Array) -> Array:
 
     A vector is 0 where the platform does not move.
     """
-    moved = motions * lengths
-    size = np.linalg.norm(moved, axis=-1, keepdims=True)
-    return np.asarray(moved / np.where(size > 0.0, size, 1.0))
+    scaled = motions * lengths
+    norms = np.linalg.norm(scaled, axis=-1, keepdims=True)
+    return np.asarray(scaled / np.where(norms > 0.0, norms, 1.0))

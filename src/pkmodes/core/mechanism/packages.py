@@ -20,27 +20,29 @@ from pathlib import Path
 from pkmodes.core.base.errors import PkmodesError
 
 #: Entry points of this group name packages with generated code: ``five_bar = "my_robots.five_bar"``.
-GROUP = "pkmodes.mechanisms"
-OPTION = "--mechanism"
-PREFIX = "pkmodes_folder_"
+ENTRY_POINT_GROUP = "pkmodes.mechanisms"
+MECHANISM_OPTION = "--mechanism"
+PACKAGE_PREFIX = "pkmodes_folder_"
 DEFINITION = "definition.py"
 #: Prefix of the files in a mechanism's folder with effects that are not in the catalogue.
 EFFECT_PREFIX = "effect_"
-FILES = ("__init__.py", "model.py", "extended.py", "drawing.py", "terms.py", "description.json")
-GIVE = "give the folder DIR/<mechanism> written by: pkmodes generate --mechanism FILE.py ROBOT.toml --out DIR"
+REQUIRED_FILES = ("__init__.py", "model.py", "extended.py", "drawing.py", "terms.py", "description.json")
+FOLDER_REMEDY = (
+    "give the folder DIR/<mechanism> written by: pkmodes generate --mechanism FILE.py ROBOT.toml --out DIR"
+)
 
 _folders: dict[str, str] = {}
 
 
 @cache
-def installed() -> dict[str, str]:
+def installed_packages() -> dict[str, str]:
     """Return the installed mechanism packages by mechanism name."""
     from importlib.metadata import entry_points  # slow, so imported only for a name that is otherwise unknown
 
-    return {point.name: point.value for point in entry_points(group=GROUP)}
+    return {point.name: point.value for point in entry_points(group=ENTRY_POINT_GROUP)}
 
 
-def imported(path: str | PathLike[str]) -> str:
+def import_folder(path: str | PathLike[str]) -> str:
     """Import a generated folder and return the name of the package.
 
     Raises PkmodesError if the folder is not a generated one, or its code raises.
@@ -50,29 +52,33 @@ def imported(path: str | PathLike[str]) -> str:
         problem = "no such folder"
         if folder.is_file():
             problem = "expected the folder of a generated mechanism, found a file"
-        raise PkmodesError(problem, str(folder), GIVE)
-    missing = [name for name in FILES if not (folder / name).is_file()]
+        raise PkmodesError(problem, str(folder), FOLDER_REMEDY)
+    missing = [name for name in REQUIRED_FILES if not (folder / name).is_file()]
     if missing:
-        problem, remedy = f"expected the folder of a generated mechanism, but {missing[0]} is missing", GIVE
+        problem, remedy = (
+            f"expected the folder of a generated mechanism, but {missing[0]} is missing",
+            FOLDER_REMEDY,
+        )
         with suppress(OSError, ValueError, LookupError, TypeError, RecursionError):
             # The folder of a robot's model may have that of its mechanism inside.
             name = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))["mechanism"]
             if (folder / name / "description.json").is_file():
                 remedy = f"give the mechanism folder inside it: {folder / name}"
         raise PkmodesError(problem, str(folder), remedy)
-    content = b"\0".join((folder / name).read_bytes() for name in FILES)
+    content = b"\0".join((folder / name).read_bytes() for name in REQUIRED_FILES)
     folder = folder.resolve()
     package = (
-        PREFIX + hashlib.sha256(f"{folder}\0".encode("utf-8", "surrogateescape") + content).hexdigest()[:16]
+        PACKAGE_PREFIX
+        + hashlib.sha256(f"{folder}\0".encode("utf-8", "surrogateescape") + content).hexdigest()[:16]
     )
     if package not in sys.modules:
         _import(package, folder)
     return package
 
 
-def again(package: str, folder: str) -> str:
-    """Import a folder that another process imported; reuse the package if this process has it already."""
-    return package if package in sys.modules else imported(folder)
+def import_again(package: str, folder: str) -> str:
+    """Import a folder that another process imported, unless this process has imported the package already."""
+    return package if package in sys.modules else import_folder(folder)
 
 
 def folder_of(package: str) -> str | None:
@@ -87,7 +93,7 @@ def effect_files(package: str, effects: Iterable[str]) -> list[Path]:
     return [file for file in files if file.is_file()]
 
 
-def place_of(package: str) -> str:
+def package_location(package: str) -> str:
     """Return the location of a package, for messages."""
     return _folders.get(package, f"package {package}")
 

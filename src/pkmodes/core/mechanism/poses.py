@@ -23,7 +23,7 @@ from pkmodes_description import Margin
 Array = NDArray[np.float64]
 OnError = Literal["raise", "nan"]
 #: Indices of some poses in the array of all poses.
-Where = slice | NDArray[np.intp]
+PoseIndices = slice | NDArray[np.intp]
 
 #: Beyond this condition number the platform Jacobian has lost six digits, and the rigid-link model is not valid.
 MAX_CONDITION = 1e6
@@ -33,10 +33,10 @@ CHUNK = 2048
 
 #: The condition checked before the mechanism's margins: its code and what violating it means.
 FINITE = ("finite", "a coordinate is NaN or infinite")
-IN_WORDS = {"m": "metres", "rad": "radians"}
+UNIT_NAMES = {"m": "metres", "rad": "radians"}
 
 
-class Meant(NamedTuple):
+class LikelyUnit(NamedTuple):
     """The unit probably meant by bare numbers of at least a size: factor to SI, name, plural."""
 
     size: float
@@ -46,18 +46,18 @@ class Meant(NamedTuple):
 
 
 #: Units probably meant by large bare numbers, by SI unit.
-MEANT = {
-    "m": Meant(10.0, 1e-3, "mm", "millimetres"),
-    "rad": Meant(np.pi / 2, np.pi / 180, "deg", "degrees"),
+LIKELY_UNITS = {
+    "m": LikelyUnit(10.0, 1e-3, "mm", "millimetres"),
+    "rad": LikelyUnit(np.pi / 2, np.pi / 180, "deg", "degrees"),
 }
 #: Smallest bare length that was probably meant in another unit [m].
-LARGE = MEANT["m"].size
-#: Rows of D_l are linearly dependent where a singular value is at most the first fraction of the largest; a row takes
-#: part if its share in the vanishing combination exceeds the second.
-DEPENDENT, TAKES_PART = 1e-4, 1e-3
+LARGE_LENGTH = LIKELY_UNITS["m"].size
+#: Rows of D_l are linearly dependent if a singular value is at most the first fraction of the largest; a row is
+#: one of them if its share in the vanishing combination exceeds the second.
+DEPENDENT_FRACTION, MIN_SHARE = 1e-4, 1e-3
 
 
-def reasons(mechanism: Mechanism) -> dict[str, str]:
+def reason_meanings(mechanism: Mechanism) -> dict[str, str]:
     """Return the reasons why a pose cannot be evaluated, in the order of the checks: code and meaning."""
     meanings = dict([FINITE])
     for margin in mechanism.margins:
@@ -74,7 +74,7 @@ class CheckedPoses(NamedTuple):
     """Validated poses.
 
     - points: poses, d components each, in SI units, (N, d)
-    - codes: indices into `reasons`, (N,): 0 for a pose that can be evaluated, otherwise the reason why not
+    - codes: indices into `reason_meanings`, (N,): 0 for a pose that can be evaluated, otherwise the reason why not
     - batch: leading axes of the poses as the caller gave them
     - reasons: the reasons that the codes index
     - unsolved: which poses NumPy evaluated because the solver could not
@@ -91,7 +91,7 @@ class CheckedPoses(NamedTuple):
         """Mask of the poses that can be evaluated, (N,)."""
         return np.asarray(self.codes == 0)
 
-    def parts(self, size: int, *, even: bool = False) -> Iterator[tuple[Where, NDArray[np.float64]]]:
+    def parts(self, size: int, *, even: bool = False) -> Iterator[tuple[PoseIndices, NDArray[np.float64]]]:
         """Yield the valid poses part by part: their positions among all poses, and the poses, (n, d).
 
         If there are none, one empty part is yielded, so that results still get the right shapes.
@@ -99,18 +99,18 @@ class CheckedPoses(NamedTuple):
         - size: largest number of poses in a part
         - even: whether to make parts of equal size instead of full parts and a remainder
         """
-        places = np.flatnonzero(self.valid) if self.codes.any() else None
-        count = len(self.points) if places is None else len(places)
-        number = max(-(-count // size), 1)
-        least, remainder = divmod(count, number)  # the first `remainder` parts have one pose more
-        for i in range(number):
+        valid = np.flatnonzero(self.valid) if self.codes.any() else None
+        count = len(self.points) if valid is None else len(valid)
+        part_count = max(-(-count // size), 1)
+        part_size, remainder = divmod(count, part_count)  # the first `remainder` parts have one pose more
+        for i in range(part_count):
             start, stop = (
-                (i * least + min(i, remainder), (i + 1) * least + min(i + 1, remainder))
+                (i * part_size + min(i, remainder), (i + 1) * part_size + min(i + 1, remainder))
                 if even
                 else (i * size, min((i + 1) * size, count))
             )
-            where: Where = slice(start, stop) if places is None else places[start:stop]
-            yield where, self.points[where]
+            indices: PoseIndices = slice(start, stop) if valid is None else valid[start:stop]
+            yield indices, self.points[indices]
 
 
 def check_poses(
@@ -130,10 +130,10 @@ def check_poses(
     Raises PoseError if the array does not hold poses; with ``on_error="raise"`` also if a pose is not finite or
     violates a condition of the mechanism.
     """
-    points, batch = given_poses(poses, mechanism, on_error)
+    points, batch = check_pose_array(poses, mechanism, on_error)
     codes = pose_codes(points, mechanism, parameters, max_condition)
     if on_error == "raise":
-        refuse(points, codes, mechanism, parameters)
+        raise_first_bad(points, codes, mechanism, parameters)
     return CheckedPoses(points, codes, batch, codes_of(mechanism))
 
 
@@ -144,16 +144,18 @@ def pose_codes(
     codes, generated = np.empty(len(points), dtype=np.int8), Generated(mechanism.model, parameters)
     for start in range(0, len(points), CHUNK):
         part = points[start : start + CHUNK]
-        failed = [~np.isfinite(part).all(axis=-1)]
+        violations = [~np.isfinite(part).all(axis=-1)]
         with np.errstate(all="ignore"):  # the margins report the error; a NaN compares false and so fails
             for margin in mechanism.margins:
-                values = margin_of(generated, margin, part).reshape(len(part), -1)
-                failed.append(~_holds(margin, values, max_condition).all(axis=-1))
-        codes[start : start + CHUNK] = np.select(failed, range(1, len(failed) + 1), 0)
+                values = evaluate_margin(generated, margin, part).reshape(len(part), -1)
+                violations.append(~_is_met(margin, values, max_condition).all(axis=-1))
+        codes[start : start + CHUNK] = np.select(violations, range(1, len(violations) + 1), 0)
     return codes
 
 
-def given_poses(poses: ArrayLike, mechanism: Mechanism, on_error: OnError) -> tuple[Array, tuple[int, ...]]:
+def check_pose_array(
+    poses: ArrayLike, mechanism: Mechanism, on_error: OnError
+) -> tuple[Array, tuple[int, ...]]:
     """Check the pose arguments of a method; return the poses as (N, d) and their leading axes.
 
     Raises PoseError if the array is not one of poses, or `on_error` is unknown.
@@ -166,14 +168,14 @@ def given_poses(poses: ArrayLike, mechanism: Mechanism, on_error: OnError) -> tu
         )
 
     def remedy() -> str:
-        units = [IN_WORDS.get(unit, "SI units") for unit in dict.fromkeys(c.unit for c in mechanism.pose)]
+        units = [UNIT_NAMES.get(unit, "SI units") for unit in dict.fromkeys(c.unit for c in mechanism.pose)]
         names = ", ".join(component.name for component in mechanism.pose)
         return f"give poses [{names}] in {' and '.join(dict.fromkeys(units))}: {mechanism.pose_is}"
 
     return as_points(poses, "poses", len(mechanism.pose), remedy)
 
 
-def refuse(points: Array, codes: NDArray[np.int8], mechanism: Mechanism, parameters: Any) -> None:
+def raise_first_bad(points: Array, codes: NDArray[np.int8], mechanism: Mechanism, parameters: Any) -> None:
     """Raise the error of the first pose that cannot be evaluated, if there is one.
 
     - points: (N, d)
@@ -186,17 +188,17 @@ def refuse(points: Array, codes: NDArray[np.int8], mechanism: Mechanism, paramet
         return
     index = int(np.argmax(codes != 0))
     first_bad = slice(index, index + 1)
-    ((problem, remedy),) = explained(points[first_bad], codes[first_bad], mechanism, parameters)
-    bad = int(np.count_nonzero(codes))
-    where = f"pose {index} at {placed(mechanism, points[index])}" + (
-        f", the first of {bad} bad poses" if bad > 1 else ""
+    ((problem, remedy),) = explain_codes(points[first_bad], codes[first_bad], mechanism, parameters)
+    bad_count = int(np.count_nonzero(codes))
+    where = f"pose {index} at {format_pose(mechanism, points[index])}" + (
+        f", the first of {bad_count} bad poses" if bad_count > 1 else ""
     )
     if len(points) > 1:
         remedy += ', or use on_error="nan" to get NaN instead'
     raise PoseError(problem, where, remedy, index)
 
 
-def largest_condition(limit: float) -> float:
+def check_max_condition(limit: float) -> float:
     """Check the largest condition number that counts as regular.
 
     Raises PkmodesError if it is not a positive number.
@@ -231,26 +233,26 @@ def as_points(
     return array.reshape(-1, size), array.shape[:-1]
 
 
-def placed(mechanism: Mechanism, point: Sequence[float] | Array, digits: str = ".6g") -> str:
+def format_pose(mechanism: Mechanism, point: Sequence[float] | Array, digits: str = ".6g") -> str:
     """Format a pose for messages and tables: ``[0.6, 0, -0.245] m``, or ``[0, 0, 0.5] m, [0.02, 0, 0] rad``."""
     numbers = iter([format(float(value), digits) for value in point])
     units = groupby(component.unit for component in mechanism.pose)
-    return ", ".join(f"[{', '.join(next(numbers) for _ in alike)}] {unit}" for unit, alike in units)
+    return ", ".join(f"[{', '.join(next(numbers) for _ in components)}] {unit}" for unit, components in units)
 
 
-def margin_of(generated: Generated, margin: Margin, points: Array) -> Array:
+def evaluate_margin(generated: Generated, margin: Margin, points: Array) -> Array:
     """Evaluate one of a mechanism's margins at poses; of several results, select the margin's output."""
     results = getattr(generated, margin.function)(points)
     return np.asarray(results[margin.output] if isinstance(results, tuple) else results)
 
 
-def _holds(margin: Margin, values: Array, max_condition: float) -> NDArray[np.bool_]:
+def _is_met(margin: Margin, values: Array, max_condition: float) -> NDArray[np.bool_]:
     if margin.rule == "at_most_limit":
         return np.asarray(values <= max_condition)
     return np.asarray(values > 0.0 if margin.rule == "above_zero" else values >= 0.0)
 
 
-def explained(
+def explain_codes(
     points: NDArray[np.float64], codes: NDArray[np.int8], mechanism: Mechanism, parameters: Any
 ) -> list[tuple[str, str]]:
     """Return what is wrong with poses that cannot be evaluated, and the remedies.
@@ -261,7 +263,7 @@ def explained(
     """
     with np.errstate(all="ignore"):
         generated = Generated(mechanism.model, parameters)
-        values = [margin_of(generated, margin, points) for margin in mechanism.margins]
+        values = [evaluate_margin(generated, margin, points) for margin in mechanism.margins]
     explanations = []
     for i, code in enumerate(codes.tolist()):
         if code == 1:
@@ -270,7 +272,7 @@ def explained(
             )
             continue
         margin = mechanism.margins[code - 2]
-        problem, remedy = _sentence(margin, values[code - 2][i])
+        problem, remedy = _problem_and_remedy(margin, values[code - 2][i])
         if margin.rule == "at_most_limit" and mechanism.rotations:
             problem += _dependent_rows(generated, points[i])
         explanations.append((problem, remedy))
@@ -283,31 +285,31 @@ def _dependent_rows(generated: Generated, point: Array) -> str:
         return ""
     with np.errstate(all="ignore"):
         D_l, _ = generated.constraint_jacobians(point)
-        sizes = np.abs(D_l).max(axis=0)
-        alike = D_l / np.where(sizes > 0.0, sizes, 1.0)
-        alike /= np.linalg.norm(alike, axis=1, keepdims=True)
-    if not np.isfinite(alike).all():
+        column_sizes = np.abs(D_l).max(axis=0)
+        scaled_rows = D_l / np.where(column_sizes > 0.0, column_sizes, 1.0)
+        scaled_rows /= np.linalg.norm(scaled_rows, axis=1, keepdims=True)
+    if not np.isfinite(scaled_rows).all():
         return ""
-    U, values, _ = np.linalg.svd(alike)
-    null = U[:, values <= DEPENDENT * values[0]]
-    rows = np.flatnonzero(np.linalg.norm(null, axis=1) > TAKES_PART) + 1
+    U, values, _ = np.linalg.svd(scaled_rows)
+    null_space = U[:, values <= DEPENDENT_FRACTION * values[0]]
+    rows = np.flatnonzero(np.linalg.norm(null_space, axis=1) > MIN_SHARE) + 1
     if len(rows) < 2:
         return ""
-    listed = f"{', '.join(map(str, rows[:-1]))} and {rows[-1]}"
-    return f"; its rows {listed}, one for each leg, depend on each other"
+    row_list = f"{', '.join(map(str, rows[:-1]))} and {rows[-1]}"
+    return f"; its rows {row_list}, one for each leg, depend on each other"
 
 
-def _sentence(margin: Margin, values: Array) -> tuple[str, str]:
-    """Return what is wrong with a pose that violates a margin, whose values there are (...), and the remedy."""
+def _problem_and_remedy(margin: Margin, values: Array) -> tuple[str, str]:
+    """Return what is wrong with a pose that violates a margin, and the remedy, from the margin's values (...)."""
     if margin.rule == "at_most_limit":
         value = float(values.max())  # NaN if any value is NaN
         return margin.sentence.format(value=plain(np.inf if np.isnan(value) else value, 3)), margin.remedy
-    place = np.unravel_index(int(np.argmin(values)), values.shape)
-    lacking = -float(values[place])
-    size = f"{lacking:.4g} {margin.unit}".removesuffix(" 1")
+    worst = np.unravel_index(int(np.argmin(values)), values.shape)
+    shortfall = -float(values[worst])
+    shortfall_text = f"{shortfall:.4g} {margin.unit}".removesuffix(" 1")
     problem = margin.sentence.format(
-        *(names[i] for names, i in zip(margin.names, place, strict=True)),
-        missing=size if np.isfinite(lacking) else "far",
-        short="of no length" if lacking == 0.0 else f"{size} too short",
+        *(names[i] for names, i in zip(margin.names, worst, strict=True)),
+        missing=shortfall_text if np.isfinite(shortfall) else "far",
+        short="of no length" if shortfall == 0.0 else f"{shortfall_text} too short",
     )
     return problem, margin.remedy

@@ -10,20 +10,20 @@ from importlib.resources import files
 from os import PathLike
 
 from pkmodes.core.base.errors import PkmodesError, nearest_name, shown
+from pkmodes.core.mechanism.code_check import check_code
 from pkmodes.core.mechanism.described import Mechanism, described_mechanism
-from pkmodes.core.mechanism.fitting import check_code
 from pkmodes.core.mechanism.packages import (
-    OPTION,
-    again,
+    MECHANISM_OPTION,
     effect_files,
     folder_of,
-    imported,
-    installed,
-    place_of,
+    import_again,
+    import_folder,
+    installed_packages,
+    package_location,
 )
 from pkmodes_description import FILE_NAME, DescriptionError
 
-__all__ = ["Mechanism", "add", "add_folder", "mechanism", "names", "supplied", "temporarily_registered"]
+__all__ = ["Mechanism", "add", "add_folder", "mechanism", "names", "supplied_names", "temporarily_registered"]
 
 #: The package of the generated models.
 GENERATED = "pkmodes_generated"
@@ -39,11 +39,11 @@ def names() -> tuple[str, ...]:
     tuple of str
         In alphabetical order.
     """
-    return tuple(sorted({*supplied(), *_added, *installed()}))
+    return tuple(sorted({*supplied_names(), *_added, *installed_packages()}))
 
 
 @cache
-def supplied() -> tuple[str, ...]:
+def supplied_names() -> tuple[str, ...]:
     """Return the names of the mechanisms that come with pkmodes."""
     return tuple(sorted(entry.name for entry in files(GENERATED).iterdir() if (entry / FILE_NAME).is_file()))
 
@@ -68,11 +68,13 @@ def mechanism(name: str) -> Mechanism:
     """
     if name in _added:
         return _read(_added[name])
-    if name in supplied():
+    if name in supplied_names():
         return _read(f"{GENERATED}.{name}")
-    if name in installed():
-        return _fitting(installed()[name])
-    remedy = nearest_name(name, names(), f"known: {', '.join(names())}; add one of your own with {OPTION}")
+    if name in installed_packages():
+        return _checked_mechanism(installed_packages()[name])
+    remedy = nearest_name(
+        name, names(), f"known: {', '.join(names())}; add one of your own with {MECHANISM_OPTION}"
+    )
     raise PkmodesError(f"unknown mechanism {shown(name)}", "mechanism", remedy)
 
 
@@ -83,11 +85,11 @@ def add(package: str) -> Mechanism:
 
     Raises PkmodesError if it cannot be imported, or has the name of a mechanism of pkmodes.
     """
-    added = _described_in(package)
-    of_pkmodes = package == f"{GENERATED}.{added.name}" or effect_files(package, added.effects)
-    if added.name in supplied() and not of_pkmodes:
+    added = _read_description(package)
+    is_supplied = package == f"{GENERATED}.{added.name}" or effect_files(package, added.effects)
+    if added.name in supplied_names() and not is_supplied:
         problem = f"{shown(added.name)} is a mechanism of pkmodes already"
-        raise PkmodesError(problem, place_of(package), "give your mechanism another name")
+        raise PkmodesError(problem, package_location(package), "give your mechanism another name")
     _added[added.name] = package
     return added
 
@@ -114,33 +116,33 @@ def add_folder(path: str | PathLike[str]) -> Mechanism:
         If it is not such a folder, cannot be imported, its description does not fit its code, or it has the name of
         a mechanism of pkmodes.
     """
-    package = imported(path)
-    _fitting(package)
+    package = import_folder(path)
+    _checked_mechanism(package)
     return add(package)
 
 
 @contextmanager
 def temporarily_registered(path: str | PathLike[str]) -> Iterator[Mechanism]:
     """Register the mechanism in a folder for the duration of the context."""
-    before = dict(_added)
+    previous = dict(_added)
     try:
         yield add_folder(path)
     finally:
         _added.clear()
-        _added.update(before)
+        _added.update(previous)
 
 
-def _unpickled(package: str, folder: str | None) -> Mechanism:
+def _unpickle(package: str, folder: str | None) -> Mechanism:
     """Restore a mechanism from another process and register it, as it was registered there."""
     if folder is not None:
-        package = again(package, folder)
+        package = import_again(package, folder)
     restored = _read(package)
     if restored.name not in names():
         _added[restored.name] = package
     return restored
 
 
-copyreg.pickle(Mechanism, lambda mechanism: (_unpickled, (mechanism.package, folder_of(mechanism.package))))
+copyreg.pickle(Mechanism, lambda mechanism: (_unpickle, (mechanism.package, folder_of(mechanism.package))))
 
 
 @cache
@@ -148,21 +150,21 @@ def _read(package: str) -> Mechanism:
     return described_mechanism(package)
 
 
-def _described_in(package: str) -> Mechanism:
+def _read_description(package: str) -> Mechanism:
     remedy = "generate it again, or name the package that has its description.json"
     try:
         return _read(package)
     except DescriptionError as error:
         problem = f"cannot read the description of a mechanism: {error}"
-        raise PkmodesError(problem, place_of(package), remedy) from None
+        raise PkmodesError(problem, package_location(package), remedy) from None
     except (ImportError, OSError, ValueError, LookupError, TypeError) as error:
         problem = f"cannot read the description of a mechanism: {type(error).__name__}: {error}"
-        raise PkmodesError(problem, place_of(package), remedy) from None
+        raise PkmodesError(problem, package_location(package), remedy) from None
 
 
 @cache
-def _fitting(package: str) -> Mechanism:
+def _checked_mechanism(package: str) -> Mechanism:
     """Return the mechanism in a package after comparing its description with its code."""
-    mechanism = _described_in(package)
+    mechanism = _read_description(package)
     check_code(mechanism)
     return mechanism

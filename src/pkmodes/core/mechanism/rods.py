@@ -1,8 +1,8 @@
 """The rods of a mechanism and their angles to their singular directions, from the derived drawing of the mechanism.
 
 A rod joins a carriage or an arm, which one independent coordinate moves along a direction t, to a body that others
-move too.  It is singular where the vector s from end to end is perpendicular to t: that coordinate then moves the
-body no longer along the rod.
+move too.  It is singular if the vector s along the rod is perpendicular to t: that coordinate then no longer moves
+the body along the rod.
 """
 
 from __future__ import annotations
@@ -16,11 +16,11 @@ from numpy.typing import NDArray
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.poses import CHUNK
-from pkmodes.core.mechanism.regular import sample
+from pkmodes.core.mechanism.regular import sample_parameters
 
 Array = NDArray[np.float64]
 #: Kind of the elements of a drawing that are rods.
-ROD = "link"
+ROD_KIND = "link"
 
 
 class Rod(NamedTuple):
@@ -35,16 +35,16 @@ class Rod(NamedTuple):
 @cache
 def rods_of(mechanism: Mechanism) -> tuple[Rod, ...]:
     """Return the rods that have a singular direction; empty for a mechanism without any."""
-    lines = [e.points for e in mechanism.drawing.elements if e.kind == ROD and len(e.points) == 2]
+    lines = [e.points for e in mechanism.drawing.elements if e.kind == ROD_KIND and len(e.points) == 2]
     if not lines:
         return ()
-    # Entries that depend on the pose are NaN here: what is not 0 may move the point.
+    # Entries that depend on the pose are NaN here: a coordinate whose entry is not 0 may move the point.
     with np.errstate(all="ignore"):
-        nowhere = np.full(len(mechanism.pose), np.nan)
-        moved = _motions(mechanism, sample(mechanism), nowhere) != 0.0
+        unknown_pose = np.full(len(mechanism.pose), np.nan)
+        moves = _motions(mechanism, sample_parameters(mechanism), unknown_pose) != 0.0
     rods = []
     for points in lines:
-        motions = [moved[mechanism.drawing.motions[point]].any(axis=0) for point in points]
+        motions = [moves[mechanism.drawing.motions[point]].any(axis=0) for point in points]
         for (foot, end), (at_foot, at_end) in zip(
             (points, points[::-1]), (motions, motions[::-1]), strict=True
         ):
@@ -69,9 +69,13 @@ def singular_angles(mechanism: Mechanism, parameters: Any, points: Array) -> Arr
     for start in range(0, len(points), CHUNK):
         p = points[start : start + CHUNK]
         with np.errstate(all="ignore"):
-            drawn = np.asarray(generated.drawing_points(p, *_up(mechanism, p)), dtype=float)
-            s = drawn[:, ends] - drawn[:, feet]
-            t = _motions(mechanism, parameters, p)[:, motions, :, coordinates]  # numpy puts the rods first
+            points_drawn = np.asarray(
+                generated.drawing_points(p, *_open_directions(mechanism, p)), dtype=float
+            )
+            s = points_drawn[:, ends] - points_drawn[:, feet]
+            t = _motions(mechanism, parameters, p)[
+                :, motions, :, coordinates
+            ]  # NumPy puts the axis of the rods first
             t = np.moveaxis(t, 0, 1)
             sine = np.abs((s * t).sum(axis=-1)) / (np.linalg.norm(s, axis=-1) * np.linalg.norm(t, axis=-1))
         angles[start : start + CHUNK] = np.arcsin(np.minimum(sine, 1.0))
@@ -83,11 +87,11 @@ def _motions(mechanism: Mechanism, parameters: Any, points: Array) -> Array:
     generated = Generated(mechanism.drawn, parameters, mechanism.extended.Effects())
     names = list(mechanism.drawn.COORDINATES)
     columns = [names.index(name) for name in mechanism.independent]
-    motions = np.asarray(generated.drawing_motion(points, *_up(mechanism, points)), dtype=float)
+    motions = np.asarray(generated.drawing_motion(points, *_open_directions(mechanism, points)), dtype=float)
     return np.broadcast_to(motions, (*points.shape[:-1], *motions.shape[-3:]))[..., columns]
 
 
-def _up(mechanism: Mechanism, points: Array) -> tuple[Array, ...]:
+def _open_directions(mechanism: Mechanism, points: Array) -> tuple[Array, ...]:
     """Return the directions that a robot leaves open: none, since the sides of a parallelogram are parallel."""
     uprights = mechanism.drawing.uprights
     return (np.zeros((*points.shape[:-1], 3 * uprights)),) if uprights else ()

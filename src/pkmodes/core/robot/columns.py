@@ -1,4 +1,4 @@
-"""A column of numbers by the text at its head: a name, followed by a unit in brackets or without one."""
+"""Headings of columns of numbers: a name, with or without a unit in brackets."""
 
 from __future__ import annotations
 
@@ -7,17 +7,17 @@ from collections.abc import Mapping, Sequence
 from decimal import Decimal
 
 from pkmodes.core.base.errors import MeasurementError, shown
-from pkmodes.core.robot.units import CYCLE, QuantityError, base_units, meant_as
+from pkmodes.core.robot.units import RADIANS_PER_CYCLE, QuantityError, base_units, likely_unit
 
 #: A name, and a unit in square brackets, or in parentheses as many programs write it.
 IN_BRACKETS = re.compile(r"(.*?)\s*\[([^\[\]]*)\]")
 IN_PARENTHESES = re.compile(r"(.*?)\s*\(([^()]*)\)")
 #: Units that a message suggests, by SI unit.
-EXAMPLES = {"Hz": '"Hz" or "rad/s"', "1": '"%"', "m": '"mm"', "rad": '"deg"'}
+UNIT_EXAMPLES = {"Hz": '"Hz" or "rad/s"', "1": '"%"', "m": '"mm"', "rad": '"deg"'}
 
 
-def column_of(cell: str, where: str, units: Mapping[str, str]) -> tuple[str, Decimal | None]:
-    """Return the name of a column and the factor of its unit to SI, None without a unit; other columns have none.
+def parse_heading(cell: str, where: str, units: Mapping[str, str]) -> tuple[str, Decimal | None]:
+    """Return the name of a column and the factor of its unit to SI; None without a unit, or for an unknown name.
 
     - cell: of the header
     - where: for messages
@@ -25,36 +25,36 @@ def column_of(cell: str, where: str, units: Mapping[str, str]) -> tuple[str, Dec
 
     Raises MeasurementError if the unit is not one of that kind.
     """
-    name, unit = parted(cell, list(units))
+    name, unit = split_heading(cell, list(units))
     if unit is None or name not in units:
         return name, None
-    return name, factor_of(name, unit, where, (units[name],), unit_remedy(units[name]))
+    return name, factor_to_si(name, unit, where, (units[name],), unit_remedy(units[name]))
 
 
-def parted(cell: str, names: Sequence[str]) -> tuple[str, str | None]:
+def split_heading(cell: str, names: Sequence[str]) -> tuple[str, str | None]:
     """Split a cell into name and unit; both brackets may also be part of a name.
 
-    Case is ignored where exactly one known name matches that way.  Parentheses hold a unit only after a
+    Case is ignored if exactly one known name then matches.  Parentheses hold a unit only after a
     known name.
     """
-    whole = _listed_name(cell, names)
-    if whole in names:
-        return whole, None
+    name_without_unit = _known_name(cell, names)
+    if name_without_unit in names:
+        return name_without_unit, None
     if (match := IN_BRACKETS.fullmatch(cell)) is not None:
-        return _listed_name(match[1], names), match[2].strip()
+        return _known_name(match[1], names), match[2].strip()
     if (match := IN_PARENTHESES.fullmatch(cell)) is not None and (
-        name := _listed_name(match[1], names)
+        name := _known_name(match[1], names)
     ) in names:
         return name, match[2].strip()
     return cell, None
 
 
-def _listed_name(name: str, names: Sequence[str]) -> str:
+def _known_name(name: str, names: Sequence[str]) -> str:
     """Return the known name that matches, else the name itself."""
     if name in names:
         return name
-    alike = {candidate for candidate in names if candidate.casefold() == name.casefold()}
-    return alike.pop() if len(alike) == 1 else name
+    matches = {candidate for candidate in names if candidate.casefold() == name.casefold()}
+    return matches.pop() if len(matches) == 1 else name
 
 
 def frequency_factor(unit: str) -> Decimal:
@@ -66,33 +66,35 @@ def frequency_factor(unit: str) -> Decimal:
     if powers == {"second": -1}:
         return factor
     if powers == {"radian": 1, "second": -1}:
-        return factor / CYCLE
+        return factor / RADIANS_PER_CYCLE
     raise QuantityError(f"{shown(unit)} is not a unit of frequency")
 
 
-def unit_remedy(si: str) -> str:
-    """Return the remedy for a unit of another kind in a column that is in this unit where it names none."""
-    return f"write a unit of that kind, or none for {'a plain ratio' if si == '1' else si}"
+def unit_remedy(si_unit: str) -> str:
+    """Return the remedy for a unit of the wrong kind in a column whose numbers are in this unit by default."""
+    return f"write a unit of that kind, or none for {'a plain ratio' if si_unit == '1' else si_unit}"
 
 
-def factor_of(name: str, unit: str, place: str, allowed: Sequence[str], remedy: str) -> Decimal:
+def factor_to_si(name: str, unit: str, where: str, allowed: Sequence[str], remedy: str) -> Decimal:
     """Return the factor that converts the numbers of a column to SI units.
 
     - allowed: SI units, one of which its unit has to be a multiple of
 
     Raises MeasurementError if it is none.
     """
-    expected = " or ".join(EXAMPLES.get(si, f'"{si}"') for si in allowed)
+    expected = " or ".join(UNIT_EXAMPLES.get(si_unit, f'"{si_unit}"') for si_unit in allowed)
     try:
         if allowed == ("Hz",):
             return frequency_factor(unit)
         factor, powers = base_units(unit)
-        for si, same in map(base_units, allowed):
-            if powers == same:
-                return factor / si
+        for si_factor, si_powers in map(base_units, allowed):
+            if powers == si_powers:
+                return factor / si_factor
         problem = f"{shown(unit)} is another kind of unit"
     except QuantityError as error:
         problem = str(error)
-    meant = next((spelling for si in allowed if (spelling := meant_as(unit, si)) is not None), None)
-    remedy = remedy if meant is None else f"write [{meant}]"
-    raise MeasurementError(f"expected a unit such as {expected} for {name}: {problem}", place, remedy)
+    intended = next(
+        (spelling for si_unit in allowed if (spelling := likely_unit(unit, si_unit)) is not None), None
+    )
+    remedy = remedy if intended is None else f"write [{intended}]"
+    raise MeasurementError(f"expected a unit such as {expected} for {name}: {problem}", where, remedy)

@@ -1,12 +1,12 @@
-r"""The tables ``[[covariance]]`` of a robot file: values whose errors belong together.
+r"""The tables ``[[covariance]]`` of a robot file: values with correlated errors.
 
 Each names values with a ``sigma`` and their correlations r.  Where it has a list ``sigma`` of its own, s, the
 covariance of two of its values is :math:`s_i s_j r_{ij}`; without one, s are the values' own standard deviations.
 Values in no table, or in different ones, are independent.
 
-A value's own standard deviation may be larger than s.  The rest, :math:`\sigma_i^2 - s_i^2`, is what something else
-in the file that has no ``sigma`` may have made the value take up: it makes up for that in the frequencies, so that
-they do not show it.  So the frequencies have the covariance s, and a value itself, such as a prior, has its sigma.
+A value's own standard deviation may be larger than s.  The rest, :math:`\sigma_i^2 - s_i^2`, comes from other values
+in the file that have no ``sigma``: a fitted value compensates their errors, and the compensation does not change the
+frequencies.  So the frequencies have the covariance from s, and a value itself, such as a prior, has its sigma.
 """
 
 from __future__ import annotations
@@ -23,14 +23,14 @@ from pkmodes.core.base.errors import nearest_name, shown
 from pkmodes.core.base.numbers import plain
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.robot import schema
-from pkmodes.core.robot.layout import lent
+from pkmodes.core.robot.layout import table_sources
 from pkmodes.core.robot.units import Quantity, dimension_of, with_unit
 
 COVARIANCE = "covariance"
 PATHS, SIGMA, CORRELATION = "paths", "sigma", "correlation"
 #: Tolerances for rounding in a file: of the symmetry, the diagonal and the smallest eigenvalue of a matrix; and of a
 #: sigma, which programs write with three digits.
-ROUNDING, DIGITS = 1e-6, 1e-2
+ROUNDING, SIGMA_TOLERANCE = 1e-6, 1e-2
 
 Array = NDArray[np.float64]
 Problem = Callable[[str, str, str], None]
@@ -38,11 +38,11 @@ Problem = Callable[[str, str, str], None]
 
 @dataclass(frozen=True)
 class Covariance:
-    """Values whose errors belong together.
+    """Values with correlated errors.
 
     - paths: in the order of the table, length k
     - correlation: symmetric and positive semidefinite, 1 on its diagonal
-    - sigmas: standard deviations that belong to it, length k [SI]; None for the values' own
+    - sigmas: standard deviations to which the correlations apply, length k [SI]; None for those of the values
     """
 
     paths: tuple[str, ...]
@@ -75,8 +75,8 @@ def with_sigmas(
     """
     changed = []
     for table in tables:
-        gone = {path for path in table.paths if path in new_sigmas and not new_sigmas[path]}
-        remaining = table.without(gone)
+        removed = {path for path in table.paths if path in new_sigmas and not new_sigmas[path]}
+        remaining = table.without(removed)
         if remaining.sigmas is not None:
             sigmas = (new_sigmas.get(p) or s for p, s in zip(remaining.paths, remaining.sigmas, strict=True))
             remaining = Covariance(remaining.paths, remaining.correlation, tuple(sigmas))
@@ -100,22 +100,22 @@ def read_covariance(
         actual = shown(raw)
         problem(COVARIANCE, f"expected tables, found {actual}", f"write each below [[{COVARIANCE}]]")
         return ()
-    tables, number_of = [], dict[str, int]()
+    tables, table_number = [], dict[str, int]()
     for number, table in enumerate(raw, start=1):
         where = f"{COVARIANCE}.{number}"
         for key in table:
             if key not in (PATHS, SIGMA, CORRELATION):
-                name = key if schema.is_bare(key) else shown(key)
+                name = key if schema.is_bare_key(key) else shown(key)
                 valid_keys = (PATHS, CORRELATION, SIGMA)
                 problem(f"{where}.{name}", f"unknown key {shown(key)}", nearest_name(key, valid_keys))
-        paths = _paths(table.get(PATHS), where, mechanism, quantities, number_of, number, problem)
+        paths = _paths(table.get(PATHS), where, mechanism, quantities, table_number, number, problem)
         if paths is None:
             continue
         correlation = _correlation(table.get(CORRELATION), len(paths), f"{where}.{CORRELATION}", problem)
         sigmas = None
         if SIGMA in table:
             members = [quantities[path] for path in paths]
-            sigmas = _own_sigmas(table[SIGMA], members, f"{where}.{SIGMA}", problem)
+            sigmas = _table_sigmas(table[SIGMA], members, f"{where}.{SIGMA}", problem)
             if sigmas is None:
                 continue
         if correlation is not None:
@@ -128,7 +128,7 @@ def _paths(
     where: str,
     mechanism: Mechanism,
     quantities: Mapping[str, Quantity],
-    number_of: dict[str, int],
+    table_number: dict[str, int],
     number: int,
     problem: Problem,
 ) -> tuple[str, ...] | None:
@@ -137,14 +137,16 @@ def _paths(
         actual = "nothing" if raw is None else "an empty list" if raw == [] else shown(raw)
         problem(f"{where}.{PATHS}", f"expected a list of dotted paths, found {actual}", example)
         return None
-    aliases = {path: of for path, of in lent(mechanism).items() if of in quantities}
+    aliases = {
+        path: table_path for path, table_path in table_sources(mechanism).items() if table_path in quantities
+    }
     expected = "expected the dotted path of a value with a sigma"
     paths = []
-    for place, entry in enumerate(raw, start=1):
+    for position, entry in enumerate(raw, start=1):
         path = aliases.get(entry, entry) if isinstance(entry, str) else entry
         quantity = quantities.get(path) if isinstance(path, str) else None
-        if quantity is not None and quantity.sigma and path not in number_of:
-            number_of[path] = number
+        if quantity is not None and quantity.sigma and path not in table_number:
+            table_number[path] = number
             paths.append(path)
             continue
         message, remedy = f"{expected}, found {shown(path)}", example
@@ -156,21 +158,23 @@ def _paths(
             )
             message, remedy = f"{message}, {reason}", "give it a sigma, or leave it out here"
         elif quantity is not None:
-            message = f"expected each value once, found {path} also in {COVARIANCE}.{number_of[path]}"
+            message = f"expected each value once, found {path} also in {COVARIANCE}.{table_number[path]}"
             remedy = "name it in one table, once"
-        problem(f"{where}.{PATHS}.{place}", message, remedy)
+        problem(f"{where}.{PATHS}.{position}", message, remedy)
     return tuple(paths) if len(paths) == len(raw) else None
 
 
 def _correlation(raw: Any, count: int, where: str, problem: Problem) -> tuple[tuple[float, ...], ...] | None:
     rows = "row" if count == 1 else "rows"
     remedy = f"write {count} {rows} of {count}, in the order of {PATHS}, such as [[1, 0.8], [0.8, 1]] for two"
-    square = isinstance(raw, list) and len(raw) == count
-    if not square or not all(isinstance(row, list) and len(row) == count for row in raw):
-        sizes = [f"{len(row)}" if isinstance(row, list) else shown(row) for row in raw] if square else []
+    right_length = isinstance(raw, list) and len(raw) == count
+    if not right_length or not all(isinstance(row, list) and len(row) == count for row in raw):
+        sizes = (
+            [f"{len(row)}" if isinstance(row, list) else shown(row) for row in raw] if right_length else []
+        )
         actual = "nothing" if raw is None else shown(raw)
         if isinstance(raw, list):
-            actual = f"rows of {', '.join(sizes)}" if square else f"a list of {len(raw)}"
+            actual = f"rows of {', '.join(sizes)}" if right_length else f"a list of {len(raw)}"
         problem(where, f"expected a matrix of {count} by {count} correlations, found {actual}", remedy)
         return None
     for i, row in enumerate(raw, start=1):
@@ -186,16 +190,16 @@ def _correlation(raw: Any, count: int, where: str, problem: Problem) -> tuple[tu
         message = f"expected 1 on the diagonal, found {matrix[i, i]:g}"
         problem(f"{where}.{i + 1}.{i + 1}", message, "write correlations, not covariances")
         return None
-    apart = np.argwhere(np.abs(matrix - matrix.T) > ROUNDING)
-    if len(apart):
-        i, k = apart[0].tolist()
+    asymmetric = np.argwhere(np.abs(matrix - matrix.T) > ROUNDING)
+    if len(asymmetric):
+        i, k = asymmetric[0].tolist()
         pair = f"{matrix[i, k]:g} here and {matrix[k, i]:g} in row {k + 1}"
         message = f"expected a symmetric matrix, found {pair}"
         problem(f"{where}.{i + 1}.{k + 1}", message, "write the same number in both places")
         return None
-    least = float(np.linalg.eigvalsh(matrix)[0])
-    if least < -ROUNDING:
-        message = f"expected a positive semidefinite matrix, found an eigenvalue of {plain(least, 3)}"
+    smallest = float(np.linalg.eigvalsh(matrix)[0])
+    if smallest < -ROUNDING:
+        message = f"expected a positive semidefinite matrix, found an eigenvalue of {plain(smallest, 3)}"
         problem(
             where,
             message,
@@ -205,7 +209,7 @@ def _correlation(raw: Any, count: int, where: str, problem: Problem) -> tuple[tu
     return tuple(tuple(row) for row in matrix.tolist())
 
 
-def _own_sigmas(
+def _table_sigmas(
     raw: Any, members: Sequence[Quantity], where: str, problem: Problem
 ) -> tuple[float, ...] | None:
     count = len(members)
@@ -215,19 +219,20 @@ def _own_sigmas(
         problem(where, f"expected {count} standard deviations, found {actual}", remedy)
         return None
     sigmas = []
-    for place, (raw_sigma, quantity) in enumerate(zip(raw, members, strict=True), start=1):
-        at = f"{where}.{place}"
+    for position, (raw_sigma, quantity) in enumerate(zip(raw, members, strict=True), start=1):
+        path = f"{where}.{position}"
         try:
-            sigma = schema.standard_deviation(raw_sigma, quantity.value, dimension_of(quantity.unit))
+            sigma = schema.parse_sigma(raw_sigma, quantity.value, dimension_of(quantity.unit))
         except schema.RefusedError as error:
-            problem(at, error.what, error.remedy)
+            problem(path, error.what, error.remedy)
             return None
-        largest = quantity.sigma or 0.0
-        if not 0.0 < sigma <= (1.0 + DIGITS) * largest:
-            limit, actual = (with_unit(size, quantity.unit) for size in (largest, sigma))
-            message = f"expected a standard deviation above 0 and at most that of the value, {limit}, found {actual}"
+        limit = quantity.sigma or 0.0
+        if not 0.0 < sigma <= (1.0 + SIGMA_TOLERANCE) * limit:
+            limit_text, actual = (with_unit(size, quantity.unit) for size in (limit, sigma))
+            expected = f"a standard deviation above 0 and at most that of the value, {limit_text}"
+            message = f"expected {expected}, found {actual}"
             problem(
-                at, message, "it may not be larger: enlarge the sigma of the value, or leave this one out"
+                path, message, "it may not be larger: enlarge the sigma of the value, or leave this one out"
             )
             return None
         sigmas.append(sigma)

@@ -13,7 +13,7 @@ from pkmodes.core.base.drives import FREE, checked_drives
 from pkmodes.core.mechanism import registry
 from pkmodes.core.mechanism.described import DAMPING_RATIO, Mechanism
 from pkmodes.core.robot.covariance import Covariance
-from pkmodes.core.robot.layout import OF_QUANTITIES, Item, effect_parameters, items
+from pkmodes.core.robot.layout import QUANTITY_KINDS, Item, effect_parameters, items
 from pkmodes.core.robot.units import Quantity
 from pkmodes.core.robot.usable import Bound
 
@@ -50,9 +50,9 @@ class Declaration:
         Where the machine is used: lower and upper limit of components of the pose, ``radius`` and
         ``singular_angle``, in SI units.
     report : mapping of str to str
-        What the head of reports says of the machine, by key of the table ``[report]``.
+        Fields for the header of reports, by key of the table ``[report]``.
     covariance : tuple of Covariance
-        Values whose errors belong together; all others are independent.
+        Tables of values with correlated errors; all other values are independent.
     drives : {"free", "held"}
         How the machine is used: its motors turn freely, or position loops far stiffer than the machine hold them.
     kept : dict
@@ -144,7 +144,7 @@ class Declaration:
 
     @property
     def dissipates(self) -> bool:
-        """Whether anything does: an effect, or the damping ratio of every vibration mode."""
+        """Whether anything dissipates: an effect, or the damping ratio of every vibration mode."""
         return self.effects_dissipate or self.damping_ratio > 0.0
 
     @property
@@ -152,7 +152,7 @@ class Declaration:
         """Every declared value by dotted path, in SI units: quantities, and choices such as a direction."""
         values: dict[str, object] = {path: quantity.value for path, quantity in self.quantities.items()}
         for item in items(self.mechanism):
-            if item.key.kind not in OF_QUANTITIES:
+            if item.key.kind not in QUANTITY_KINDS:
                 values[item.path] = self._chosen(item)
         return values
 
@@ -165,7 +165,7 @@ class Declaration:
         return value.tolist() if item.key.kind == "direction" else [int(sign) for sign in value]
 
 
-def changeable(robot: Declaration) -> dict[str, str]:
+def changeable_units(robot: Declaration) -> dict[str, str]:
     """Return the paths that can be changed or added, with their SI units."""
     declared = {path: quantity.unit for path, quantity in robot.quantities.items()}
     return {**declared, **_always_changeable(robot.mechanism)}
@@ -179,7 +179,7 @@ def unit_of(robot: Declaration, path: str) -> str | None:
 
 @cache
 def _always_changeable(mechanism: Mechanism) -> dict[str, str]:
-    """Return those that need not be declared."""
+    """Return the paths that can be changed although the file need not declare them, with their SI units."""
     undeclared = {
         number.path: number.unit
         for item in items(mechanism)

@@ -29,7 +29,7 @@ GRAVITY = Key(
     signed=True,
 )
 #: Kinds of keys whose values are quantities; other keys are choices, without unit or standard deviation.
-OF_QUANTITIES = ("quantity", "vector", "pair")
+QUANTITY_KINDS = ("quantity", "vector", "pair")
 
 
 @dataclass(frozen=True)
@@ -40,13 +40,13 @@ class Number:
     - unit: SI unit
     - slot: None for a value that the entries of a repeated table share: it is stored in the slots of the entries; and
       for a value that changes neither M nor K, such as a damping ratio
-    - place: its keys in the parsed file
+    - key_path: its keys in the parsed file
     """
 
     path: str
     unit: str
     slot: Slot | None
-    place: tuple[str | int, ...]
+    key_path: tuple[str | int, ...]
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ class Item:
     - index: index of its numbers in their field; None for a value that the entries of a repeated table share
     - entry: index of the entry in the repeated table, from 0
     - shared: path of the shared value that is used if this one is not given; empty for none
-    - place: its keys in the parsed file
+    - key_path: its keys in the parsed file
     """
 
     path: str
@@ -65,18 +65,18 @@ class Item:
     index: tuple[int, ...] | None
     entry: int | None
     shared: str
-    place: tuple[str | int, ...]
+    key_path: tuple[str | int, ...]
 
     @cached_property
     def numbers(self) -> tuple[Number, ...]:
         """The item's quantities; empty for a choice."""
         unit = DIMENSIONS[self.key.dimension][0]
         if self.key.kind == "quantity":
-            return (Number(self.path, unit, self._slot(()), self.place),)
-        if self.key.kind not in OF_QUANTITIES:
+            return (Number(self.path, unit, self._slot(()), self.key_path),)
+        if self.key.kind not in QUANTITY_KINDS:
             return ()
         return tuple(
-            Number(f"{self.path}.{name}", unit, self._slot((i,)), (*self.place, i))
+            Number(f"{self.path}.{name}", unit, self._slot((i,)), (*self.key_path, i))
             for i, name in enumerate(self.key.elements)
         )
 
@@ -113,38 +113,38 @@ def _entry(mechanism: Mechanism, table: Table, j: int) -> Iterator[Item]:
         if shared_table.shared_by == table.name:
             for key in shared_table.keys:
                 shared = f"{shared_table.name}.{key.name}"
-                place = (table.name, j, shared_table.name, key.name)
-                yield Item(f"{name}.{shared}", key, (j, *key.index), j, shared, place)
+                key_path = (table.name, j, shared_table.name, key.name)
+                yield Item(f"{name}.{shared}", key, (j, *key.index), j, shared, key_path)
 
 
 @cache
-def by_path(mechanism: Mechanism) -> dict[str, Item]:
+def items_by_path(mechanism: Mechanism) -> dict[str, Item]:
     """Return the keys by their own paths and by the paths of their quantities."""
-    by_path = {item.path: item for item in items(mechanism)}
-    return by_path | {number.path: item for item in items(mechanism) for number in item.numbers}
+    items_at = {item.path: item for item in items(mechanism)}
+    return items_at | {number.path: item for item in items(mechanism) for number in item.numbers}
 
 
 @cache
-def takers(mechanism: Mechanism) -> dict[str, tuple[Item, ...]]:
-    """Return, by the path of a shared value, the keys that take it if they are not given."""
-    takers_of: dict[str, tuple[Item, ...]] = {}
+def overrides_by_path(mechanism: Mechanism) -> dict[str, tuple[Item, ...]]:
+    """Return, by the path of a shared value, the keys that may override it, and else take it."""
+    overrides: dict[str, tuple[Item, ...]] = {}
     for item in items(mechanism):
         if item.shared:
-            takers_of[item.shared] = (*takers_of.get(item.shared, ()), item)
-    return takers_of
+            overrides[item.shared] = (*overrides.get(item.shared, ()), item)
+    return overrides
 
 
 @cache
 def dependents(mechanism: Mechanism, path: str) -> tuple[Item, ...]:
-    """Return the key at a path, and those whose value may follow from it: of a shared value, or of a pair."""
-    shared = (by_path(mechanism)[path], *takers(mechanism).get(path, ()))
+    """Return the key at a path, and keys that may depend on it: overrides of a shared value, the middle of a pair."""
+    shared = (items_by_path(mechanism)[path], *overrides_by_path(mechanism).get(path, ()))
     pairs = {item.path for item in shared}
     return (*shared, *(item for item in items(mechanism) if item.key.middle_of in pairs))
 
 
 @cache
-def lent(mechanism: Mechanism) -> dict[str, str]:
-    """Return the paths of table values that effects use, by the path of the effect parameter."""
+def table_sources(mechanism: Mechanism) -> dict[str, str]:
+    """Return, by the path of an effect parameter, the path of the table value it comes from."""
     return {f"{EFFECTS}.{item.key.effect}": item.path for item in items(mechanism) if item.key.effect}
 
 

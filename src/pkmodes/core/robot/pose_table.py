@@ -1,7 +1,7 @@
 """Poses in a table of another library: columns are taken by name, whatever their order.
 
-Anything with named columns is one: tables of pandas, polars and pyarrow, structured arrays of NumPy, and what has a
-label for each number of a pose, such as a row of pandas or an array of xarray.
+A table is anything with named columns: of pandas, polars or pyarrow, a structured array of NumPy, or an object with
+a label for each number of a pose, such as a row of pandas or an array of xarray.
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.core.base.errors import MeasurementError, PoseError, shown
 from pkmodes.core.mechanism.registry import Mechanism
-from pkmodes.core.robot.columns import column_of
+from pkmodes.core.robot.columns import parse_heading
 
 Array = NDArray[Any]
 #: Column names of a table, and a function that returns the values of a column by its index.
-Named = tuple[Sequence[Any], Callable[[int], Any]]
+NamedColumns = tuple[Sequence[Any], Callable[[int], Any]]
 
 
 def poses_by_name(poses: ArrayLike, mechanism: Mechanism) -> ArrayLike:
@@ -31,50 +31,50 @@ def poses_by_name(poses: ArrayLike, mechanism: Mechanism) -> ArrayLike:
     Raises PoseError if a column is missing or repeated, does not hold numbers, or has another kind of unit.
     """
     if _is_array(poses):
-        return poses  # at once: a single pose takes microseconds
-    return by_name(poses, {component.name: component.unit for component in mechanism.pose}, "poses")
+        return poses  # without delay: a single pose takes microseconds
+    return ordered_by_name(poses, {component.name: component.unit for component in mechanism.pose}, "poses")
 
 
-def by_name(numbers: ArrayLike, units: Mapping[str, str], where: str) -> ArrayLike:
+def ordered_by_name(numbers: ArrayLike, units: Mapping[str, str], where: str) -> ArrayLike:
     """Return numbers by their names, (..., k), as `poses_by_name` does.
 
     - units: names and SI units, in the order of the result
     - where: name of the argument, for messages
     """
-    named = None if _is_array(numbers) else _named(numbers)
-    if named is None:
+    columns = None if _is_array(numbers) else _named_columns(numbers)
+    if columns is None:
         return numbers
-    names, values = named
+    names, column_at = columns
     example = f"name them {', '.join(units)}, in any order, or give an array"
     try:
-        columns = [
-            column_of(str(name).strip(), f"{where}: column {shown(str(name))}", units) for name in names
+        headings = [
+            parse_heading(str(name).strip(), f"{where}: column {shown(str(name))}", units) for name in names
         ]
     except MeasurementError as error:
         raise PoseError(error.what, error.where, error.remedy) from None
-    ordered = []
+    stacked = []
     for name in units:
-        places = [i for i, (column_name, _) in enumerate(columns) if column_name == name]
-        if len(places) != 1:
+        matches = [i for i, (column_name, _) in enumerate(headings) if column_name == name]
+        if len(matches) != 1:
             given_names = shown(", ".join(str(heading) for heading in names))
-            problem = f"expected one column {shown(name)}, found {len(places) or 'none'} among {given_names}"
+            problem = f"expected one column {shown(name)}, found {len(matches) or 'none'} among {given_names}"
             raise PoseError(problem, where, example)
-        column, factor = np.asarray(values(places[0])), columns[places[0]][1]
+        column, factor = np.asarray(column_at(matches[0])), headings[matches[0]][1]
         if column.dtype.kind not in "iuf":
             problem = f"expected numbers in the column {shown(name)}, found values of type {column.dtype}"
             raise PoseError(problem, where, "give a number for each pose")
         if factor is not None:  # in SI units, to the same digits as from a file
-            numbers = column.astype(float).ravel().tolist()
-            column = np.array([float(Decimal(repr(x)) * factor) for x in numbers]).reshape(column.shape)
-        ordered.append(column)
-    return np.stack(ordered, axis=-1)
+            plain_numbers = column.astype(float).ravel().tolist()
+            column = np.array([float(Decimal(repr(x)) * factor) for x in plain_numbers]).reshape(column.shape)
+        stacked.append(column)
+    return np.stack(stacked, axis=-1)
 
 
 def _is_array(values: Any) -> bool:
     return isinstance(values, list | tuple) or (isinstance(values, np.ndarray) and values.dtype.names is None)
 
 
-def _named(values: Any) -> Named | None:
+def _named_columns(values: Any) -> NamedColumns | None:
     """Return the columns of a table, None for anything else."""
     if isinstance(values, np.ndarray):
         names = values.dtype.names or ()

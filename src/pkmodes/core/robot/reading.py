@@ -9,11 +9,11 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 from pkmodes.core.base.errors import PkmodesError, RobotFileError, shown
-from pkmodes.core.base.toml import MOST_PARTS, long_key
+from pkmodes.core.base.toml import MAX_KEY_PARTS, line_of_long_key
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.validation import declaration
 
-LARGEST_FILE = 1_000_000
+MAX_FILE_SIZE = 1_000_000
 
 
 def read_robot(path: str | PathLike[str]) -> Robot:
@@ -45,7 +45,7 @@ def read_robot(path: str | PathLike[str]) -> Robot:
         if file.exists() and not file.is_file():
             kind = "a folder" if file.is_dir() else "not a regular file"
             _refuse(f"cannot read the robot file: it is {kind}", name, "give a robot file in TOML")
-        if file.stat().st_size > LARGEST_FILE:
+        if file.stat().st_size > MAX_FILE_SIZE:
             _refuse("cannot read the robot file: it is larger than 1 MB", name, "give a robot file in TOML")
         text = file.read_text(encoding="utf-8-sig")
     except UnicodeDecodeError as error:
@@ -54,8 +54,8 @@ def read_robot(path: str | PathLike[str]) -> Robot:
     except (OSError, ValueError) as error:  # ValueError: a path with a null character
         reason = getattr(error, "strerror", None) or str(error)
         _refuse(f"cannot read the robot file: {reason.lower()}", name, "check the path")
-    if (line := long_key(text)) is not None:
-        problem = f"expected a key of a few parts, found a line with one of more than {MOST_PARTS}"
+    if (line := line_of_long_key(text)) is not None:
+        problem = f"expected a key of a few parts, found a line with one of more than {MAX_KEY_PARTS}"
         _refuse(problem, f"{name}: line {line}", "shorten the key")
     try:
         document = tomllib.loads(text)

@@ -13,9 +13,9 @@ from pkmodes.core.base.errors import shown
 from pkmodes.core.robot.layout import XYZ
 from pkmodes.core.robot.units import (
     DIMENSIONS,
-    LARGEST,
-    LARGEST_LENGTH,
-    SMALLEST,
+    MAX_LENGTH,
+    MAX_MAGNITUDE,
+    MIN_MAGNITUDE,
     Quantity,
     QuantityError,
     article,
@@ -28,7 +28,7 @@ from pkmodes_description import Key
 MIN_DIRECTION, MAX_DIRECTION = 0.5, 2.0
 #: A vector within rounding of unit length is kept as it is, so that reading it again does not change it.
 ROUNDING = 1e-15
-LONGEST_NAME = 80
+MAX_NAME_LENGTH = 80
 SI_REMEDY = "write a value with its unit, or a number in SI units"
 
 #: The value of a key: quantities, or a choice.
@@ -46,26 +46,26 @@ class RefusedError(ValueError):
         self.what, self.remedy, self.element = what, remedy, element
 
 
-def key_value(raw: Any, key: Key) -> Value:
+def read_value(raw: Any, key: Key) -> Value:
     """Read the value of a key.
 
     Returns a quantity; a vector or pair of quantities; a direction or signs; a choice.
     Raises RefusedError if the key does not accept the value.
     """
     if key.kind == "quantity":
-        return number_of(raw, key)
+        return read_quantity(raw, key)
     if key.kind == "direction":
-        return _direction(raw, key.elements or XYZ)
+        return _parse_direction(raw, key.elements or XYZ)
     if key.kind == "signs":
-        return _signs(raw, len(key.elements))
+        return _parse_signs(raw, len(key.elements))
     if key.kind in ("choice", "one_of"):
-        return choice(raw, key.choices)
-    elements = _vector(raw, key.elements, key.dimension, *_bounds(key))
-    check_order(elements, key)
+        return read_choice(raw, key.choices)
+    elements = _parse_vector(raw, key.elements, key.dimension, *_bounds_of(key))
+    check_limit_order(elements, key)
     return elements
 
 
-def check_order(elements: Sequence[Quantity], key: Key) -> None:
+def check_limit_order(elements: Sequence[Quantity], key: Key) -> None:
     """Check that the lower limit of a pair comes first; any other vector passes.
 
     Raises RefusedError if it does not.
@@ -76,19 +76,19 @@ def check_order(elements: Sequence[Quantity], key: Key) -> None:
         raise RefusedError(problem, f"write {key.name} = [{', '.join(key.elements)}]")
 
 
-def number_of(raw: Any, key: Key) -> Quantity:
+def read_quantity(raw: Any, key: Key) -> Quantity:
     """Read the quantity of a key, or one element of a vector of them.
 
     Raises RefusedError if the key does not accept it.
     """
-    return quantity(raw, key.dimension, *_bounds(key))
+    return parse_quantity(raw, key.dimension, *_bounds_of(key))
 
 
-def _bounds(key: Key) -> tuple[float | None, ...]:
+def _bounds_of(key: Key) -> tuple[float | None, ...]:
     return key.at_least, key.above, key.at_most, key.below
 
 
-def quantity(
+def parse_quantity(
     raw: Any,
     dimension: str,
     at_least: float | None = None,
@@ -107,10 +107,10 @@ def quantity(
                 "write { value = ..., sigma = ... }",
             )
         raw, sigma_raw = raw["value"], raw.get("sigma")
-    value = _number(raw, dimension)
-    if dimension == "length" and abs(value) > LARGEST_LENGTH:
+    value = _parse_number(raw, dimension)
+    if dimension == "length" and abs(value) > MAX_LENGTH:
         raise RefusedError(
-            f"expected a length of at most {LARGEST_LENGTH:g} m, found {shown(raw)}",
+            f"expected a length of at most {MAX_LENGTH:g} m, found {shown(raw)}",
             "check the number and its unit: a number without a unit is in metres",
         )
     unit = DIMENSIONS[dimension][0]
@@ -123,11 +123,11 @@ def quantity(
         if bound is not None and not holds(value, bound):
             problem = f"expected {article(dimension)} {words} {with_unit(bound, unit)}, found {shown(raw)}"
             raise RefusedError(problem, "check the sign and the number")
-    sigma = None if sigma_raw is None else standard_deviation(sigma_raw, value, dimension)
+    sigma = None if sigma_raw is None else parse_sigma(sigma_raw, value, dimension)
     return Quantity(value, unit, sigma)
 
 
-def choice(raw: Any, allowed: tuple[int, ...]) -> int:
+def read_choice(raw: Any, allowed: tuple[int, ...]) -> int:
     """Read one of the allowed numbers."""
     if isinstance(raw, bool) or not isinstance(raw, int) or raw not in allowed:
         choices = " or ".join(map(str, allowed))
@@ -135,7 +135,7 @@ def choice(raw: Any, allowed: tuple[int, ...]) -> int:
     return raw
 
 
-def state_of_motors(raw: Any) -> str:
+def read_drives(raw: Any) -> str:
     """Read what the motors do: "free" or "held"."""
     if raw not in DRIVES:
         raise RefusedError(
@@ -145,23 +145,23 @@ def state_of_motors(raw: Any) -> str:
     return str(raw)
 
 
-def is_bare(key: str) -> bool:
+def is_bare_key(key: str) -> bool:
     """Return whether TOML allows a key without quotes, and it is short."""
     return re.fullmatch(r"[A-Za-z0-9_-]{1,60}", key) is not None
 
 
-def plain_name(raw: Any) -> str:
+def read_name(raw: Any) -> str:
     """Read a name: plain text on one line, because it goes into comments and docstrings of generated code."""
-    plain = isinstance(raw, str) and raw.isprintable() and raw.strip() and len(raw) <= LONGEST_NAME
+    plain = isinstance(raw, str) and raw.isprintable() and raw.strip() and len(raw) <= MAX_NAME_LENGTH
     if not plain or any(mark in raw for mark in ('"', "\\", "`", "/*", "*/")):
         raise RefusedError(
             f"expected a name in plain text, found {shown(raw)}",
-            f"use at most {LONGEST_NAME} printable characters, without quotes, backslashes or comment marks",
+            f"use at most {MAX_NAME_LENGTH} printable characters, without quotes, backslashes or comment marks",
         )
     return str(raw)
 
 
-def _number(raw: Any, dimension: str) -> float:
+def _parse_number(raw: Any, dimension: str) -> float:
     """Read a bare number in SI units, or text with a unit."""
     expected = f'expected {article(dimension)} such as "{DIMENSIONS[dimension][1]}"'
     if isinstance(raw, bool) or not isinstance(raw, int | float | str):
@@ -176,14 +176,14 @@ def _number(raw: Any, dimension: str) -> float:
         raise RefusedError(f"expected a finite {dimension}, found {shown(raw)}")
     if not in_range(value):
         raise RefusedError(
-            f"expected {article(dimension)} with a magnitude between {SMALLEST:g} and {LARGEST:g} in SI units, "
-            f"found {shown(raw)}",
+            f"expected {article(dimension)} with a magnitude between {MIN_MAGNITUDE:g} and {MAX_MAGNITUDE:g} "
+            f"in SI units, found {shown(raw)}",
             "check the number and its unit",
         )
     return value
 
 
-def standard_deviation(raw: Any, value: float, dimension: str) -> float:
+def parse_sigma(raw: Any, value: float, dimension: str) -> float:
     """Read one standard deviation, absolute or relative to the value."""
     remedy = 'write an absolute standard deviation with its unit, or a relative one such as "2 %"'
     if isinstance(raw, str) and raw.strip().endswith("%"):
@@ -197,16 +197,18 @@ def standard_deviation(raw: Any, value: float, dimension: str) -> float:
         sigma = relative * abs(value)
     else:
         try:
-            sigma = _number(raw, dimension)
+            sigma = _parse_number(raw, dimension)
         except RefusedError as error:
-            told = error.remedy if error.remedy != SI_REMEDY else remedy
-            raise RefusedError(f"sigma: {error.what}", told) from error
+            remedy_given = error.remedy if error.remedy != SI_REMEDY else remedy
+            raise RefusedError(f"sigma: {error.what}", remedy_given) from error
     if sigma < 0:
         raise RefusedError(f"sigma: expected a standard deviation of at least 0, found {shown(raw)}", remedy)
     return sigma
 
 
-def _vector(raw: Any, names: tuple[str, ...], dimension: str, *bounds: float | None) -> tuple[Quantity, ...]:
+def _parse_vector(
+    raw: Any, names: tuple[str, ...], dimension: str, *bounds: float | None
+) -> tuple[Quantity, ...]:
     """Read the named elements of a vector, each of which may have a standard deviation."""
     if not isinstance(raw, list) or len(raw) != len(names):
         actual = f"{len(raw)} elements" if isinstance(raw, list) else shown(raw)
@@ -217,17 +219,17 @@ def _vector(raw: Any, names: tuple[str, ...], dimension: str, *bounds: float | N
     elements = []
     for name, element in zip(names, raw, strict=True):
         try:
-            elements.append(quantity(element, dimension, *bounds))
+            elements.append(parse_quantity(element, dimension, *bounds))
         except RefusedError as error:
             raise RefusedError(error.what, error.remedy, name) from error
     return tuple(elements)
 
 
-def _direction(raw: Any, names: tuple[str, ...]) -> tuple[float, ...]:
+def _parse_direction(raw: Any, names: tuple[str, ...]) -> tuple[float, ...]:
     remedy = "write the components of a unit vector as numbers, such as [1, 0, 0]"
     if isinstance(raw, list) and any(isinstance(element, dict) for element in raw):
         raise RefusedError("expected numbers, found a table: a direction has no standard deviation", remedy)
-    elements = [element.value for element in _vector(raw, names, "number")]
+    elements = [element.value for element in _parse_vector(raw, names, "number")]
     norm = math.hypot(*elements)
     if norm == 0.0:
         raise RefusedError("expected a unit vector, found a zero direction", remedy)
@@ -237,7 +239,7 @@ def _direction(raw: Any, names: tuple[str, ...]) -> tuple[float, ...]:
     return tuple(elements) if abs(norm - 1.0) <= ROUNDING else tuple(element / norm for element in elements)
 
 
-def _signs(raw: Any, length: int) -> tuple[float, ...]:
+def _parse_signs(raw: Any, length: int) -> tuple[float, ...]:
     remedy = f"for example: [{', '.join(['1', '-1', *['1'] * length][:length])}]"
     if not isinstance(raw, list) or len(raw) != length:
         actual = f"{len(raw)}" if isinstance(raw, list) else shown(raw)

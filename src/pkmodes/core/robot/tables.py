@@ -12,7 +12,7 @@ from pkmodes.core.mechanism import registry
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.robot import schema
 from pkmodes.core.robot.covariance import COVARIANCE
-from pkmodes.core.robot.layout import EFFECTS, GRAVITY, XYZ, by_path, lent
+from pkmodes.core.robot.layout import EFFECTS, GRAVITY, XYZ, items_by_path, table_sources
 from pkmodes.core.robot.report_fields import REPORT, read_report
 from pkmodes.core.robot.units import DIMENSIONS, Quantity, article, with_unit
 from pkmodes.core.robot.usable import USABLE, Bound, read_usable
@@ -21,10 +21,10 @@ from pkmodes_description import Effect, EffectParameter, Key, Table
 FORMAT_HELP = "see docs/reference/robot-file.md for the format"
 FORMAT = 1
 #: Keys that every robot file has before its tables.
-HEAD = ("format", "name", "mechanism", GRAVITY.name)
+HEAD_KEYS = ("format", "name", "mechanism", GRAVITY.name)
 #: Key before the tables that says how the machine is used.
 STATE_OF_MOTORS = "drives"
-COUNTS = ("no", "one", "two", "three", "four", "five", "six")
+NUMBER_WORDS = ("no", "one", "two", "three", "four", "five", "six")
 
 T = TypeVar("T")
 
@@ -40,7 +40,7 @@ class Tables:
     - values: by path, as given in the tables: without merging and without defaults
     - effects: parameters of the effects in the file, by path
     - usable: limits of components of the pose, where the file gives any
-    - report: fields of the head of reports
+    - report: fields for the header of reports
     - covariance: the tables of correlations as they were given: they need all values
     - drives: what the motors do where the machine is used
 
@@ -51,21 +51,23 @@ class Tables:
         self.source = source
         self.values: dict[str, schema.Value] = {}
         self.problems: list[PkmodesError] = []
-        self._present(document, "format", lambda raw: schema.choice(raw, (FORMAT,)))
-        self.name = self._present(document, "name", schema.plain_name) or ""
-        mechanism = self._present(document, "mechanism", self._mechanism)
+        self._read_required(document, "format", lambda raw: schema.read_choice(raw, (FORMAT,)))
+        self.name = self._read_required(document, "name", schema.read_name) or ""
+        mechanism = self._read_required(document, "mechanism", self._find_mechanism)
         if mechanism is None:
             raise RobotFileError(self.problems)
         self.mechanism = mechanism
-        self._key(document, GRAVITY, GRAVITY.name)
+        self._read_key(document, GRAVITY, GRAVITY.name)
         for table in mechanism.tables:
             if table.count:
-                self._repeated(document, table, [t for t in mechanism.tables if t.shared_by == table.name])
+                self._read_repeated(
+                    document, table, [t for t in mechanism.tables if t.shared_by == table.name]
+                )
             elif table.name in document:
-                self._table(document[table.name], table.name, table.keys, needed=not table.shared_by)
+                self._read_table(document[table.name], table.name, table.keys, needed=not table.shared_by)
             elif not table.shared_by and any(key.default is None for key in table.keys):
-                self._missing(table.name)
-        self.effects = self._effects(document.get(EFFECTS, {}))
+                self._report_missing(table.name)
+        self.effects = self._read_effects(document.get(EFFECTS, {}))
         tables = [table.name for table in mechanism.tables]
         self.usable: dict[str, Bound] = {}
         if USABLE not in tables:  # a user's mechanism may have a table of that name
@@ -76,16 +78,16 @@ class Tables:
         self.covariance: Any = [] if COVARIANCE in tables else document.get(COVARIANCE, [])
         self.drives = FREE
         if STATE_OF_MOTORS not in tables and STATE_OF_MOTORS in document:
-            self.drives = self._present(document, STATE_OF_MOTORS, schema.state_of_motors) or FREE
-        optional = EFFECTS, USABLE, REPORT, COVARIANCE, STATE_OF_MOTORS
-        self._unknown(document, "", [*HEAD, *tables, *optional])
+            self.drives = self._read_required(document, STATE_OF_MOTORS, schema.read_drives) or FREE
+        optional_keys = EFFECTS, USABLE, REPORT, COVARIANCE, STATE_OF_MOTORS
+        self._report_unknown(document, "", [*HEAD_KEYS, *tables, *optional_keys])
 
     def raise_problems(self) -> None:
         """Raise an error with all problems, if there are any."""
         if self.problems:
             raise RobotFileError(self.problems)
 
-    def _mechanism(self, raw: Any) -> Mechanism:
+    def _find_mechanism(self, raw: Any) -> Mechanism:
         if not isinstance(raw, str):
             raise schema.RefusedError(f"expected the name of a mechanism, found {shown(raw)}", FORMAT_HELP)
         try:
@@ -93,56 +95,56 @@ class Tables:
         except PkmodesError as error:
             raise schema.RefusedError(error.what, error.remedy) from error
 
-    def _repeated(self, document: Mapping[str, Any], table: Table, overrides: Sequence[Table]) -> None:
+    def _read_repeated(self, document: Mapping[str, Any], table: Table, overrides: Sequence[Table]) -> None:
         """Read the entries of a repeated table, each with its overrides of shared values."""
         if table.name not in document:
-            self._missing(table.name)
+            self._report_missing(table.name)
             return
         entries = document[table.name]
         number_given = len(entries) if isinstance(entries, list) else shown(entries)
         if number_given != table.count:
-            number = COUNTS[table.count] if table.count < len(COUNTS) else str(table.count)
+            count_text = NUMBER_WORDS[table.count] if table.count < len(NUMBER_WORDS) else str(table.count)
             self.problem(
                 table.name,
-                f"expected exactly {number} [[{table.name}]] tables, found {number_given}",
-                f"describe each of the {number} once: {table.description}",
+                f"expected exactly {count_text} [[{table.name}]] tables, found {number_given}",
+                f"describe each of the {count_text} once: {table.description}",
             )
         for j, entry in enumerate(entries[: table.count] if isinstance(entries, list) else ()):
-            self._table(entry, f"{table.name}.{j + 1}", table.keys, overrides)
+            self._read_table(entry, f"{table.name}.{j + 1}", table.keys, overrides)
 
-    def _table(
+    def _read_table(
         self, raw: Any, path: str, keys: Sequence[Key], overrides: Sequence[Table] = (), needed: bool = True
     ) -> None:
         if not isinstance(raw, dict):
             self.problem(path, f"expected a table, found {shown(raw)}", FORMAT_HELP)
             return
         for key in keys:
-            self._key(raw, key, f"{path}.{key.name}", needed)
+            self._read_key(raw, key, f"{path}.{key.name}", needed)
         for table in overrides:
             if table.name in raw:
-                self._table(raw[table.name], f"{path}.{table.name}", table.keys, needed=False)
-        self._unknown(raw, path, [*(key.name for key in keys), *(table.name for table in overrides)])
+                self._read_table(raw[table.name], f"{path}.{table.name}", table.keys, needed=False)
+        self._report_unknown(raw, path, [*(key.name for key in keys), *(table.name for table in overrides)])
 
-    def _key(self, raw: Mapping[str, Any], key: Key, path: str, needed: bool = True) -> None:
+    def _read_key(self, raw: Mapping[str, Any], key: Key, path: str, needed: bool = True) -> None:
         if key.name in raw:
-            value = self._read(raw[key.name], path, lambda entry: schema.key_value(entry, key))
+            value = self._read_value(raw[key.name], path, lambda entry: schema.read_value(entry, key))
             if value is not None:
                 self.values[path] = value
         elif needed and key.default is None:
-            self._missing(path)
+            self._report_missing(path)
 
-    def _effects(self, raw: Any) -> dict[str, Quantity]:
+    def _read_effects(self, raw: Any) -> dict[str, Quantity]:
         """Read the effects; a value that an effect takes from a table must not be declared in both."""
         if not isinstance(raw, dict):
             self.problem(EFFECTS, f"expected a table, found {shown(raw)}", FORMAT_HELP)
             return {}
-        for path, table_path in lent(self.mechanism).items():
+        for path, table_path in table_sources(self.mechanism).items():
             _, effect, name = path.split(".")
             effect_table, table = raw.get(effect), table_path.rpartition(".")[0]
             if table_path in self.values and isinstance(effect_table, dict) and name in effect_table:
                 problem = f"the {name} of the {table} is declared twice"
                 self.problem(path, problem, f"keep it in [{table}] and remove it here")
-        values = values_lent(self.mechanism, self.values)
+        values = values_from_tables(self.mechanism, self.values)
         quantities: dict[str, Quantity] = {}
         for name, table in raw.items():
             path = f"{EFFECTS}.{name}"
@@ -160,10 +162,10 @@ class Tables:
             elif not isinstance(table, dict):
                 self.problem(path, f"expected a table, found {shown(table)}", f"write a table [{path}]")
             else:
-                quantities |= self._effect(self.mechanism.effects[name], table, values)
+                quantities |= self._read_effect(self.mechanism.effects[name], table, values)
         return quantities
 
-    def _effect(
+    def _read_effect(
         self, effect: Effect, table: Mapping[str, Any], declared: Mapping[str, Quantity | None]
     ) -> dict[str, Quantity]:
         """Read the table of an effect; `declared` are values that other tables of the file give, by path."""
@@ -175,46 +177,48 @@ class Tables:
                 self.problem(place, f"unknown parameter {shown(key)}", nearest_name(key, names))
 
         def read(parameter: EffectParameter, path: str) -> Quantity | None:
-            return self._read(table[parameter.name], path, partial(of_effect, parameter=parameter))
+            return self._read_value(
+                table[parameter.name], path, partial(read_effect_parameter, parameter=parameter)
+            )
 
-        return parameters_of(effect, table, read, declared, self.problem)
+        return read_effect_parameters(effect, table, read, declared, self.problem)
 
     def _with_components(self, effect: Effect, table: Mapping[str, Any]) -> dict[str, Any]:
         """Write a vector, such as ``offset``, as the parameters of its components, such as ``offset_x``."""
-        written: dict[str, Any] = {}
+        expanded: dict[str, Any] = {}
         for key, entry in table.items():
             components = [p.name for p in effect.parameters if p.name in (f"{key}_{axis}" for axis in XYZ)]
             if not components or any(p.name == key for p in effect.parameters):
-                written[key] = entry
+                expanded[key] = entry
             elif not isinstance(entry, list) or len(entry) != len(components):
                 path = f"{EFFECTS}.{effect.name}.{key}"
                 problem = f"expected a list of {len(components)} lengths, found {shown(entry)}"
                 self.problem(path, problem, f"write {key} = [{', '.join(XYZ[: len(components)])}]")
             else:
-                written |= dict(zip(components, entry, strict=True))
-        return written
+                expanded |= dict(zip(components, entry, strict=True))
+        return expanded
 
-    def _present(self, document: Mapping[str, Any], key: str, read: Callable[[Any], T]) -> T | None:
+    def _read_required(self, document: Mapping[str, Any], key: str, read: Callable[[Any], T]) -> T | None:
         if key in document:
-            return self._read(document[key], key, read)
-        self._missing(key)
+            return self._read_value(document[key], key, read)
+        self._report_missing(key)
         return None
 
-    def _read(self, raw: Any, path: str, read: Callable[[Any], T]) -> T | None:
+    def _read_value(self, raw: Any, path: str, read: Callable[[Any], T]) -> T | None:
         try:
             return read(raw)
         except schema.RefusedError as error:
             self.problem(f"{path}.{error.element}" if error.element else path, error.what, error.remedy)
             return None
 
-    def _missing(self, path: str) -> None:
+    def _report_missing(self, path: str) -> None:
         self.problem(path, f"the key {path} is missing", f"add it; {FORMAT_HELP}")
 
-    def _unknown(self, raw: Mapping[str, Any], path: str, known_names: Sequence[str]) -> None:
+    def _report_unknown(self, raw: Mapping[str, Any], path: str, known_names: Sequence[str]) -> None:
         for key in raw:
             if key not in known_names:
                 # Without quotes if TOML allows a bare key.
-                name = key if schema.is_bare(key) else shown(key)
+                name = key if schema.is_bare_key(key) else shown(key)
                 place = f"{path}.{name}" if path else name
                 self.problem(place, f"unknown key {shown(key)}", nearest_name(key, known_names))
 
@@ -223,41 +227,43 @@ class Tables:
         self.problems.append(PkmodesError(what, f"{self.source}: {path}", remedy))
 
 
-def values_lent(mechanism: Mechanism, values: Mapping[str, schema.Value]) -> dict[str, Quantity | None]:
+def values_from_tables(
+    mechanism: Mechanism, values: Mapping[str, schema.Value]
+) -> dict[str, Quantity | None]:
     """Return the values that effects take from tables, by the path of the effect parameter.
 
-    - values: of the tables, as the file gives them; the others have their default
+    - values: of the tables, as the file gives them; values that it does not give have their default
 
-    None for one that follows from another value: nothing declares it.
+    None for a value that is computed from another one, because no key declares it.
     """
-    taken: dict[str, Quantity | None] = {}
-    for path, table_path in lent(mechanism).items():
-        key = by_path(mechanism)[table_path].key
+    values_by_path: dict[str, Quantity | None] = {}
+    for path, table_path in table_sources(mechanism).items():
+        key = items_by_path(mechanism)[table_path].key
         value = values.get(table_path, default_of(key))
         if isinstance(value, Quantity):
-            taken[path] = value
+            values_by_path[path] = value
         elif key.middle_of:
-            taken[path] = None
-    return taken
+            values_by_path[path] = None
+    return values_by_path
 
 
-def parameters_of(
+def read_effect_parameters(
     effect: Effect,
     names: Container[str],
     read: Callable[[EffectParameter, str], Quantity | None],
     declared: Mapping[str, Quantity | None],
     problem: Callable[[str, str, str], None],
 ) -> dict[str, Quantity]:
-    """Return the parameters of an effect by path: those given, lent by other tables, or zero.
+    """Return the parameters of an effect by path: given for the effect, taken from other tables, or zero.
 
     - names: of the parameters that the file gives for it
     - read: returns one of these, from the parameter and its path; None if it is refused
-    - declared: from `values_lent`
+    - declared: from `values_from_tables`
     - problem: takes the path, what is wrong, and the remedy of each problem
     """
     alternatives = [p.name for p in effect.parameters if p.in_place_of]
-    lending = [p.name for p in effect.parameters if f"{EFFECTS}.{effect.name}.{p.name}" in declared]
-    declarable = [p.name for p in effect.parameters if p.name not in (*lending, *alternatives)]
+    from_tables = [p.name for p in effect.parameters if f"{EFFECTS}.{effect.name}.{p.name}" in declared]
+    declarable = [p.name for p in effect.parameters if p.name not in (*from_tables, *alternatives)]
     quantities: dict[str, Quantity] = {}
     for parameter in effect.parameters:
         path = f"{EFFECTS}.{effect.name}.{parameter.name}"
@@ -291,10 +297,10 @@ def default_of(key: Key) -> schema.Value | None:
     return element if key.kind == "quantity" else (element,) * len(key.elements)
 
 
-def of_effect(raw: Any, parameter: EffectParameter) -> Quantity:
+def read_effect_parameter(raw: Any, parameter: EffectParameter) -> Quantity:
     """Read a parameter of an effect; zero, its null value, is always allowed, otherwise the physical bounds apply."""
     dimension = dimension_of_effect(parameter.unit)
-    quantity = schema.quantity(raw, dimension)
+    quantity = schema.parse_quantity(raw, dimension)
     lower, upper = parameter.greater_than, parameter.less_than
     if lower is not None and quantity.value != 0.0 and quantity.value <= lower:
         bound = f"greater than {with_unit(lower, parameter.unit)}, or 0 for no effect"

@@ -14,7 +14,7 @@ from functools import cache, lru_cache
 from typing import TYPE_CHECKING
 
 from pkmodes.core.base.errors import shown
-from pkmodes.core.robot.spellings import confused, plain_numbers, spellings
+from pkmodes.core.robot.spellings import ambiguous_name, likely_spellings, number_readings
 from pkmodes_description import UNITS
 
 if TYPE_CHECKING:
@@ -23,14 +23,14 @@ if TYPE_CHECKING:
 NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,3})?)\s*(.*?)\s*", re.DOTALL)
 # A unit consists of names, products, quotients and small powers: nothing that pint could evaluate as a computation.
 UNIT = re.compile(r"(?:[A-Za-zµμ°Ω%]+(?:(?:\^|\*\*)-?\d|[²³])?|1(?=\s*/)|[\s*/·()])+")
-LONGEST = 60
+MAX_LENGTH_OF_TEXT = 60
 #: Magnitudes outside these limits are mistakes, and their products would overflow.
-SMALLEST, LARGEST = 1e-30, 1e30
-#: Longest accepted length [m]: a longer one was meant in another unit, and would cost rigid-body modes their digits.
-LARGEST_LENGTH = 1000.0
+MIN_MAGNITUDE, MAX_MAGNITUDE = 1e-30, 1e30
+#: Longest accepted length [m]: a longer one was meant in another unit, and rigid-body modes would lose their digits.
+MAX_LENGTH = 1000.0
 
 #: An example of each dimension for error messages.
-EXAMPLES = {
+QUANTITY_EXAMPLES = {
     "length": "400 mm",
     "mass": "1.5 kg",
     "moment of inertia": "130e-6 kg*m^2",
@@ -50,14 +50,16 @@ EXAMPLES = {
     "number": "10",
 }
 #: Dimensions by name, with the SI unit and an example; the last one occurs in commands, not in robot files.
-DIMENSIONS = {name: (unit, EXAMPLES[name]) for name, unit in UNITS.items()} | {"time": ("s", "60 ms")}
+DIMENSIONS = {name: (unit, QUANTITY_EXAMPLES[name]) for name, unit in UNITS.items()} | {
+    "time": ("s", "60 ms")
+}
 
 
 #: Radians per cycle, to convert an angular frequency to a frequency.
-CYCLE = Decimal("6.28318530717958647692528676656")
+RADIANS_PER_CYCLE = Decimal("6.28318530717958647692528676656")
 
-#: Dimensions that messages call by name, with their SI unit.
-KINDS = {
+#: Dimensions that have a name in messages, with their SI unit.
+NAMED_DIMENSIONS = {
     **{
         name: UNITS[name]
         for name in ("length", "mass", "moment of inertia", "acceleration", "stiffness", "force")
@@ -67,7 +69,7 @@ KINDS = {
 
 #: Factors to SI of the units in most robot files; pint, which takes longer to load than a model to evaluate, converts
 #: the others.
-COMMON = {
+COMMON_FACTORS = {
     si_unit: {unit: Decimal(factor) for unit, factor in units.items()}
     for si_unit, units in {
         "m": {"m": "1", "cm": "1e-2", "mm": "1e-3", "um": "1e-6"},
@@ -92,7 +94,7 @@ COMMON = {
 }
 
 #: Units of lengths and angles of a pose as people read them, with the factor from SI.
-SHOWN = {"m": ("mm", 1e3), "rad": ("deg", 180.0 / math.pi)}
+DISPLAY_UNITS = {"m": ("mm", 1e3), "rad": ("deg", 180.0 / math.pi)}
 
 
 @dataclass(frozen=True)
@@ -135,29 +137,31 @@ def _registry() -> UnitRegistry[Decimal]:
 
 # A robot is often read again with one value changed.
 @lru_cache(maxsize=4096)
-def parse(text: str, dimension: str, bare: bool = False) -> float:
+def parse(text: str, dimension: str, unit_optional: bool = False) -> float:
     """Convert a number with its unit to SI.
 
     - text: for example ``"400 mm"``
     - dimension: a key of `DIMENSIONS`
-    - bare: whether a number without a unit is accepted, in SI units; for the dimension "number" it always is
+    - unit_optional: whether a number without a unit is accepted, in SI units; for the dimension "number" it always is
 
     Raises QuantityError if the number or unit is missing, or the unit is unknown or of another dimension.
     """
     si_unit, example = DIMENSIONS[dimension]
     expected = f'expected {article(dimension)} such as "{example}"'
-    if len(text) > LONGEST:
-        raise QuantityError(f"{expected}, found {shown(text)}, which is longer than {LONGEST} characters")
-    readings, flaw = plain_numbers(text)
+    if len(text) > MAX_LENGTH_OF_TEXT:
+        raise QuantityError(
+            f"{expected}, found {shown(text)}, which is longer than {MAX_LENGTH_OF_TEXT} characters"
+        )
+    readings, peculiarity = number_readings(text)
     if readings:
-        remedy = _in_plain_numbers(readings, dimension, bare)
-        raise QuantityError(f"{expected}, found {shown(text)}, {flaw}", remedy)
+        remedy = _remedy_for_readings(readings, dimension, unit_optional)
+        raise QuantityError(f"{expected}, found {shown(text)}, {peculiarity}", remedy)
     match = NUMBER.fullmatch(text)
     if match is None:
         raise QuantityError(f"{expected}, found {shown(text)}, which does not begin with a number")
     number, unit = Decimal(match[1]), match[2]
     if not unit:
-        if dimension != "number" and not bare:
+        if dimension != "number" and not unit_optional:
             raise QuantityError(f"{expected}, found {shown(text)}, which has no unit")
         return _in_range(float(number), expected, text)
     if unit == "%" and dimension == "number":
@@ -166,23 +170,23 @@ def parse(text: str, dimension: str, bare: bool = False) -> float:
         return _in_range(_convert(number, unit, si_unit), expected, text)
     except _UnitError as error:
         reason, remedy = str(error), ""
-        if (meant := meant_as(unit, si_unit)) is not None:
+        if (likely := likely_unit(unit, si_unit)) is not None:
             reason = f"whose unit {shown(unit)} is not understood" if error.vague else reason
-            remedy = f'write "{match[1]} {meant}"'
-        elif error.vague and (kind := _of_another_kind(unit)) is not None:
+            remedy = f'write "{match[1]} {likely}"'
+        elif error.vague and (kind := _unit_of_another_kind(unit)) is not None:
             reason = f"whose unit {shown(unit)} is {kind}"
         elif dimension == "number" and re.fullmatch(r":\s*1", unit):
             remedy = f'write "{match[1]}"'
         raise QuantityError(f"{expected}, found {shown(text)}, {reason}", remedy) from error
 
 
-def _in_plain_numbers(readings: list[tuple[str, str]], dimension: str, bare: bool) -> str:
+def _remedy_for_readings(readings: list[tuple[str, str]], dimension: str, unit_optional: bool) -> str:
     """Return the remedy for a number with other separators than a decimal point."""
     written, remedy = [], ""
     for number, unit in readings:
         plain = f"{number} {unit}".rstrip()
         try:
-            parse(plain, dimension, bare)
+            parse(plain, dimension, unit_optional)
         except QuantityError as error:
             remedy = error.remedy or f"write the number as {number}, with a unit of {article(dimension)}"
         else:
@@ -202,7 +206,7 @@ def parse_number_or_quantity(text: str, unit: str) -> float:
             raise ValueError
         return float(text)
     except ValueError:
-        return parse(text, dimension_of(unit), bare=True)
+        return parse(text, dimension_of(unit), unit_optional=True)
 
 
 def check_plain_number(text: str, expected: str) -> None:
@@ -212,10 +216,10 @@ def check_plain_number(text: str, expected: str) -> None:
 
     Raises QuantityError with the number as it is to be written.
     """
-    readings, flaw = plain_numbers(text)
+    readings, peculiarity = number_readings(text)
     if readings:
         written = " or ".join(f'"{f"{number} {unit}".rstrip()}"' for number, unit in readings)
-        raise QuantityError(f"expected {expected}, found {shown(text)}, {flaw}", f"write {written}")
+        raise QuantityError(f"expected {expected}, found {shown(text)}, {peculiarity}", f"write {written}")
 
 
 def dimension_of(unit: str) -> str:
@@ -236,11 +240,11 @@ def _convert(number: Decimal, unit: str, si_unit: str) -> float:
 
     Raises _UnitError with the reason as a relative clause.
     """
-    if (factor := COMMON.get(si_unit, {}).get(unit)) is not None:
+    if (factor := COMMON_FACTORS.get(si_unit, {}).get(unit)) is not None:
         return float(number * factor)
     import pint
 
-    if (ambiguity := confused(unit)) is not None:
+    if (ambiguity := ambiguous_name(unit)) is not None:
         raise _UnitError(f"whose unit {shown(ambiguity[0])} may be {ambiguity[1]}")
     if UNIT.fullmatch(unit) is None:
         raise _UnitError(f"whose unit {shown(unit)} is not a unit")
@@ -250,33 +254,35 @@ def _convert(number: Decimal, unit: str, si_unit: str) -> float:
     except Exception as error:  # pint and its tokenizer raise many kinds of errors on malformed units
         raise _UnitError(f"whose unit {shown(unit)} is unknown") from error
     target = registry.Unit("dimensionless" if si_unit == "1" else si_unit)
-    if si_unit == "Hz" and _radians(parsed) == 1:
-        number, target = number / CYCLE, registry.Unit("rad/s")
+    if si_unit == "Hz" and _power_of_angle(parsed) == 1:
+        number, target = number / RADIANS_PER_CYCLE, registry.Unit("rad/s")
     # Degrees and percent have no dimension, so a dimensional check alone would accept them as scale factors.
-    scaling = [name for name in parsed._units if registry.Unit(name).dimensionless and name != "radian"]
-    angles = all(_radians(registry.Unit(name)) == 1 for name in scaling)
-    if angles and _radians(parsed) == _radians(target):
-        scaling = []
-    if scaling or (si_unit == "1" and str(parsed) != "dimensionless"):
+    dimensionless_units = [
+        name for name in parsed._units if registry.Unit(name).dimensionless and name != "radian"
+    ]
+    are_angles = all(_power_of_angle(registry.Unit(name)) == 1 for name in dimensionless_units)
+    if are_angles and _power_of_angle(parsed) == _power_of_angle(target):
+        dimensionless_units = []
+    if dimensionless_units or (si_unit == "1" and str(parsed) != "dimensionless"):
         raise _UnitError(f"whose unit {shown(unit)} does not belong there", vague=True)
     try:
         return float(registry.Quantity(number, parsed).to(target).magnitude)
     except pint.DimensionalityError as error:
         kind = _dimension_name(parsed)
         raise _UnitError(
-            f"which is {article(kind)}", vague=kind not in (*KINDS, "angle", "number")
+            f"which is {article(kind)}", vague=kind not in (*NAMED_DIMENSIONS, "angle", "number")
         ) from error
     except (TypeError, ArithmeticError) as error:  # logarithmic units, offsets
         raise _UnitError(f"whose unit {shown(unit)} is not proportional") from error
 
 
 @lru_cache(maxsize=256)
-def meant_as(unit: str, si_unit: str) -> str | None:
+def likely_unit(unit: str, si_unit: str) -> str | None:
     """Return the spelling of the unit that was probably meant, such as ``N*m`` for ``Nm``; None if unknown.
 
     - si_unit: the SI unit of the expected dimension
     """
-    for spelling in spellings(unit) if len(unit) <= LONGEST else ():
+    for spelling in likely_spellings(unit) if len(unit) <= MAX_LENGTH_OF_TEXT else ():
         if spelling == "%" and si_unit == "1":
             return spelling
         if spelling == unit:
@@ -298,38 +304,38 @@ def base_units(unit: str) -> tuple[Decimal, Mapping[str, object]]:
     """
     if unit == "1":
         return Decimal(1), {}
-    if (ambiguity := confused(unit)) is not None:
+    if (ambiguity := ambiguous_name(unit)) is not None:
         raise QuantityError(
-            f"{shown(ambiguity[0])} may be {ambiguity[1]}", f'write "{next(spellings(unit))}"'
+            f"{shown(ambiguity[0])} may be {ambiguity[1]}", f'write "{next(likely_spellings(unit))}"'
         )
-    if len(unit) > LONGEST or UNIT.fullmatch(unit) is None:
+    if len(unit) > MAX_LENGTH_OF_TEXT or UNIT.fullmatch(unit) is None:
         raise QuantityError(f"{shown(unit)} is not a unit")
     registry = _registry()
     try:
-        once, twice = (
+        one, two = (
             registry.Quantity(Decimal(number), registry.Unit(unit)).to_root_units() for number in (1, 2)
         )
     except Exception as error:  # pint and its tokenizer raise many kinds of errors on malformed units
         raise QuantityError(f"the unit {shown(unit)} is unknown") from error
-    if twice.magnitude != 2 * once.magnitude:  # an offset unit such as degC
+    if two.magnitude != 2 * one.magnitude:  # an offset unit such as degC
         raise QuantityError(f"the unit {shown(unit)} is not proportional")
-    return once.magnitude, dict(once._units)
+    return one.magnitude, dict(one._units)
 
 
-def _of_another_kind(unit: str) -> str | None:
+def _unit_of_another_kind(unit: str) -> str | None:
     """Return what a unit is in another spelling, such as ``N*m, a torque`` for ``Nm``; None if that does not help."""
-    for spelling in spellings(unit) if "/" not in unit else ():  # a quotient may be regrouped
+    for spelling in likely_spellings(unit) if "/" not in unit else ():  # a quotient may be regrouped
         if spelling != unit and UNIT.fullmatch(spelling) is not None:
             try:
                 kind = _dimension_name(_registry().Unit(spelling))
             except Exception:  # as in `_convert`
                 continue
-            if kind in KINDS:
+            if kind in NAMED_DIMENSIONS:
                 return f"{spelling}, {article(kind)}"
     return None
 
 
-def _radians(unit: Unit) -> object:
+def _power_of_angle(unit: Unit) -> object:
     """Return the power of the angle in a unit, which is not part of its dimension."""
     return _registry().get_root_units(unit)[1]._units.get("radian", 0)
 
@@ -337,8 +343,8 @@ def _radians(unit: Unit) -> object:
 def _dimension_name(unit: Unit) -> str:
     registry = _registry()
     if unit.dimensionless:
-        return "angle" if _radians(unit) == 1 else "number"
-    for name, si_unit in KINDS.items():
+        return "angle" if _power_of_angle(unit) == 1 else "number"
+    for name, si_unit in NAMED_DIMENSIONS.items():
         if registry.Unit(si_unit).dimensionality == unit.dimensionality:
             return name
     return f"quantity of dimension {unit.dimensionality}"
@@ -356,11 +362,11 @@ def with_unit(value: float, unit: str) -> str:
 
 def in_range(value: float) -> bool:
     """Return whether a value is zero or within the limits of magnitude; False for NaN."""
-    return value == 0.0 or SMALLEST <= abs(value) <= LARGEST
+    return value == 0.0 or MIN_MAGNITUDE <= abs(value) <= MAX_MAGNITUDE
 
 
 def _in_range(value: float, expected: str, text: str) -> float:
     if not in_range(value):
-        limits = f"{SMALLEST:g} and {LARGEST:g} in SI units"
+        limits = f"{MIN_MAGNITUDE:g} and {MAX_MAGNITUDE:g} in SI units"
         raise QuantityError(f"{expected}, found {shown(text)}, whose magnitude is not between {limits}")
     return value

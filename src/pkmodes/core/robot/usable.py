@@ -15,20 +15,22 @@ import numpy as np
 
 from pkmodes.core.base.errors import nearest_name, shown
 from pkmodes.core.mechanism.described import Mechanism
-from pkmodes.core.mechanism.poses import reasons
+from pkmodes.core.mechanism.poses import reason_meanings
 from pkmodes.core.mechanism.rods import rods_of
 from pkmodes.core.robot import schema
-from pkmodes.core.robot.units import SHOWN, article, dimension_of
+from pkmodes.core.robot.units import DISPLAY_UNITS, article, dimension_of
 
 USABLE = "usable"
-ENDS = ("min", "max")
+LIMIT_NAMES = ("min", "max")
 #: Limits that do not belong to one component of the pose, and the components that the radius combines.
 RADIUS, SINGULAR_ANGLE = "radius", "singular_angle"
-ACROSS = ("x", "y")
-#: Examples of how these two are written.
-WRITTEN = {RADIUS: f'{RADIUS} = "120 mm"', SINGULAR_ANGLE: f'{SINGULAR_ANGLE} = "15 deg"'}
-OF_RADIUS = f'write {WRITTEN[RADIUS]}, or radius = {{ value = "120 mm", about = ["0 mm", "0 mm"] }}'
-OF_ANGLE = f"write {WRITTEN[SINGULAR_ANGLE]}"
+RADIUS_COMPONENTS = ("x", "y")
+#: Examples of these two as a file gives them.
+LIMIT_EXAMPLES = {RADIUS: f'{RADIUS} = "120 mm"', SINGULAR_ANGLE: f'{SINGULAR_ANGLE} = "15 deg"'}
+RADIUS_REMEDY = (
+    f'write {LIMIT_EXAMPLES[RADIUS]}, or radius = {{ value = "120 mm", about = ["0 mm", "0 mm"] }}'
+)
+ANGLE_REMEDY = f"write {LIMIT_EXAMPLES[SINGULAR_ANGLE]}"
 
 
 class Limits(NamedTuple):
@@ -74,18 +76,18 @@ def read_usable(mechanism: Mechanism, raw: Any, problem: Callable[[str, str, str
     readers: dict[str, Callable[[Any], Bound]] = {
         name: partial(_limits, name=name, unit=unit) for name, unit in units.items()
     }
-    special = [name for name in _others(mechanism) if name not in units]
-    readers |= {name: OTHERS[name] for name in special}
+    special = [name for name in _special_limits(mechanism) if name not in units]
+    readers |= {name: SPECIAL_READERS[name] for name in special}
     bounds: dict[str, Bound] = {}
     for name, entry in raw.items():
         if name not in readers:
-            others = "".join(f"{' or' if other is special[-1] else ','} {other}" for other in special)
-            message = f"expected a component of the pose{others}, found {shown(name)}"
-            lacks = LACKING.get(name, "")
-            if lacks:
-                message = f"{mechanism.name} has {lacks}"
-            remedy = f"leave {name} out" if lacks else nearest_name(name, readers)
-            problem(f"{USABLE}.{name if schema.is_bare(name) else shown(name)}", message, remedy)
+            special_text = "".join(f"{' or' if limit is special[-1] else ','} {limit}" for limit in special)
+            message = f"expected a component of the pose{special_text}, found {shown(name)}"
+            missing = MISSING_PROPERTY.get(name, "")
+            if missing:
+                message = f"{mechanism.name} has {missing}"
+            remedy = f"leave {name} out" if missing else nearest_name(name, readers)
+            problem(f"{USABLE}.{name if schema.is_bare_key(name) else shown(name)}", message, remedy)
             continue
         try:
             bounds[name] = readers[name](entry)
@@ -95,15 +97,17 @@ def read_usable(mechanism: Mechanism, raw: Any, problem: Callable[[str, str, str
     return {name: bounds[name] for name in readers if name in bounds}
 
 
-def limits_written(mechanism: Mechanism) -> dict[str, str]:
+def limit_examples(mechanism: Mechanism) -> dict[str, str]:
     """Return an example, by name, of how each limit that a mechanism can have is written in the table."""
-    written = {component.name: _example(component.name, component.unit) for component in mechanism.pose}
-    return written | {name: WRITTEN[name] for name in _others(mechanism) if name not in written}
+    examples = {component.name: _example(component.name, component.unit) for component in mechanism.pose}
+    return examples | {
+        name: LIMIT_EXAMPLES[name] for name in _special_limits(mechanism) if name not in examples
+    }
 
 
 def reasons_of(mechanism: Mechanism, usable: Mapping[str, Bound]) -> dict[str, str]:
     """Return why a pose may be left out of a result: code and meaning, in the order of the checks."""
-    meanings = reasons(mechanism)
+    meanings = reason_meanings(mechanism)
     if is_box(usable):
         return meanings
     meaning = f"the pose is left out, beyond the usable limits: {limits_in_words(mechanism, usable)}"
@@ -111,24 +115,24 @@ def reasons_of(mechanism: Mechanism, usable: Mapping[str, Bound]) -> dict[str, s
 
 
 def is_box(usable: Mapping[str, Bound]) -> bool:
-    """Return whether all limits are of components: what is usable is then a box, and every grid lies inside."""
-    return all(map(of_component, usable.values()))
+    """Return whether all limits are of components: the usable poses then form a box, and every grid lies inside."""
+    return all(map(is_component_limit, usable.values()))
 
 
-def raw_of(bound: Bound) -> Any:
+def limit_in_file(bound: Bound) -> Any:
     """Return a limit as a robot file could contain it, in SI units."""
-    if of_component(bound):
+    if is_component_limit(bound):
         return list(bound)
     if isinstance(bound, Radius) and any(bound.about):
         return {"value": bound.value, "about": list(bound.about)}
     return bound[0]
 
 
-def numbers_of(mechanism: Mechanism, usable: Mapping[str, Bound]) -> dict[str, tuple[float, str]]:
+def limit_values(mechanism: Mechanism, usable: Mapping[str, Bound]) -> dict[str, tuple[float, str]]:
     """Return all limits by their path, each with its SI unit, in the order of the pose and then of the others."""
     units = {component.name: component.unit for component in mechanism.pose}
     numbers: dict[str, tuple[float, str]] = {}
-    for name in (*units, *OTHERS):
+    for name in (*units, *SPECIAL_READERS):
         bound = usable.get(name)
         path = f"{USABLE}.{name}"
         if isinstance(bound, SingularAngle):
@@ -136,9 +140,12 @@ def numbers_of(mechanism: Mechanism, usable: Mapping[str, Bound]) -> dict[str, t
         elif isinstance(bound, Radius):
             numbers[path] = bound.value, "m"
             if any(bound.about):
-                numbers |= {f"{path}.about.{end}": (bound.about[k], "m") for k, end in enumerate(ACROSS)}
+                numbers |= {
+                    f"{path}.about.{limit}": (bound.about[k], "m")
+                    for k, limit in enumerate(RADIUS_COMPONENTS)
+                }
         elif bound is not None:
-            numbers |= {f"{path}.{end}": (bound[k], units[name]) for k, end in enumerate(ENDS)}
+            numbers |= {f"{path}.{limit}": (bound[k], units[name]) for k, limit in enumerate(LIMIT_NAMES)}
     return numbers
 
 
@@ -146,13 +153,14 @@ def limits_in_words(mechanism: Mechanism, usable: Mapping[str, Bound]) -> str:
     """Return all limits as text."""
     units = {component.name: component.unit for component in mechanism.pose}
     parts = []
-    for name in (*units, *OTHERS):
+    for name in (*units, *SPECIAL_READERS):
         bound = usable.get(name)
         if isinstance(bound, SingularAngle):
-            parts.append(not_singular(bound.value))
+            parts.append(singular_angle_text(bound.value))
         elif isinstance(bound, Radius):
             axis = ", ".join(
-                f"{coordinate} = {value:.4g} m" for coordinate, value in zip(ACROSS, bound.about, strict=True)
+                f"{coordinate} = {value:.4g} m"
+                for coordinate, value in zip(RADIUS_COMPONENTS, bound.about, strict=True)
             )
             parts.append(f"at most {bound.value:.4g} m from {axis}")
         elif bound is not None:
@@ -160,19 +168,19 @@ def limits_in_words(mechanism: Mechanism, usable: Mapping[str, Bound]) -> str:
     return ", ".join(parts)
 
 
-def not_singular(angle: float) -> str:
+def singular_angle_text(angle: float) -> str:
     """Return the condition that no rod is nearer than an angle [rad] to its singular direction, as text."""
     return f"every rod at least {np.degrees(angle):.4g} deg from its singular direction"
 
 
-def of_component(bound: Bound) -> bool:
+def is_component_limit(bound: Bound) -> bool:
     """Return whether a limit is that of a component of the pose."""
     return not isinstance(bound, Radius | SingularAngle)
 
 
 def _limits(raw: Any, name: str, unit: str) -> Limits:
     dimension, remedy = dimension_of(unit), f"write two limits, such as {_example(name, unit)}"
-    low, high = _numbers(raw, ENDS, "the lower and the upper limit", dimension, remedy)
+    low, high = _numbers(raw, LIMIT_NAMES, "the lower and the upper limit", dimension, remedy)
     if low >= high:
         actual = f"{low:g} {unit} twice" if low == high else f"{low:g} {unit} before {high:g} {unit}"
         problem = f"expected the lower limit first and a higher one, found {actual}"
@@ -189,47 +197,50 @@ def _radius(raw: Any) -> Radius:
                 f'expected a table with "value" and "about", found {keys}: a limit has no standard deviation'
                 if "sigma" in raw
                 else f'expected a table with "value" and "about", found {keys}',
-                OF_RADIUS,
+                RADIUS_REMEDY,
             )
         value = raw["value"]
         if "about" in raw:
             try:
-                x, y = _numbers(raw["about"], ACROSS, "x and y of the axis", "length", OF_RADIUS)
+                x, y = _numbers(
+                    raw["about"], RADIUS_COMPONENTS, "x and y of the axis", "length", RADIUS_REMEDY
+                )
             except schema.RefusedError as error:
                 element = f"about.{error.element}".removesuffix(".")
                 raise schema.RefusedError(error.what, error.remedy, element) from None
             about = x, y
-    return Radius(_number(value, "length", OF_RADIUS, above=0.0), about)
+    return Radius(_number(value, "length", RADIUS_REMEDY, above=0.0), about)
 
 
 def _singular_angle(raw: Any) -> SingularAngle:
-    value = _number(raw, "angle", OF_ANGLE, above=0.0)
+    value = _number(raw, "angle", ANGLE_REMEDY, above=0.0)
     if value >= np.pi / 2:
         problem = f"expected an angle below 90 deg, found {shown(raw)}"
-        raise schema.RefusedError(f"{problem}, which is {np.degrees(value):.4g} deg", OF_ANGLE)
+        raise schema.RefusedError(f"{problem}, which is {np.degrees(value):.4g} deg", ANGLE_REMEDY)
     return SingularAngle(value)
 
 
-#: Readers of the limits that do not belong to one component, and what a mechanism lacks where one does not apply.
-OTHERS: dict[str, Callable[[Any], Bound]] = {RADIUS: _radius, SINGULAR_ANGLE: _singular_angle}
-LACKING = {
+#: Readers of the limits that do not belong to one component, and the property missing in mechanisms to which a limit
+#: does not apply.
+SPECIAL_READERS: dict[str, Callable[[Any], Bound]] = {RADIUS: _radius, SINGULAR_ANGLE: _singular_angle}
+MISSING_PROPERTY = {
     RADIUS: "no radius: its pose has no lengths x and y",
     SINGULAR_ANGLE: "no singular angle: it has no rods between a carriage or arm and the platform",
 }
 
 
-def _others(mechanism: Mechanism) -> list[str]:
+def _special_limits(mechanism: Mechanism) -> list[str]:
     """Return the limits that do not belong to one component of the pose and that a mechanism can have."""
     lengths = {component.name for component in mechanism.pose if component.unit == "m"}
-    has = {RADIUS: lengths >= set(ACROSS), SINGULAR_ANGLE: bool(rods_of(mechanism))}
-    return [name for name in OTHERS if has[name]]
+    available = {RADIUS: lengths >= set(RADIUS_COMPONENTS), SINGULAR_ANGLE: bool(rods_of(mechanism))}
+    return [name for name in SPECIAL_READERS if available[name]]
 
 
-def _numbers(raw: Any, elements: Sequence[str], are: str, dimension: str, remedy: str) -> list[float]:
+def _numbers(raw: Any, elements: Sequence[str], expected: str, dimension: str, remedy: str) -> list[float]:
     """Read a list of quantities without standard deviations."""
     if not isinstance(raw, list) or len(raw) != len(elements):
         actual = f"a list of {len(raw)}" if isinstance(raw, list) else shown(raw)
-        raise schema.RefusedError(f"expected {are}, found {actual}", remedy)
+        raise schema.RefusedError(f"expected {expected}, found {actual}", remedy)
     values = []
     for name, element in zip(elements, raw, strict=True):
         try:
@@ -244,9 +255,9 @@ def _number(raw: Any, dimension: str, remedy: str, above: float | None = None) -
     if isinstance(raw, Mapping):
         problem = f"expected {article(dimension)}, found a table: a limit has no standard deviation"
         raise schema.RefusedError(problem, remedy)
-    return schema.quantity(raw, dimension, above=above).value
+    return schema.parse_quantity(raw, dimension, above=above).value
 
 
 def _example(name: str, unit: str) -> str:
-    unit = SHOWN.get(unit, (unit, 1.0))[0]
+    unit = DISPLAY_UNITS.get(unit, (unit, 1.0))[0]
     return f'{name} = ["-100 {unit}", "100 {unit}"]'

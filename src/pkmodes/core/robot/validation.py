@@ -20,20 +20,20 @@ from pkmodes.core.robot.declaration import Declaration, Parameters
 from pkmodes.core.robot.layout import (
     EFFECTS,
     Item,
-    by_path,
     dependents,
     effect_parameters,
     items,
-    lent,
-    takers,
+    items_by_path,
+    overrides_by_path,
+    table_sources,
 )
 from pkmodes.core.robot.tables import (
     FORMAT_HELP,
     Tables,
     default_of,
-    of_effect,
-    parameters_of,
-    values_lent,
+    read_effect_parameter,
+    read_effect_parameters,
+    values_from_tables,
 )
 from pkmodes.core.robot.units import DIMENSIONS, Quantity, article, with_unit
 from pkmodes_description import Key, Requirement
@@ -48,7 +48,7 @@ class Content(NamedTuple):
 
     - given: as in the file, without merging and without defaults
     - merged: of all keys: those given, else the shared values, else the defaults
-    - effects: parameters of effects, also those that tables lend or that are zero because the file does not give them
+    - effects: parameters of effects, including those taken from tables and those that are zero by default
     """
 
     given: Values
@@ -66,8 +66,8 @@ def declaration(document: Mapping[str, Any], source: str) -> Declaration:
     tables = Tables(document, source)
     tables.raise_problems()
     mechanism = tables.mechanism
-    merged = _merged(tables.values, items(mechanism))
-    for shared, overrides in takers(mechanism).items():
+    merged = _merged_values(tables.values, items(mechanism))
+    for shared, overrides in overrides_by_path(mechanism).items():
         if any(item.path not in merged for item in overrides):
             key = overrides[0].key
             example = f'expected {article(key.dimension)} such as "{DIMENSIONS[key.dimension][1]}"'
@@ -83,7 +83,7 @@ def declaration(document: Mapping[str, Any], source: str) -> Declaration:
     quantities = {**_quantities(mechanism, tables.values), **tables.effects}
     covariance = read_covariance(tables.covariance, mechanism, quantities, tables.problem)
     tables.raise_problems()
-    effects, constants = _by_effect(mechanism, tables.effects, merged)
+    effects, constants = _effect_values(mechanism, tables.effects, merged)
     robot = Declaration(
         name=tables.name,
         mechanism_name=mechanism.name,
@@ -101,7 +101,7 @@ def declaration(document: Mapping[str, Any], source: str) -> Declaration:
     return robot
 
 
-def changed(robot: Declaration, changes: Mapping[str, Any], source: str) -> Declaration | None:
+def with_changes(robot: Declaration, changes: Mapping[str, Any], source: str) -> Declaration | None:
     """Return a robot with other values, without its correlations.
 
     The values are read by the rules of their keys, and the rules that concern several tables are checked again.
@@ -110,29 +110,31 @@ def changed(robot: Declaration, changes: Mapping[str, Any], source: str) -> Decl
     - changes: as a robot file could contain them, by path of a number in a table or of a parameter of an effect
     - source: name of the robot, for messages
 
-    None if a file with these values would be rejected: reading it reports why.
+    Returns None if a file with these values would be rejected; reading such a file reports why.
     """
     mechanism, content = robot.mechanism, robot.kept[CONTENT]
-    keys = {item.path: item for path in changes if (item := by_path(mechanism).get(path)) is not None}
+    keys = {item.path: item for path in changes if (item := items_by_path(mechanism).get(path)) is not None}
     try:
         quantities = {path: _number_at(mechanism, path, raw) for path, raw in changes.items()}
-        given = {**content.given, **_values_of(keys.values(), quantities, content.given)}
+        given = {**content.given, **_changed_values(keys.values(), quantities, content.given)}
     except schema.RefusedError:
         return None
     affected = {item.path: item for path in keys for item in dependents(mechanism, path)}.values()
-    merged = {**content.merged, **_merged(given, affected)}
-    moved = [item for item in affected if merged.get(item.path) is not content.merged.get(item.path)]
-    parameters = _with_numbers(robot.parameters, moved, merged)
-    for requirement in mechanism.requirements if moved else ():
+    merged = {**content.merged, **_merged_values(given, affected)}
+    changed_items = [item for item in affected if merged.get(item.path) is not content.merged.get(item.path)]
+    parameters = _with_changed_fields(robot.parameters, changed_items, merged)
+    for requirement in mechanism.requirements if changed_items else ():
         if violated(requirement, getattr(mechanism.model, requirement.function)(parameters)):
             return None
     effects = content.effects
-    of_file = {
+    effect_changes = {
         path: quantity for path, quantity in quantities.items() if path in effect_parameters(mechanism)
     }
-    if of_file or not keys.keys().isdisjoint(lent(mechanism).values()):
+    if effect_changes or not keys.keys().isdisjoint(table_sources(mechanism).values()):
         problems: list[str] = []
-        effects = _effects(mechanism, {**effects, **of_file}, given, lambda path, *_: problems.append(path))
+        effects = _effects(
+            mechanism, {**effects, **effect_changes}, given, lambda path, *_: problems.append(path)
+        )
         _check_effects(mechanism, effects, lambda path, *_: problems.append(path))
         if problems:
             return None
@@ -140,31 +142,31 @@ def changed(robot: Declaration, changes: Mapping[str, Any], source: str) -> Decl
         quantities = {**robot.quantities, **quantities, **effects}
     else:
         quantities = {**_quantities(mechanism, given), **effects}
-    numbers, constants = _by_effect(mechanism, effects, merged)
-    other = replace(
+    effect_values, constants = _effect_values(mechanism, effects, merged)
+    result = replace(
         robot,
         source=source,
         parameters=parameters,
         quantities=quantities,
-        effects=numbers,
+        effects=effect_values,
         constants=constants,
         covariance=(),
     )
-    other.kept[CONTENT] = Content(given, merged, effects)
-    return other
+    result.kept[CONTENT] = Content(given, merged, effects)
+    return result
 
 
 def _number_at(mechanism: Mechanism, path: str, raw: Any) -> Quantity:
     """Read a number in a table, or a parameter of an effect.  Raises RefusedError if it does not accept the value."""
-    item = by_path(mechanism).get(path)
+    item = items_by_path(mechanism).get(path)
     if item is not None:
-        return schema.number_of(raw, item.key)
+        return schema.read_quantity(raw, item.key)
     _, effect, name = path.split(".")
     parameter = next(p for p in mechanism.effects[effect].parameters if p.name == name)
-    return of_effect(raw, parameter)
+    return read_effect_parameter(raw, parameter)
 
 
-def _values_of(
+def _changed_values(
     changed_items: Iterable[Item], quantities: Mapping[str, Quantity], given: Values
 ) -> dict[str, schema.Value]:
     """Return the values of keys with other numbers, by path.
@@ -180,24 +182,24 @@ def _values_of(
         else:
             before: Any = given.get(item.path)  # None for a vector whose elements all change
             vector = tuple(
-                quantities[number.path] if number.path in quantities else before[place]
-                for place, number in enumerate(item.numbers)
+                quantities[number.path] if number.path in quantities else before[position]
+                for position, number in enumerate(item.numbers)
             )
-            schema.check_order(vector, item.key)
+            schema.check_limit_order(vector, item.key)
             values[item.path] = vector
     return values
 
 
-def _merged(given: Values, of: Collection[Item]) -> dict[str, schema.Value]:
+def _merged_values(given: Values, wanted_items: Collection[Item]) -> dict[str, schema.Value]:
     """Return the values of keys: those given, else the shared values, else the defaults."""
     merged: dict[str, schema.Value] = {}
-    for item in of:
+    for item in wanted_items:
         value = given.get(item.path, given.get(item.shared))
         if value is None:
             value = default_of(item.key)
         if value is not None:
             merged[item.path] = value
-    for item in of:
+    for item in wanted_items:
         pair = merged.get(item.key.middle_of)
         if item.path not in merged and isinstance(pair, tuple):
             low, high = (_number(end) for end in pair)
@@ -214,20 +216,20 @@ def _parameters(mechanism: Mechanism, values: Values) -> Parameters:
         if item.key.field and item.index is not None:
             for element, number in _numbers(item.key, values[item.path]).items():
                 fields[item.key.field][(*item.index, *element)] = number
-    filled: dict[str, float | np.ndarray] = {}
+    field_values: dict[str, float | np.ndarray] = {}
     for field, numbers in fields.items():
         if () in numbers:
-            filled[field] = numbers[()]
+            field_values[field] = numbers[()]
             continue
         array = np.full(np.max(list(numbers), axis=0) + 1, np.nan)
         for index, number in numbers.items():
             array[index] = number
         array.flags.writeable = False
-        filled[field] = array
-    return mechanism.model.Parameters(**filled)
+        field_values[field] = array
+    return mechanism.model.Parameters(**field_values)
 
 
-def _with_numbers(parameters: Parameters, changed_items: Iterable[Item], values: Values) -> Parameters:
+def _with_changed_fields(parameters: Parameters, changed_items: Iterable[Item], values: Values) -> Parameters:
     """Return the parameters of the generated model with the numbers of some keys in their fields."""
     fields: dict[str, NDArray[np.float64]] = {}
     for item in changed_items:
@@ -265,45 +267,49 @@ def _quantities(mechanism: Mechanism, values: Values) -> dict[str, Quantity]:
     for item in items(mechanism):
         value = values.get(item.path)
         elements = value if isinstance(value, tuple) else (value,)
-        of_item = [element for element in elements if isinstance(element, Quantity)]
-        if of_item:
-            quantities.update(zip((number.path for number in item.numbers), of_item, strict=True))
+        item_quantities = [element for element in elements if isinstance(element, Quantity)]
+        if item_quantities:
+            quantities.update(zip((number.path for number in item.numbers), item_quantities, strict=True))
     return quantities
 
 
 def _effects(
     mechanism: Mechanism, values: Mapping[str, Quantity], given: Values, problem: Problem
 ) -> dict[str, Quantity]:
-    """Return the parameters of effects by path, with those that tables lend or that are zero.
+    """Return the parameters of effects by path, including those taken from tables and those that are zero.
 
-    - values: those that the file gives, by path; what tables give they lend
+    - values: the parameters before, by path; those taken from tables are read again
     - given: values of the tables
     """
     names: dict[str, list[str]] = {}
     for path in values:
-        if lent(mechanism).get(path) not in given:
+        if table_sources(mechanism).get(path) not in given:
             _, effect, name = path.split(".")
             names.setdefault(effect, []).append(name)
-    declared = values_lent(mechanism, given) if names else {}
+    declared = values_from_tables(mechanism, given) if names else {}
     effects: dict[str, Quantity] = {}
-    for effect, of_file in names.items():
-        effects |= parameters_of(
-            mechanism.effects[effect], of_file, lambda _, path: values[path], declared, problem
+    for effect, parameter_names in names.items():
+        effects |= read_effect_parameters(
+            mechanism.effects[effect], parameter_names, lambda _, path: values[path], declared, problem
         )
     return effects
 
 
-def _by_effect(
+def _effect_values(
     mechanism: Mechanism, effects: Mapping[str, Quantity], merged: Values
 ) -> tuple[dict[str, float], dict[str, float]]:
-    """Return the parameters of the declared effects, and those that tables lend to any effect, by name."""
-    constants = {path: effects.get(path, merged[table_path]) for path, table_path in lent(mechanism).items()}
-    present = {path.rpartition(".")[0] for path in effects}
-    lending = {path: value for path, value in constants.items() if path.rpartition(".")[0] in present}
-    return _by_name({**effects, **lending}), _by_name(constants)
+    """Return the parameters of the declared effects, and those that any effect takes from tables, by name."""
+    constants = {
+        path: effects.get(path, merged[table_path]) for path, table_path in table_sources(mechanism).items()
+    }
+    declared_effects = {path.rpartition(".")[0] for path in effects}
+    from_tables = {
+        path: value for path, value in constants.items() if path.rpartition(".")[0] in declared_effects
+    }
+    return _values_by_name({**effects, **from_tables}), _values_by_name(constants)
 
 
-def _by_name(values: Values) -> dict[str, float]:
+def _values_by_name(values: Values) -> dict[str, float]:
     return {path.removeprefix(f"{EFFECTS}."): _number(value) for path, value in values.items()}
 
 

@@ -17,17 +17,17 @@ from pkmodes.core.base.errors import PkmodesError, nearest_name, shown
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.robot import schema
 from pkmodes.core.robot.covariance import COVARIANCE, Covariance, with_sigmas
-from pkmodes.core.robot.declaration import Declaration, changeable, unit_of
-from pkmodes.core.robot.layout import EFFECTS, Number, by_path, items, lent, takers
+from pkmodes.core.robot.declaration import Declaration, changeable_units, unit_of
+from pkmodes.core.robot.layout import EFFECTS, Number, items, items_by_path, overrides_by_path, table_sources
 from pkmodes.core.robot.parameter_groups import elements_at_value, group_items, groups_by_path
 from pkmodes.core.robot.report_fields import REPORT
 from pkmodes.core.robot.tables import FORMAT, STATE_OF_MOTORS
 from pkmodes.core.robot.units import Quantity
-from pkmodes.core.robot.usable import USABLE, Bound, raw_of
-from pkmodes.core.robot.validation import CONTENT, changed, declaration
+from pkmodes.core.robot.usable import USABLE, Bound, limit_in_file
+from pkmodes.core.robot.validation import CONTENT, declaration, with_changes
 from pkmodes_description import Key, ParameterGroup
 
-OTHER_VALUES = " with other values"
+SOURCE_SUFFIX = " with other values"
 
 
 def with_values(robot: Declaration, values: Mapping[str, Any]) -> Declaration:
@@ -38,8 +38,8 @@ def with_values(robot: Declaration, values: Mapping[str, Any]) -> Declaration:
             "values",
             'for example: {"frame.mass": "60 kg"}',
         )
-    source = robot.source.removesuffix(OTHER_VALUES) + OTHER_VALUES
-    changes = _changes(robot, values, source)
+    source = robot.source.removesuffix(SOURCE_SUFFIX) + SOURCE_SUFFIX
+    changes = _file_changes(robot, values, source)
     if CONTENT not in robot.kept:
         declared = _read(robot, raw_values(robot), source, robot.covariance)
         if declared != robot:
@@ -49,17 +49,19 @@ def with_values(robot: Declaration, values: Mapping[str, Any]) -> Declaration:
                 "start from a robot that was read from a file",
             )
         robot.kept[CONTENT] = declared.kept[CONTENT]
-    other = changed(robot, changes, source)
-    if other is None:
-        other = _read(robot, {**raw_values(robot), **changes}, source)
+    variant = with_changes(robot, changes, source)
+    if variant is None:
+        variant = _read(robot, {**raw_values(robot), **changes}, source)
     if robot.covariance:  # a value without a standard deviation has no correlations
         paths = {path for table in robot.covariance for path in table.paths}
-        sigmas = {path: quantity.sigma for path, quantity in other.quantities.items() if path in paths}
-        new = {path: sigmas.get(path) for path in paths if sigmas.get(path) != robot.quantities[path].sigma}
-        content = other.kept[CONTENT]
-        other = replace(other, covariance=with_sigmas(robot.covariance, new))
-        other.kept[CONTENT] = content
-    return other
+        sigmas = {path: quantity.sigma for path, quantity in variant.quantities.items() if path in paths}
+        new_sigmas = {
+            path: sigmas.get(path) for path in paths if sigmas.get(path) != robot.quantities[path].sigma
+        }
+        content = variant.kept[CONTENT]
+        variant = replace(variant, covariance=with_sigmas(robot.covariance, new_sigmas))
+        variant.kept[CONTENT] = content
+    return variant
 
 
 def document_of(
@@ -76,8 +78,8 @@ def document_of(
     - name: the robot's name
     - values: by path, as a file could contain them; a vector by all of its elements
     - usable: where the machine is used
-    - report: fields of the head of reports
-    - covariance: values whose errors belong together
+    - report: fields for the header of reports
+    - covariance: tables of values with correlated errors
     - drives: what the motors do where the machine is used
 
     Raises KeyError if an element of a vector is missing.
@@ -91,15 +93,15 @@ def document_of(
     for item in items(mechanism):
         elements = [number.path for number in item.numbers if number.path != item.path]
         if item.path in values:
-            _put(document, item.place, values[item.path])
+            _set_at(document, item.key_path, values[item.path])
         elif any(path in values for path in elements):
-            _put(document, item.place, [values[path] for path in elements])
+            _set_at(document, item.key_path, [values[path] for path in elements])
     for path, raw in values.items():
         # A value that an effect takes from a table is declared in the table; the effect only repeats it.
-        if path.startswith(f"{EFFECTS}.") and lent(mechanism).get(path) not in values:
-            _put(document, tuple(path.split(".")), raw)
+        if path.startswith(f"{EFFECTS}.") and table_sources(mechanism).get(path) not in values:
+            _set_at(document, tuple(path.split(".")), raw)
     if usable:
-        document[USABLE] = {name: raw_of(bound) for name, bound in usable.items()}
+        document[USABLE] = {name: limit_in_file(bound) for name, bound in usable.items()}
     if report:
         document[REPORT] = dict(report)
     if covariance:
@@ -107,11 +109,11 @@ def document_of(
     return document
 
 
-def _put(document: dict[str, Any], place: tuple[str | int, ...], raw: Any) -> None:
+def _set_at(document: dict[str, Any], key_path: tuple[str | int, ...], raw: Any) -> None:
     node: Any = document
-    for key in place[:-1]:
+    for key in key_path[:-1]:
         node = node[key] if isinstance(key, int) else node.setdefault(key, {})
-    node[place[-1]] = raw
+    node[key_path[-1]] = raw
 
 
 def _read(
@@ -124,9 +126,9 @@ def _read(
     return declaration(document, source)
 
 
-def _changes(robot: Declaration, values: Mapping[str, Any], source: str) -> dict[str, Any]:
+def _file_changes(robot: Declaration, values: Mapping[str, Any], source: str) -> dict[str, Any]:
     """Return the changed values of the file by path, as a robot file could contain them."""
-    lent_paths = lent(robot.mechanism)
+    table_path_of = table_sources(robot.mechanism)
     changes: dict[str, Any] = {}
     for path, raw in values.items():
         if not isinstance(path, str):
@@ -135,26 +137,29 @@ def _changes(robot: Declaration, values: Mapping[str, Any], source: str) -> dict
         if raw is None or (isinstance(raw, Mapping) and raw.get("value", raw) is None):
             remedy = "give a number or text with a unit; 0 means no effect"
             raise PkmodesError("expected a value, found None", f"{source}: {path}", remedy)
-        owner = lent_paths[path] if path in lent_paths and _lent_now(robot, values, path) else path
-        for element, value in _elements(robot, owner, raw, source).items():
-            borrowers = [effect for effect, table_path in lent_paths.items() if table_path == element]
-            if {element, lent_paths.get(element), *borrowers} & changes.keys():
+        target = (
+            table_path_of[path] if path in table_path_of and _takes_table_value(robot, values, path) else path
+        )
+        for element, value in _element_values(robot, target, raw, source).items():
+            effect_paths = [effect for effect, table_path in table_path_of.items() if table_path == element]
+            if {element, table_path_of.get(element), *effect_paths} & changes.keys():
                 problem = "the value would be changed twice"
                 raise PkmodesError(problem, f"{source}: {element}", "change it only once")
             changes[element] = value
     for path in list(changes):
-        item = by_path(robot.mechanism).get(path)
+        item = items_by_path(robot.mechanism).get(path)
         if item is not None and path != item.path and path not in robot.quantities:
-            # An element of a vector that the file does not give: the file has to give the others, too.
+            # The file does not give this vector: with one element changed, it has to give the others, too.
             for number in item.numbers:
-                changes.setdefault(number.path, _present(robot, item.key, number))
-    before = {table_path: robot.quantities.get(path) for path, table_path in lent_paths.items()}
+                changes.setdefault(number.path, _current_number(robot, item.key, number))
+    table_quantities = {table_path: robot.quantities.get(path) for path, table_path in table_path_of.items()}
     return {
-        path: _with_sigma(raw, robot.quantities.get(path, before.get(path))) for path, raw in changes.items()
+        path: _with_sigma(raw, robot.quantities.get(path, table_quantities.get(path)))
+        for path, raw in changes.items()
     }
 
 
-def _present(robot: Declaration, key: Key, number: Number) -> float | None:
+def _current_number(robot: Declaration, key: Key, number: Number) -> float | None:
     """Return a number that the file does not give: that of the generated parameters, or else its default."""
     if number.slot is None:
         return key.default
@@ -162,15 +167,15 @@ def _present(robot: Declaration, key: Key, number: Number) -> float | None:
     return float(np.asarray(getattr(robot.parameters, field))[index])
 
 
-def _lent_now(robot: Declaration, values: Mapping[str, Any], path: str) -> bool:
+def _takes_table_value(robot: Declaration, values: Mapping[str, Any], path: str) -> bool:
     """Return whether an effect parameter takes its value from a table instead of declaring it."""
     effect = path.split(".")[1]
     paths = {f"{EFFECTS}.{effect}.{p.name}" for p in robot.mechanism.effects[effect].parameters} - {path}
-    in_table = lent(robot.mechanism)[path] in robot.quantities
+    in_table = table_sources(robot.mechanism)[path] in robot.quantities
     return in_table or (paths.isdisjoint(robot.quantities) and paths.isdisjoint(values))
 
 
-def _elements(robot: Declaration, path: str, raw: Any, source: str) -> dict[str, Any]:
+def _element_values(robot: Declaration, path: str, raw: Any, source: str) -> dict[str, Any]:
     """Return the values of the file that a value by path changes."""
     unit = unit_of(robot, path)
     raw = _plain(raw, unit, f"{source}: {path}")
@@ -178,7 +183,7 @@ def _elements(robot: Declaration, path: str, raw: Any, source: str) -> dict[str,
         group = of_mechanism[path]
         return dict(elements_at_value(robot, group, _value_of_group(robot, group, raw, source)))
     if unit is not None:
-        overrides = [item.path for item in takers(robot.mechanism).get(path, ())]
+        overrides = [item.path for item in overrides_by_path(robot.mechanism).get(path, ())]
         if overrides and all(taker in robot.quantities for taker in overrides):  # it would have no effect
             raise PkmodesError(
                 f"no {overrides[0].partition('.')[0]} takes the shared value {path}: each overrides it",
@@ -186,12 +191,12 @@ def _elements(robot: Declaration, path: str, raw: Any, source: str) -> dict[str,
                 f"change {', '.join(overrides[:-1])} and {overrides[-1]}",
             )
         return {path: raw}
-    item = by_path(robot.mechanism).get(path)
+    item = items_by_path(robot.mechanism).get(path)
     if item is None:
-        units = changeable(robot)
+        units = changeable_units(robot)
         vectors = [
             candidate.path
-            for candidate in by_path(robot.mechanism).values()
+            for candidate in items_by_path(robot.mechanism).values()
             if candidate.path not in units and candidate.numbers
         ]
         remedy = nearest_name(path, [*units, *vectors], "see docs/reference/parameter-paths.md for the paths")
@@ -232,16 +237,18 @@ def _value_of_group(robot: Declaration, group: ParameterGroup, raw: Any, source:
     if isinstance(raw, Mapping):
         raw = {key: value for key, value in raw.items() if key != "sigma"}
     try:
-        return schema.quantity(raw, group_items(robot.mechanism, group)[0].key.dimension, above=0.0).value
+        return schema.parse_quantity(
+            raw, group_items(robot.mechanism, group)[0].key.dimension, above=0.0
+        ).value
     except schema.RefusedError as error:
         raise PkmodesError(error.what, where, error.remedy) from None
 
 
-def _with_sigma(raw: Any, before: Quantity | None) -> Any:
+def _with_sigma(raw: Any, previous: Quantity | None) -> Any:
     """Return a changed value with its previous standard deviation, unless a table gives another."""
     table = dict(raw) if isinstance(raw, Mapping) else {"value": raw}
-    if before is not None:
-        table = {"value": before.value, "sigma": before.sigma, **table}
+    if previous is not None:
+        table = {"value": previous.value, "sigma": previous.sigma, **table}
     if table.get("sigma", 0) is None:
         del table["sigma"]
     return table if set(table) != {"value"} else table["value"]

@@ -1,4 +1,4 @@
-"""A robot at poses that can be evaluated, with the quantities of which fields are functions."""
+"""A robot at valid poses, with the quantities that fields are functions of."""
 
 from __future__ import annotations
 
@@ -36,11 +36,11 @@ class RobotAtPoses:
             field = FIELDS.get(name)
             if field is None or field.needs == (name,):
                 return getattr(self, name)
-            self.quantities[name] = field.of(*(self[needed] for needed in field.needs))
+            self.quantities[name] = field.function(*(self[needed] for needed in field.needs))
         return self.quantities[name]
 
     def evaluated(self, name: str) -> Any:
-        """Return a quantity that has been evaluated, or is known; else None."""
+        """Return a quantity that was given or has been evaluated; else None."""
         return self.quantities.get(name, vars(self).get(name))
 
     @cached_property
@@ -104,7 +104,7 @@ class RobotAtPoses:
 
     @cached_property
     def lengths(self) -> Array:
-        """What makes a length of each component of the platform's motion, (components,)."""
+        """Factors that make lengths of the components of the platform's motion, (components,)."""
         return lengths_of(self.system.mechanism, self.system.parameters)
 
     @property

@@ -20,7 +20,7 @@ from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.solve.compiled_solver import CompiledSolver
 from pkmodes.core.solve.numpy_solver import NumpySolver
-from pkmodes.core.solve.solver import SHAPES, Alone, Codes, Solver, UnavailableError
+from pkmodes.core.solve.solver import SHAPES, Codes, SinglePoseFunction, Solver, UnavailableError
 from pkmodes.core.system.evaluation import Evaluation
 from pkmodes.core.system.motors import MotorsHeld
 
@@ -30,13 +30,13 @@ SOLVERS: dict[str, type[Solver]] = {solver.name: solver for solver in (NumpySolv
 #: What "auto" tries, in this order; the last one can always be used.
 PREFERRED = (CompiledSolver.name, NumpySolver.name)
 #: Environment variable with the back end to use where the caller names none.
-VARIABLE = "PKMODES_BACKEND"
+BACKEND_VARIABLE = "PKMODES_BACKEND"
 #: Fields in the coordinates with free motors, which the inner solver does not have.
-IN_ALL = frozenset({"mass_matrix", "stiffness_matrix", "platform_motion"})
-COUNTED = {3: "three", 4: "four", 5: "five"}
+FREE_MOTOR_FIELDS = frozenset({"mass_matrix", "stiffness_matrix", "platform_motion"})
+NUMBER_WORDS = {3: "three", 4: "four", 5: "five"}
 
 
-def chosen(backend: str) -> str:
+def choose_backend(backend: str) -> str:
     """Return the back end that the caller or the environment selects.
 
     - backend: a name of `SOLVERS`; with "auto", the environment variable ``PKMODES_BACKEND`` decides
@@ -45,11 +45,11 @@ def chosen(backend: str) -> str:
     """
     name, where = backend, "backend"
     if isinstance(backend, str) and backend == AUTO:
-        name, where = os.environ.get(VARIABLE, "") or AUTO, f"environment variable {VARIABLE}"
+        name, where = os.environ.get(BACKEND_VARIABLE, "") or AUTO, f"environment variable {BACKEND_VARIABLE}"
     choices = (AUTO, *SOLVERS)
     if not (isinstance(name, str) and name in choices):
         expected = alternatives(f'"{choice}"' for choice in choices)
-        count = COUNTED.get(len(choices), str(len(choices)))
+        count = NUMBER_WORDS.get(len(choices), str(len(choices)))
         raise PkmodesError(f"expected {expected}, found {shown(name)}", where, f"choose one of the {count}")
     return name
 
@@ -60,13 +60,13 @@ def checked_threads(threads: int | None) -> int:
     Raises PkmodesError if it is not a positive integer.
     """
     if threads is None:
-        return all_cores()
+        return available_cores()
     check_argument(threads, POSITIVE_INTEGER, "threads", "leave it out for all cores")
     return int(threads)
 
 
 @cache
-def all_cores() -> int:
+def available_cores() -> int:
     """Cores that this process may use."""
     try:
         return len(os.sched_getaffinity(0))
@@ -78,16 +78,16 @@ class HeldSolver(Solver):
     """Solves for held motors, by another solver of their system.
 
     - solver: of `system`
-    - free: of the robot with free motors, for the fields in its coordinates, if its digits are those of NumPy
+    - free: solver of the robot with free motors, for fields in its coordinates; None if NumPy evaluates these
     """
 
-    together = False
+    takes_several_robots = False
 
     def __init__(self, solver: Solver, system: MotorsHeld, free: Solver | None = None) -> None:
-        self._inner, self._system, self._free = solver, system, free
+        self._inner, self._system, self._free_solver = solver, system, free
         self.name = solver.name  # type: ignore[misc]
-        self._of_free = frozenset[str]() if free is None else IN_ALL & free.fields
-        self.fields = (solver.fields - IN_ALL) | self._of_free  # type: ignore[misc]
+        self._free_fields = frozenset[str]() if free is None else FREE_MOTOR_FIELDS & free.fields
+        self.fields = (solver.fields - FREE_MOTOR_FIELDS) | self._free_fields  # type: ignore[misc]
         self.checks_poses = solver.checks_poses  # type: ignore[misc]
 
     @property
@@ -100,50 +100,54 @@ class HeldSolver(Solver):
         """Not used: a solver is wrapped."""
         raise NotImplementedError
 
-    def compute(self, at: RobotAtPoses, arrays: Mapping[str, NDArray[np.float64]], threads: int = 1) -> Codes:
-        """Fill arrays; `at` is the robot with free motors."""
-        held = RobotAtPoses(self._system, at.points, at.source, {})
-        inner_arrays = {name: array for name, array in arrays.items() if name not in self._of_free}
+    def compute(
+        self, state: RobotAtPoses, arrays: Mapping[str, NDArray[np.float64]], threads: int = 1
+    ) -> Codes:
+        """Fill arrays; `state` is the robot with free motors."""
+        held_state = RobotAtPoses(self._system, state.points, state.source, {})
+        inner_arrays = {name: array for name, array in arrays.items() if name not in self._free_fields}
         if SHAPES in arrays:
             inner_arrays[SHAPES] = np.empty((*arrays[SHAPES].shape[:-1], len(self._system.coordinates)))
-        if self._free is not None and len(inner_arrays) < len(arrays):
-            codes = self._free.compute(
-                at, {name: arrays[name] for name in arrays if name not in inner_arrays}, threads
+        if self._free_solver is not None and len(inner_arrays) < len(arrays):
+            codes = self._free_solver.compute(
+                state, {name: arrays[name] for name in arrays if name not in inner_arrays}, threads
             )
             if not inner_arrays:
                 return codes
-        codes = self._inner.compute(held, inner_arrays, threads)
+        codes = self._inner.compute(held_state, inner_arrays, threads)
         if SHAPES in arrays:
             arrays[SHAPES][...] = self._system.to_free_motor_coordinates(inner_arrays[SHAPES])
         return codes
 
-    def alone(self, tails: Mapping[str, tuple[int, ...]]) -> Alone | None:
+    def single_pose_function(self, pose_shapes: Mapping[str, tuple[int, ...]]) -> SinglePoseFunction | None:
         """Return what fills arrays at a single pose, if the inner solver has it."""
-        inner_tails = {name: tail for name, tail in tails.items() if name not in self._of_free}
-        if SHAPES in inner_tails:
-            inner_tails[SHAPES] = (*inner_tails[SHAPES][:-1], len(self._system.coordinates))
-        inner = self._inner.alone(inner_tails)
-        free = None
-        if self._free is not None and len(inner_tails) < len(tails):
-            free = self._free.alone({name: tail for name, tail in tails.items() if name not in inner_tails})
-            if not inner_tails or free is None:
-                return free
-        if inner is None or (free is None and SHAPES not in inner_tails):
-            return inner
+        inner_shapes = {name: shape for name, shape in pose_shapes.items() if name not in self._free_fields}
+        if SHAPES in inner_shapes:
+            inner_shapes[SHAPES] = (*inner_shapes[SHAPES][:-1], len(self._system.coordinates))
+        evaluate_inner = self._inner.single_pose_function(inner_shapes)
+        evaluate_free = None
+        if self._free_solver is not None and len(inner_shapes) < len(pose_shapes):
+            evaluate_free = self._free_solver.single_pose_function(
+                {name: shape for name, shape in pose_shapes.items() if name not in inner_shapes}
+            )
+            if not inner_shapes or evaluate_free is None:
+                return evaluate_free
+        if evaluate_inner is None or (evaluate_free is None and SHAPES not in inner_shapes):
+            return evaluate_inner
         system = self._system
 
-        def of_held(point: NDArray[np.float64]) -> dict[str, NDArray[np.float64]] | None:
-            fields = inner(point)
+        def evaluate_held(point: NDArray[np.float64]) -> dict[str, NDArray[np.float64]] | None:
+            fields = evaluate_inner(point)
             if fields is None:
                 return None
             if SHAPES in fields:
                 fields[SHAPES] = system.to_free_motor_coordinates(fields[SHAPES])
-            if free is None:
+            if evaluate_free is None:
                 return fields
-            in_all = free(point)
-            return None if in_all is None else {**fields, **in_all}
+            free_fields = evaluate_free(point)
+            return None if free_fields is None else {**fields, **free_fields}
 
-        return of_held
+        return evaluate_held
 
 
 def solver_of(
@@ -152,7 +156,7 @@ def solver_of(
     """Return the solver of a robot.
 
     - largest_condition: poses with a larger condition number are singular
-    - backend: from `chosen`; with "auto", the first of `PREFERRED` that can be used
+    - backend: from `choose_backend`; with "auto", the first of `PREFERRED` that can be used
     - free: for held motors: see `HeldSolver`
 
     Raises UnavailableError if it cannot be used here.

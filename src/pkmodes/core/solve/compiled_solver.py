@@ -1,4 +1,4 @@
-"""The back end of compiled libraries, which leaves the poses that they cannot solve accurately to NumPy."""
+"""The back end that uses compiled libraries; NumPy solves the poses that these cannot solve accurately."""
 
 from __future__ import annotations
 
@@ -9,21 +9,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.compiled.lanes import FIELDS, UNSOLVED, Terms
-from pkmodes.core.linalg.eigen import has_stiff_joint, held_softly
+from pkmodes.core.linalg.eigen import has_soft_ground_springs, has_stiff_joint
 from pkmodes.core.mechanism.poses import CHUNK
 from pkmodes.core.solve.at_poses import RobotAtPoses
-from pkmodes.core.solve.solver import EIGENVALUES, Alone, Codes, Solver, UnavailableError
+from pkmodes.core.solve.solver import EIGENVALUES, Codes, SinglePoseFunction, Solver, UnavailableError
 from pkmodes.core.system.evaluation import Evaluation
 
 if TYPE_CHECKING:
-    from pkmodes.core.compiled.evaluator import Evaluator, Room
+    from pkmodes.core.compiled.evaluator import Evaluator, PoseBuffer
 
 Array = NDArray[np.float64]
 #: Very soft and very stiff released joints cost digits: NumPy solves where the lowest eigenvalue of vibration is
 #: below this fraction, or the highest one above this multiple, of the highest one of the base coordinates.
-SOFT, STIFF = 1e-5, 1e3
-#: The fraction without released joints; NumPy refuses robots below a tenth of it.
-APART = 1e-6
+SOFT_FRACTION, STIFF_RATIO = 1e-5, 1e3
+#: The same fraction for robots without released joints; NumPy refuses robots below a tenth of it.
+SOFT_FRACTION_WITHOUT_JOINTS = 1e-6
 
 
 class CompiledSolver(Solver):
@@ -36,13 +36,15 @@ class CompiledSolver(Solver):
     fields: ClassVar[frozenset[str]] = frozenset(FIELDS)
     checks_poses = True
     differentiates = True
-    together = True
+    takes_several_robots = True
     #: The fields that need the eigenproblem.
-    _of_modes = frozenset({"frequencies", EIGENVALUES, "shapes", "platform_shapes", "vibration_amplitudes"})
+    _mode_fields = frozenset(
+        {"frequencies", EIGENVALUES, "shapes", "platform_shapes", "vibration_amplitudes"}
+    )
 
     def __init__(self, evaluator: Evaluator, system: Evaluation) -> None:
         self.evaluator, self._system = evaluator, system
-        self._released = len(system.coordinates) > system.first
+        self._released = len(system.coordinates) > system.base_count
 
     @classmethod
     def init(cls, system: Evaluation, largest_condition: float) -> Self:
@@ -73,81 +75,94 @@ class CompiledSolver(Solver):
         )
         return cls(evaluator, system)
 
-    def compute(self, at: RobotAtPoses, arrays: Mapping[str, Array], threads: int = 1) -> Codes:
+    def compute(self, state: RobotAtPoses, arrays: Mapping[str, Array], threads: int = 1) -> Codes:
         """Fill arrays."""
-        shown = self._shown_by(arrays)
-        if shown is not None and shown not in arrays:
-            arrays = {**arrays, shown: np.empty((len(at.points), self.evaluator.modes))}
-        return self._marked(self.evaluator.run(at.points, arrays, threads), arrays)
+        indicator = self._indicator_field(arrays)
+        if indicator is not None and indicator not in arrays:
+            arrays = {**arrays, indicator: np.empty((len(state.points), self.evaluator.modes))}
+        return self._mark_unresolved(self.evaluator.run(state.points, arrays, threads), arrays)
 
-    def alone(self, tails: Mapping[str, tuple[int, ...]]) -> Alone:
-        """Return what fills arrays at a single pose, in a separate room for each thread."""
-        shown, size = self._shown_by(tails), len(self._system.mechanism.pose)
-        all_tails = dict(tails) if shown is None else {**tails, shown: (self.evaluator.modes,)}
-        rooms: list[Room] = []  # those that no thread is using
+    def single_pose_function(self, pose_shapes: Mapping[str, tuple[int, ...]]) -> SinglePoseFunction:
+        """Return what fills arrays at a single pose, with a separate buffer for each thread."""
+        indicator, size = self._indicator_field(pose_shapes), len(self._system.mechanism.pose)
+        all_shapes = (
+            dict(pose_shapes) if indicator is None else {**pose_shapes, indicator: (self.evaluator.modes,)}
+        )
+        buffers: list[PoseBuffer] = []  # those that no thread is using
 
-        def of_pose(point: Array) -> dict[str, Array] | None:
+        def evaluate(point: Array) -> dict[str, Array] | None:
             try:
-                room = rooms.pop()
+                buffer = buffers.pop()
             except IndexError:
-                room = self.evaluator.room(size, all_tails)
-            copies = None
-            if room.run(point) == 0 and not (shown and self.unresolved(shown, room.arrays[shown][0])):
-                copies = {name: room.arrays[name].copy() for name in tails}
-            rooms.append(room)
-            return copies
+                buffer = self.evaluator.buffer(size, all_shapes)
+            fields = None
+            if buffer.run(point) == 0 and not (
+                indicator and self.unresolved(indicator, buffer.arrays[indicator][0])
+            ):
+                fields = {name: buffer.arrays[name].copy() for name in pose_shapes}
+            buffers.append(buffer)
+            return fields
 
-        return of_pose
+        return evaluate
 
-    def _shown_by(self, names: Collection[str]) -> str | None:
-        """Return the field that shows what the kernel cannot resolve, where some fields are evaluated.
+    def _indicator_field(self, names: Collection[str]) -> str | None:
+        """Return the field from which to tell where the kernel loses digits, given the evaluated fields.
 
-        None if none of them needs the eigenproblem.
+        None if no field needs the eigenproblem.
         """
-        if self._of_modes.isdisjoint(names):
+        if self._mode_fields.isdisjoint(names):
             return None
         if EIGENVALUES in names or self._released or self._system.held_motions:
             return EIGENVALUES
         return "frequencies"
 
-    def rates(self, at: RobotAtPoses, arrays: Mapping[str, Array], terms: Terms, threads: int = 1) -> Codes:
+    def rates(
+        self, state: RobotAtPoses, arrays: Mapping[str, Array], terms: Terms, threads: int = 1
+    ) -> Codes:
         """Fill arrays, also with derivatives."""
-        return self._marked(self.evaluator.run(at.points, arrays, threads, terms=terms), arrays)
+        return self._mark_unresolved(self.evaluator.run(state.points, arrays, threads, terms=terms), arrays)
 
     def along(
-        self, at: RobotAtPoses, modes: tuple[Array, Array] | None, terms: Terms, fields: Sequence[str]
+        self, state: RobotAtPoses, modes: tuple[Array, Array] | None, terms: Terms, fields: Sequence[str]
     ) -> dict[str, Array] | None:
         """Return what the derivatives of given modes along paths need; None if a pose cannot be evaluated."""
-        return self.evaluator.along(at.points, modes, terms, fields)
+        return self.evaluator.along(state.points, modes, terms, fields)
 
-    def _marked(self, codes: Codes, arrays: Mapping[str, Array]) -> Codes:
+    def _mark_unresolved(self, codes: Codes, arrays: Mapping[str, Array]) -> Codes:
         """Mark the poses at which the kernel cannot resolve a vibration."""
-        shown = self._shown_by(arrays)
-        if shown is not None:
+        indicator = self._indicator_field(arrays)
+        if indicator is not None:
             for start in range(0, len(codes), CHUNK):
                 part = slice(start, start + CHUNK)
-                unresolved = self.unresolved(shown, arrays[shown][part])
+                unresolved = self.unresolved(indicator, arrays[indicator][part])
                 if unresolved.any():
                     codes[part][(codes[part] == 0) & unresolved] = UNSOLVED
         return codes
 
-    def unresolved(self, shown: str, values: Array) -> NDArray[np.bool_]:
+    def unresolved(self, indicator: str, values: Array) -> NDArray[np.bool_]:
         """Return where joints are too soft or too stiff, springs to ground too soft, or magnitudes too different.
 
-        - shown: "eigenvalues" or "frequencies"
+        - indicator: "eigenvalues" or "frequencies"
         - values: of this field, (N, m) or (m,)
 
         Returns (N,) or ().
         """
         system = self._system
-        first, rigid = system.first, system.rigid_modes
-        of_mode = values.T  # numbers where there is no batch
-        last = abs(of_mode[first - 1])
-        if shown != EIGENVALUES:
-            return np.asarray(abs(of_mode[rigid]) < APART**0.5 * last)
-        unresolved = abs(of_mode[rigid]) < (SOFT if self._released else APART) * last
+        base_count, rigid = system.base_count, system.rigid_modes
+        by_mode = values.T  # numbers where there is no batch
+        highest_of_base = abs(by_mode[base_count - 1])
+        if indicator != EIGENVALUES:
+            return np.asarray(abs(by_mode[rigid]) < SOFT_FRACTION_WITHOUT_JOINTS**0.5 * highest_of_base)
+        unresolved = (
+            abs(by_mode[rigid])
+            < (SOFT_FRACTION if self._released else SOFT_FRACTION_WITHOUT_JOINTS) * highest_of_base
+        )
         if system.held_motions:
-            unresolved = unresolved | held_softly(values, system.loose_motions)
+            unresolved = unresolved | has_soft_ground_springs(values, system.loose_motions)
         if self._released:
-            unresolved = unresolved | has_stiff_joint(values, first, rigid) | (of_mode[-1] > STIFF * last)
+            unresolved = (
+                unresolved
+                | has_stiff_joint(values, base_count, rigid)
+                | (by_mode[-1] > STIFF_RATIO * highest_of_base)
+            )
         return np.asarray(unresolved)

@@ -15,17 +15,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.arguments import is_all
-from pkmodes.core.base.errors import PkmodesError, listed, nearest_name, shown
-from pkmodes.core.mechanism.poses import Where
-from pkmodes.core.solve.fields import missing
+from pkmodes.core.base.errors import PkmodesError, checked_list, nearest_name, shown
+from pkmodes.core.mechanism.poses import PoseIndices
+from pkmodes.core.solve.fields import missing_value
 
 Array = NDArray[Any]
 #: Names of fields, or the word "all".
-Fields = Iterable[str] | None
-Out = Mapping[str, Array] | None
+FieldNames = Iterable[str] | None
+OutArrays = Mapping[str, Array] | None
 
 
-def chosen_fields(fields: Fields, out: Out, available: tuple[str, ...]) -> tuple[str, ...]:
+def chosen_fields(fields: FieldNames, out: OutArrays, available: tuple[str, ...]) -> tuple[str, ...]:
     """Check which fields are requested.
 
     - fields: by default the fields in `out`, or all without `out`; the word "all" for all
@@ -48,7 +48,7 @@ def chosen_fields(fields: Fields, out: Out, available: tuple[str, ...]) -> tuple
         fields = available if out is None else tuple(out)
     elif isinstance(fields, str) and fields not in available:
         raise PkmodesError(f"unknown field {shown(fields)}", "fields", nearest_name(fields, available))
-    requested = listed(fields, "fields", "fields", f'"{available[0]}"')
+    requested = checked_list(fields, "fields", "fields", f'"{available[0]}"')
     for where, names in (("fields", requested), ("out", list(out or ()))):
         for name in names:
             if not (isinstance(name, str) and name in available):
@@ -92,9 +92,9 @@ class FieldArrays:
 
     - batch: shape of the poses
     - out: arrays of the caller's to fill; arrays of other fields are allocated
-    - aside: whether the caller's arrays are left unchanged until `finish`
-    - blank: whether arrays begin with NaN, or -1 in arrays of integers, instead of anything
-    - tails: shape at one pose, and type, of the first fields
+    - deferred: whether the caller's arrays are left unchanged until `finish`
+    - filled_with_nan: whether arrays begin with NaN, or -1 in arrays of integers, instead of anything
+    - pose_shapes: shape at one pose, and type, of fields to create at once
 
     Its attributes:
     - arrays: by field, each (..., *tail)
@@ -104,41 +104,46 @@ class FieldArrays:
     def __init__(
         self,
         batch: tuple[int, ...],
-        out: Out = None,
+        out: OutArrays = None,
         *,
-        aside: bool = False,
-        blank: bool = False,
-        tails: Mapping[str, tuple[tuple[int, ...], Any]] | None = None,
+        deferred: bool = False,
+        filled_with_nan: bool = False,
+        pose_shapes: Mapping[str, tuple[tuple[int, ...], Any]] | None = None,
     ) -> None:
-        self._batch, self._out, self._aside, self._blank = batch, out or {}, aside, blank
+        self._batch, self._out, self._deferred, self._filled_with_nan = (
+            batch,
+            out or {},
+            deferred,
+            filled_with_nan,
+        )
         self.arrays: dict[str, Array] = {}
         self.rows: dict[str, Array] = {}
         self._stand_ins: list[str] = []
-        for name, (tail, dtype) in (tails or {}).items():
-            self.add(name, tail, dtype)
+        for name, (shape, dtype) in (pose_shapes or {}).items():
+            self.add(name, shape, dtype)
 
-    def add(self, name: str, tail: tuple[int, ...], dtype: Any = float) -> None:
+    def add(self, name: str, pose_shape: tuple[int, ...], dtype: Any = float) -> None:
         """Add a field with its shape at one pose."""
-        shape = (*self._batch, *tail)
+        shape = (*self._batch, *pose_shape)
         array = self._out.get(name)
         if array is None:
-            array = whole = np.empty(shape, dtype)
+            array = filled = np.empty(shape, dtype)
         else:
             _check_fits(name, array, shape, np.dtype(dtype))
-            whole = array
-            if self._aside or not array.flags.c_contiguous:
-                whole = np.empty(shape, dtype)
+            filled = array
+            if self._deferred or not array.flags.c_contiguous:
+                filled = np.empty(shape, dtype)
                 self._stand_ins.append(name)
-        self.arrays[name], self.rows[name] = array, whole.reshape(prod(self._batch), *tail)
-        if self._blank:
-            whole[...] = missing(whole.dtype)
+        self.arrays[name], self.rows[name] = array, filled.reshape(prod(self._batch), *pose_shape)
+        if self._filled_with_nan:
+            filled[...] = missing_value(filled.dtype)
 
-    def put(self, where: Where, values: Mapping[str, Array]) -> None:
+    def put(self, indices: PoseIndices, values: Mapping[str, Array]) -> None:
         """Store the values of some poses, (n, *tail) each; fields are added when they first occur."""
-        for name, part in values.items():
+        for name, rows in values.items():
             if name not in self.rows:
-                self.add(name, part.shape[1:], part.dtype)
-            self.rows[name][where] = part
+                self.add(name, rows.shape[1:], rows.dtype)
+            self.rows[name][indices] = rows
 
     def finish(self) -> dict[str, Array]:
         """Copy stand-ins to where they belong, and return the arrays."""

@@ -16,7 +16,7 @@ from numpy.typing import DTypeLike, NDArray
 from pkmodes.core.base.drives import HELD
 from pkmodes.core.linalg.damping import damping_ratios
 from pkmodes.core.linalg.eigen import natural_frequencies
-from pkmodes.core.linalg.statics import amplitudes_of_steps, softest
+from pkmodes.core.linalg.statics import softest_stiffness, step_amplitudes
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.robot import Robot
 
@@ -25,12 +25,12 @@ Array = NDArray[Any]
 #: axis of all coordinates, and linear directions of that of all components of the platform's motion.
 MODE, DIRECTION, COORDINATE, DRIVE = "mode", "direction", "coordinate", "drive"
 INDEPENDENT, DEPENDENT, LINEAR, COMPONENT = "independent", "dependent", "linear", "component"
-BASE = "base coordinate"
+BASE_COORDINATE = "base coordinate"
 NORMALISED = "mass-normalised, phi^T M phi = 1: displacements in 1/sqrt(kg), rotations in 1/(sqrt(kg) m)"
 PER_MODE = "of the platform in each vibration mode"
 #: Conditions under which maps have a field: mode shapes are kept, a robot dissipates, the motors are held.
 SHAPES, DISSIPATION = "shapes", "dissipation"
-EVERY = frozenset({SHAPES, DISSIPATION, HELD})
+ALL_CONDITIONS = frozenset({SHAPES, DISSIPATION, HELD})
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -40,29 +40,29 @@ class Field:
     - name: in `pkmodes.Modes` and the arguments ``fields`` and ``out``, if it is one of the results there
     - dims: axes after those of the poses
     - needs: the quantities of which it is a function
-    - of: from their values at N poses, its values, (N, ...); by default those of the only one
+    - function: computes its values at N poses, (N, ...), from theirs; by default it returns those of the only one
     - in_modes: whether `pkmodes.Modes` has it
     - variable: its name in maps, datasets and tables; empty if it is in none
     - key: its name in the JSON of ``pkmodes modes``; empty if it is not there
-    - key_text: what it is, for the JSON Schema
+    - key_text: its description in the JSON Schema
     - units: in maps; of a mechanism
-    - text: what it is, for maps; {plane}, {normal}, {independent} and {effort} are replaced
+    - text: its description in maps; {plane}, {normal}, {independent} and {effort} are replaced
     - symbol: heading in the table of a notebook, followed by the number of the mode; empty if it has no columns there
-    - only: under which condition maps have it (`conditions_of`), "", "shapes", "dissipation" or "held", if not
+    - only: the condition under which maps have it (`conditions_of`): "shapes", "dissipation" or "held"; empty for
       always.  With ``"held"`` it is null in JSON where motors are free and no spring holds them.
     - signed: whether it changes its sign with the sign of the mode shape
     - nullable: whether its numbers may be null in JSON
     - same_as: another field whose values it has, for mechanisms whose independent coordinates have its name
-    - otherwise: its value where the robot does not dissipate, or the motors are free, if `only` says that it is for
-      the other case; NaN for rigid modes
+    - fallback: its value if the condition `only` does not hold: nothing dissipates, or the motors are free; NaN for
+      rigid modes
     - on_demand: whether results evaluate it only when it is read, unless it was asked for by name
-    - read_with: another such field that is mostly read too: at few poses reading one of them evaluates both
+    - read_with: another such field, usually read too: at a few poses, reading one of them evaluates both
     """
 
     name: str
     dims: tuple[str, ...]
     needs: tuple[str, ...]
-    of: Callable[..., Array] = lambda values: values
+    function: Callable[..., Array] = lambda values: values
     in_modes: bool = True
     variable: str = ""
     key: str = ""
@@ -76,11 +76,11 @@ class Field:
     signed: bool = False
     same_as: str = ""
     nullable: bool = False
-    otherwise: float = np.nan
+    fallback: float = np.nan
     on_demand: bool = False
     read_with: str = ""
 
-    def is_of(self, mechanism: Mechanism) -> bool:
+    def applies_to(self, mechanism: Mechanism) -> bool:
         """Return whether results of a mechanism have it."""
         return not self.same_as or mechanism.independent_are.replace(" ", "_") == self.name
 
@@ -114,17 +114,19 @@ def _vibration_amplitudes(
 ) -> Array:
     linear = slice(len(directions))
     momenta = mass_matrix @ strain_free_motions(elastic_stiffness, platform_jacobian)[..., linear]
-    amplitudes = amplitudes_of_steps(eigenvalues, shapes, platform_shapes[..., linear], momenta)
+    amplitudes = step_amplitudes(eigenvalues, shapes, platform_shapes[..., linear], momenta)
     amplitudes[:, :rigid_modes] = np.nan
     return amplitudes
 
 
 def _softest_stiffness(
-    stiffness_matrix: Array, platform_motion: Array, kept: Array | None, directions: Sequence[str]
+    stiffness_matrix: Array, platform_motion: Array, held_basis: Array | None, directions: Sequence[str]
 ) -> Array:
-    if kept is None:
+    if held_basis is None:
         return np.full(len(stiffness_matrix), np.nan)
-    return softest(kept.T @ stiffness_matrix @ kept, platform_motion[..., : len(directions), :] @ kept)
+    return softest_stiffness(
+        held_basis.T @ stiffness_matrix @ held_basis, platform_motion[..., : len(directions), :] @ held_basis
+    )
 
 
 def _platform_shapes(shapes: Array, platform_motion: Array) -> Array:
@@ -161,7 +163,7 @@ FIELDS: dict[str, Field] = {
             name="frequencies",
             dims=(MODE,),
             needs=("eigenvalues",),
-            of=natural_frequencies,
+            function=natural_frequencies,
             variable="frequency",
             key="frequencies_hz",
             key_text="sqrt(|lambda|) / (2 pi) with the sign of lambda [Hz], ascending, the rigid-body ones "
@@ -175,7 +177,7 @@ FIELDS: dict[str, Field] = {
             name="damping_ratios",
             dims=(MODE,),
             needs=("eigenvalues", "shapes", "dissipation", "points", "rigid_modes"),
-            of=_damping_ratios,
+            function=_damping_ratios,
             variable="damping_ratio",
             key="damping_ratios",
             key_text="Damping ratio of each mode, as for light damping; null for the rigid ones.",
@@ -183,7 +185,7 @@ FIELDS: dict[str, Field] = {
             text="damping ratio",
             comment="as for light damping",
             only=DISSIPATION,
-            otherwise=0.0,
+            fallback=0.0,
             on_demand=True,
         ),
         Field(
@@ -202,7 +204,7 @@ FIELDS: dict[str, Field] = {
             name="platform_shapes",
             dims=(MODE, DIRECTION),
             needs=("shapes", "platform_motion"),
-            of=_platform_shapes,
+            function=_platform_shapes,
             variable="platform_shape",
             key="platform_shapes",
             key_text="For each mode the motion of the platform centre along the linear components of the "
@@ -225,7 +227,7 @@ FIELDS: dict[str, Field] = {
                 "strain_free_motions",
                 "directions",
             ),
-            of=_vibration_amplitudes,
+            function=_vibration_amplitudes,
             variable="vibration_amplitude",
             key="vibration_amplitudes",
             key_text="With held motors, or motors on springs (servo_stiffness): for each mode the amplitude with "
@@ -243,7 +245,7 @@ FIELDS: dict[str, Field] = {
             name="in_plane",
             dims=(MODE,),
             needs=("platform_shapes", "directions", "normal"),
-            of=_in_plane,
+            function=_in_plane,
             in_modes=False,
             variable="in_plane",
             text=f"motion {PER_MODE}, magnitude in {{plane}}",
@@ -253,7 +255,7 @@ FIELDS: dict[str, Field] = {
             name="out_of_plane",
             dims=(MODE,),
             needs=("platform_shapes", "directions", "normal"),
-            of=_out_of_plane,
+            function=_out_of_plane,
             in_modes=False,
             variable="out_of_plane",
             text=f"motion {PER_MODE}, magnitude in {{normal}}",
@@ -309,7 +311,7 @@ FIELDS: dict[str, Field] = {
         ),
         Field(
             name="elastic_stiffness",
-            dims=(BASE, BASE),
+            dims=(BASE_COORDINATE, BASE_COORDINATE),
             needs=("elastic_stiffness",),
             in_modes=False,
         ),
@@ -332,7 +334,7 @@ FIELDS: dict[str, Field] = {
             name="condition",
             dims=(),
             needs=("platform_jacobian", "lengths"),
-            of=condition_number,
+            function=condition_number,
             in_modes=False,
             variable="condition",
             text="condition number of the platform Jacobian D_p",
@@ -340,8 +342,8 @@ FIELDS: dict[str, Field] = {
         Field(
             name="softest_stiffness",
             dims=(),
-            needs=("stiffness_matrix", "platform_motion", "kept", "directions"),
-            of=_softest_stiffness,
+            needs=("stiffness_matrix", "platform_motion", "held_basis", "directions"),
+            function=_softest_stiffness,
             in_modes=False,
             variable="softest_stiffness",
             units="N/m",
@@ -353,12 +355,12 @@ FIELDS: dict[str, Field] = {
 }
 
 
-def of_modes(mechanism: Mechanism | None = None) -> tuple[str, ...]:
+def mode_fields(mechanism: Mechanism | None = None) -> tuple[str, ...]:
     """Return the names of the fields of `pkmodes.Modes`, or those that it has for a mechanism."""
     return tuple(
         name
         for name, field in FIELDS.items()
-        if field.in_modes and (mechanism is None or field.is_of(mechanism))
+        if field.in_modes and (mechanism is None or field.applies_to(mechanism))
     )
 
 
@@ -373,25 +375,25 @@ def conditions_of(robots: Iterable[Robot], shapes: bool, drives: str) -> frozens
     return frozenset(name for name, held in holds.items() if held)
 
 
-def of_maps(conditions: frozenset[str]) -> tuple[Field, ...]:
+def map_fields(conditions: frozenset[str]) -> tuple[Field, ...]:
     """Return the fields of maps where some conditions hold; those that are kept with the mode shapes come last."""
-    there = [
+    present = [
         field for field in FIELDS.values() if field.variable and (not field.only or field.only in conditions)
     ]
-    return tuple(sorted(there, key=lambda field: field.only == SHAPES))
+    return tuple(sorted(present, key=lambda field: field.only == SHAPES))
 
 
-def missing(dtype: DTypeLike) -> float:
+def missing_value(dtype: DTypeLike) -> float:
     """Return the value of fields of a type where a pose cannot be evaluated."""
     return -1 if np.dtype(dtype).kind == "i" else np.nan
 
 
-def tail(field: Field, sizes: Mapping[str, int]) -> tuple[int, ...]:
+def pose_shape(field: Field, lengths: Mapping[str, int]) -> tuple[int, ...]:
     """Return the shape of a field at one pose."""
-    return tuple(sizes[dim] for dim in field.dims)
+    return tuple(lengths[dim] for dim in field.dims)
 
 
-def sizes_of(
+def axis_lengths(
     mechanism: Mechanism, modes: int, coordinates: int, independent: int | None = None
 ) -> dict[str, int]:
     """Return the lengths of the axes; those of independent coordinates by default without the other coordinates."""
@@ -404,5 +406,5 @@ def sizes_of(
         INDEPENDENT: len(mechanism.independent) if independent is None else independent,
         DEPENDENT: len(mechanism.coordinates) - len(mechanism.independent),
         COMPONENT: len(mechanism.pose),
-        BASE: len(mechanism.coordinates),
+        BASE_COORDINATE: len(mechanism.coordinates),
     }

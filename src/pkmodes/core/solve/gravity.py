@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.compiled.lanes import Terms, flat
+from pkmodes.core.compiled.lanes import Terms, flattened
 from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.solve.solver import Solver
 from pkmodes.core.system.evaluation import ExtendedSystem
@@ -21,18 +21,18 @@ def gravitational_stiffness(solver: Solver, system: ExtendedSystem, p: Array) ->
     - p: (N, d)
     """
     parameters, gravity = system.parameters, np.asarray(system.parameters.gravity, dtype=float)
-    first = flat(parameters[: parameters._fields.index("gravity")]).size
+    index_of_gravity = flattened(parameters[: parameters._fields.index("gravity")]).size
     along_gravity = Terms(
         first=np.array([0, gravity.size], dtype=np.int32),
-        places=np.arange(first, first + gravity.size, dtype=np.int32),
+        places=np.arange(index_of_gravity, index_of_gravity + gravity.size, dtype=np.int32),
         weights=gravity,
-        effects=flat(system.effects),
+        effects=flattened(system.effects),
         all_coordinates=False,
         locked_joints=False,
     )
-    at = RobotAtPoses(system, np.ascontiguousarray(p), "", {})
-    rates = solver.along(at, None, along_gravity, ["stiffness_rates"])
+    state = RobotAtPoses(system, np.ascontiguousarray(p), "", {})
+    rates = solver.along(state, None, along_gravity, ["stiffness_rates"])
     if rates is not None:
         return rates["stiffness_rates"][:, 0]
-    _, _, K_g = system.single("extended_matrices", p)
+    _, _, K_g = system.evaluate_function("extended_matrices", p)
     return system.free_part(system.in_basis(K_g))

@@ -20,17 +20,17 @@ from pkmodes.core.robot.robot import Robot
 from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.solve.backends import solver_of
 from pkmodes.core.solve.batch import Job, Rows, run_job
-from pkmodes.core.solve.fields import DISSIPATION, FIELDS, MODE, missing, sizes_of
-from pkmodes.core.solve.fields import tail as tail_of
+from pkmodes.core.solve.fields import DISSIPATION, FIELDS, MODE, axis_lengths, missing_value
+from pkmodes.core.solve.fields import pose_shape as tail_of
 from pkmodes.core.solve.numpy_solver import NumpySolver
-from pkmodes.core.solve.solver import EIGENVALUES, SHAPES, Alone, Codes, Solver
+from pkmodes.core.solve.solver import EIGENVALUES, SHAPES, Codes, SinglePoseFunction, Solver
 from pkmodes.core.system.evaluation import Evaluation, may_be_refused, number_of_modes
 from pkmodes.core.system.motors import MotorsHeld, springs_on_motors
 from pkmodes.core.system.strain_free import StrainFreeMotions
 
 Array = NDArray[np.float64]
 #: Poses for each thread for which intermediate quantities are kept.
-PART = 4800
+POSES_PER_THREAD = 4800
 
 
 class ModeFields:
@@ -57,81 +57,83 @@ class ModeFields:
         quantities: Mapping[str, Any],
     ) -> None:
         self._solver, self._system, self._solved = solver, system, solved
-        self._source, self._given = source, {**_given_by_motors(system, solved), **quantities}
+        self._source, self._quantities = source, {**_motor_quantities(system, solved), **quantities}
         self._names = tuple(names)
-        self._filled = [name for name in self._names if not self._tells(name)]
+        self._filled = [name for name in self._names if not self._depends_on_robot(name)]
         self._computed = computed = [name for name in self._names if name not in self._filled]
         self._derived = [name for name in computed if name not in solver.fields]
         self._needed = _needed(self._derived, solver.fields) - {*self._names}
         if _of_modes(self._filled) and not _of_modes(computed):
-            self._needed |= {EIGENVALUES}  # they tell whether the robot is refused
+            self._needed |= {EIGENVALUES}  # they decide whether the robot is refused
         modes = number_of_modes(solved)
-        sizes = sizes_of(system.mechanism, modes, len(system.coordinates))
+        sizes = axis_lengths(system.mechanism, modes, len(system.coordinates))
         fields = {name: FIELDS[name] for name in (*self._names, *self._needed) if name in FIELDS}
-        self._tails = {name: (tail_of(field, sizes), field.dtype) for name, field in fields.items()}
-        self._tails[EIGENVALUES] = (modes,), "f8"
+        self._pose_shapes = {name: (tail_of(field, sizes), field.dtype) for name, field in fields.items()}
+        self._pose_shapes[EIGENVALUES] = (modes,), "f8"
         self.job = Job(
-            tails={name: self._tails[name] for name in self._names},
+            pose_shapes={name: self._pose_shapes[name] for name in self._names},
             reasons=codes_of(system.mechanism),
             compute=self.compute,
             by_numpy=self.by_numpy,
             checks_poses=solver.checks_poses,
             refusable=_of_modes(self._names) and may_be_refused(solved),
-            at_one_pose=self._alone(),
+            single_pose_function=self._single_pose_function(),
         )
 
-    def _tells(self, name: str) -> bool:
+    def _depends_on_robot(self, name: str) -> bool:
         """Return whether a field depends on this robot."""
         field = FIELDS.get(name)
         if field is None:
             return True
         if field.only == DISSIPATION:
-            return bool(self._given["dissipation"])
-        return field.only != HELD or self._given["strain_free_motions"] is not None
+            return bool(self._quantities["dissipation"])
+        return field.only != HELD or self._quantities["strain_free_motions"] is not None
 
-    def _alone(self) -> Alone | None:
+    def _single_pose_function(self) -> SinglePoseFunction | None:
         """Return what evaluates the fields at a single pose with less overhead; None if nothing does."""
         solver_fields = [*(name for name in self._computed if name not in self._derived), *self._needed]
         if self._filled or not (solver_fields or self._solver.checks_poses):
             return None
-        solved = self._solver.alone({name: self._tails[name][0] for name in solver_fields})
-        if solved is None or not self._derived:
-            return solved
+        evaluate_solver = self._solver.single_pose_function(
+            {name: self._pose_shapes[name][0] for name in solver_fields}
+        )
+        if evaluate_solver is None or not self._derived:
+            return evaluate_solver
 
-        def of_pose(point: Array) -> dict[str, Array] | None:
-            fields = solved(point)
+        def evaluate(point: Array) -> dict[str, Array] | None:
+            fields = evaluate_solver(point)
             if fields is None:
                 return None
-            at = RobotAtPoses(self._system, point, self._source, {**self._given, **fields})
-            return {name: at[name] for name in self._names}
+            state = RobotAtPoses(self._system, point, self._source, {**self._quantities, **fields})
+            return {name: state[name] for name in self._names}
 
-        return of_pose
+        return evaluate
 
-    def tail(self, name: str) -> tuple[int, ...]:
+    def pose_shape(self, name: str) -> tuple[int, ...]:
         """Return the shape of a field at one pose."""
-        return self._tails[name][0]
+        return self._pose_shapes[name][0]
 
-    def again(
+    def evaluate_again(
         self, robot: Robot, max_condition: float, checked: CheckedPoses, threads: int
     ) -> dict[str, NDArray[Any]]:
         """Evaluate the fields, (N, *tail), at poses of an earlier evaluation: see `batch.run_job`."""
         if not self._computed:
             if len(checked.codes) == 1 and not checked.codes[0]:
-                return {name: array.copy() for name, array in self._filled_at_a_pose.items()}
+                return {name: values.copy() for name, values in self._filled_at_a_pose.items()}
             return self._filled_at(checked.codes)
         has_unsolved = checked.unsolved is not None and len(checked.unsolved) > 0
         if (
-            self.job.at_one_pose is not None
+            self.job.single_pose_function is not None
             and len(checked.points) == 1
             and not (checked.codes[0] or has_unsolved)
         ):
-            arrays = self.job.at_one_pose(checked.points)
+            arrays = self.job.single_pose_function(checked.points)
             if arrays is not None:
                 return arrays
         _, rows = run_job(self.job, robot, max_condition, checked.points, "nan", None, threads)
         if checked.unsolved is not None and has_unsolved:
-            for name, array in self.by_numpy(checked.points[checked.unsolved]).items():
-                rows[name][checked.unsolved] = array
+            for name, values in self.by_numpy(checked.points[checked.unsolved]).items():
+                rows[name][checked.unsolved] = values
         return rows
 
     def compute(self, points: Array, rows: Rows, threads: int) -> Codes:
@@ -139,8 +141,8 @@ class ModeFields:
         if not rows or not self._needed:
             return self._part(points, rows, threads)
         codes = np.empty(len(points), dtype=np.int8)
-        for start in range(0, len(points), PART * threads):
-            part = slice(start, start + PART * threads)
+        for start in range(0, len(points), POSES_PER_THREAD * threads):
+            part = slice(start, start + POSES_PER_THREAD * threads)
             codes[part] = self._part(
                 points[part], {name: array[part] for name, array in rows.items()}, threads
             )
@@ -148,7 +150,7 @@ class ModeFields:
 
     def by_numpy(self, points: Array) -> Rows:
         """Return the fields at poses, solved by NumPy."""
-        rows = {name: _empty(len(points), *self._tails[name]) for name in self._names}
+        rows = {name: _empty(len(points), *self._pose_shapes[name]) for name in self._names}
         self._by_numpy.compute(points, rows, 1)
         return rows
 
@@ -157,20 +159,20 @@ class ModeFields:
         if self._solver.name == NumpySolver.name:
             return self
         solver = solver_of(self._solved, np.inf, NumpySolver.name)
-        return ModeFields(solver, self._system, self._solved, self._source, self._names, self._given)
+        return ModeFields(solver, self._system, self._solved, self._source, self._names, self._quantities)
 
     def _part(self, points: Array, rows: Rows, threads: int) -> Codes:
-        at = RobotAtPoses(self._system, points, self._source, self._given)
+        state = RobotAtPoses(self._system, points, self._source, self._quantities)
         filled = {name: array for name, array in rows.items() if name in self._solver.fields}
         if rows:
             for name in self._needed:
-                filled[name] = _empty(len(points), *self._tails[name])
+                filled[name] = _empty(len(points), *self._pose_shapes[name])
         if filled or self._solver.checks_poses:
-            codes = self._solver.compute(at, filled, threads)
+            codes = self._solver.compute(state, filled, threads)
         else:
             codes = np.zeros(len(points), dtype=np.int8)
         if rows and self._derived:
-            self._derive(at, filled, rows, codes)
+            self._derive(state, filled, rows, codes)
         if rows:
             for name in self._filled:
                 self._fill(name, rows[name], codes)
@@ -183,7 +185,7 @@ class ModeFields:
     def _filled_at(self, codes: Codes) -> dict[str, NDArray[Any]]:
         """Return the fields that do not depend on the robot, (N, *tail)."""
         rows: dict[str, NDArray[Any]] = {
-            name: _empty(len(codes), *self._tails[name]) for name in self._filled
+            name: _empty(len(codes), *self._pose_shapes[name]) for name in self._filled
         }
         for name, array in rows.items():
             self._fill(name, array, codes)
@@ -191,26 +193,26 @@ class ModeFields:
 
     def _fill(self, name: str, array: Array, codes: Codes) -> None:
         """Fill a field that does not depend on the robot; NaN where there is none."""
-        array[...] = FIELDS[name].otherwise
+        array[...] = FIELDS[name].fallback
         if FIELDS[name].dims[:1] == (MODE,):
             array[:, : self._solved.rigid_modes] = np.nan
         if codes.any():
             array[codes != 0] = np.nan
 
-    def _derive(self, at: RobotAtPoses, filled: Rows, rows: Rows, codes: Codes) -> None:
+    def _derive(self, state: RobotAtPoses, filled: Rows, rows: Rows, codes: Codes) -> None:
         """Fill the fields that follow from those of the solver; NaN where there are none."""
-        if not codes.any() and len(codes) <= CHUNK:  # `at` may have matrices already
-            at.quantities.update(filled)
+        if not codes.any() and len(codes) <= CHUNK:  # `state` may have matrices already
+            state.quantities.update(filled)
             for name in self._derived:
-                rows[name][...] = at[name]
+                rows[name][...] = state[name]
             return
         for name in self._derived:
-            rows[name][codes != 0] = missing(rows[name].dtype)
-        good = np.flatnonzero(codes == 0)
-        for start in range(0, len(good), CHUNK):
-            chunk = good[start : start + CHUNK]
-            quantities = {**self._given, **{name: array[chunk] for name, array in filled.items()}}
-            part = RobotAtPoses(self._system, at.points[chunk], self._source, quantities)
+            rows[name][codes != 0] = missing_value(rows[name].dtype)
+        valid = np.flatnonzero(codes == 0)
+        for start in range(0, len(valid), CHUNK):
+            chunk = valid[start : start + CHUNK]
+            quantities = {**self._quantities, **{name: array[chunk] for name, array in filled.items()}}
+            part = RobotAtPoses(self._system, state.points[chunk], self._source, quantities)
             for name in self._derived:
                 rows[name][chunk] = part[name]
 
@@ -221,21 +223,21 @@ class FieldPlan:
 
     - fields: those that are computed at once
     - shared: those that share the array of another one, by name
-    - later: those that are evaluated when they are read, one by one
-    - paired: the same at few poses, where fields that are mostly read together are evaluated together
+    - deferred: those that are evaluated when they are read, one by one
+    - deferred_pairs: the same at a few poses, where fields that are usually read together are evaluated together
     - backend: of the result
     """
 
     fields: ModeFields
     shared: Mapping[str, str]
-    later: Mapping[str, ModeFields]
-    paired: Mapping[str, ModeFields]
+    deferred: Mapping[str, ModeFields]
+    deferred_pairs: Mapping[str, ModeFields]
     rigid_modes: int
     backend: str
 
 
-class Later:
-    """The fields of a result that are evaluated when they are read, with the values that they would have had at once.
+class DeferredFields:
+    """The fields of a result that are evaluated when they are read; their values are those of an evaluation at once.
 
     - plan: of the result
     - max_condition: as for the result
@@ -243,7 +245,7 @@ class Later:
     - threads: as for the result
     """
 
-    __slots__ = ("_checked", "_fields", "_max_condition", "_robot", "_threads", "_unread")
+    __slots__ = ("_checked", "_evaluated", "_fields", "_max_condition", "_robot", "_threads")
 
     def __init__(
         self,
@@ -253,9 +255,9 @@ class Later:
         checked: CheckedPoses,
         threads: int,
     ) -> None:
-        self._fields = plan.paired if len(checked.points) <= CHUNK else plan.later
+        self._fields = plan.deferred_pairs if len(checked.points) <= CHUNK else plan.deferred
         self._robot, self._max_condition, self._threads = robot, max_condition, threads
-        self._unread: dict[str, NDArray[Any]] = {}
+        self._evaluated: dict[str, NDArray[Any]] = {}
         self._checked = CheckedPoses(
             checked.points.copy(), checked.codes.copy(), checked.batch, checked.reasons, checked.unsolved
         )
@@ -265,36 +267,39 @@ class Later:
 
     def shape(self, name: str) -> tuple[int, ...]:
         """Return the shape of a field."""
-        return self._checked.batch + self._fields[name].tail(name)
+        return self._checked.batch + self._fields[name].pose_shape(name)
 
     def __call__(self, name: str) -> NDArray[Any]:
         """Evaluate a field."""
-        array = self._unread.pop(name, None)
+        array = self._evaluated.pop(name, None)
         if array is None:
-            rows = self._fields[name].again(self._robot, self._max_condition, self._checked, self._threads)
+            rows = self._fields[name].evaluate_again(
+                self._robot, self._max_condition, self._checked, self._threads
+            )
             array = rows.pop(name)
-            self._unread.update(rows)
+            self._evaluated.update(rows)
         return array.reshape(self.shape(name))
 
 
-def _given_by_motors(system: Evaluation, solved: Evaluation) -> dict[str, Any]:
-    """Return what fields need to know of the motors.
+def _motor_quantities(system: Evaluation, solved: Evaluation) -> dict[str, Any]:
+    """Return the quantities of fields that depend on the motors.
 
-    Returns ``rigid_modes``, the number of rigid modes; ``strain_free_motions``, from the elastic stiffness and the
-    platform Jacobian of N poses the motions of all coordinates, None where motors follow no command: they are free,
-    without springs that hold them; ``kept``, all coordinates per unit of those that remain with held motors, (n, r),
-    None with free motors or if a motion remains that nothing elastic resists.
+    - `rigid_modes`: number of rigid modes
+    - `strain_free_motions`: function that returns the motions of all coordinates from the elastic stiffness and the
+      platform Jacobian at N poses; None if the motors follow no command: they are free, and no spring holds them
+    - `held_basis`: all coordinates per unit of those that remain with held motors, (n, r); None with free motors, or
+      if a motion remains that nothing elastic resists
     """
     quantities: dict[str, Any] = {
         "rigid_modes": solved.rigid_modes,
         "strain_free_motions": None,
-        "kept": None,
+        "held_basis": None,
     }
-    held = isinstance(solved, MotorsHeld)
-    if held or springs_on_motors(system.mechanism, system.springs_to_ground):
+    is_held = isinstance(solved, MotorsHeld)
+    if is_held or springs_on_motors(system.mechanism, system.springs_to_ground):
         quantities["strain_free_motions"] = StrainFreeMotions(system)
     if isinstance(solved, MotorsHeld):
-        quantities["kept"] = None if solved.rigid_modes else solved.kept_and_motor_motions()[0]
+        quantities["held_basis"] = None if solved.rigid_modes else solved.kept_and_motor_motions()[0]
     return quantities
 
 

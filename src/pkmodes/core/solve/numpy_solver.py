@@ -9,11 +9,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import PoseError
-from pkmodes.core.linalg.eigen import base_level, condensed_eigh, has_stiff_joint
+from pkmodes.core.linalg.eigen import base_eigenvalue_scale, condensed_eigh, has_stiff_joint
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.regular import regular_poses
 from pkmodes.core.solve.at_poses import RobotAtPoses
-from pkmodes.core.solve.held_motions import RESOLVED, lost_in_rounding, refuse_unresolved, solve_held
+from pkmodes.core.solve.held_motions import (
+    MIN_RESOLVED_RATIO,
+    lost_in_rounding,
+    refuse_unresolved,
+    solve_held,
+)
 from pkmodes.core.solve.solver import EIGENVALUES, SHAPES, Codes, Solver
 from pkmodes.core.system.evaluation import Evaluation, matrices
 
@@ -24,72 +29,76 @@ class NumpySolver(Solver):
     """Solves the eigenproblem with NumPy, and refuses unphysical systems."""
 
     name = "numpy"
-    at_hand: ClassVar[frozenset[str]] = frozenset({"mass_matrix", "stiffness_matrix"})
+    cheap_fields: ClassVar[frozenset[str]] = frozenset({"mass_matrix", "stiffness_matrix"})
 
     @classmethod
     def init(cls, system: Evaluation, largest_condition: float) -> Self:
         """Prepare for a robot."""
         return cls()
 
-    def compute(self, at: RobotAtPoses, arrays: Mapping[str, Array], threads: int = 1) -> Codes:
+    def compute(self, state: RobotAtPoses, arrays: Mapping[str, Array], threads: int = 1) -> Codes:
         """Fill the eigenvalues and shapes.
 
         Raises PoseError as `checked_modes` does.
         """
-        both = dict(zip((EIGENVALUES, SHAPES), checked_modes(at), strict=True))
+        solution = dict(zip((EIGENVALUES, SHAPES), checked_modes(state), strict=True))
         for name, array in arrays.items():
-            array[...] = both[name]
-        return np.zeros(len(at.points), dtype=np.int8)
+            array[...] = solution[name]
+        return np.zeros(len(state.points), dtype=np.int8)
 
 
-def checked_modes(at: RobotAtPoses) -> tuple[Array, Array]:
+def checked_modes(state: RobotAtPoses) -> tuple[Array, Array]:
     """Return eigenvalues and shapes as `modes_of` does, with its layout in memory.
 
     Raises PoseError if M is not positive definite, the eigenvalues are not finite, or a frequency of vibration is
     lost in rounding.
     """
     try:
-        eigenvalues, shapes = modes_of(at)
+        eigenvalues, shapes = modes_of(state)
     except np.linalg.LinAlgError:
         raise PoseError(
-            "the mass matrix is not positive definite", at.source, "give every moving body a mass"
+            "the mass matrix is not positive definite", state.source, "give every moving body a mass"
         ) from None
-    _check(eigenvalues, shapes, at)
+    _check(eigenvalues, shapes, state)
     return eigenvalues, shapes
 
 
-def modes_of(at: RobotAtPoses) -> tuple[Array, Array]:
+def modes_of(state: RobotAtPoses) -> tuple[Array, Array]:
     """Return eigenvalues, (N, m), and shapes, (N, m, n), at N valid poses; N may be 0.
 
     Raises numpy.linalg.LinAlgError if M is not positive definite.
     """
-    system = at.system
-    massless = None if len(at.points) else system.massless
+    system = state.system
+    massless = None if len(state.points) else system.massless
     eigenvalues, shapes = condensed_eigh(
-        at.mass_matrix, at.stiffness_matrix, system.first, system.rigid_modes, massless
+        state.mass_matrix, state.stiffness_matrix, system.base_count, system.rigid_modes, massless
     )
-    solve_held(at, eigenvalues, shapes)
+    solve_held(state, eigenvalues, shapes)
     return eigenvalues, shapes
 
 
-def _check(eigenvalues: Array, shapes: Array, at: RobotAtPoses) -> None:
-    """Reject eigenvalues that are not frequencies, or whose digits are lost."""
+def _check(eigenvalues: Array, shapes: Array, state: RobotAtPoses) -> None:
+    """Reject eigenvalues that are not finite, or whose digits are lost."""
     if not np.isfinite(eigenvalues).all():
-        raise PoseError("the eigenvalues are not finite", at.source, "check the robot's magnitudes")
-    system = at.system
+        raise PoseError("the eigenvalues are not finite", state.source, "check the robot's magnitudes")
+    system = state.system
     if not len(eigenvalues):
         return
     if system.held_motions:
-        refuse_unresolved(at, eigenvalues, shapes)
+        refuse_unresolved(state, eigenvalues, shapes)
         return
     lowest, highest = eigenvalues[:, system.rigid_modes], eigenvalues[:, -1]
-    stiff = has_stiff_joint(eigenvalues, system.first, system.rigid_modes)
+    stiff = has_stiff_joint(eigenvalues, system.base_count, system.rigid_modes)
     if stiff.any():
-        highest = np.where(stiff, base_level(at.mass_matrix, at.stiffness_matrix, system.first), highest)
-    lost = np.abs(lowest) < RESOLVED * highest
-    if lost.any() and (system.first < len(system.coordinates) or _loses_everywhere(system)):
-        which = int(np.argmax(lost))
-        raise lost_in_rounding(at, lowest[which], highest[which])
+        highest = np.where(
+            stiff,
+            base_eigenvalue_scale(state.mass_matrix, state.stiffness_matrix, system.base_count),
+            highest,
+        )
+    lost = np.abs(lowest) < MIN_RESOLVED_RATIO * highest
+    if lost.any() and (system.base_count < len(system.coordinates) or _loses_everywhere(system)):
+        index = int(np.argmax(lost))
+        raise lost_in_rounding(state, lowest[index], highest[index])
 
 
 def _loses_everywhere(system: Evaluation) -> bool:
@@ -101,6 +110,6 @@ def _loses_everywhere(system: Evaluation) -> bool:
     points = regular_poses(Generated(mechanism.model, parameters), mechanism, parameters)
     if not len(points):
         return True
-    eigenvalues, _ = condensed_eigh(*matrices(system, points), system.first, system.rigid_modes)
+    eigenvalues, _ = condensed_eigh(*matrices(system, points), system.base_count, system.rigid_modes)
     lowest, highest = eigenvalues[:, system.rigid_modes], eigenvalues[:, -1]
-    return bool((np.abs(lowest) < RESOLVED * highest).all())
+    return bool((np.abs(lowest) < MIN_RESOLVED_RATIO * highest).all())

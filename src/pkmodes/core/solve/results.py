@@ -12,16 +12,16 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.attached import Attached
 from pkmodes.core.base.errors import NotComputedError
-from pkmodes.core.mechanism.poses import CHUNK, explained
+from pkmodes.core.mechanism.poses import CHUNK, explain_codes
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.robot import Robot
-from pkmodes.core.solve.fields import of_modes
+from pkmodes.core.solve.fields import mode_fields
 
 if TYPE_CHECKING:
     from pandas import DataFrame
     from xarray import Dataset
 
-    from pkmodes.core.solve.mode_fields import Later
+    from pkmodes.core.solve.mode_fields import DeferredFields
 
 Array = NDArray[np.float64]
 
@@ -69,9 +69,9 @@ class ChosenFields(AtPoses):
     METHOD: ClassVar[str] = ""
 
     arrays: InitVar[Mapping[str, NDArray[Any]]]
-    _later: InitVar[Later | None] = field(default=None, kw_only=True)
+    _later: InitVar[DeferredFields | None] = field(default=None, kw_only=True)
 
-    def __post_init__(self, arrays: Mapping[str, NDArray[Any]], _later: Later | None) -> None:
+    def __post_init__(self, arrays: Mapping[str, NDArray[Any]], _later: DeferredFields | None) -> None:
         self.__dict__.update(arrays)
         if _later is not None:
             self.__dict__["_later"] = _later
@@ -120,7 +120,7 @@ class _NamesOfModes:
     """The names of the fields in the table, as a class attribute."""
 
     def __get__(self, instance: object, owner: type) -> tuple[str, ...]:
-        return of_modes()
+        return mode_fields()
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -215,7 +215,7 @@ class Modes(ChosenFields):
         tuple of str
             In the order of ``FIELDS``.
         """
-        return of_modes(mechanism)
+        return mode_fields(mechanism)
 
     if TYPE_CHECKING:
 
@@ -289,9 +289,9 @@ class PoseCheck(AtPoses):
         invalid, codes = np.flatnonzero(self.codes), self.codes.reshape(-1)
         mechanism, points = self.robot.mechanism, self.poses.reshape(self.codes.size, -1)
         for start in range(0, len(invalid), CHUNK):
-            bad = invalid[start : start + CHUNK]
-            texts = explained(points[bad], codes[bad], mechanism, self.robot.parameters)
-            sentences[bad] = [f"{problem}; {remedy}" for problem, remedy in texts]
+            chunk = invalid[start : start + CHUNK]
+            texts = explain_codes(points[chunk], codes[chunk], mechanism, self.robot.parameters)
+            sentences[chunk] = [f"{problem}; {remedy}" for problem, remedy in texts]
         shaped: NDArray[np.object_] = sentences.reshape(self.codes.shape)[()]
         return shaped
 

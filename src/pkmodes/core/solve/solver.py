@@ -19,8 +19,8 @@ from pkmodes.core.system.evaluation import Evaluation
 
 Array = NDArray[np.float64]
 Codes = NDArray[np.int8]
-Alone = Callable[[Array], dict[str, Array] | None]
-__all__ = ["EIGENVALUES", "SHAPES", "UNSOLVED", "Alone", "Codes", "Solver", "UnavailableError"]
+SinglePoseFunction = Callable[[Array], dict[str, Array] | None]
+__all__ = ["EIGENVALUES", "SHAPES", "UNSOLVED", "Codes", "SinglePoseFunction", "Solver", "UnavailableError"]
 EIGENVALUES, SHAPES = "eigenvalues", "shapes"
 
 
@@ -34,20 +34,20 @@ class Solver(ABC):
     - name: as the user gives it
     - fields: the quantities that `compute` fills, at least ``eigenvalues`` and ``shapes``; other fields follow from
       them
-    - at_hand: fields that cost no more than a copy where `compute` has solved for modes
+    - cheap_fields: fields that cost no more than a copy where `compute` has solved for modes
     - checks_poses: whether `compute` checks the poses itself.  If not, it is given poses that can be evaluated, a few
       thousand at a time.
     - differentiates: whether it has `rates`
-    - together: whether `init` also takes several robots, stacked into one system, with the same coordinates without
-      inertia
+    - takes_several_robots: whether `init` also takes several robots, stacked into one system, with the same
+      coordinates without inertia
     """
 
     name: ClassVar[str]
     fields: ClassVar[frozenset[str]] = frozenset({EIGENVALUES, SHAPES})
-    at_hand: ClassVar[frozenset[str]] = frozenset()
+    cheap_fields: ClassVar[frozenset[str]] = frozenset()
     checks_poses: ClassVar[bool] = False
     differentiates: ClassVar[bool] = False
-    together: ClassVar[bool] = False
+    takes_several_robots: ClassVar[bool] = False
 
     @property
     def inner(self) -> Solver:
@@ -66,7 +66,7 @@ class Solver(ABC):
         """
 
     @abstractmethod
-    def compute(self, at: RobotAtPoses, arrays: Mapping[str, Array], threads: int = 1) -> Codes:
+    def compute(self, state: RobotAtPoses, arrays: Mapping[str, Array], threads: int = 1) -> Codes:
         """Fill arrays at N poses.
 
         - arrays: contiguous, by name of `fields`, each (N, ...); eigenvalues (N, m) ascending, shapes (N, m, n) as
@@ -77,22 +77,24 @@ class Solver(ABC):
         poses, also indices into `pkmodes.core.mechanism.poses.codes_of`, where it fills NaN.
         """
 
-    def alone(self, tails: Mapping[str, tuple[int, ...]]) -> Alone | None:
+    def single_pose_function(self, pose_shapes: Mapping[str, tuple[int, ...]]) -> SinglePoseFunction | None:
         """Return what fills arrays at a single pose with less overhead than `compute`; None if nothing does.
 
-        - tails: shapes at one pose of fields of `fields`
+        - pose_shapes: shapes at one pose of fields of `fields`
 
         It returns, from a pose, (1, d), new arrays, (1, *tail), by field, to the last digit those of `compute`; None
         where `compute` has to evaluate the pose, because its code is not 0.  Several threads may call it.
         """
         return None
 
-    def rates(self, at: RobotAtPoses, arrays: Mapping[str, Array], terms: Terms, threads: int = 1) -> Codes:
+    def rates(
+        self, state: RobotAtPoses, arrays: Mapping[str, Array], terms: Terms, threads: int = 1
+    ) -> Codes:
         """Fill arrays as `compute` does, also with derivatives along paths, by the names of `Evaluator.run`."""
         raise NotImplementedError
 
     def along(
-        self, at: RobotAtPoses, modes: tuple[Array, Array] | None, terms: Terms, fields: Sequence[str]
+        self, state: RobotAtPoses, modes: tuple[Array, Array] | None, terms: Terms, fields: Sequence[str]
     ) -> dict[str, Array] | None:
         """Return what the derivatives of given modes along paths need; None if NumPy has to evaluate it.
 

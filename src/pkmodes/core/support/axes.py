@@ -9,15 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.arguments import Constraint, check_argument, is_number
-from pkmodes.core.base.errors import PkmodesError, listed, shown
+from pkmodes.core.base.errors import PkmodesError, checked_list, shown
 
 Array = NDArray[np.float64]
 VALUES_BY_PATH = Constraint("values by path", lambda value: isinstance(value, Mapping))
-EXAMPLE = 'for example: {"platform.mass": [1.0, 1.5, 2.0]}'
+SWEEP_EXAMPLE = 'for example: {"platform.mass": [1.0, 1.5, 2.0]}'
 
 
-def ascending(
-    points: Any,
+def check_axis_values(
+    values: Any,
     name: str,
     where: str,
     example: str,
@@ -36,14 +36,14 @@ def ascending(
     Returns (N,).
     Raises PkmodesError.
     """
-    if isinstance(points, np.ndarray) and points.ndim == 0:
-        points = points.item()
-    values = listed(
-        [points] if isinstance(points, int | float | np.number) else points, f"values of {name}", where, "0.1"
+    if isinstance(values, np.ndarray) and values.ndim == 0:
+        values = values.item()
+    elements = checked_list(
+        [values] if isinstance(values, int | float | np.number) else values, f"values of {name}", where, "0.1"
     )
-    if not all(map(is_number, values)):
-        raise error(f"expected numbers in SI units, found {shown(values[0])}", where, example)
-    axis = np.array(values, dtype=float)
+    if not all(map(is_number, elements)):
+        raise error(f"expected numbers in SI units, found {shown(elements[0])}", where, example)
+    axis = np.array(elements, dtype=float)
     if not len(axis):
         raise error("expected at least one value, found none", where, "give one number or several")
     if not np.isfinite(axis).all():
@@ -52,9 +52,9 @@ def ascending(
         raise error(
             "expected ascending values, found descending ones", where, "sort them, the smallest first"
         )
-    different, counts = np.unique(axis, return_counts=True)
+    distinct, counts = np.unique(axis, return_counts=True)
     if (counts > 1).any():
-        raise error(f"the value {different[counts > 1][0]:g} is repeated", where, "give each value once")
+        raise error(f"the value {distinct[counts > 1][0]:g} is repeated", where, "give each value once")
     return axis
 
 
@@ -65,10 +65,10 @@ def swept_values(sweep: Any, where: str) -> dict[str, Array]:
     - where: of the argument, for messages
 
     Returns them in the order given.
-    Raises PkmodesError if it is none.  Whether there is such a parameter is left to `pkmodes.Robot.with_values`.
+    Raises PkmodesError if it is not such a mapping.  `pkmodes.Robot.with_values` checks that the parameters exist.
     """
-    check_argument(sweep, VALUES_BY_PATH, where, EXAMPLE)
+    check_argument(sweep, VALUES_BY_PATH, where, SWEEP_EXAMPLE)
     return {
-        path: ascending(values, str(path), f"{where}: {path}", EXAMPLE, strictly=False)
+        path: check_axis_values(values, str(path), f"{where}: {path}", SWEEP_EXAMPLE, strictly=False)
         for path, values in sweep.items()
     }

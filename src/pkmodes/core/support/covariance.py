@@ -8,8 +8,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.robot.covariance import DIGITS, Covariance
-from pkmodes.core.robot.layout import lent
+from pkmodes.core.robot.covariance import SIGMA_TOLERANCE, Covariance
+from pkmodes.core.robot.layout import table_sources
 from pkmodes.core.robot.robot import Robot
 
 Array = NDArray[np.float64]
@@ -17,25 +17,27 @@ Array = NDArray[np.float64]
 
 def sigmas_by_path(robot: Robot) -> dict[str, float]:
     """Return the standard deviations above 0 of a robot by path [SI]; a value that an effect takes counts once."""
-    twice = {path for path, table_path in lent(robot.mechanism).items() if table_path in robot.quantities}
-    return {path: q.sigma for path, q in robot.quantities.items() if q.sigma and path not in twice}
+    duplicates = {
+        path for path, table_path in table_sources(robot.mechanism).items() if table_path in robot.quantities
+    }
+    return {path: q.sigma for path, q in robot.quantities.items() if q.sigma and path not in duplicates}
 
 
 def covariance_of(robot: Robot, paths: Sequence[str]) -> Array:
-    """Return the covariance of uncertain values as the frequencies have it, (k, k) [SI].
+    """Return the covariance of uncertain values that enters the frequencies, (k, k) [SI].
 
     The covariance of some values is that of all, without the others' rows and columns: those may have any value.
     """
     sigmas = sigmas_by_path(robot)
     matrix = np.diag([sigmas[path] ** 2 for path in paths])
-    place = {path: i for i, path in enumerate(paths)}
+    index_of = {path: i for i, path in enumerate(paths)}
     for table in robot.covariance:
-        stated = _sigmas(table, sigmas)
-        members = [k for k, path in enumerate(table.paths) if path in place]
-        at = [place[table.paths[k]] for k in members]
-        matrix[np.ix_(at, at)] = (np.array(table.correlation) * np.outer(stated, stated))[
-            np.ix_(members, members)
-        ]
+        table_sigmas = _sigmas(table, sigmas)
+        members = [k for k, path in enumerate(table.paths) if path in index_of]
+        indices = [index_of[table.paths[k]] for k in members]
+        matrix[np.ix_(indices, indices)] = (
+            np.array(table.correlation) * np.outer(table_sigmas, table_sigmas)
+        )[np.ix_(members, members)]
     return matrix
 
 
@@ -52,32 +54,36 @@ def priors_of(robot: Robot) -> dict[str, Prior]:
     A value and its table of correlations may state one standard deviation with different numbers of digits: that of
     the table counts, because small differences of strongly correlated values depend on its digits.
     """
-    declared, correlated = sigmas_by_path(robot), {}
+    declared, correlations = sigmas_by_path(robot), {}
     tables = [(table, _sigmas(table, declared)) for table in robot.covariance]
     sigmas = declared | {
         path: sigma
-        for table, stated in tables
-        for path, sigma in zip(table.paths, stated, strict=True)
-        if abs(declared[path] - sigma) <= DIGITS * sigma
+        for table, table_sigmas in tables
+        for path, sigma in zip(table.paths, table_sigmas, strict=True)
+        if abs(declared[path] - sigma) <= SIGMA_TOLERANCE * sigma
     }
-    for table, stated in tables:
-        part = np.array(stated) / [sigmas[path] for path in table.paths]
-        rates = np.array(table.correlation) * np.outer(part, part)
+    for table, table_sigmas in tables:
+        ratios = np.array(table_sigmas) / [sigmas[path] for path in table.paths]
+        coefficients = np.array(table.correlation) * np.outer(ratios, ratios)
         for i, path in enumerate(table.paths):
-            correlations = [(partner, float(rates[i, k])) for k, partner in enumerate(table.paths) if k != i]
-            correlated[path] = tuple((partner, rate) for partner, rate in correlations if rate)
-    return {path: Prior(sigma, correlated.get(path, ())) for path, sigma in sigmas.items()}
+            partners = [
+                (partner, float(coefficients[i, k])) for k, partner in enumerate(table.paths) if k != i
+            ]
+            correlations[path] = tuple(
+                (partner, coefficient) for partner, coefficient in partners if coefficient
+            )
+    return {path: Prior(sigma, correlations.get(path, ())) for path, sigma in sigmas.items()}
 
 
-def root_of(covariance: Array) -> Array:
+def covariance_root(covariance: Array) -> Array:
     """Return a matrix L with L L^T = C, (k, r), by its eigenvectors: C may be singular.
 
     It is diagonal where C is.
     """
-    size = np.sqrt(np.diagonal(covariance))
+    sigmas = np.sqrt(np.diagonal(covariance))
     if not (covariance - np.diag(np.diagonal(covariance))).any():
-        return np.diag(size)
-    scale = np.where(size > 0.0, size, 1.0)
+        return np.diag(sigmas)
+    scale = np.where(sigmas > 0.0, sigmas, 1.0)
     values, vectors = np.linalg.eigh(covariance / np.outer(scale, scale))
     significant = values > len(values) * np.finfo(float).eps
     root: Array = scale[:, None] * vectors[:, significant] * np.sqrt(values[significant])

@@ -46,21 +46,21 @@ class Document(Struct, frozen=True):
 
     def as_json(self) -> dict[str, Any]:
         """Return the object as JSON has it; numbers that are not finite are None."""
-        content: dict[str, Any] = _plain(msgspec.to_builtins(self, enc_hook=_converted))
+        content: dict[str, Any] = _to_json(msgspec.to_builtins(self, enc_hook=_to_builtin))
         return content
 
 
-def _converted(value: Any) -> Any:
+def _to_builtin(value: Any) -> Any:
     """Return a value that msgspec does not know, such as one of NumPy, as one that it does."""
     return dict(value) if isinstance(value, Mapping) else value.tolist()
 
 
-def _plain(value: Any) -> Any:
+def _to_json(value: Any) -> Any:
     """Replace tuples by lists, and numbers that are not finite by None."""
     if isinstance(value, dict):
-        return {key: _plain(entry) for key, entry in value.items()}
+        return {key: _to_json(entry) for key, entry in value.items()}
     if isinstance(value, list | tuple):
-        return [_plain(entry) for entry in value]
+        return [_to_json(entry) for entry in value]
     return None if isinstance(value, float) and not math.isfinite(value) else value
 
 

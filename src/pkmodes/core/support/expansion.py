@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 #: Lower bound of the difference between two eigenvalues in the denominator, relative to the larger of the two.
-SMALLEST_GAP = 1e-6
+MIN_RELATIVE_GAP = 1e-6
 #: The same relative to the largest eigenvalue: smaller differences, as between rigid-body modes, are rounding.
 ROUNDING = float(np.finfo(float).eps)
 
@@ -31,10 +31,10 @@ def modal_expansion(change: Array, norm: Array, eigenvalues: Array, shapes: Arra
     Returns (N, T, m, m), with axes i and j.
     """
     gap = eigenvalues[:, :, None] - eigenvalues[:, None, :]
-    least = SMALLEST_GAP * np.maximum(np.abs(eigenvalues[:, :, None]), np.abs(eigenvalues[:, None, :]))
-    least = np.maximum(least, ROUNDING * np.abs(eigenvalues).max(axis=1)[:, None, None])
-    gap = np.where(gap >= 0.0, 1.0, -1.0) * np.maximum(np.abs(gap), np.maximum(least, 1e-300))
-    share: Array = change @ np.swapaxes(shapes, -1, -2)[:, None] / gap[:, None]
+    min_gap = MIN_RELATIVE_GAP * np.maximum(np.abs(eigenvalues[:, :, None]), np.abs(eigenvalues[:, None, :]))
+    min_gap = np.maximum(min_gap, ROUNDING * np.abs(eigenvalues).max(axis=1)[:, None, None])
+    gap = np.where(gap >= 0.0, 1.0, -1.0) * np.maximum(np.abs(gap), np.maximum(min_gap, 1e-300))
+    coefficients: Array = change @ np.swapaxes(shapes, -1, -2)[:, None] / gap[:, None]
     diagonal = np.arange(shapes.shape[1])
-    share[..., diagonal, diagonal] = -0.5 * norm
-    return share
+    coefficients[..., diagonal, diagonal] = -0.5 * norm
+    return coefficients

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 #: Modes whose measured components differ by less than this fraction are indistinguishable.
-ALIKE = 1e-6
+INDEPENDENCE_TOLERANCE = 1e-6
 
 
 def normalised(shapes: Array) -> Array:
@@ -23,21 +23,21 @@ def normalised(shapes: Array) -> Array:
     return np.asarray(values / np.where(largest > 0.0, largest, 1.0))
 
 
-def channel_weights(model: Array, moves: Array) -> Array:
+def channel_weights(model: Array, motion: Array) -> Array:
     """Return the factors by which shapes are in units of each channel's motion, (..., 1, C).
 
     - model: (..., m, C)
-    - moves: see `channel_motion`, (..., C); for channels that do not move in the reference, this model's motion is
+    - motion: see `channel_motion`, (..., C); for channels that do not move in the reference, this model's motion is
       used
     """
-    if not (moves > 0.0).all():
-        moves = np.where(moves > 0.0, moves, channel_motion(model))
-    return motion_weights(moves)[..., None, :]
+    if not (motion > 0.0).all():
+        motion = np.where(motion > 0.0, motion, channel_motion(model))
+    return motion_weights(motion)[..., None, :]
 
 
-def motion_weights(moves: Array) -> Array:
+def motion_weights(motion: Array) -> Array:
     """Return the factors that make channels comparable: 1 / motion, 0 for a channel that does not move."""
-    return np.asarray(np.where(moves > 0.0, 1.0 / np.where(moves > 0.0, moves, 1.0), 0.0))
+    return np.asarray(np.where(motion > 0.0, 1.0 / np.where(motion > 0.0, motion, 1.0), 0.0))
 
 
 def mac(shapes: Array, model: Array, measured: NDArray[np.bool_]) -> Array:
@@ -48,13 +48,13 @@ def mac(shapes: Array, model: Array, measured: NDArray[np.bool_]) -> Array:
 
     Returns (..., r, m).
     """
-    lengths = (shapes**2).sum(axis=-1)
-    sizes = measured.astype(float) @ np.swapaxes(model**2, -1, -2)
-    along = (shapes @ np.swapaxes(model, -1, -2)) ** 2
-    comparable = (measured.sum(axis=-1) >= 2) & (lengths > 0.0)
+    norms = (shapes**2).sum(axis=-1)
+    mode_norms = measured.astype(float) @ np.swapaxes(model**2, -1, -2)
+    projections = (shapes @ np.swapaxes(model, -1, -2)) ** 2
+    comparable = (measured.sum(axis=-1) >= 2) & (norms > 0.0)
     with np.errstate(invalid="ignore", divide="ignore"):
-        likeness = along / (np.where(sizes > 0.0, sizes, 1.0) * lengths[..., None])
-    return np.where(comparable[..., None], likeness, np.nan)
+        values = projections / (np.where(mode_norms > 0.0, mode_norms, 1.0) * norms[..., None])
+    return np.where(comparable[..., None], values, np.nan)
 
 
 def explained_difference(shapes: Array, errors: Array, sigmas: float) -> Array:
@@ -67,13 +67,13 @@ def explained_difference(shapes: Array, errors: Array, sigmas: float) -> Array:
     - sigmas: the result is the mean plus this many standard deviations
     """
     squares = shapes**2
-    lengths = squares.sum(axis=-1)
-    lengths = np.where(lengths > 0.0, lengths, 1.0)
-    shares, variances = squares / lengths[..., None], errors**2
-    along = (variances * shares).sum(axis=-1)
-    mean = variances.sum(axis=-1) - along
-    spread = (variances**2 * (1.0 - 2.0 * shares)).sum(axis=-1) + along**2
-    return np.asarray((mean + sigmas * np.sqrt(2.0 * np.maximum(spread, 0.0))) / lengths)
+    norms = squares.sum(axis=-1)
+    norms = np.where(norms > 0.0, norms, 1.0)
+    shares, variances = squares / norms[..., None], errors**2
+    along_shape = (variances * shares).sum(axis=-1)
+    mean = variances.sum(axis=-1) - along_shape
+    spread = (variances**2 * (1.0 - 2.0 * shares)).sum(axis=-1) + along_shape**2
+    return np.asarray((mean + sigmas * np.sqrt(2.0 * np.maximum(spread, 0.0))) / norms)
 
 
 def subspace_mac(
@@ -89,13 +89,11 @@ def subspace_mac(
     order = np.argsort(~members, axis=1, kind="stable")[:, :largest_group]
     batch = np.arange(len(shapes))[:, None]
     selected = model[batch, order] * measured[:, None] * members[batch, order][..., None]
-    basis, _ = space(selected)
-    lengths = (shapes**2).sum(axis=-1)
-    comparable = (
-        (measured.sum(axis=-1) > members.sum(axis=-1)) & (measured.sum(axis=-1) >= 2) & (lengths > 0.0)
-    )
-    along = ((basis @ shapes[..., None]) ** 2).sum(axis=(-1, -2))
-    return np.where(comparable, along / np.where(lengths > 0.0, lengths, 1.0), np.nan)
+    basis, _ = subspace_basis(selected)
+    norms = (shapes**2).sum(axis=-1)
+    comparable = (measured.sum(axis=-1) > members.sum(axis=-1)) & (measured.sum(axis=-1) >= 2) & (norms > 0.0)
+    projections = ((basis @ shapes[..., None]) ** 2).sum(axis=(-1, -2))
+    return np.where(comparable, projections / np.where(norms > 0.0, norms, 1.0), np.nan)
 
 
 def mass_weighted_mac(products: Array, shapes: Array, masses: Array) -> Array:
@@ -105,26 +103,26 @@ def mass_weighted_mac(products: Array, shapes: Array, masses: Array) -> Array:
     - shapes: the shapes psi, (..., m, n)
     - masses: (..., n, n)
     """
-    sizes = ((shapes @ masses) * shapes).sum(axis=-1)
-    likeness: Array = products**2 / sizes[..., None, :]
-    return likeness
+    norms = ((shapes @ masses) * shapes).sum(axis=-1)
+    values: Array = products**2 / norms[..., None, :]
+    return values
 
 
-def space(shapes: Array) -> tuple[Array, Array]:
+def subspace_basis(shapes: Array) -> tuple[Array, Array]:
     """Return orthonormal bases of the subspaces of several modes at their sensors, for a batch.
 
     - shapes: times `channel_weights`, zero at components that were not measured, (B, g, C); rows of zeros are ignored
 
     Returns, in this order:
     - basis: orthonormal rows, and rows of zeros if the modes are not independent at the sensors, (B, g, C)
-    - back: transformation such that basis = back @ shapes, (B, g, g)
+    - transformation: T such that basis = T @ shapes, (B, g, g)
     """
     shapes = np.where(np.isfinite(shapes), shapes, 0.0)  # of a setup that cannot be evaluated
     values, vectors = np.linalg.eigh(shapes @ np.swapaxes(shapes, -1, -2))
-    kept = values > ALIKE**2 * np.maximum(values[:, -1:], 1e-300)
-    scale = np.where(kept, 1.0 / np.sqrt(np.where(kept, values, 1.0)), 0.0)
-    back = np.swapaxes(vectors, -1, -2) * scale[..., None]
-    return back @ shapes, back
+    independent = values > INDEPENDENCE_TOLERANCE**2 * np.maximum(values[:, -1:], 1e-300)
+    scale = np.where(independent, 1.0 / np.sqrt(np.where(independent, values, 1.0)), 0.0)
+    transformation = np.swapaxes(vectors, -1, -2) * scale[..., None]
+    return transformation @ shapes, transformation
 
 
 def channel_motion(shapes: Array) -> Array:
@@ -135,5 +133,5 @@ def channel_motion(shapes: Array) -> Array:
 
     - shapes: (..., m, C)
     """
-    moves: Array = np.sqrt(np.nansum(shapes**2, axis=-2))
-    return moves
+    motion: Array = np.sqrt(np.nansum(shapes**2, axis=-2))
+    return motion

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from pkmodes.core.base.drives import FREE, HELD, checked_drives, motors
+from pkmodes.core.base.drives import FREE, HELD, checked_drives, motors_text
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.robot.declaration import Declaration
 from pkmodes.core.system.motors import motor_springs_among, springs_on_motors
@@ -21,11 +21,11 @@ def motors_in_words(
       position loop; they turn against it.
     - causes: effects that the robot has beside those of its file
     """
-    words = motors([drives] if isinstance(drives, str) else drives)
+    words = motors_text([drives] if isinstance(drives, str) else drives)
     mechanism = robot.mechanism
     for name in (*springs_on_motors(mechanism, robot.effects), *motor_springs_among(mechanism, causes)):
         spring = name.replace("_", " ")
-        if words == motors([HELD]):
+        if words == motors_text([HELD]):
             return f"{words}, not on their {spring}"
         return words.replace(FREE, f"on their {spring}")
     return words
@@ -57,5 +57,9 @@ def drives_in_use(robot: Declaration, drives: str | None = None) -> str:
 
 def motors_of_both(first: Declaration, second: Declaration, drives: str) -> str:
     """Return what the motors of two robots do, each of them named where they differ."""
-    ours, theirs = motors_in_words(first, drives), motors_in_words(second, drives)
-    return ours if ours == theirs else f"{ours} (first) and {theirs.removeprefix('motors ')} (second)"
+    first_motors, second_motors = motors_in_words(first, drives), motors_in_words(second, drives)
+    return (
+        first_motors
+        if first_motors == second_motors
+        else f"{first_motors} (first) and {second_motors.removeprefix('motors ')} (second)"
+    )

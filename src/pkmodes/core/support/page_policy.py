@@ -7,8 +7,8 @@ from base64 import b64encode
 from hashlib import sha256
 
 #: Programs of a page are elements without attributes; data have a type, and text from files is escaped.
-PROGRAM = re.compile(r"<script>(.*?)</script>", re.DOTALL)
-AFTER = '<meta charset="utf-8">\n'
+SCRIPT = re.compile(r"<script>(.*?)</script>", re.DOTALL)
+CHARSET_LINE = '<meta charset="utf-8">\n'
 
 
 def with_policy(page: str) -> str:
@@ -26,7 +26,7 @@ def with_policy(page: str) -> str:
     W3C, Content Security Policy Level 3, section 2.3.1.
     """
     programs = dict.fromkeys(
-        f"'sha256-{b64encode(sha256(text.encode()).digest()).decode()}'" for text in PROGRAM.findall(page)
+        f"'sha256-{b64encode(sha256(text.encode()).digest()).decode()}'" for text in SCRIPT.findall(page)
     )
     rules = {
         "default-src": "'none'",
@@ -38,4 +38,6 @@ def with_policy(page: str) -> str:
         "form-action": "'none'",
     }
     policy = "; ".join(f"{name} {value}" for name, value in rules.items())
-    return page.replace(AFTER, f'{AFTER}<meta http-equiv="Content-Security-Policy" content="{policy}">\n', 1)
+    return page.replace(
+        CHARSET_LINE, f'{CHARSET_LINE}<meta http-equiv="Content-Security-Policy" content="{policy}">\n', 1
+    )

@@ -8,7 +8,7 @@ from pathlib import Path
 from pkmodes.core.base.errors import OutputError, shown
 
 
-def resolved(path: Path, option: str = "") -> Path:
+def resolve_path(path: Path, option: str = "") -> Path:
     """Return the absolute path without symbolic links; it need not exist.
 
     - option: the option that names it, for messages

@@ -1,4 +1,4 @@
-"""What a long computation is doing now, for whoever waits for it: silent unless someone listens."""
+"""Progress of long computations, for the user who waits: silent unless a listener is set."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ _listener: ContextVar[Callable[[str], None] | None] = ContextVar("progress", def
 
 
 def say(text: str) -> None:
-    """Say what is done from now on, such as "picture 2 of 7: frequencies"."""
+    """Report what is being done from now on, such as "picture 2 of 7: frequencies"."""
     listener = _listener.get()
     if listener is not None:
         listener(text)
 
 
 @contextmanager
-def told(listener: Callable[[str], None]) -> Iterator[None]:
-    """Pass on what is said inside the block."""
+def reporting_to(listener: Callable[[str], None]) -> Iterator[None]:
+    """Pass every report made inside the block to a listener."""
     token = _listener.set(listener)
     try:
         yield

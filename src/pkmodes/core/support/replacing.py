@@ -1,7 +1,8 @@
-"""The one rule for what exists where a result is written (docs/reference/command-line.md, "What is replaced").
+"""The rule for files that exist where a result is written (docs/reference/command-line.md, "What is replaced").
 
 A file that the caller names is replaced.  Where the program chooses the name, or what is there may have taken hours
-or an editor, only what is known to be replaceable is; the rest is refused, unless the caller says to overwrite it.
+or an editor, only a file known to be replaceable is replaced; anything else is refused, unless the caller asks to
+overwrite it.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from pathlib import Path
 
 from pkmodes.core.base.errors import OutputError
 
-ELSEWHERE = "choose another place, or replace what is there with --overwrite"
+OVERWRITE_REMEDY = "choose another place, or replace what is there with --overwrite"
 
 
 def check_replaced(
@@ -21,7 +22,7 @@ def check_replaced(
     replaceable: Callable[[Path], bool] = lambda _: False,
     *,
     what: str = "the file exists",
-    remedy: str = ELSEWHERE,
+    remedy: str = OVERWRITE_REMEDY,
 ) -> None:
     """Refuse to replace files.
 
@@ -41,13 +42,13 @@ def check_replaced(
         raise OutputError(f"{blocked[0]}{suffix}: {what}", where, remedy)
 
 
-def holds(mark: bytes) -> Callable[[Path], bool]:
+def contains_mark(mark: bytes) -> Callable[[Path], bool]:
     """Return a test whether a file holds a mark, by which a command recognises its own files."""
 
-    def held(path: Path) -> bool:
+    def contains(path: Path) -> bool:
         try:
             return mark in path.read_bytes()
         except OSError:
             return False
 
-    return held
+    return contains

@@ -7,10 +7,10 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.compiled.lanes import ALL_COORDINATES, flat, no_paths
+from pkmodes.core.compiled.lanes import FULL_MATRIX_FIELDS, flattened, no_paths
 from pkmodes.core.mechanism.poses import MAX_CONDITION
 from pkmodes.core.solve.at_poses import RobotAtPoses
-from pkmodes.core.solve.fields import FIELDS, sizes_of, tail
+from pkmodes.core.solve.fields import FIELDS, axis_lengths, pose_shape
 from pkmodes.core.solve.numpy_solver import NumpySolver, checked_modes
 from pkmodes.core.solve.solver import EIGENVALUES, SHAPES, UNSOLVED, Solver
 from pkmodes.core.system.evaluation import Evaluation, ExtendedSystem, number_of_modes
@@ -18,40 +18,44 @@ from pkmodes.core.system.evaluation import Evaluation, ExtendedSystem, number_of
 Array = NDArray[np.float64]
 
 
-def with_fields(solver: Solver, at: RobotAtPoses, *names: str) -> RobotAtPoses:
+def with_fields(solver: Solver, state: RobotAtPoses, *names: str) -> RobotAtPoses:
     """Return a robot at poses with what a solver has of some fields; NumPy evaluates the others when they are read.
 
     - solver: of its system
     - names: of `pkmodes.core.solve.fields.FIELDS`, none of which needs the eigenproblem
     """
-    arrays = _arrays(solver, at.system, len(at.points), names)
+    arrays = _arrays(solver, state.system, len(state.points), names)
     if arrays:
-        solver.compute(at, arrays)
-        at.quantities.update(arrays)
-    return at
+        solver.compute(state, arrays)
+        state.quantities.update(arrays)
+    return state
 
 
-def with_all_coordinates(solver: Solver, at: RobotAtPoses) -> RobotAtPoses:
+def with_all_coordinates(solver: Solver, state: RobotAtPoses) -> RobotAtPoses:
     """Return a robot at poses with M and K in all coordinates, from one call of a compiled solver if it is one.
 
     - solver: of its system
     """
-    system = at.system
-    if isinstance(system, ExtendedSystem) and len(at.points):
-        along = solver.along(at, None, no_paths(flat(system.effects)), ALL_COORDINATES)
-        if along is not None:
-            M, K = (along[name] for name in ALL_COORDINATES)
-            at.quantities["all_coordinates"] = system.of_generated(M, K)
-    return at
+    system = state.system
+    if isinstance(system, ExtendedSystem) and len(state.points):
+        matrices = solver.along(state, None, no_paths(flattened(system.effects)), FULL_MATRIX_FIELDS)
+        if matrices is not None:
+            M, K = (matrices[name] for name in FULL_MATRIX_FIELDS)
+            state.quantities["all_coordinates"] = system.from_generated_matrices(M, K)
+    return state
 
 
-def _arrays(solver: Solver, system: Evaluation, poses: int, names: Sequence[str]) -> dict[str, Array]:
+def _arrays(solver: Solver, system: Evaluation, count: int, names: Sequence[str]) -> dict[str, Array]:
     """Return arrays for those fields that a solver fills."""
-    sizes = sizes_of(system.mechanism, number_of_modes(system), len(system.coordinates))
-    return {name: np.empty((poses, *tail(FIELDS[name], sizes))) for name in names if name in solver.fields}
+    sizes = axis_lengths(system.mechanism, number_of_modes(system), len(system.coordinates))
+    return {
+        name: np.empty((count, *pose_shape(FIELDS[name], sizes))) for name in names if name in solver.fields
+    }
 
 
-def solved(solver: Solver, system: Evaluation, p: Array, source: str, *further_fields: str) -> RobotAtPoses:
+def solve_modes(
+    solver: Solver, system: Evaluation, p: Array, source: str, *further_fields: str
+) -> RobotAtPoses:
     """Return a robot at poses with its ``eigenvalues``, (N, m), and ``shapes``, (N, m, n): those of `Model.modes`.
 
     Where a compiled solver solves, it evaluates other fields in the same call.
@@ -63,13 +67,13 @@ def solved(solver: Solver, system: Evaluation, p: Array, source: str, *further_f
 
     Raises PoseError as `NumpySolver.compute` does.
     """
-    at = RobotAtPoses(system, np.ascontiguousarray(p), source, {})
+    state = RobotAtPoses(system, np.ascontiguousarray(p), source, {})
     if isinstance(solver, NumpySolver) or not len(p):  # the layout decides how products of shapes round
-        at.quantities.update(zip((EIGENVALUES, SHAPES), checked_modes(at), strict=True))
-        return at
+        state.quantities.update(zip((EIGENVALUES, SHAPES), checked_modes(state), strict=True))
+        return state
     arrays = {EIGENVALUES: np.empty((len(p), number_of_modes(system)))}
     arrays |= _arrays(solver, system, len(p), (SHAPES, *further_fields))
-    codes = solver.compute(at, arrays)
+    codes = solver.compute(state, arrays)
     unsolved = np.flatnonzero(codes == UNSOLVED)
     if len(unsolved):
         arrays = {name: arrays[name] for name in (EIGENVALUES, SHAPES)}
@@ -79,5 +83,5 @@ def solved(solver: Solver, system: Evaluation, p: Array, source: str, *further_f
         )
         for name, array in solutions.items():
             arrays[name][unsolved] = array
-    at.quantities.update(arrays)
-    return at
+    state.quantities.update(arrays)
+    return state

@@ -9,13 +9,13 @@ from __future__ import annotations
 import re
 
 from pkmodes.core.mechanism.described import DAMPING_RATIO, Mechanism
-from pkmodes.core.robot.layout import EFFECTS, Item, by_path
+from pkmodes.core.robot.layout import EFFECTS, Item, items_by_path
 from pkmodes.core.robot.parameter_groups import groups_by_path
 
 #: In a description, what follows this is a formula.
-FORMULA = ":"
+FORMULA_SEPARATOR = ":"
 #: The letters by which descriptions count the entries of a repeated table, and the elements within one.
-ENTRY, ELEMENT = "j", "k"
+ENTRY_LETTER, ELEMENT_LETTER = "j", "k"
 
 
 def meaning_of(mechanism: Mechanism, path: str) -> str:
@@ -25,12 +25,12 @@ def meaning_of(mechanism: Mechanism, path: str) -> str:
     """
     if path == DAMPING_RATIO:
         return "damping ratio of every mode"
-    item = by_path(mechanism).get(path)
+    item = items_by_path(mechanism).get(path)
     if item is not None:
-        return _of_item(item, path)
-    whole = groups_by_path(mechanism).get(path)
-    if whole is not None:
-        return _counted(whole.description, ENTRY, None)
+        return _meaning_of_item(item, path)
+    group = groups_by_path(mechanism).get(path)
+    if group is not None:
+        return _with_entry_number(group.description, ENTRY_LETTER, None)
     effect, _, name = path.removeprefix(f"{EFFECTS}.").partition(".")
     if effect not in mechanism.effects:
         return ""
@@ -38,16 +38,16 @@ def meaning_of(mechanism: Mechanism, path: str) -> str:
     return parameters.get(name, "")
 
 
-def _of_item(item: Item, path: str) -> str:
-    words = _counted(item.key.description.partition(FORMULA)[0], ENTRY, item.entry)
+def _meaning_of_item(item: Item, path: str) -> str:
+    words = _with_entry_number(item.key.description.partition(FORMULA_SEPARATOR)[0], ENTRY_LETTER, item.entry)
     element = path.removeprefix(item.path).lstrip(".")
     if element.isdigit():
-        return _counted(words, ELEMENT, int(element) - 1)
+        return _with_entry_number(words, ELEMENT_LETTER, int(element) - 1)
     matching = [part for part in words.split(", ") if element and part.startswith(f"{element}(")]
     return matching[0] if matching else f"{words} ({element})" if element else words
 
 
-def _counted(words: str, letter: str, entry: int | None) -> str:
+def _with_entry_number(words: str, letter: str, entry: int | None) -> str:
     """Return words with the number of an entry in place of its letter, or without it for what all entries share."""
     if entry is None:
         return re.sub(rf"\bof ((?:(?!of\b)\w+ )*(?!of\b)\w+) {letter}\b", r"of each \1", words)

@@ -12,10 +12,10 @@ from contextlib import suppress
 from pathlib import Path
 
 from pkmodes.core.base.errors import OutputError
-from pkmodes.core.support.places import resolved
+from pkmodes.core.support.places import resolve_path
 
 #: Failures after which the same place may be used once there is room.
-FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
+NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 
 
 def write_files(folder: Path, texts: Mapping[str, str | bytes]) -> list[Path]:
@@ -27,7 +27,7 @@ def write_files(folder: Path, texts: Mapping[str, str | bytes]) -> list[Path]:
     """
     files = {folder / name: text for name, text in texts.items()}
     for name, path in zip(texts, files, strict=True):
-        if not resolved(path).is_relative_to(resolved(folder)):
+        if not resolve_path(path).is_relative_to(resolve_path(folder)):
             link = "is" if path.is_symlink() else "is below"
             problem = f"{name} {link} a symbolic link that leads out of the folder"
             raise OutputError(problem, str(folder), "remove the link, or choose another folder")
@@ -58,7 +58,7 @@ def write_all(contents: Mapping[Path, str | bytes]) -> None:
                 try:
                     path.write_bytes(_encoded(contents[path]))
                 except OSError as error:
-                    raise refusal(error, path) from None
+                    raise write_error(error, path) from None
 
     files = {path: content for path, content in contents.items() if path not in direct}
     try:
@@ -76,72 +76,74 @@ def _write(
     """Write files, all or none.
 
     Every content is written to a temporary file next to its target, which then replaces it in one step: at any moment
-    a reader, or whoever comes after a kill, finds the old file or the new one, whole.  Where there are several, the
-    old ones are kept under other names until all contents are in place.  If anything fails, they are restored and the
-    folders created for them are removed.
+    a reader, also after the process was killed, finds either the old file or the new one, complete.  Where there are
+    several, the old ones are kept under other names until all contents are in place.  If anything fails, they are
+    restored and the folders created for them are removed.
 
-    - folders: those that are made also if nothing is written there; an error names the first before any file
+    - folders: created even if nothing is written there; an error names the first one until a file is being written
     - ready: called when all temporary files are written, and none is in its place yet
     """
     staged: list[tuple[Path, Path]] = []
-    kept: dict[Path, Path] = {}
-    writing = folders[0] if folders else Path()
-    below = (*folders, *(path.parent for path in contents))
-    places = {place for folder in below for place in (folder, *folder.parents)}
-    made = sorted((place for place in places if not place.exists()), key=lambda place: -len(place.parts))
+    backups: dict[Path, Path] = {}
+    current = folders[0] if folders else Path()
+    parents = (*folders, *(path.parent for path in contents))
+    ancestors = {place for folder in parents for place in (folder, *folder.parents)}
+    created = sorted(
+        (folder for folder in ancestors if not folder.exists()), key=lambda folder: -len(folder.parts)
+    )
     try:
         for folder in folders:
             folder.mkdir(parents=True, exist_ok=True)
         for path, content in contents.items():
-            writing = path
+            current = path
             path.parent.mkdir(parents=True, exist_ok=True)
-            target = _real(path)
-            staged.append((_stage(target, content), target))
+            target = _link_target(path)
+            staged.append((_write_temporary(target, content), target))
         ready()
         if len(staged) > 1:  # a single one is in place, or it is not
             for temporary, target in staged:
-                kept[temporary] = _beside(target)
-                _keep(target, kept[temporary])
+                backups[temporary] = _backup_path(target)
+                _back_up(target, backups[temporary])
         for temporary, target in staged:
             temporary.replace(target)
     except BaseException as error:
         for temporary, target in reversed(staged):
-            _undo(temporary, target, kept.get(temporary))
-        for place in made:
+            _undo(temporary, target, backups.get(temporary))
+        for folder in created:
             with suppress(OSError):  # it was never created, or is already in use
-                place.rmdir()
+                folder.rmdir()
         if not isinstance(error, OSError):
             raise
-        raise refusal(error, writing) from None
-    for backup in kept.values():
+        raise write_error(error, current) from None
+    for backup in backups.values():
         backup.unlink(missing_ok=True)
 
 
-def refusal(error: OSError, place: Path) -> OutputError:
+def write_error(error: OSError, path: Path) -> OutputError:
     """Return the error for a file that the system refuses to write.
 
-    - place: the file as the user named it; the error itself names a temporary file next to it, or none
+    - path: the file as the user named it; the error itself names a temporary file next to it, or none
     """
     reason = (error.strerror or "it cannot be written").lower()
-    need = "make room" if error.errno in FULL else "make it writable"
-    return OutputError(f"cannot write: {reason}", str(place), f"choose another place or {need}")
+    need = "make room" if error.errno in NO_ROOM else "make it writable"
+    return OutputError(f"cannot write: {reason}", str(path), f"choose another place or {need}")
 
 
-def _real(path: Path) -> Path:
+def _link_target(path: Path) -> Path:
     """Return the target of a symbolic link, so that the link itself is kept."""
-    target = resolved(path) if path.is_symlink() else path
+    target = resolve_path(path) if path.is_symlink() else path
     if target.is_dir():
         raise IsADirectoryError(None, "a folder of that name exists", str(target))
     return target
 
 
-def _stage(target: Path, text: str | bytes) -> Path:
-    handle, name = tempfile.mkstemp(prefix=_prefix(target), dir=target.parent)
+def _write_temporary(target: Path, text: str | bytes) -> Path:
+    descriptor, name = tempfile.mkstemp(prefix=_hidden_prefix(target), dir=target.parent)
     temporary = Path(name)
     try:
-        with os.fdopen(handle, "wb") as file:
+        with os.fdopen(descriptor, "wb") as file:
             file.write(_encoded(text))
-        temporary.chmod(_mode(target))
+        temporary.chmod(_permissions(target))
     except BaseException:
         temporary.unlink(missing_ok=True)
         raise
@@ -152,7 +154,7 @@ def _encoded(content: str | bytes) -> bytes:
     return content.encode("utf-8") if isinstance(content, str) else content
 
 
-def _keep(target: Path, backup: Path) -> None:
+def _back_up(target: Path, backup: Path) -> None:
     """Give an existing file a second name; a copy where the file system, or the owner of the file, forbids that."""
     if not target.exists():
         return
@@ -174,17 +176,17 @@ def _undo(temporary: Path, target: Path, backup: Path | None) -> None:
         backup.unlink(missing_ok=True)
 
 
-def _beside(target: Path) -> Path:
+def _backup_path(target: Path) -> Path:
     """Return a name next to a file that nothing else has."""
-    return target.with_name(_prefix(target) + secrets.token_hex(8))
+    return target.with_name(_hidden_prefix(target) + secrets.token_hex(8))
 
 
-def _prefix(target: Path) -> str:
+def _hidden_prefix(target: Path) -> str:
     """Return how names next to a file begin: short, because a file system limits the bytes of a name."""
     return f".{target.name[:40]}."
 
 
-def _mode(target: Path) -> int:
+def _permissions(target: Path) -> int:
     """Return the permissions of the existing file, or those of an ordinary new file (temporary files are private)."""
     if target.exists():
         return target.stat().st_mode & 0o777

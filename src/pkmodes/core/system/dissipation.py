@@ -1,4 +1,4 @@
-"""What a robot dissipates: a damping ratio of every vibration mode, viscous friction, and loss factors of springs."""
+"""Dissipation of a robot: a damping ratio of every vibration mode, viscous friction, and loss factors of springs."""
 
 from __future__ import annotations
 
@@ -36,14 +36,14 @@ class Dissipation:
         if not self.by_effects:
             zero = np.zeros((len(p), self._size, self._size))
             return zero, zero
-        viscous, loss = self.of_model(p)
+        viscous, loss = self.model_matrices(p)
         return self._system.free_part(viscous), self._system.free_part(loss)
 
-    def of_model(self, p: Array) -> tuple[Array, Array]:
+    def model_matrices(self, p: Array) -> tuple[Array, Array]:
         """Return C_v and K'' in all coordinates of the generated model, each (N, e, e)."""
         system = self._system
-        generated = system.generated
-        viscous, loss = generated.extended_dissipation(p)
-        diagonal = np.arange(system.first, loss.shape[-1])
-        loss[..., diagonal, diagonal] += generated.joint_loss() * system.joints[system.first :]
+        functions = system.generated
+        viscous, loss = functions.extended_dissipation(p)
+        diagonal = np.arange(system.base_count, loss.shape[-1])
+        loss[..., diagonal, diagonal] += functions.joint_loss() * system.joints[system.base_count :]
         return viscous, loss

@@ -1,6 +1,6 @@
 """Derivatives of the entries of M and K that the generated model lists for each parameter.
 
-They are those that it has or, for a mechanism without them, by complex step of its matrices, which is exact to
+The model may evaluate them itself; otherwise they are computed by complex step of its matrices, which is exact to
 rounding.
 """
 
@@ -14,16 +14,16 @@ from numpy.typing import NDArray
 
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.registry import Mechanism
-from pkmodes.core.mechanism.stepped import STEP, stepped
+from pkmodes.core.mechanism.stepped import COMPLEX_STEP, with_complex_steps
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
-#: Number of poses times parameters that are differentiated at once.
-AT_ONCE = 4096
+#: Maximum number of poses times parameters that are differentiated in one block.
+MAX_BLOCK_SIZE = 4096
 
 
 class Entries(NamedTuple):
-    """The entries of a symmetric matrix to which the derivatives belong, in their order.
+    """The matrix entries to which the derivatives belong, in the order of the derivatives; the matrix is symmetric.
 
     - slot, row, column: index of the parameter, and position in the upper triangle, (E,)
     """
@@ -33,10 +33,10 @@ class Entries(NamedTuple):
     column: Index
 
 
-def entries_of(listed: Sequence[Any], matrix: int) -> Entries:
+def entries_of(parameters: Sequence[Any], matrix: int) -> Entries:
     """Return the entries of M (0) or K (1) to which the derivatives of listed parameters belong."""
-    places = [(i, *place) for i, entry in enumerate(listed) for place in entry[2 + matrix]]
-    return Entries(*np.array(places, dtype=np.intp).reshape(-1, 3).T)
+    entries = [(i, *position) for i, parameter in enumerate(parameters) for position in parameter[2 + matrix]]
+    return Entries(*np.array(entries, dtype=np.intp).reshape(-1, 3).T)
 
 
 def value_rates(
@@ -53,9 +53,9 @@ def value_rates(
     if generated.has("value_sensitivities"):
         of_M, of_K = generated.value_sensitivities(p)
         return of_M, of_K
-    listed = mechanism.extended.VALUE_SENSITIVITIES
-    moved = [i for i, entry in enumerate(listed) if fields is None or entry[0] in fields]
-    return rates_by_steps(mechanism, parameters, effects, p, listed, moved)
+    listed_parameters = mechanism.extended.VALUE_SENSITIVITIES
+    requested = [i for i, entry in enumerate(listed_parameters) if fields is None or entry[0] in fields]
+    return rates_by_steps(mechanism, parameters, effects, p, listed_parameters, requested)
 
 
 def spring_rates(
@@ -84,26 +84,30 @@ def rates_by_steps(
     parameters: Any,
     effects: Any,
     p: Array,
-    listed: Sequence[Any],
-    moved: Sequence[int] | Index,
+    listed_parameters: Sequence[Any],
+    requested: Sequence[int] | Index,
 ) -> tuple[Array, Array]:
-    """Evaluate derivatives by complex step at N poses, (N, d), a block of parameters at once.
+    """Evaluate derivatives by complex step at N poses, (N, d), block by block of parameters.
 
-    - listed: the parameters with derivatives: field, index, entries of M and of K
-    - moved: indices of the requested parameters; derivatives with respect to others are 0
+    - listed_parameters: the parameters with derivatives: field, index, entries of M and of K
+    - requested: indices of the requested parameters; derivatives with respect to others are 0
 
     Returns of_M and of_K, (N, entries).
     """
-    entries = [entries_of(listed, matrix) for matrix in (0, 1)]
+    entries = [entries_of(listed_parameters, matrix) for matrix in (0, 1)]
     values = tuple(np.zeros((len(p), len(matrix_entries.slot))) for matrix_entries in entries)
-    size = max(1, AT_ONCE // max(1, len(p)))
-    for block in (moved[i : i + size] for i in range(0, len(moved), size)):
-        names = [listed[slot][:2] for slot in block]
-        generated = Generated(mechanism.extended, stepped(parameters, names), stepped(effects, names))
+    size = max(1, MAX_BLOCK_SIZE // max(1, len(p)))
+    for block in (requested[i : i + size] for i in range(0, len(requested), size)):
+        slots = [listed_parameters[slot][:2] for slot in block]
+        generated = Generated(
+            mechanism.extended, with_complex_steps(parameters, slots), with_complex_steps(effects, slots)
+        )
         M, K_el, K_g = generated.extended_matrices(p)
-        for matrix_entries, matrix, out in zip(entries, (M, K_el + K_g), values, strict=True):
-            rates = np.broadcast_to(np.imag(matrix) / STEP, (len(block), len(p), *matrix.shape[-2:]))
+        for matrix_entries, matrix, rates_of_matrix in zip(entries, (M, K_el + K_g), values, strict=True):
+            rates = np.broadcast_to(np.imag(matrix) / COMPLEX_STEP, (len(block), len(p), *matrix.shape[-2:]))
             for k, slot in enumerate(block):
-                places = np.flatnonzero(matrix_entries.slot == slot)
-                out[:, places] = rates[k][:, matrix_entries.row[places], matrix_entries.column[places]]
+                selected = np.flatnonzero(matrix_entries.slot == slot)
+                rates_of_matrix[:, selected] = rates[k][
+                    :, matrix_entries.row[selected], matrix_entries.column[selected]
+                ]
     return values[0], values[1]

@@ -13,12 +13,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.compiled.lanes import NO_FOLD, Fold, Lanes, flat
+from pkmodes.core.compiled.lanes import NO_FOLD, Fold, Lanes, flattened
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.registry import Mechanism
-from pkmodes.core.mechanism.regular import declared, sample, sample_pose
+from pkmodes.core.mechanism.regular import field_keys, sample_parameters, sample_pose
 from pkmodes.core.robot.robot import Robot
-from pkmodes.core.system.released import active_effects, released
+from pkmodes.core.system.released import active_effects, released_joints
 
 Array = NDArray[np.float64]
 #: Dimensions of inertias.
@@ -32,14 +32,15 @@ class Evaluation:
 
     Its attributes:
     - coordinates: names of the n generalised coordinates
-    - first: index of the first coordinate of a released joint, which is the number of coordinates without effects
+    - base_count: index of the first coordinate of a released joint, which is the number of coordinates without
+      effects
     - rigid_modes: number of modes that strain nothing elastic
     - held_motions: number of motions that strain only springs to ground: the rank of these springs
-    - springs_to_ground: the springs that do so, by path without ``effects.``
+    - springs_to_ground: these springs, by path without ``effects.``
     """
 
     coordinates: tuple[str, ...]
-    first: int
+    base_count: int
     rigid_modes: int
     held_motions: int
     springs_to_ground: Mapping[str, float]
@@ -47,7 +48,7 @@ class Evaluation:
     def __init__(self, mechanism: Mechanism, parameters: Any) -> None:
         self.mechanism, self.parameters = mechanism, parameters
         self.coordinates = tuple(q.name for q in mechanism.coordinates)
-        self.first, self.rigid_modes = len(self.coordinates), mechanism.rigid_modes
+        self.base_count, self.rigid_modes = len(self.coordinates), mechanism.rigid_modes
         self.held_motions, self.springs_to_ground = 0, {}
 
     @property
@@ -66,7 +67,7 @@ class Evaluation:
         return M, K
 
     def free_part(self, matrix: Array) -> Array:
-        """Return the rows and columns of such a matrix that belong to `coordinates`, (N, n, n)."""
+        """Return the rows and columns of a matrix in all coordinates that belong to `coordinates`, (N, n, n)."""
         return matrix
 
     @cached_property
@@ -90,12 +91,12 @@ class Evaluation:
 
     def lanes(self) -> Lanes:
         """The robot as the compiled evaluator takes it."""
-        none = np.empty(0)
-        return Lanes(flat(self.parameters), none, none, none.astype(np.int32), none.astype(np.int8))
+        empty = np.empty(0)
+        return Lanes(flattened(self.parameters), empty, empty, empty.astype(np.int32), empty.astype(np.int8))
 
 
 class ExtendedSystem(Evaluation):
-    """The extended model of one robot, including the coordinates of released joints that are not locked.
+    """The extended model of one robot, with the coordinates of released joints that are not locked.
 
     - parameters: the robot, as the generated model takes it
     - effects: by ``<effect>.<parameter>``; the additional compliance of a single joint of an effect is given by
@@ -103,10 +104,10 @@ class ExtendedSystem(Evaluation):
 
     Its attributes:
     - parameters, effects: arguments of the generated model
-    - given: the effects as given
+    - given_effects: the effects as given
     - free: indices of the coordinates of the extended model that are not locked, (n,)
     - coordinates: their names, length n
-    - first, rigid_modes, held_motions, springs_to_ground: see `Evaluation`
+    - base_count, rigid_modes, held_motions, springs_to_ground: see `Evaluation`
     - joints, joint_rates: stiffnesses of the released joints and their derivatives with respect to the compliances,
       (e,); zero for other coordinates
     """
@@ -115,13 +116,13 @@ class ExtendedSystem(Evaluation):
     basis: Array | None = None
 
     def __init__(self, mechanism: Mechanism, parameters: Any, effects: Mapping[str, float]) -> None:
-        self.mechanism, self.parameters, self.given = mechanism, parameters, effects
-        self.first = len(mechanism.coordinates)
-        release = released(mechanism, tuple(effects.items()))
+        self.mechanism, self.parameters, self.given_effects = mechanism, parameters, effects
+        self.base_count = len(mechanism.coordinates)
+        release = released_joints(mechanism, tuple(effects.items()))
         self.effects, self.free, self.coordinates = release.effects, release.free, release.coordinates
         self.joints, self.joint_rates = release.joints, release.joint_rates
         self.springs_to_ground = release.springs_to_ground
-        self.rigid_modes, self.held_motions = release.rigid
+        self.rigid_modes, self.held_motions = release.rigid_motions
 
     @classmethod
     def of(cls, robot: Robot) -> ExtendedSystem:
@@ -137,7 +138,7 @@ class ExtendedSystem(Evaluation):
         """Return M and K in all coordinates, each (N, e, e); here locked joints are free and have no spring."""
         return self._with_springs(*self.without_springs(p))
 
-    def of_generated(self, M: Array, K: Array) -> tuple[Array, Array]:
+    def from_generated_matrices(self, M: Array, K: Array) -> tuple[Array, Array]:
         """Return M and K in all coordinates from those of the generated model, each (N, e, e)."""
         return self._with_springs(self.in_basis(M), self.in_basis(K))
 
@@ -153,14 +154,14 @@ class ExtendedSystem(Evaluation):
 
     def without_springs(self, p: Array) -> tuple[Array, Array]:
         """Return M and K in all coordinates without the springs of the released joints."""
-        M, K_el, K_g = self.single("extended_matrices", p)
+        M, K_el, K_g = self.evaluate_function("extended_matrices", p)
         return self.in_basis(M), self.in_basis(K_el + K_g)
 
     def in_basis(self, matrix: Array) -> Array:
         """Return a matrix in the coordinates of the generated model, (..., e, e), in all coordinates here."""
         return matrix if self.basis is None else np.asarray(self.basis.T @ matrix @ self.basis)
 
-    def of_model(self, vectors: Array) -> Array:
+    def to_model_coordinates(self, vectors: Array) -> Array:
         """Return vectors in all coordinates here, (..., e), in the coordinates of the generated model."""
         return vectors if self.basis is None else np.asarray(vectors @ self.basis.T)
 
@@ -168,8 +169,8 @@ class ExtendedSystem(Evaluation):
     def massless(self) -> NDArray[np.bool_]:
         """Which coordinates have no inertia, (n,): only released ones may."""
         massless = np.zeros(len(self.free), dtype=bool)
-        if len(self.free) > self.first:
-            massless[self.first :] = self.without_inertia[self.first :]
+        if len(self.free) > self.base_count:
+            massless[self.base_count :] = self.without_inertia[self.base_count :]
         return massless
 
     @property
@@ -180,15 +181,15 @@ class ExtendedSystem(Evaluation):
     def _zero_inertia(self, coordinates: NDArray[np.intp]) -> NDArray[np.bool_]:
         values = (*self.effects, *(getattr(self.parameters, name) for name in _inertias(self.mechanism)))
         zeros = b"".join((np.asarray(value) == 0.0).tobytes() for value in values)
-        none: NDArray[np.bool_] = _massless(self.mechanism, zeros)[coordinates]
-        return none
+        massless: NDArray[np.bool_] = _massless(self.mechanism, zeros)[coordinates]
+        return massless
 
     def platform_motion(self, p: Array) -> Array:
         """Return the absolute platform motion per unit of each coordinate, (N, components, n)."""
-        return self.motion_of_all(p)[..., self.free]
+        return self.full_platform_motion(p)[..., self.free]
 
-    def motion_of_all(self, p: Array, parameters: Any = None, effects: Any = None) -> Array:
-        """Return the same for all coordinates, (N, components, e), optionally with other parameters and effects."""
+    def full_platform_motion(self, p: Array, parameters: Any = None, effects: Any = None) -> Array:
+        """Return `platform_motion` for all coordinates, (N, components, e), by default with the robot's numbers."""
         chosen_parameters = self.parameters if parameters is None else parameters
         chosen_effects = self.effects if effects is None else effects
         motion = np.asarray(
@@ -204,8 +205,8 @@ class ExtendedSystem(Evaluation):
     def lanes(self) -> Lanes:
         """The robot as the compiled evaluator takes it."""
         return Lanes(
-            flat(self.parameters),
-            flat(self.effects),
+            flattened(self.parameters),
+            flattened(self.effects),
             self.joints,
             self.free.astype(np.int32),
             self.massless.astype(np.int8),
@@ -221,7 +222,7 @@ class ExtendedSystem(Evaluation):
             leading.astype(np.int32), following.astype(np.int32), self.basis[following, leading].copy()
         )
 
-    def single(self, name: str, p: Array) -> tuple[Array, ...]:
+    def evaluate_function(self, name: str, p: Array) -> tuple[Array, ...]:
         """Evaluate a generated function; a single pose uses scalars, several times faster than arrays of length 1."""
         function: Callable[[Array], tuple[Array, ...]] = getattr(self.generated, name)
         return tuple(values[None] for values in function(p[0])) if len(p) == 1 else function(p)
@@ -230,24 +231,28 @@ class ExtendedSystem(Evaluation):
 @cache
 def _inertias(mechanism: Mechanism) -> tuple[str, ...]:
     """Return the generated parameters that are inertias."""
-    return tuple(dict.fromkeys(key.field for key in declared(mechanism) if key.dimension in INERTIAS))
+    return tuple(dict.fromkeys(key.field for key in field_keys(mechanism) if key.dimension in INERTIAS))
 
 
 @cache
 def _massless(mechanism: Mechanism, zeros: bytes) -> NDArray[np.bool_]:
     """Return which of all coordinates have no inertia, (e,).
 
-    This depends only on which effects and inertias are zero, in their order; it is read from M of the sample geometry
-    at a regular pose, with ones for the others.
+    This depends only on which effects and inertias are zero (`zeros`, in their order); it is read from M of the
+    sample robot at a regular pose, with 1 for those that are not zero.
     """
-    plain, effects, names = sample(mechanism), mechanism.extended.Effects(), _inertias(mechanism)
-    present = 1.0 - np.frombuffer(zeros, dtype=np.bool_)
-    shapes = [np.shape(value) for value in (*effects, *(getattr(plain, name) for name in names))]
+    parameters, effects, names = (
+        sample_parameters(mechanism),
+        mechanism.extended.Effects(),
+        _inertias(mechanism),
+    )
+    nonzero = 1.0 - np.frombuffer(zeros, dtype=np.bool_)
+    shapes = [np.shape(value) for value in (*effects, *(getattr(parameters, name) for name in names))]
     ends = np.cumsum([int(np.prod(shape)) for shape in shapes])
-    values = [part.reshape(shape) for part, shape in zip(np.split(present, ends[:-1]), shapes, strict=True)]
-    plain = plain._replace(**dict(zip(names, values[len(effects) :], strict=True)))
-    of_sample = Generated(mechanism.extended, plain, effects._make(values[: len(effects)]))
-    M, _, _ = of_sample.extended_matrices(sample_pose(mechanism))
+    values = [part.reshape(shape) for part, shape in zip(np.split(nonzero, ends[:-1]), shapes, strict=True)]
+    parameters = parameters._replace(**dict(zip(names, values[len(effects) :], strict=True)))
+    generated = Generated(mechanism.extended, parameters, effects._make(values[: len(effects)]))
+    M, _, _ = generated.extended_matrices(sample_pose(mechanism))
     return np.asarray((M == 0.0).all(axis=0))
 
 
@@ -263,11 +268,11 @@ def matrices(system: Evaluation, p: Array) -> tuple[Array, Array]:
 
 
 def may_be_refused(system: Evaluation) -> bool:
-    """Return whether the values of a robot's effects may be such that its modes have too few digits.
+    """Return whether a robot may be refused because its effects leave its modes too few digits.
 
     A robot without effects is refused only where its magnitudes are out of all proportion.
     """
-    return len(system.coordinates) > system.first or system.held_motions > 0
+    return len(system.coordinates) > system.base_count or system.held_motions > 0
 
 
 def evaluation(robot: Robot) -> Evaluation:

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from pkmodes.core.base.drives import FREE
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.registry import Mechanism
-from pkmodes.core.mechanism.regular import declared, sample, sample_pose
+from pkmodes.core.mechanism.regular import field_keys, sample_parameters, sample_pose
 from pkmodes.core.system.entry_rates import value_rates
 from pkmodes.core.system.evaluation import INERTIAS, Evaluation, ExtendedSystem
 from pkmodes.core.system.released import active_effects, spring_fields
@@ -51,13 +51,13 @@ class MotorsHeld(ExtendedSystem):
         parameters = system.parameters._replace(
             **{name: np.zeros_like(getattr(system.parameters, name)) for name in inert.parameters}
         )
-        effects = {path: v for path, v in system.given.items() if not path.startswith(inert.effects)}
+        effects = {path: v for path, v in system.given_effects.items() if not path.startswith(inert.effects)}
         super().__init__(mechanism, parameters, effects)
         motion = np.asarray(self.generated.motor_motion())
         remaining = _held_coordinates(mechanism, motion.tobytes(), self.free.tobytes())
         self._unlocked_with_free_motors, self.free, self.basis = self.free, remaining.free, remaining.basis
         self.coordinates, self.rotors = remaining.coordinates, remaining.rotors
-        self.first -= len(motion)
+        self.base_count -= len(motion)
         springs = spring_fields(self.springs_to_ground)
         self.rigid_modes, self.held_motions = rigid_motions(mechanism, springs, tuple(self.rotors))
 
@@ -67,7 +67,7 @@ class MotorsHeld(ExtendedSystem):
         no_inertia = np.ones(len(self.basis), dtype=bool)
         no_inertia[self._unlocked_with_free_motors] = self.without_inertia
         massless: NDArray[np.bool_] = (no_inertia[:, None] | (self.basis == 0.0)).all(axis=0)[self.free]
-        massless[: self.first] = False
+        massless[: self.base_count] = False
         return massless
 
     @property
@@ -137,12 +137,14 @@ def _motor_coordinates(motion: Array, first: int) -> tuple[list[int], Array]:
 @cache
 def _without_influence(mechanism: Mechanism) -> _Inert:
     """Return what changes neither M nor K of a sample robot with held motors."""
-    extended, plain = mechanism.extended, sample(mechanism)
-    generated = Generated(extended, plain, extended.Effects())
+    extended, parameters = mechanism.extended, sample_parameters(mechanism)
+    generated = Generated(extended, parameters, extended.Effects())
     p = sample_pose(mechanism)
     rotors, T = _motor_coordinates(np.asarray(generated.motor_motion()), len(mechanism.coordinates))
     T = np.delete(T, rotors, axis=1)
-    rates = [matrix_rates[0] for matrix_rates in value_rates(mechanism, plain, extended.Effects(), p[None])]
+    rates = [
+        matrix_rates[0] for matrix_rates in value_rates(mechanism, parameters, extended.Effects(), p[None])
+    ]
     starts = [0, 0]
     influences: dict[str, set[bool]] = {}
     for field, _, *entry_lists in extended.VALUE_SENSITIVITIES:
@@ -157,7 +159,7 @@ def _without_influence(mechanism: Mechanism) -> _Inert:
                     bool(reduced > RELATIVE_ZERO * np.abs(derivative).max())
                 )
     ineffective = {field for field, outcomes in influences.items() if outcomes == {False}}
-    inertias = {key.field for key in declared(mechanism) if key.dimension in INERTIAS}
+    inertias = {key.field for key in field_keys(mechanism) if key.dimension in INERTIAS}
     effects = [
         name for name, effect in mechanism.effects.items() if _has_no_influence(name, effect, ineffective)
     ]

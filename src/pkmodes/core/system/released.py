@@ -1,4 +1,4 @@
-"""What follows from the effects of a robot alone: which joints are released, and how stiff they are."""
+"""The joints that the effects of a robot release, and their stiffnesses; nothing else of the robot matters."""
 
 from __future__ import annotations
 
@@ -15,31 +15,33 @@ from pkmodes.core.system.rigid_motions import RigidMotions, rigid_motions
 Array = NDArray[np.float64]
 
 
-class Released(NamedTuple):
-    """What follows from the effects: see `pkmodes.core.system.evaluation.ExtendedSystem`."""
+class ReleasedJoints(NamedTuple):
+    """The released joints and the springs to ground: see `pkmodes.core.system.evaluation.ExtendedSystem`."""
 
     effects: Any
     free: NDArray[np.intp]
     joints: Array
     joint_rates: Array
     coordinates: tuple[str, ...]
-    rigid: RigidMotions
+    rigid_motions: RigidMotions
     springs_to_ground: Mapping[str, float]
 
 
 @lru_cache(maxsize=256)
-def released(mechanism: Mechanism, effects: tuple[tuple[str, float], ...]) -> Released:
-    """Return what follows from effects; a fit evaluates many robots with the same effects."""
-    shared, _ = _shared_and_single(dict(effects))
-    releasing = tuple((path, value) for path, value in effects if path.split(".")[0] in _releasing(mechanism))
+def released_joints(mechanism: Mechanism, effects: tuple[tuple[str, float], ...]) -> ReleasedJoints:
+    """Return what effects release and hold; kept, because a fit evaluates many robots with the same effects."""
+    shared, _ = _split_effects(dict(effects))
+    releasing = tuple(
+        (path, value) for path, value in effects if path.split(".")[0] in _releasing_effects(mechanism)
+    )
     grounding = [name for name in active_effects(mechanism, dict(effects)) if mechanism.effects[name].grounds]
     springs = {path: value for path, value in effects if path.split(".")[0] in grounding and value != 0.0}
     free, joints, rates, coordinates = _joints(mechanism, releasing)
-    rigid = RigidMotions(mechanism.rigid_modes, 0)
+    motions = RigidMotions(mechanism.rigid_modes, 0)
     if springs:
-        rigid = rigid_motions(mechanism, spring_fields(springs))
+        motions = rigid_motions(mechanism, spring_fields(springs))
     values = mechanism.extended.Effects(**shared)
-    return Released(values, free, joints, rates, coordinates, rigid, springs)
+    return ReleasedJoints(values, free, joints, rates, coordinates, motions, springs)
 
 
 def spring_fields(springs: Mapping[str, float]) -> tuple[str, ...]:
@@ -52,38 +54,40 @@ def _joints(
     mechanism: Mechanism, effects: tuple[tuple[str, float], ...]
 ) -> tuple[NDArray[np.intp], Array, Array, tuple[str, ...]]:
     """Return the free coordinates, the joints' stiffnesses and their rates, and the names of the coordinates."""
-    extended, base = mechanism.extended, len(mechanism.coordinates)
-    shared, single = _shared_and_single(dict(effects))
+    extended, base_count = mechanism.extended, len(mechanism.coordinates)
+    shared, single = _split_effects(dict(effects))
     with np.errstate(divide="ignore"):
         stiffness, rates = extended.joint_stiffness(extended.Effects(**shared))
         for coordinate, name, value in single:
-            place = extended.COORDINATES.index(coordinate) - base
-            beyond = extended.Effects(**{**shared, name: shared.get(name, 0.0) + value})
-            stiffness[place], rates[place] = (a[place] for a in extended.joint_stiffness(beyond))
-    released = np.isfinite(stiffness)  # a joint without compliance is infinitely stiff: locked
-    released &= (stiffness != 0.0) | _held_by_effects(mechanism, dict(effects))
-    free = np.concatenate([np.arange(base), base + np.flatnonzero(released)])
-    joints = np.concatenate([np.zeros(base), np.where(released, stiffness, 0.0)])
-    joint_rates = np.concatenate([np.zeros(base), np.where(released, rates, 0.0)])
+            joint = extended.COORDINATES.index(coordinate) - base_count
+            effects_of_joint = extended.Effects(**{**shared, name: shared.get(name, 0.0) + value})
+            stiffness[joint], rates[joint] = (
+                values[joint] for values in extended.joint_stiffness(effects_of_joint)
+            )
+    is_released = np.isfinite(stiffness)  # a joint without compliance is infinitely stiff: locked
+    is_released &= (stiffness != 0.0) | _held_by_effects(mechanism, dict(effects))
+    free = np.concatenate([np.arange(base_count), base_count + np.flatnonzero(is_released)])
+    joints = np.concatenate([np.zeros(base_count), np.where(is_released, stiffness, 0.0)])
+    joint_rates = np.concatenate([np.zeros(base_count), np.where(is_released, rates, 0.0)])
     for array in (free, joints, joint_rates):
         array.flags.writeable = False
     return free, joints, joint_rates, tuple(extended.COORDINATES[i] for i in free)
 
 
 def _held_by_effects(mechanism: Mechanism, effects: Mapping[str, float]) -> NDArray[np.bool_]:
-    """Return which released coordinates have the energies of their effect: its first parameter is not null."""
-    present = {
+    """Return which released coordinates belong to an effect that is present: its first parameter is not zero."""
+    coordinates_held = {
         coordinate.name
         for effect in mechanism.effects.values()
         if effects.get(f"{effect.name}.{effect.parameters[0].name}", 0.0) != 0.0
         for coordinate in effect.coordinates
     }
     coordinates = mechanism.extended.COORDINATES[len(mechanism.coordinates) :]
-    return np.array([name in present for name in coordinates], dtype=bool)
+    return np.array([name in coordinates_held for name in coordinates], dtype=bool)
 
 
 @cache
-def _releasing(mechanism: Mechanism) -> frozenset[str]:
+def _releasing_effects(mechanism: Mechanism) -> frozenset[str]:
     """Return the names of the effects that release joints, whose stiffnesses depend on nothing else."""
     return frozenset(effect.name for effect in mechanism.effects.values() if effect.coordinates)
 
@@ -98,7 +102,7 @@ def active_effects(mechanism: Mechanism, effects: Mapping[str, float]) -> tuple[
     )
 
 
-def _shared_and_single(effects: Mapping[str, float]) -> tuple[dict[str, float], list[tuple[str, str, float]]]:
+def _split_effects(effects: Mapping[str, float]) -> tuple[dict[str, float], list[tuple[str, str, float]]]:
     """Split parameters into those of whole effects and (coordinate, parameter, value) of single joints."""
     shared: dict[str, float] = {}
     single = []

@@ -1,7 +1,8 @@
-"""How many motions strain nothing of a machine, and how many of them springs to ground hold: a rank, not all of them.
+"""Number of motions that strain nothing of a machine, and how many of them springs to ground hold.
 
-A cable at the origin of a platform that turns holds its displacements, not its rotations.  Both numbers are those of
-the sample robot at a regular pose, where nothing vanishes by symmetry; they are the same at all other regular poses.
+The springs hold as many as their rank, which may not be all.  A cable at the origin of a platform that turns holds
+its displacements, not its rotations.  Both numbers are those of the sample robot at a regular pose, where nothing
+vanishes by symmetry; they are the same at all other regular poses.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ import numpy as np
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.registry import Mechanism
-from pkmodes.core.mechanism.regular import sample, sample_pose
+from pkmodes.core.mechanism.regular import sample_parameters, sample_pose
 from pkmodes.core.system.entry_rates import spring_rates
 
 #: An eigenvalue below this fraction of the largest is that of a motion that strains nothing.
@@ -43,25 +44,29 @@ def rigid_motions(
 
     Raises PkmodesError if the description has a sample without inertia.
     """
-    plain, pose, base = sample(mechanism), sample_pose(mechanism), len(mechanism.coordinates)
-    none = mechanism.extended.Effects()
-    kept = np.setdiff1d(np.arange(base), locked)
-    place = np.ix_(kept, kept)
-    M, K, _ = Generated(mechanism.extended, plain, none).extended_matrices(pose)
-    inertia = np.diag(M)[kept]
+    parameters, pose, base_count = (
+        sample_parameters(mechanism),
+        sample_pose(mechanism),
+        len(mechanism.coordinates),
+    )
+    no_effects = mechanism.extended.Effects()
+    unlocked = np.setdiff1d(np.arange(base_count), locked)
+    block = np.ix_(unlocked, unlocked)
+    M, K, _ = Generated(mechanism.extended, parameters, no_effects).extended_matrices(pose)
+    inertia = np.diag(M)[unlocked]
     if not (inertia > 0.0).all():
         problem = f"the sample robot of {mechanism.name} has a coordinate without positive inertia"
         raise PkmodesError(problem, "description.json: sample", "restore the file, or generate it again")
     scale = 1.0 / np.sqrt(inertia)
-    both = np.outer(scale, scale)
-    levels, modes = np.linalg.eigh(K[place] * both)
-    loose = modes[:, levels < RIGID * levels.max(initial=0.0)]
-    if not springs or not loose.size:
-        return RigidMotions(loose.shape[1], 0)
-    ground = np.zeros_like(both)
-    for part in spring_rates(mechanism, plain, none, pose[None], springs).values():
-        scaled = part[0][place] * both
-        if (size := np.linalg.norm(scaled)) > 0.0:  # 0 for a spring on what is at rest
-            ground += scaled / size
-    held = int(np.count_nonzero(np.linalg.eigvalsh(loose.T @ ground @ loose) > RIGID))
-    return RigidMotions(loose.shape[1] - held, held)
+    scaling = np.outer(scale, scale)
+    eigenvalues, modes = np.linalg.eigh(K[block] * scaling)
+    loose_modes = modes[:, eigenvalues < RIGID * eigenvalues.max(initial=0.0)]
+    if not springs or not loose_modes.size:
+        return RigidMotions(loose_modes.shape[1], 0)
+    ground = np.zeros_like(scaling)
+    for stiffness in spring_rates(mechanism, parameters, no_effects, pose[None], springs).values():
+        scaled = stiffness[0][block] * scaling
+        if (norm := np.linalg.norm(scaled)) > 0.0:  # 0 for a spring on a body at rest
+            ground += scaled / norm
+    held = int(np.count_nonzero(np.linalg.eigvalsh(loose_modes.T @ ground @ loose_modes) > RIGID))
+    return RigidMotions(loose_modes.shape[1] - held, held)

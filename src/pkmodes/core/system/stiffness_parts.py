@@ -32,8 +32,8 @@ def stiffness_parts(system: Evaluation, p: Array) -> StiffnessParts:
     """Evaluate the parts of K of an extended system at N poses, (N, d)."""
     assert isinstance(system, ExtendedSystem)
     springs, extended = _springs_to_ground(system.mechanism), system.mechanism.extended
-    without = system.effects._replace(**dict.fromkeys(springs, 0.0))
-    _, machine, gravity = Generated(extended, system.parameters, without).extended_matrices(p)
+    effects = system.effects._replace(**dict.fromkeys(springs, 0.0))
+    _, machine, gravity = Generated(extended, system.parameters, effects).extended_matrices(p)
     diagonal = np.arange(machine.shape[-1])
     machine[..., diagonal, diagonal] += system.joints
     ground = np.zeros_like(machine)

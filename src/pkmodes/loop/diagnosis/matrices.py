@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from pkmodes.core.base.errors import PkmodesError, listed, shown
+from pkmodes.core.base.errors import PkmodesError, checked_list, shown
 from pkmodes.core.base.numbers import plain
 from pkmodes.loop.diagnosis.problem import (
     Array,
@@ -107,13 +107,13 @@ class MatrixStructure:
         units: tuple[str, str] = ("kg", "N/m"),
     ) -> None:
         self.parameters: tuple[Parameter, ...] = tuple(
-            listed(parameters, "parameters", "parameters", 'Parameter("k", 1e6)', Parameter)
+            checked_list(parameters, "parameters", "parameters", 'Parameter("k", 1e6)', Parameter)
         )
         self.candidates: tuple[Candidate, ...] = tuple(
-            listed(candidates, "candidates", "candidates", 'Candidate("k", ("k",), "")', Candidate)
+            checked_list(candidates, "candidates", "candidates", 'Candidate("k", ("k",), "")', Candidate)
         )
-        self.channels: tuple[str, ...] = tuple(listed(channels, "names", "channels", '"x_1"', str))
-        self.setups: tuple[str, ...] = tuple(listed(setups, "labels", "setups", '"P1"', str))
+        self.channels: tuple[str, ...] = tuple(checked_list(channels, "names", "channels", '"x_1"', str))
+        self.setups: tuple[str, ...] = tuple(checked_list(setups, "labels", "setups", '"P1"', str))
         check_callables(matrices, derivatives)
         if isinstance(rigid, bool) or not isinstance(rigid, int | np.integer) or rigid < 0:
             problem = f"expected a number of modes, found {shown(rigid)}"
@@ -137,7 +137,7 @@ class MatrixStructure:
             raise PkmodesError(
                 problem, "modes", "give the number of measured modes plus the rigid ones, or more"
             )
-        unit_pair = listed(units, "units", "units", '"kg", "N/m"', str)
+        unit_pair = checked_list(units, "units", "units", '"kg", "N/m"', str)
         if len(unit_pair) != 2:
             problem = f"expected the units of M and K, found {shown(units)}"
             raise PkmodesError(problem, "units", 'give two, such as ("kg", "N/m")')

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pkmodes.core.base.errors import MeasurementError, listed, nearest_name, shown
+from pkmodes.core.base.errors import MeasurementError, checked_list, nearest_name, shown
 from pkmodes.loop.measured.columns import Array
 from pkmodes.loop.measured.quantities import QUANTITIES, NumberColumn, row_numbers
 
@@ -78,7 +78,7 @@ def drives_of_rows(drives: str | Sequence[str], rows: int, source: str) -> list[
     """Return what the motors did in each row, from one word for all rows or one for each."""
     if isinstance(drives, str):
         return [drives] * rows
-    words = listed(drives, "words", f"{source}: drives", '"held"', str, MeasurementError)
+    words = checked_list(drives, "words", f"{source}: drives", '"held"', str, MeasurementError)
     if len(words) != rows:
         problem = f"expected one word for all rows, or {rows}, found {len(words)}"
         raise MeasurementError(problem, f"{source}: drives", 'give "free" or "held" for each row')
@@ -87,7 +87,7 @@ def drives_of_rows(drives: str | Sequence[str], rows: int, source: str) -> list[
 
 def mode_numbers(mode: Sequence[object], source: str) -> list[object]:
     """Check the experimenter's mode numbers, which may be text."""
-    return listed(mode, "mode numbers", f"{source}: mode", "1", error=MeasurementError)
+    return checked_list(mode, "mode numbers", f"{source}: mode", "1", error=MeasurementError)
 
 
 def checked_array(

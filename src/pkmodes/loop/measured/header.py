@@ -11,7 +11,7 @@ from decimal import Decimal
 from typing import NamedTuple, NoReturn
 
 from pkmodes.core.base.errors import MeasurementError, shown
-from pkmodes.core.robot.columns import factor_of, parted, unit_remedy
+from pkmodes.core.robot.columns import factor_to_si, split_heading, unit_remedy
 from pkmodes.core.support.ordering import joined
 from pkmodes.loop.measured.formats import Machine
 from pkmodes.loop.measured.meanings import likely_meaning, split_unit
@@ -59,7 +59,7 @@ def components_of(
         *(f"{SHAPE}{name}" for name in channels),
         *(name for component_set in component_sets for name in component_set),
     ]
-    names = {parted(cell, names_of)[0] for cell in cells}
+    names = {split_heading(cell, names_of)[0] for cell in cells}
     return max(
         component_sets,
         key=lambda component_set: (names >= component_set.keys(), len(names & component_set.keys())),
@@ -98,7 +98,7 @@ def read_header(
         _refuse(problem, where, remedy)
     parts = [
         (WORD_SYNONYMS.get(name, name), unit)
-        for name, unit in (parted(cell, [*known_columns, *WORD_SYNONYMS]) for cell in cells)
+        for name, unit in (split_heading(cell, [*known_columns, *WORD_SYNONYMS]) for cell in cells)
     ]
     names = [name for name, _ in parts]
     if not set(names) & set(required):
@@ -190,11 +190,7 @@ def _refuse_unknown(name: str, place: str, known_columns: Sequence[str], taken: 
 
 
 def _factor(
-    name: str,
-    unit: str,
-    place: str,
-    channels: Collection[str] | Mapping[str, str],
-    units: Mapping[str, str],
+    name: str, unit: str, place: str, channels: Collection[str] | Mapping[str, str], units: Mapping[str, str]
 ) -> Decimal | None:
     """Return the factor that converts the numbers of a column to SI units; None for a level, of any unit."""
     if name in TEXT:
@@ -213,4 +209,4 @@ def _factor(
     for quantity in QUANTITIES.values():
         if name == quantity.sigma.column and unit == "%":
             remedy = f"multiply by the {quantity.value.column}, and write the result in its unit"
-    return factor_of(name, unit, place, allowed, remedy)
+    return factor_to_si(name, unit, place, allowed, remedy)

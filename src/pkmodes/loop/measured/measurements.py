@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pkmodes.core.base.drives import FREE
-from pkmodes.core.base.errors import MeasurementError, listed, shown
+from pkmodes.core.base.errors import MeasurementError, checked_list, shown
 from pkmodes.core.robot.columns import frequency_factor
 from pkmodes.core.robot.units import QuantityError
 from pkmodes.loop.measured.arguments import (
@@ -231,7 +231,7 @@ class Measurements(Columns):
                 f"{source}: pose",
                 "give a list of labels",
             )
-        labels = listed(pose, "labels", f"{source}: pose", '"P1"', error=MeasurementError)
+        labels = checked_list(pose, "labels", f"{source}: pose", '"P1"', error=MeasurementError)
         names = [str(label) for label in labels]
         rows, shapes = len(names), checked_columns(shapes, "shapes", "x_1", source)
         shape = rows, len(components)
@@ -362,7 +362,7 @@ class Measurements(Columns):
         MeasurementError
             If an index is out of range or repeated.
         """
-        indices = listed(
+        indices = checked_list(
             poses, "pose indices", f"{self.source}: at", "0", (int, np.integer), MeasurementError
         )
         chosen = np.asarray(indices) if indices else np.empty(0, dtype=int)

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.robot.units import LARGEST, SMALLEST
+from pkmodes.core.robot.units import MAX_MAGNITUDE, MIN_MAGNITUDE
 from pkmodes.loop.measured.columns import Array, Columns
 
 #: The largest number below 1.
@@ -122,7 +122,9 @@ FREQUENCY = MeasuredQuantity(
         "frequency",
         "frequency",
         "Hz",
-        Range(SMALLEST, LARGEST, "a frequency above 0 Hz", "leave out rigid-body modes", blank=False),
+        Range(
+            MIN_MAGNITUDE, MAX_MAGNITUDE, "a frequency above 0 Hz", "leave out rigid-body modes", blank=False
+        ),
         symbol="f",
     ),
     NumberColumn(
@@ -130,8 +132,8 @@ FREQUENCY = MeasuredQuantity(
         "sigma",
         "Hz",
         Range(
-            SMALLEST,
-            LARGEST,
+            MIN_MAGNITUDE,
+            MAX_MAGNITUDE,
             "a standard deviation above 0 Hz",
             "write the standard deviation of the frequency",
             blank=False,
@@ -169,7 +171,7 @@ SHAPE_SIGMA = NumberColumn(
     "shape_sigma",
     "1",
     Range(
-        SMALLEST,
+        MIN_MAGNITUDE,
         BELOW_ONE,
         "a standard deviation above 0 and below 1, relative to the largest component",
         "write 0.05 for 5 %, or leave it blank",
@@ -181,8 +183,8 @@ LEVEL = NumberColumn(
     "level",
     "",
     Range(
-        SMALLEST,
-        LARGEST,
+        MIN_MAGNITUDE,
+        MAX_MAGNITUDE,
         "a level of excitation above 0",
         "write the rms or the peak of the force or motion, in one unit for all rows, or leave it blank",
     ),

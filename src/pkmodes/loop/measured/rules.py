@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.drives import DRIVES
 from pkmodes.core.base.errors import MeasurementError, shown
-from pkmodes.core.robot.units import LARGEST, SMALLEST
+from pkmodes.core.robot.units import MAX_MAGNITUDE, MIN_MAGNITUDE
 from pkmodes.loop.measured.columns import Array, Columns, Integers
 from pkmodes.loop.measured.quantities import (
     FREQUENCY,
@@ -85,7 +85,7 @@ def checked_band(band: Iterable[float], where: str) -> tuple[float, float]:
         raise MeasurementError(
             "expected two frequencies", where, "give the lower and the higher frequency in Hz"
         ) from None
-    if not SMALLEST <= low < high <= LARGEST:
+    if not MIN_MAGNITUDE <= low < high <= MAX_MAGNITUDE:
         problem = (
             f"expected a lower and a higher frequency, both above 0 Hz, found {low:g} Hz and {high:g} Hz"
         )
@@ -111,11 +111,11 @@ def value_problems(data: Columns, first: Integers) -> Iterator[Problem]:
     rows = np.arange(len(data.mode))
     for k, (name, unit) in enumerate(zip(data.components, data.component_units, strict=True)):
         coordinate_range = Range(
-            -LARGEST, LARGEST, "a finite coordinate", f"write a number in {unit}", blank=False
+            -MAX_MAGNITUDE, MAX_MAGNITUDE, "a finite coordinate", f"write a number in {unit}", blank=False
         )
         yield from _range_problems(name, data.points[:, k], coordinate_range, first)
         requirement = f"a standard deviation of at least 0 {unit}"
-        sigma_range = Range(0.0, LARGEST, requirement, "leave it blank if unknown", blank=False)
+        sigma_range = Range(0.0, MAX_MAGNITUDE, requirement, "leave it blank if unknown", blank=False)
         yield from _range_problems(f"sigma_{name}", data.point_sigma[:, k], sigma_range, first)
     for quantity in QUANTITIES.values():
         yield from _quantity_problems(quantity, data, rows)
@@ -127,10 +127,14 @@ def value_problems(data: Columns, first: Integers) -> Iterator[Problem]:
         is_in_band = band_range.holds(data.frequency) | ~FREQUENCY.value.range.holds(data.frequency)
         yield from _problems_where_not(FREQUENCY.value.column, data.frequency, is_in_band, band_range, rows)
     for k, name in enumerate(data.channels):
-        component = Range(-LARGEST, LARGEST, "a finite shape component", "leave it blank if unknown")
+        component = Range(
+            -MAX_MAGNITUDE, MAX_MAGNITUDE, "a finite shape component", "leave it blank if unknown"
+        )
         yield from _range_problems(f"{SHAPE}{name}", data.shapes[:, k], component, rows)
     for k, name in enumerate(data.settings):
-        setting = Range(-LARGEST, LARGEST, "a finite value", "leave it blank if it is as declared")
+        setting = Range(
+            -MAX_MAGNITUDE, MAX_MAGNITUDE, "a finite value", "leave it blank if it is as declared"
+        )
         yield from _range_problems(f"{SET}{name}", data.set_values[:, k], setting, first)
     yield from _range_problems(LEVEL.column, data.level, LEVEL.range, first)
     for i in np.flatnonzero((data.shapes == 0.0).any(axis=1) & ~(np.abs(data.shapes) > 0.0).any(axis=1)):
@@ -151,7 +155,7 @@ def _quantity_problems(quantity: MeasuredQuantity, data: Columns, rows: Integers
     if quantity.transformation.positive:
         is_below_value = (sigmas < values) | ~(valid & valid_sigmas) | np.isnan(values) | np.isnan(sigmas)
         requirement, remedy = f"a standard deviation below the {value.column}", sigma.range.remedy
-        relative_range = Range(0.0, LARGEST, requirement, f"{remedy}, and check the units of both")
+        relative_range = Range(0.0, MAX_MAGNITUDE, requirement, f"{remedy}, and check the units of both")
         yield from _problems_where_not(sigma.column, sigmas, is_below_value, relative_range, rows)
 
 
@@ -166,8 +170,8 @@ def _problems_where_not(
     """Yield numbers that violate a range, with its messages."""
     of_quantity = column in {number.column for number in quantity_numbers()}
     for i in np.flatnonzero(~is_allowed):
-        exceeds_largest = of_quantity and allowed.largest == LARGEST < values[i] < np.inf
-        expected = f"{allowed.expected} (at most {LARGEST:g})" if exceeds_largest else allowed.expected
+        exceeds_largest = of_quantity and allowed.largest == MAX_MAGNITUDE < values[i] < np.inf
+        expected = f"{allowed.expected} (at most {MAX_MAGNITUDE:g})" if exceeds_largest else allowed.expected
         row = int(rows[i])
         problem = (f"expected {expected}, found ", QuotedNumber(row, column, float(values[i])))
         yield Problem(row, column, problem, allowed.remedy)

@@ -12,9 +12,9 @@ from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.base.numbers import plain
 from pkmodes.core.robot.covariance import COVARIANCE
 from pkmodes.core.robot.declaration import Declaration
-from pkmodes.core.robot.layout import by_path, takers
+from pkmodes.core.robot.layout import items_by_path, overrides_by_path
 from pkmodes.core.robot.tables import STATE_OF_MOTORS
-from pkmodes.core.robot.usable import numbers_of
+from pkmodes.core.robot.usable import limit_values
 from pkmodes.core.support.documents import Document
 
 
@@ -81,14 +81,18 @@ def differences(first: Declaration, second: Declaration) -> Differences:
     Raises PkmodesError if their mechanisms differ.
     """
     check_one_mechanism(first, second)
-    robots, items_by_path, compared = (first, second), by_path(first.mechanism), list[ValueDifference]()
+    robots, mechanism_items, compared = (
+        (first, second),
+        items_by_path(first.mechanism),
+        list[ValueDifference](),
+    )
     for path in dict.fromkeys([*first.quantities, *second.quantities]):
         # A shared value is not compared by itself where the other robot's axes have their own.
-        overrides = [item.path for item in takers(first.mechanism).get(path, ())]
+        overrides = [item.path for item in overrides_by_path(first.mechanism).get(path, ())]
         overridden = any(name in robot.quantities for robot in robots for name in overrides)
         if overridden and not all(path in robot.quantities for robot in robots):
             continue
-        item = items_by_path.get(path)
+        item = mechanism_items.get(path)
         shared = "" if item is None or not item.shared else path.replace(item.path, item.shared, 1)
         quantities = [robot.quantities.get(path, robot.quantities.get(shared)) for robot in robots]
         unit = next(quantity.unit for quantity in quantities if quantity is not None)
@@ -96,7 +100,7 @@ def differences(first: Declaration, second: Declaration) -> Differences:
         sigma_before, sigma_after = (None if quantity is None else quantity.sigma for quantity in quantities)
         relative = _relative(before, after)
         compared.append(ValueDifference(path, unit, before, after, sigma_before, sigma_after, relative))
-    limits = [numbers_of(robot.mechanism, robot.usable) for robot in robots]
+    limits = [limit_values(robot.mechanism, robot.usable) for robot in robots]
     for path in dict.fromkeys([*limits[0], *limits[1]]):
         unit = (limits[0].get(path) or limits[1][path])[1]
         before, after = (numbers[path][0] if path in numbers else None for numbers in limits)

@@ -17,8 +17,8 @@ import numpy as np
 from pkmodes.core.base.errors import OutputError, PkmodesError, RobotFileError, nearest_name, shown
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.robot.covariance import CORRELATION, COVARIANCE, PATHS, SIGMA, Covariance
-from pkmodes.core.robot.declaration import Declaration, changeable
-from pkmodes.core.robot.layout import EFFECTS, by_path, lent
+from pkmodes.core.robot.declaration import Declaration, changeable_units
+from pkmodes.core.robot.layout import EFFECTS, items_by_path, table_sources
 from pkmodes.core.robot.parameter_groups import elements_at_value, groups_by_path
 from pkmodes.core.robot.reading import read_robot, robot_from_document
 from pkmodes.core.robot.robot import Robot
@@ -88,10 +88,12 @@ def _edits_of(changes: Mapping[str, Correction], robot: Declaration) -> dict[str
                 element: Correction(number, None, note, DIGITS_OF_ELEMENTS)
                 for element, number in values.items()
             }
-        elif path in changeable(robot):
+        elif path in changeable_units(robot):
             changed = {path: replace(correction, value=float(value))}
         else:
-            remedy = nearest_name(path, changeable(robot), "see docs/reference/robot-file.md for the values")
+            remedy = nearest_name(
+                path, changeable_units(robot), "see docs/reference/robot-file.md for the values"
+            )
             _refuse(f"there is no value {shown(path)} to change", robot.source, remedy)
         for element in changed:
             if element in edits:
@@ -150,7 +152,7 @@ def corrected_text(
     robot = read_robot(source)
     edits = _edits_of(changes, robot)
     document = TomlText(source.read_bytes().decode("utf-8"), robot.source)
-    units = changeable(robot)
+    units = changeable_units(robot)
     appended: dict[str, dict[str, Correction]] = {}
     for path, edit in edits.items():
         keys = _keys(robot.mechanism, path)
@@ -223,10 +225,10 @@ def _toml_list(texts: Iterable[str], *, one_per_line: bool = False) -> str:
 
 def _keys(mechanism: Mechanism, path: str) -> Keys:
     """Return the keys of the document for a dotted path: entries and elements by index."""
-    item = by_path(mechanism).get(path)
+    item = items_by_path(mechanism).get(path)
     if item is None:  # an effect parameter
         return tuple(path.split("."))
-    return next(number.place for number in item.numbers if number.path == path)
+    return next(number.key_path for number in item.numbers if number.path == path)
 
 
 def _rewrite(document: TomlText, keys: Keys, edit: Correction, declared: Quantity) -> None:
@@ -254,7 +256,7 @@ def _rewrite(document: TomlText, keys: Keys, edit: Correction, declared: Quantit
 
 def _new_value(document: TomlText, mechanism: Mechanism, path: str, unit: str, edit: Correction) -> str:
     """Format a value that is new in the file: in the notation of the shared value, or in SI units."""
-    item = by_path(mechanism).get(path)
+    item = items_by_path(mechanism).get(path)
     shared = document.find(_keys(mechanism, item.shared)) if item is not None and item.shared else None
     shared = shared["value"] if isinstance(shared, dict) else shared
     notation = ValueNotation.si(unit) if shared is None else ValueNotation.of(shared, unit)
@@ -273,7 +275,7 @@ def _check(text: str, robot: Robot, edits: Mapping[str, Correction], tables: Seq
     sigmas = {path: quantity.sigma for path, quantity in robot.quantities.items()}
     sigmas.update({path: edit.sigma for path, edit in edits.items() if edit.sigma is not None})
     changed = set(edits)
-    for borrowed, table_path in lent(robot.mechanism).items():
+    for borrowed, table_path in table_sources(robot.mechanism).items():
         if table_path in edits and borrowed in expected:  # the effect takes the value from the table
             expected[borrowed], sigmas[borrowed] = expected[table_path], sigmas.get(table_path)
             changed.add(borrowed)

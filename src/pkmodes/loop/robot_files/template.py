@@ -16,14 +16,14 @@ import numpy as np
 
 from pkmodes.core.base.drives import FREE
 from pkmodes.core.mechanism.described import Mechanism
-from pkmodes.core.mechanism.regular import sample
+from pkmodes.core.mechanism.regular import sample_parameters
 from pkmodes.core.robot import schema
 from pkmodes.core.robot.covariance import CORRELATION, COVARIANCE, PATHS, SIGMA
-from pkmodes.core.robot.layout import EFFECTS, GRAVITY, OF_QUANTITIES, Item, items, lent
+from pkmodes.core.robot.layout import EFFECTS, GRAVITY, QUANTITY_KINDS, Item, items, table_sources
 from pkmodes.core.robot.report_fields import REPORT, TITLES
 from pkmodes.core.robot.tables import FORMAT, STATE_OF_MOTORS, dimension_of_effect
-from pkmodes.core.robot.units import DIMENSIONS, SHOWN, with_unit
-from pkmodes.core.robot.usable import RADIUS, SINGULAR_ANGLE, USABLE, limits_written
+from pkmodes.core.robot.units import DIMENSIONS, DISPLAY_UNITS, with_unit
+from pkmodes.core.robot.usable import RADIUS, SINGULAR_ANGLE, USABLE, limit_examples
 from pkmodes.core.robot.variants import document_of
 from pkmodes.core.support.ordering import joined
 from pkmodes.loop.robot_files.measuring import measuring_method
@@ -33,15 +33,15 @@ from pkmodes_description import Effect, Key, Table
 WIDTH = 110
 #: Notes on the notation, before the first key.
 NOTATION = (
-    "Replace the values of the example by your own, a table at a time.  The comment of a value says, after the "
-    "brackets, how to find it.",
-    "A line that begins with # and no space is optional: remove the # to use it.  The value there is the default, or "
-    "an example where there is none.",
-    'A quantity is text with any unit of its kind, such as "400 mm", or a number in the SI unit that its comment has '
-    "in brackets.  With its standard deviation it is { value = ..., sigma = ... }; sigma is absolute, in per cent, "
-    "or 0 for what is exact.  Each sigma below is a usual one: state your own.",
-    "docs/how-to/writing-a-robot-file.md says in which order to proceed, docs/reference/robot-file.md defines every "
-    "key.",
+    "Replace the values of the example by your own, a table at a time.  The comment of a value says, after "
+    "the brackets, how to find it.",
+    "A line that begins with # and no space is optional: remove the # to use it.  The value there is the "
+    "default, or an example where there is none.",
+    'A quantity is text with any unit of its kind, such as "400 mm", or a number in the SI unit that its '
+    "comment has in brackets.  With its standard deviation it is { value = ..., sigma = ... }; sigma is "
+    "absolute, in per cent, or 0 for what is exact.  Each sigma below is a usual one: state your own.",
+    "docs/how-to/writing-a-robot-file.md says in which order to proceed, docs/reference/robot-file.md "
+    "defines every key.",
 )
 #: Texts of sections that no table of a mechanism describes.
 OVERRIDES_TEXT = "Where this {} differs from the tables that all share:"
@@ -53,9 +53,9 @@ LIMIT_TEXTS = {
 REPORT_TEXT = "what the head of every report says; nothing is computed from it"
 COVARIANCE_TEXT = "values of this file with correlated errors; without this table they are independent"
 MOTORS_TEXT = (
-    'Motors of the machine in use: "held" where position loops or stepper motors hold the shafts, "free" where they '
-    "turn freely, as in the paper.  Every command takes this unless --drives, or a file of measurements, says "
-    "otherwise."
+    'Motors of the machine in use: "held" where position loops or stepper motors hold the shafts, "free" where '
+    "they turn freely, as in the paper.  Every command takes this unless --drives, or a file of measurements, "
+    "says otherwise."
 )
 SERVO_STIFFNESS = "servo_stiffness"
 SERVO_TEXT = (
@@ -113,7 +113,7 @@ def example_document(mechanism: Mechanism) -> dict[str, Any]:
     if supplied is not None:
         return {**supplied, "name": name}
     values: dict[str, Any] = {}
-    parameters = sample(mechanism)
+    parameters = sample_parameters(mechanism)
     for item in items(mechanism):
         if item.index is not None and item.key.field:
             raw = _sample_value(item, getattr(parameters, item.key.field))
@@ -130,7 +130,7 @@ def _sample_value(item: Item, field: Any) -> Any:
         return item.key.choices[int(np.argmax(numbers))]
     if item.key.kind in ("choice", "signs"):
         return [int(number) for number in numbers] if isinstance(numbers, list) else int(numbers)
-    if item.key.kind not in OF_QUANTITIES:
+    if item.key.kind not in QUANTITY_KINDS:
         return numbers
     return (
         [_si(number, item.key) for number in numbers] if isinstance(numbers, list) else _si(numbers, item.key)
@@ -148,11 +148,11 @@ def _with_usual_sigmas(mechanism: Mechanism, document: Mapping[str, Any]) -> dic
     completed = deepcopy(dict(document))
     for item in items(mechanism):
         raw, key = _value_in(completed, item), item.key
-        path = item.shared or ".".join(part for part in item.place if isinstance(part, str))
+        path = item.shared or ".".join(part for part in item.key_path if isinstance(part, str))
         sigma = measuring_method(path, key.dimension).sigma
         if raw is None or isinstance(raw, Mapping) or key.kind != "quantity" or not sigma:
             continue
-        if schema.quantity(raw, key.dimension).value:
+        if schema.parse_quantity(raw, key.dimension).value:
             _value_in(completed, item, levels_up=1)[key.name] = {"value": raw, "sigma": sigma}
     return completed
 
@@ -160,7 +160,7 @@ def _with_usual_sigmas(mechanism: Mechanism, document: Mapping[str, Any]) -> dic
 def _value_in(document: Mapping[str, Any], item: Item, levels_up: int = 0) -> Any:
     """Return the value of a key in a parsed file, or the table that has it; None if there is none."""
     node: Any = document
-    for part in item.place[: len(item.place) - levels_up]:
+    for part in item.key_path[: len(item.key_path) - levels_up]:
         node = node[part] if isinstance(part, int) else node.get(part)
         if node is None:
             return None
@@ -220,7 +220,7 @@ def _accepted_values(key: Key) -> str:
     if key.kind == "direction":
         return "a unit vector"
     unit = DIMENSIONS[key.dimension][0]
-    shown, factor = SHOWN.get(unit, (unit, 1.0))
+    shown, factor = DISPLAY_UNITS.get(unit, (unit, 1.0))
     bounds = {">": key.above, ">=": key.at_least, "<": key.below, "<=": key.at_most}
     parts = [
         f"{sign} {with_unit(bound * factor, shown)}" if bound else f"{sign} 0"
@@ -260,9 +260,9 @@ def _effect_lines(mechanism: Mechanism, effect: Effect, section: Mapping[str, An
         replaced = parameter.in_place_of or not present.keys().isdisjoint(excluded)
         if replaced and parameter.name not in present:
             continue
-        if path in lent(mechanism):
+        if path in table_sources(mechanism):
             yield from _comment_lines(
-                f"{parameter.name} is that of [{lent(mechanism)[path].rpartition('.')[0]}]"
+                f"{parameter.name} is that of [{table_sources(mechanism)[path].rpartition('.')[0]}]"
             )
             continue
         key = Key(
@@ -281,7 +281,7 @@ def _effect_lines(mechanism: Mechanism, effect: Effect, section: Mapping[str, An
 def _common_lines(mechanism: Mechanism, document: Mapping[str, Any]) -> Iterator[str]:
     """Yield the optional tables of every robot file, without one whose name the mechanism uses for its own."""
     descriptions = LIMIT_TEXTS | {component.name: component.description for component in mechanism.pose}
-    limits = [f"{line}  # {descriptions[name]}" for name, line in limits_written(mechanism).items()]
+    limits = [f"{line}  # {descriptions[name]}" for name, line in limit_examples(mechanism).items()]
     tables: dict[str, tuple[str, Iterable[str]]] = {
         f"[{USABLE}]": (USABLE_TEXT, limits),
         f"[{REPORT}]": (REPORT_TEXT, (f'{name} = "..."' for name in TITLES)),

@@ -11,11 +11,11 @@ from functools import cache, cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.compiled.lanes import ALL_COORDINATES, RATES_OF_MATRICES, UNSOLVED, Terms, flat
-from pkmodes.core.linalg.eigen import magnitude
+from pkmodes.core.compiled.lanes import FULL_MATRIX_FIELDS, MATRIX_RATE_FIELDS, UNSOLVED, Terms, flattened
+from pkmodes.core.linalg.eigen import rounding_scale
 from pkmodes.core.mechanism.poses import CHUNK, codes_of
 from pkmodes.core.mechanism.registry import Mechanism
-from pkmodes.core.mechanism.regular import sample
+from pkmodes.core.mechanism.regular import sample_parameters
 from pkmodes.core.robot.layout import Slot
 from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.solve.batch import Job
@@ -58,7 +58,7 @@ def terms_of_all(systems: Sequence[ExtendedSystem], paths: Sequence[Sequence[Par
         first=ends[np.arange(len(systems))[:, None] * count + np.arange(count + 1)],
         places=np.array(gradient_indices, dtype=np.int32),
         weights=np.array([weight for terms in terms_by_path for _, weight in terms], dtype=float),
-        effects=np.array([flat(robot_system.effects) for robot_system in systems]),
+        effects=np.array([flattened(robot_system.effects) for robot_system in systems]),
         all_coordinates=any(parameters <= index < pose or index >= joints for index in gradient_indices),
         locked_joints=any(index >= joints and index - joints not in free for index in gradient_indices),
     )
@@ -86,7 +86,7 @@ def _gradient_indices(mechanism: Mechanism) -> tuple[dict[Slot, int], int]:
     """Return the place of each number of a robot in a gradient, and how many of them are parameters."""
     dotted, parameters = effect_fields(mechanism), 0
     slots: list[Slot] = []
-    for numbers in (sample(mechanism), mechanism.extended.Effects()):
+    for numbers in (sample_parameters(mechanism), mechanism.extended.Effects()):
         parameters = len(slots)
         slots += [
             (dotted.get(name, name), index)
@@ -132,7 +132,7 @@ def rates_job(
 
     tail = (len(terms.first) - 1, modes)
     return Job(
-        tails=dict.fromkeys(requested, (tail, "f8")),
+        pose_shapes=dict.fromkeys(requested, (tail, "f8")),
         reasons=codes_of(system.mechanism),
         compute=compute,
         by_numpy=by_numpy,
@@ -145,7 +145,7 @@ def _coincident_modes(
     eigenvalues: Array, system: Evaluation, close: float, include_zero: bool
 ) -> NDArray[np.bool_]:
     """Return where modes form a group; with `include_zero` also of those whose frequency is zero to rounding."""
-    sizes = magnitude(eigenvalues, system.first, system.rigid_modes, system.loose_motions)
+    sizes = rounding_scale(eigenvalues, system.base_count, system.rigid_modes, system.loose_motions)
     coincident = ~are_separate(eigenvalues, close, sizes)
     if not include_zero:
         is_nonzero = np.abs(eigenvalues) > ROUNDING * sizes
@@ -175,16 +175,16 @@ class CompiledDerivatives(MatrixDerivatives):
 
     @cached_property
     def _all_coordinates(self) -> tuple[Array, Array]:
-        if not self._compiled.keys() >= set(ALL_COORDINATES):
+        if not self._compiled.keys() >= set(FULL_MATRIX_FIELDS):
             return super()._all_coordinates
-        M, K = (self._compiled[name] for name in ALL_COORDINATES)
-        return self.system.of_generated(M, K)
+        M, K = (self._compiled[name] for name in FULL_MATRIX_FIELDS)
+        return self.system.from_generated_matrices(M, K)
 
     @cached_property
     def _dense(self) -> tuple[Array, Array]:
-        if not self._compiled.keys() >= set(RATES_OF_MATRICES):
+        if not self._compiled.keys() >= set(MATRIX_RATE_FIELDS):
             return super()._dense
-        dM, dK = (self._compiled[name] for name in RATES_OF_MATRICES)
+        dM, dK = (self._compiled[name] for name in MATRIX_RATE_FIELDS)
         for matrix in (dM, dK):
             matrix[:, list(self.locked_paths)] = np.nan
         return dM, dK

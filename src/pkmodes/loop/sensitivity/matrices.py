@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.registry import Mechanism
-from pkmodes.core.mechanism.regular import sample, sample_pose
-from pkmodes.core.mechanism.stepped import STEP
+from pkmodes.core.mechanism.regular import sample_parameters, sample_pose
+from pkmodes.core.mechanism.stepped import COMPLEX_STEP
 from pkmodes.core.robot.layout import Slot
 from pkmodes.core.system.entry_rates import Entries, entries_of, rates_by_steps
 from pkmodes.core.system.evaluation import ExtendedSystem
@@ -70,9 +70,9 @@ def geometry_of(mechanism: Mechanism) -> frozenset[str]:
     fields = {field for field, *_ in mechanism.extended.GEOMETRY_SENSITIVITIES}
     fields |= {field for field, counterpart in mechanism.differences.items() if counterpart in fields}
     # Effect parameters that change that motion of the sample robot at a regular pose.
-    parameters, extended, p = sample(mechanism), mechanism.extended, sample_pose(mechanism)
+    parameters, extended, p = sample_parameters(mechanism), mechanism.extended, sample_pose(mechanism)
     for field, dotted in effect_fields(mechanism).items():
-        stepped_effects = extended.Effects(**{field: STEP * 1j})
+        stepped_effects = extended.Effects(**{field: COMPLEX_STEP * 1j})
         motion = Generated(extended, parameters, stepped_effects).extended_platform_motion(p)
         if np.imag(motion).any():
             fields.add(dotted)
@@ -168,9 +168,9 @@ class MatrixDerivatives:
             return rates_by_steps(
                 system.mechanism, system.parameters, system.effects, self._p, parameters, changing
             )
-        values = self.system.single("value_sensitivities", self._p)
+        values = self.system.evaluate_function("value_sensitivities", self._p)
         if self._directions[1][:, len(extended.VALUE_SENSITIVITIES) :].any():
-            geometry = self.system.single("geometry_sensitivities", self._p)
+            geometry = self.system.evaluate_function("geometry_sensitivities", self._p)
         else:
             counts = (sum(len(entry[k]) for entry in extended.GEOMETRY_SENSITIVITIES) for k in (2, 3))
             geometry = tuple(np.zeros((len(self._p), count)) for count in counts)
@@ -185,9 +185,9 @@ class MatrixDerivatives:
         """
         if not self._pose_shift.any():
             return None
-        stepped_poses = self._p + STEP * 1j * np.eye(self._p.shape[-1])[:, None]
+        stepped_poses = self._p + COMPLEX_STEP * 1j * np.eye(self._p.shape[-1])[:, None]
         M, K_el, K_g = self.system.generated.extended_matrices(stepped_poses)
-        dM, dK = (np.moveaxis(np.imag(a) / STEP, 0, 1) for a in (M, K_el + K_g))
+        dM, dK = (np.moveaxis(np.imag(a) / COMPLEX_STEP, 0, 1) for a in (M, K_el + K_g))
         return dM, dK
 
     @property
@@ -252,7 +252,7 @@ class MatrixDerivatives:
         """
         phi = np.zeros((*shapes.shape[:-1], self.size))
         phi[..., self.free] = shapes
-        phi = self.system.of_model(phi)  # in all coordinates of the generated model, (N, m, e)
+        phi = self.system.to_model_coordinates(phi)  # in all coordinates of the generated model, (N, m, e)
         parts = []
         for matrix in (0, 1):
             # The entries that change along any path.

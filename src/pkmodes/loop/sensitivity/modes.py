@@ -31,7 +31,7 @@ def group_modes(eigenvalues: Array, close: float, magnitude: Array) -> Index:
     - eigenvalues: ascending, (..., m)
     - close: the fraction; gaps below rounding are also ignored
     - magnitude: magnitude to which the rounding of each eigenvalue is relative
-      (`pkmodes.core.linalg.eigen.magnitude`), (..., m)
+      (`pkmodes.core.linalg.eigen.rounding_scale`), (..., m)
 
     Returns (..., m): the same number for the members of a group, ascending from 0.
     """

@@ -13,8 +13,17 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from pkmodes.core.base.errors import PkmodesError, nearest_name, shown
-from pkmodes.core.robot.declaration import changeable
-from pkmodes.core.robot.layout import EFFECTS, Item, Slot, by_path, effect_parameters, items, lent, takers
+from pkmodes.core.robot.declaration import changeable_units
+from pkmodes.core.robot.layout import (
+    EFFECTS,
+    Item,
+    Slot,
+    effect_parameters,
+    items,
+    items_by_path,
+    overrides_by_path,
+    table_sources,
+)
 from pkmodes.core.robot.parameter_groups import group_items, group_value, group_weights, groups_by_path
 from pkmodes.core.robot.robot import Robot
 
@@ -66,7 +75,7 @@ def resolve_all(robot: Robot, requested: Iterable[str | ParameterPath]) -> list[
 def _resolve_one(robot: Robot, path: str, available: Mapping[str, UnitAndWeights]) -> ParameterPath:
     if not isinstance(path, str):
         raise PkmodesError(f"expected a parameter path, found {shown(path)}", "parameters", "give strings")
-    if path not in available and path in changeable(robot):
+    if path not in available and path in changeable_units(robot):
         problem = f"no frequency and no mode shape depends on {path}"
         alternatives = [
             candidate for candidate in available if candidate.endswith(f".{path}")
@@ -119,7 +128,7 @@ def change_quantities(robot: Robot, changes: Iterable[tuple[ParameterPath, float
 def _variable_quantities(robot: Robot) -> dict[str, UnitAndWeights]:
     """Return all quantities that can vary: of the robot as a whole and shared ones, groups, entries, and effects."""
     mechanism, available = robot.mechanism, dict[str, UnitAndWeights]()
-    items_by_path, shared = by_path(mechanism), takers(mechanism)
+    item_at, shared = items_by_path(mechanism), overrides_by_path(mechanism)
     for item in items(mechanism):
         if item.path in shared:
             items_without_own_value = [
@@ -132,10 +141,10 @@ def _variable_quantities(robot: Robot) -> dict[str, UnitAndWeights]:
         elif item.entry is None:
             available |= _paths_of_item(item)
     # The ends of a pair whose middle is the value of a key that the file does not give: it moves with them.
-    for effect_path, table_path in lent(mechanism).items():
-        pair = items_by_path[table_path].key.middle_of
+    for effect_path, table_path in table_sources(mechanism).items():
+        pair = item_at[table_path].key.middle_of
         if pair and not {table_path, effect_path} & robot.quantities.keys():
-            for end in items_by_path[pair].numbers:
+            for end in item_at[pair].numbers:
                 unit, weights_of_end = available[end.path]
                 middle = (effect_path.removeprefix(f"{EFFECTS}."), ())
                 available[end.path] = unit, {**weights_of_end, middle: 0.5}

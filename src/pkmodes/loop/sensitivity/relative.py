@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.core.mechanism.regular import extent
+from pkmodes.core.mechanism.regular import reach_bound
 from pkmodes.core.model import Model
 from pkmodes.core.robot.layout import effect_parameters, items
 from pkmodes.core.robot.parameter_groups import group_value, group_weights, groups_by_path
@@ -99,7 +99,8 @@ def equivalent_around(
     robot = model.robot
     distances = np.array(
         [
-            NEIGHBOUR_DISTANCE * (extent(robot.mechanism, robot.parameters) if component.unit == "m" else 1.0)
+            NEIGHBOUR_DISTANCE
+            * (reach_bound(robot.mechanism, robot.parameters) if component.unit == "m" else 1.0)
             for component in robot.mechanism.pose
         ]
     )

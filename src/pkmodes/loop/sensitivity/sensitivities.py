@@ -12,9 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.core.base.arguments import is_all
 from pkmodes.core.base.drives import FREE
-from pkmodes.core.base.errors import PkmodesError, listed, shown
-from pkmodes.core.compiled.lanes import ALL_COORDINATES, RATES_OF_MATRICES, Terms
-from pkmodes.core.linalg.eigen import has_stiff_joint, magnitude
+from pkmodes.core.base.errors import PkmodesError, checked_list, shown
+from pkmodes.core.compiled.lanes import FULL_MATRIX_FIELDS, MATRIX_RATE_FIELDS, Terms
+from pkmodes.core.linalg.eigen import has_stiff_joint, rounding_scale
 from pkmodes.core.mechanism.poses import OnError
 from pkmodes.core.model import Model
 from pkmodes.core.robot.layout import effect_parameters
@@ -22,10 +22,10 @@ from pkmodes.core.robot.robot import Robot
 from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.solve.backends import AUTO, checked_threads
 from pkmodes.core.solve.batch import run_job
-from pkmodes.core.solve.field_arrays import FieldArrays, Fields, Out, chosen_fields
+from pkmodes.core.solve.field_arrays import FieldArrays, FieldNames, OutArrays, chosen_fields
 from pkmodes.core.solve.results import ChosenFields
 from pkmodes.core.solve.solver import Solver
-from pkmodes.core.support.solutions import solved
+from pkmodes.core.support.solutions import solve_modes
 from pkmodes.core.system.evaluation import ExtendedSystem, evaluation
 from pkmodes.core.system.motors import MotorsHeld, solved_system
 from pkmodes.loop.sensitivity.compiled import RATES, derivatives_of, rates_job, terms_of
@@ -173,9 +173,9 @@ def sensitivities_at(
     *,
     close: float = 1e-6,
     on_error: OnError = "raise",
-    fields: Fields = None,
+    fields: FieldNames = None,
     drives: str | None = None,
-    out: Out = None,
+    out: OutArrays = None,
     backend: str = AUTO,
     threads: int | None = None,
 ) -> Sensitivities:
@@ -241,8 +241,10 @@ def sensitivities_at(
         checked, arrays = run_job(job, robot, model.max_condition, poses, on_error, out, thread_count)
     else:
         checked = model.checked(poses, on_error)
-        is_buffered = on_error == "raise" and len(system.coordinates) > system.first
-        field_arrays = FieldArrays(checked.batch, out, aside=is_buffered, blank=bool(checked.codes.any()))
+        is_buffered = on_error == "raise" and len(system.coordinates) > system.base_count
+        field_arrays = FieldArrays(
+            checked.batch, out, deferred=is_buffered, filled_with_nan=bool(checked.codes.any())
+        )
         # In parts of equal size: a single pose is evaluated differently, which gives repeated modes another basis.
         for where, p in checked.parts(POSES_PER_PART, even=True):
             field_arrays.put(where, _fields_at(resolved, p, limit, requested, solvers))
@@ -293,7 +295,7 @@ def _chosen_paths(robot: Robot, parameters: Sequence[str | ParameterPath] | None
         dissipating = mechanism.effects.keys() - mechanism.conservative_effects.keys()
         excluded |= {path for path in effect_parameters(mechanism) if path.split(".")[1] in dissipating}
         return resolve_all(robot, [path for path in paths(robot) if path not in excluded])
-    requested = listed(parameters, "parameter paths", "parameters", '"platform.mass"')
+    requested = checked_list(parameters, "parameter paths", "parameters", '"platform.mass"')
     return resolve_all(robot, requested)
 
 
@@ -309,7 +311,7 @@ def _fields_at(
         if derivatives is None or isinstance(resolved.extended, MotorsHeld):
             terms = resolved.free_motor_terms
             derivatives = derivatives_of(
-                solvers.free, resolved.free_motor_system, p, [resolved.paths], None, terms, RATES_OF_MATRICES
+                solvers.free, resolved.free_motor_system, p, [resolved.paths], None, terms, MATRIX_RATE_FIELDS
             )
         fields["mass_matrix"], fields["stiffness_matrix"] = derivatives.dense()
     return {name: fields[name] for name in requested}
@@ -322,13 +324,13 @@ def _mode_rates(
     robot, system, extended = resolved.robot, resolved.system, resolved.extended
     with_shapes = "shapes" in requested
     # Bitwise the matrices of `Model.modes`, so that repeated modes have the same basis.
-    solved_poses = solved(solver, system, p, robot.source, *(sorted(MATRICES) if with_shapes else ()))
+    solved_poses = solve_modes(solver, system, p, robot.source, *(sorted(MATRICES) if with_shapes else ()))
     eigenvalues, shapes = solved_poses["eigenvalues"], solved_poses["shapes"]
     along_fields = list[str]()
     if with_shapes:
-        along_fields += ["changes", "norms", *(ALL_COORDINATES if resolved.terms.locked_joints else ())]
+        along_fields += ["changes", "norms", *(FULL_MATRIX_FIELDS if resolved.terms.locked_joints else ())]
         if not (isinstance(extended, MotorsHeld) or MATRICES.isdisjoint(requested)):
-            along_fields += RATES_OF_MATRICES
+            along_fields += MATRIX_RATE_FIELDS
     derivatives = derivatives_of(
         solver,
         extended,
@@ -340,7 +342,7 @@ def _mode_rates(
         matrices=solved_poses.evaluated("all_coordinates") if extended is system else None,
         locked=resolved.locked,
     )
-    sizes = magnitude(eigenvalues, system.first, system.rigid_modes, system.loose_motions)
+    sizes = rounding_scale(eigenvalues, system.base_count, system.rigid_modes, system.loose_motions)
     group = group_modes(eigenvalues, close, sizes)
     fields: dict[str, NDArray[Any]] = {"groups": group}
     if with_shapes:
@@ -370,7 +372,7 @@ def _eigenvalue_and_shape_rates(
     rates, shape_rates = np.empty(norm.shape), np.empty(change.shape)
     for i, arguments in enumerate(zip(*modes, change, norm, group, sizes, strict=True)):
         rates[i], shape_rates[i] = mode_derivatives(*arguments)
-    first = solved_poses.system.first
+    first = solved_poses.system.base_count
     stiff_poses = np.flatnonzero(has_stiff_joint(eigenvalues, first, solved_poses.system.rigid_modes))
     if len(stiff_poses):
         evaluated = np.setdiff1d(np.arange(norm.shape[1]), derivatives.locked_paths)

@@ -47,7 +47,7 @@ def shape_derivatives(
     rates: Array = expansion @ channels[:, None]
     massless = np.flatnonzero(derivatives.system.massless)
     if not (len(massless) or derivatives.locked_paths):
-        rates[..., :size] = derivatives.system.of_model(rates[..., :size])
+        rates[..., :size] = derivatives.system.to_model_coordinates(rates[..., :size])
         return rates
     static_motion = np.zeros((*expansion.shape[:3], size))
     if len(massless):
@@ -57,7 +57,7 @@ def shape_derivatives(
         )
     if derivatives.locked_paths:
         static_motion[:, list(derivatives.locked_paths)] += derivatives.locked_motions(eigenvalues, shapes)
-    rates[..., :size] = derivatives.system.of_model(rates[..., :size] + static_motion)
+    rates[..., :size] = derivatives.system.to_model_coordinates(rates[..., :size] + static_motion)
     if motion is not None:
         rates[..., size:] += static_motion @ np.swapaxes(motion(), -1, -2)[:, None]
     return rates

@@ -23,9 +23,9 @@ from numpy.typing import ArrayLike, NDArray
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.mechanism.poses import OnError
 from pkmodes.core.model import Model
-from pkmodes.core.robot.layout import Slot, lent
+from pkmodes.core.robot.layout import Slot, table_sources
 from pkmodes.core.robot.robot import Robot
-from pkmodes.core.support.covariance import covariance_of, root_of, sigmas_by_path
+from pkmodes.core.support.covariance import covariance_of, covariance_root, sigmas_by_path
 from pkmodes.loop.sensitivity.modes import group_modes
 from pkmodes.loop.sensitivity.paths import ParameterPath, paths
 from pkmodes.loop.sensitivity.relative import REPEATED_FRACTION, rates_of
@@ -42,11 +42,7 @@ def stated_sigmas(robot: Robot) -> dict[str, float]:
 
 
 def spread_of(
-    model: Model,
-    poses: ArrayLike,
-    drives: str,
-    on_error: str = "raise",
-    exact: Collection[str] = (),
+    model: Model, poses: ArrayLike, drives: str, on_error: str = "raise", exact: Collection[str] = ()
 ) -> Array | None:
     """Return the standard deviations of all frequencies, (..., m) [Hz]; None where the robot file states none.
 
@@ -54,7 +50,9 @@ def spread_of(
 
     - exact: paths of values that are exact although the file states a sigma, such as those that a sweep sets
     """
-    lending_paths = {table_path for path, table_path in lent(model.robot.mechanism).items() if path in exact}
+    lending_paths = {
+        table_path for path, table_path in table_sources(model.robot.mechanism).items() if path in exact
+    }
     names = [path for path in stated_sigmas(model.robot) if path not in exact and path not in lending_paths]
     if not names:
         return None
@@ -74,7 +72,7 @@ def _independent_directions(
     independent numbers of variance 1: so a group of repeated modes splits as with independent values.
     """
     robot = model.robot
-    root = root_of(covariance_of(robot, names))
+    root = covariance_root(covariance_of(robot, names))
     if not robot.covariance:
         return names, root
     resolved = ResolvedPaths(robot, names, drives)

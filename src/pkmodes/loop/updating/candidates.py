@@ -18,7 +18,7 @@ from dataclasses import replace
 import numpy as np
 
 from pkmodes.core.base.errors import PkmodesError, nearest_name, shown
-from pkmodes.core.robot.layout import GRAVITY, Item, by_path, lent, takers
+from pkmodes.core.robot.layout import GRAVITY, Item, items_by_path, overrides_by_path, table_sources
 from pkmodes.core.robot.parameter_groups import group_items, group_weights, groups_by_path
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.units import with_unit
@@ -134,8 +134,8 @@ def _chosen_candidates(robot: Robot, chosen: Sequence[str] | None, loads: LoadCa
 def _with_assumptions(robot: Robot, candidates: Sequence[Candidate], loads: LoadCases) -> list[Candidate]:
     """Return candidates with the default values that their effects assume if the file states none."""
     assumed: dict[str, list[Assumption]] = {}
-    for borrowed, lender in lent(robot.mechanism).items():
-        default, path = by_path(robot.mechanism)[lender].key.default, resolve(robot, borrowed)
+    for borrowed, lender in table_sources(robot.mechanism).items():
+        default, path = items_by_path(robot.mechanism)[lender].key.default, resolve(robot, borrowed)
         if default and not {lender, borrowed} & robot.quantities.keys() and not loads.is_always_set(path):
             words = f"a {lender} of {with_unit(default, path.unit)}"
             for name in robot.mechanism.effects[borrowed.split(".")[1]].forms:
@@ -146,7 +146,7 @@ def _with_assumptions(robot: Robot, candidates: Sequence[Candidate], loads: Load
 def _with_another_constant(robot: Robot, candidates: Sequence[Candidate]) -> list[Candidate]:
     """Return effects combined with a wrong constant, such as the mass of a moving frame: alone they would not fit."""
     with_constants = []
-    for borrowed, lender in lent(robot.mechanism).items():
+    for borrowed, lender in table_sources(robot.mechanism).items():
         _, name, constant = borrowed.split(".")
         declared = robot.quantities.get(lender)
         if declared is not None and declared.sigma is not None:
@@ -169,7 +169,9 @@ def _with_another_constant(robot: Robot, candidates: Sequence[Candidate]) -> lis
 def _varying_values(robot: Robot) -> list[str]:
     """Return the declared values on which the robot depends, without shared ones that every entry overrides."""
     varying = set(paths(robot))
-    varying -= {borrowed for borrowed, lender in lent(robot.mechanism).items() if lender in robot.quantities}
+    varying -= {
+        borrowed for borrowed, lender in table_sources(robot.mechanism).items() if lender in robot.quantities
+    }
     return [path for path in robot.quantities if path in varying]
 
 
@@ -192,7 +194,7 @@ def _requested_candidate(robot: Robot, name: str, available: list[str]) -> Candi
         suggestions = [*available, *losses, *(f"{PREFIX}{p}" for p in paths(robot))]
         remedy = nearest_name(name, suggestions, "use the names in docs/explanation/diagnosis.md")
         raise PkmodesError(f"unknown candidate {shown(name)}", "candidates", remedy)
-    group, item = groups_by_path(robot.mechanism).get(path), by_path(robot.mechanism).get(path)
+    group, item = groups_by_path(robot.mechanism).get(path), items_by_path(robot.mechanism).get(path)
     refuse_declared(
         path, _sigmas(robot, [path, *(_element_paths(robot, group) if group is not None else ())])
     )
@@ -280,9 +282,9 @@ def _suspected_values(robot: Robot) -> dict[str, Candidate]:
     element_paths = {
         element for group in robot.mechanism.parameter_groups for element in _element_paths(robot, group)
     }
-    suspected, items_by_path = [], by_path(robot.mechanism)
+    suspected, item_at = [], items_by_path(robot.mechanism)
     for path in _varying_values(robot):
-        item, quantity = items_by_path.get(path), robot.quantities[path]
+        item, quantity = item_at.get(path), robot.quantities[path]
         if item is None or not item.key.suspected or quantity.sigma is not None or path in element_paths:
             continue
         if item.key is not GRAVITY or quantity.value != 0.0:  # a gravity component of 0 is exact
@@ -309,10 +311,12 @@ def _single_entry_candidates(robot: Robot) -> list[Candidate]:
     """Return the values of single axes for which the file gives one shared value without a sigma."""
     candidates, all_paths = [], paths(robot)
     for path in all_paths:
-        item = by_path(robot.mechanism).get(path)
+        item = items_by_path(robot.mechanism).get(path)
         if item is not None and item.shared in all_paths and path not in robot.quantities:
             following = [
-                taker for taker in takers(robot.mechanism)[item.shared] if taker.path not in robot.quantities
+                taker
+                for taker in overrides_by_path(robot.mechanism)[item.shared]
+                if taker.path not in robot.quantities
             ]
             if robot.quantities[item.shared].sigma is None and len(following) > 1:
                 sentence = f"the value of {path} differs from that of the other axes"
@@ -358,7 +362,7 @@ def _general_forms(
 
 def _parameter(robot: Robot, path: ParameterPath, prior: Prior) -> Parameter:
     sigma = prior.sigma
-    item = by_path(robot.mechanism).get(path.path)
+    item = items_by_path(robot.mechanism).get(path.path)
     lower, upper = -np.inf, np.inf
     value_range = None
     if path.path.startswith(EFFECTS):

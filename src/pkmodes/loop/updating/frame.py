@@ -13,7 +13,13 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.linalg.rotations import AXES, about, matrix_of, rates_of, vector_of
+from pkmodes.core.linalg.rotations import (
+    AXES,
+    left_jacobian,
+    matrices_of_vectors,
+    vectors_about,
+    vectors_of_matrices,
+)
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.loop.diagnosis.problem import Candidate, Parameter
 
@@ -63,9 +69,9 @@ def true_points(mechanism: Mechanism, points: Array, values: Mapping[str, float]
     true_poses = np.asarray(points @ rotation.T + offset)
     if Z in mechanism.rotations:
         rotation_components = _rotation_components(mechanism)
-        about_z = matrix_of(about((Z,), np.array([yaw])))
-        rotated_vectors = vector_of(
-            about_z @ matrix_of(about(mechanism.rotations, points[:, rotation_components]))
+        about_z = matrices_of_vectors(vectors_about((Z,), np.array([yaw])))
+        rotated_vectors = vectors_of_matrices(
+            about_z @ matrices_of_vectors(vectors_about(mechanism.rotations, points[:, rotation_components]))
         )
         true_poses[:, rotation_components] = rotated_vectors[:, _rotation_axes(mechanism)]
     return true_poses
@@ -82,7 +88,9 @@ def pose_rates(mechanism: Mechanism, name: str, points: Array, values: Mapping[s
     rates[:, i], rates[:, k] = -rotated[:, k], rotated[:, i]
     if Z in mechanism.rotations:
         rotation_components, rotation_axes = _rotation_components(mechanism), _rotation_axes(mechanism)
-        inverse = np.linalg.inv(rates_of(about(mechanism.rotations, rotated[:, rotation_components])))
+        inverse = np.linalg.inv(
+            left_jacobian(vectors_about(mechanism.rotations, rotated[:, rotation_components]))
+        )
         rates[:, rotation_components] = inverse[:, rotation_axes, AXES.index(Z)]
     return rates
 

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.robot.layout import items
-from pkmodes.core.support.words import ENTRY
+from pkmodes.core.support.words import ENTRY_LETTER
 from pkmodes.loop.diagnosis.problem import Joint
 from pkmodes_description import EffectParameter
 
@@ -33,7 +33,7 @@ def joints_of(
         if match is None or len(paths) < 2:
             return ()
         quantity, part, number = match.groups()
-        part_pattern = re.compile(rf"\b{re.escape(part)} {ENTRY}\b")
+        part_pattern = re.compile(rf"\b{re.escape(part)} {ENTRY_LETTER}\b")
         declared_paths = [
             item.path
             for item in items(mechanism)

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from pkmodes.core.base.drives import FREE, HELD, other_drives
 from pkmodes.core.base.errors import MeasurementError, PkmodesError, nearest_name, shown
 from pkmodes.core.mechanism.registry import Mechanism
-from pkmodes.core.robot.declaration import changeable
+from pkmodes.core.robot.declaration import changeable_units
 from pkmodes.core.robot.layout import EFFECTS, Slot, effect_parameters, items
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.system.evaluation import ExtendedSystem
@@ -136,7 +136,7 @@ class LoadCases:
 def settable_paths(mechanism: Mechanism, robot: Robot | None = None) -> dict[str, str]:
     """Return the paths that measurements may set, with SI units, for one robot or any robot of a mechanism."""
     if robot is not None:
-        return changeable(robot)
+        return changeable_units(robot)
     units = {number.path: number.unit for item in items(mechanism) for number in item.numbers}
     return {
         **units,

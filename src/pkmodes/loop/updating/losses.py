@@ -70,13 +70,7 @@ def _common_ratio(robot: Robot, names: set[str] | None) -> Loss:
     declared = quantity is not None
     return Loss(
         Parameter(
-            DAMPING_RATIO,
-            robot.damping_ratio,
-            "1",
-            prior.sigma,
-            0.0,
-            1.0,
-            correlated=prior.correlated,
+            DAMPING_RATIO, robot.damping_ratio, "1", prior.sigma, 0.0, 1.0, correlated=prior.correlated
         ),
         RATIO if suspected and sigma is None else "",
         f"the declared value of {DAMPING_RATIO} is wrong"
@@ -144,8 +138,8 @@ def rates_of_losses(solved: SolvedRobots, losses: Sequence[Loss]) -> Array:
                 robot,
                 effects={**conservative, loss.parameter.name.removeprefix(f"{EFFECTS}."): EVALUATION_VALUE},
             )
-            viscous, loss_matrix = Dissipation(robot_with_loss, ExtendedSystem.of(robot_with_loss)).of_model(
-                solved.points[rows]
-            )
+            viscous, loss_matrix = Dissipation(
+                robot_with_loss, ExtendedSystem.of(robot_with_loss)
+            ).model_matrices(solved.points[rows])
             rates[rows, :, j] = damping_ratios(*modes, viscous, loss_matrix, 0.0, rigid) / EVALUATION_VALUE
     return rates

@@ -13,11 +13,11 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.arguments import is_all
 from pkmodes.core.base.errors import MeasurementError, PkmodesError, PoseError, nearest_name, shown
-from pkmodes.core.mechanism.poses import LARGE, check_poses, placed
+from pkmodes.core.mechanism.poses import LARGE_LENGTH, check_poses, format_pose
 from pkmodes.core.mechanism.registry import Mechanism, mechanism, names
 from pkmodes.core.model import Model
 from pkmodes.core.robot.robot import Robot
-from pkmodes.core.robot.units import NUMBER, QuantityError, base_units, check_plain_number, meant_as
+from pkmodes.core.robot.units import NUMBER, QuantityError, base_units, check_plain_number, likely_unit
 from pkmodes.core.robot.usable import USABLE, read_usable
 from pkmodes.core.support.ordering import joined
 from pkmodes.loop.diagnosis.arguments import check_measurements
@@ -206,8 +206,8 @@ def _deviation(prior: float | str, parameter: Parameter, where: str) -> float:
         except QuantityError as error:
             problem, expected = str(error), f"expected a standard deviation in {parameter.unit}"
             problem = problem if problem.startswith(expected) else f"{expected}: {problem}"
-            if number is not None and (likely_unit := meant_as(unit, parameter.unit)) is not None:
-                remedy = f'write "{number[1]} {likely_unit}"'
+            if number is not None and (suggested_unit := likely_unit(unit, parameter.unit)) is not None:
+                remedy = f'write "{number[1]} {suggested_unit}"'
             raise PkmodesError(problem, where, error.remedy or remedy) from None
     if isinstance(value, bool) or not isinstance(value, int | float | np.integer | np.floating):
         raise PkmodesError(f"expected a standard deviation, found {shown(prior)}", where, remedy)
@@ -241,7 +241,7 @@ def check_reachable(robot: Robot, data: Measurements, loads: LoadCases) -> None:
     try:
         check_poses(data.points[first], robot.mechanism, loaded.parameters, "raise")
     except PoseError as error:
-        label, position = shown(data.labels[first]), placed(robot.mechanism, data.points[first])
+        label, position = shown(data.labels[first]), format_pose(robot.mechanism, data.points[first])
         set_values = " with the set values" if load else ""
         problem = f"pose {label} at {position} cannot be reached{set_values}: {error.what}"
         raise MeasurementError(problem, where, f"{error.remedy}; {remedy}") from None
@@ -250,7 +250,7 @@ def check_reachable(robot: Robot, data: Measurements, loads: LoadCases) -> None:
 def _refuse_another_unit(robot: Robot, data: Measurements, where: str) -> None:
     """Refuse poses that can all be reached with lengths in another unit than stated."""
     lengths = [component.unit == "m" for component in robot.mechanism.pose]
-    is_large = np.abs(data.points[:, lengths]).max(initial=0.0) >= LARGE
+    is_large = np.abs(data.points[:, lengths]).max(initial=0.0) >= LARGE_LENGTH
     for factor, remedy in OTHER_LENGTHS.items():
         scaled = data.points * np.where(lengths, factor, 1.0)
         if (factor > 1.0 or is_large) and _is_reachable(robot, scaled).all():

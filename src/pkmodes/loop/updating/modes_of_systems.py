@@ -12,10 +12,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.compiled.lanes import Lanes, flat
+from pkmodes.core.compiled.lanes import Lanes, flattened
 from pkmodes.core.mechanism.poses import MAX_CONDITION
 from pkmodes.core.solve.at_poses import RobotAtPoses
-from pkmodes.core.solve.backends import AUTO, chosen, solver_of
+from pkmodes.core.solve.backends import AUTO, choose_backend, solver_of
 from pkmodes.core.solve.numpy_solver import NumpySolver, modes_of
 from pkmodes.core.solve.solver import EIGENVALUES, SHAPES, UNSOLVED, Solver, UnavailableError
 from pkmodes.core.system.evaluation import ExtendedSystem, number_of_modes
@@ -37,7 +37,11 @@ class StackedSystems(ExtendedSystem):
 
     def __init__(self, systems: Sequence[ExtendedSystem], count: int) -> None:
         first = systems[0]
-        self.mechanism, self.first, self.rigid_modes = first.mechanism, first.first, first.rigid_modes
+        self.mechanism, self.base_count, self.rigid_modes = (
+            first.mechanism,
+            first.base_count,
+            first.rigid_modes,
+        )
         self.free, self.coordinates = first.free, first.coordinates
         self.held_motions, self.springs_to_ground = first.held_motions, first.springs_to_ground
         self.basis = first.basis
@@ -99,7 +103,7 @@ def _differing_fields(sets: Sequence[tuple[Any, ...]], count: int) -> dict[str, 
 
 def _flat_rows(sets: Sequence[tuple[Any, ...]]) -> Array:
     """Return the fields of each named tuple in a row; most of them are the same objects."""
-    rows = np.tile(flat(sets[0]), (len(sets), 1))
+    rows = np.tile(flattened(sets[0]), (len(sets), 1))
     ends = np.cumsum([np.size(value) for value in sets[0]]).tolist()
     for row, numbers in zip(rows[1:], sets[1:], strict=True):
         for value, first, end in zip(numbers, sets[0], ends, strict=True):
@@ -158,12 +162,16 @@ def _by_solvers(
     systems: Sequence[ExtendedSystem], system: ExtendedSystem, points: Array, *, checked: bool = True
 ) -> ModesOfSystems | None:
     """Evaluate all robots with one solver, or each with its own; None if NumPy has to evaluate them together."""
-    backend = chosen(AUTO)
+    backend = choose_backend(AUTO)
     if any((member.massless != system.massless).any() for member in systems):
         return None
     try:
         solver = solver_of(system, MAX_CONDITION, backend).inner
-        solvers = [] if solver.together else [solver_of(s, MAX_CONDITION, backend).inner for s in systems]
+        solvers = (
+            []
+            if solver.takes_several_robots
+            else [solver_of(s, MAX_CONDITION, backend).inner for s in systems]
+        )
     except UnavailableError:
         return None
     if isinstance(solver, NumpySolver) or not (checked or solver.checks_poses):
@@ -173,7 +181,7 @@ def _by_solvers(
     arrays = {name: np.empty((len(points), *tail)) for name, tail in tails.items()}
     codes = np.empty(len(points), dtype=np.int8)
     solver_arrays = {name: array for name, array in arrays.items() if name in solver.fields}
-    if solver.together:
+    if solver.takes_several_robots:
         codes[:] = solver.compute(RobotAtPoses(system, points, "", {}), solver_arrays)
     else:
         for b, (member, member_solver) in enumerate(zip(systems, solvers, strict=True)):
@@ -200,17 +208,17 @@ def _by_solvers(
         arrays[SHAPES],
         arrays[MOTIONS],
         None,
-        solver if solver.together else None,
+        solver if solver.takes_several_robots else None,
     )
 
 
 def solver_of_several(systems: Sequence[ExtendedSystem]) -> Solver | None:
     """Return the solver of several robots together, if there is one."""
     try:
-        solver = solver_of(stack_systems(systems, 1), MAX_CONDITION, chosen(AUTO)).inner
+        solver = solver_of(stack_systems(systems, 1), MAX_CONDITION, choose_backend(AUTO)).inner
     except UnavailableError:
         return None
-    return solver if solver.together else None
+    return solver if solver.takes_several_robots else None
 
 
 def _motions(robot_at_poses: RobotAtPoses, shapes: Array) -> Array:

@@ -12,9 +12,9 @@ from typing import Any, NamedTuple, overload
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.compiled.lanes import ALONG_OF_MODES
+from pkmodes.core.compiled.lanes import MODE_RATE_FIELDS
 from pkmodes.core.mechanism.registry import Mechanism
-from pkmodes.core.mechanism.stepped import STEP
+from pkmodes.core.mechanism.stepped import COMPLEX_STEP
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.solve.solver import Solver
 from pkmodes.core.system.evaluation import ExtendedSystem
@@ -102,7 +102,7 @@ def solve_together(
     channels = np.zeros((*shapes.shape[:2], system.joints.shape[-1] + motions.shape[-1]))
     channels[..., system.free] = shapes
     of_model = slice(system.joints.shape[-1])
-    channels[..., of_model] = system.of_model(channels[..., of_model])
+    channels[..., of_model] = system.to_model_coordinates(channels[..., of_model])
     channels[..., -motions.shape[-1] :] = motions
     fields = tuple(robots), tuple(systems), system, points, matrices, eigenvalues, shapes, channels, solver
     return SolvedRobots(*fields)
@@ -136,7 +136,7 @@ def predict_along(solved: SolvedRobots, motions: Sequence[Motions], shape_rates:
             paths,
             modes,
             terms,
-            ALONG_OF_MODES,
+            MODE_RATE_FIELDS,
             matrices=solved.matrices,
         )
         rates = derivatives.eigenvalues(solved.eigenvalues, solved.shapes)
@@ -217,7 +217,7 @@ def _channel_rates(
     """Return the derivatives of the shapes at the channels along paths, (N, m, C, T)."""
     mechanism = solved.system.mechanism
     components, geometry = len(mechanism.platform), geometry_of(mechanism)
-    motion = partial(solved.system.motion_of_all, solved.points)
+    motion = partial(solved.system.full_platform_motion, solved.points)
     changes = shape_derivatives(
         derivatives, solved.eigenvalues, solved.shapes, solved.channels[..., -components:], motion
     )
@@ -232,10 +232,10 @@ def _channel_rates(
             if any(field in geometry or field == POSE for field, _ in path.weights):
                 numbers = robot.parameters, ExtendedSystem.of(robot).effects
                 parameters, effects, shift = stepped_along(mechanism, *numbers, path)
-                stepped = solved.system.motion_of_all(
-                    solved.points[part] + STEP * 1j * shift, parameters, effects
+                stepped = solved.system.full_platform_motion(
+                    solved.points[part] + COMPLEX_STEP * 1j * shift, parameters, effects
                 )
-                rate = (stepped.imag / STEP)[..., derivatives.free]
+                rate = (stepped.imag / COMPLEX_STEP)[..., derivatives.free]
                 rates[part, :, -components:, t] += solved.shapes[part] @ np.swapaxes(rate, -1, -2)
     return rates
 
@@ -270,8 +270,8 @@ def stepped_along(
             pose_rates[index] = weight
         elif field in parameters._fields:
             values.setdefault(field, np.array(getattr(parameters, field), dtype=complex))
-            values[field][index] += STEP * 1j * weight
+            values[field][index] += COMPLEX_STEP * 1j * weight
         elif field in dotted:
-            stepped_effect = getattr(effects, dotted[field]) + STEP * 1j * weight
+            stepped_effect = getattr(effects, dotted[field]) + COMPLEX_STEP * 1j * weight
             effects = effects._replace(**{dotted[field]: stepped_effect})
     return parameters._replace(**values), effects, pose_rates

@@ -14,7 +14,7 @@ from pkmodes.core.base.drives import FREE, checked_drives
 from pkmodes.core.base.errors import MeasurementError, PkmodesError, shown
 from pkmodes.core.mechanism.registry import Mechanism, mechanism, names
 from pkmodes.core.model import Model
-from pkmodes.core.robot.columns import parted
+from pkmodes.core.robot.columns import split_heading
 from pkmodes.core.robot.robot import Robot
 from pkmodes.loop.measured.columns import merge_stated
 from pkmodes.loop.measured.csv_format import read_text, states_in
@@ -129,7 +129,7 @@ def read_any(
     machines = [mechanism(name) for name in names()]
     shape_columns = {f"{SHAPE}{name}" for machine in machines for name in channels(machine)}
     poses = {name for machine in machines for name in _components(machine)}
-    columns = [parted(cell, [*shape_columns, *poses])[0] for cell in cells]
+    columns = [split_heading(cell, [*shape_columns, *poses])[0] for cell in cells]
     file_shapes = [name for name in columns if name.lower().startswith(SHAPE)]
     if set(file_shapes) <= shape_columns and poses.intersection(columns):
         return read(path, band, drives=drives)

@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 from pkmodes.core.base.drives import HELD
 from pkmodes.core.mechanism.poses import MAX_CONDITION, check_poses
 from pkmodes.core.mechanism.registry import Mechanism
-from pkmodes.core.mechanism.regular import declared
+from pkmodes.core.mechanism.regular import field_keys
 from pkmodes.core.mechanism.rods import rods_of, singular_angles
 from pkmodes.core.robot.robot import Robot
-from pkmodes.core.robot.usable import SingularAngle, not_singular
-from pkmodes.core.robot.usable_poses import inside, limits_of
+from pkmodes.core.robot.usable import SingularAngle, singular_angle_text
+from pkmodes.core.robot.usable_poses import bounding_box, within_limits
 from pkmodes.core.support.motors import motors_give_way
 from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.core.system.motors import motor_springs_among
@@ -240,7 +240,7 @@ class RobotStructure:
     def surroundings(self) -> str:
         """What `elsewhere` offers, in words."""
         limits = ["are within [usable]"] if self.robot.usable else []
-        limits += [f"have {not_singular(self._min_rod_angle)}"] if rods_of(self._mechanism) else []
+        limits += [f"have {singular_angle_text(self._min_rod_angle)}"] if rods_of(self._mechanism) else []
         return "reachable poses around the measured ones" + (
             f" that {' and '.join(limits)}" if limits else ""
         )
@@ -261,7 +261,7 @@ class RobotStructure:
         rng = np.random.default_rng(SEED)
         low, high = self.points.min(axis=0), self.points.max(axis=0)
         margin = 0.25 * max(float((high - low).max()), 0.1)
-        lowest, highest = limits_of(self._mechanism, self.robot.usable)
+        lowest, highest = bounding_box(self._mechanism, self.robot.usable)
         low, high = np.clip(low - margin, lowest, highest), np.clip(high + margin, lowest, highest)
         low = np.where(low == high, np.maximum(low - margin, lowest), low)
         high = np.where(high == lowest, np.minimum(high + margin, highest), high)
@@ -269,7 +269,7 @@ class RobotStructure:
         check = check_poses(poses, self._mechanism, self.robot.parameters, "nan", MAX_CONDITION / 1e5)
         poses = poses[check.valid]
         angles = singular_angles(self._mechanism, self.robot.parameters, poses)
-        poses = poses[inside(self.robot, poses) & (angles >= self._min_rod_angle).all(axis=-1)][:count]
+        poses = poses[within_limits(self.robot, poses) & (angles >= self._min_rod_angle).all(axis=-1)][:count]
         return poses, self.at(poses, LoadCases.as_declared(self.robot, len(poses), self.drives))
 
     def motions_of(
@@ -348,7 +348,7 @@ class RobotStructure:
 
     def _evaluation_key(self, system: ExtendedSystem) -> object:
         """Return a key that is the same for robots that can be evaluated together."""
-        has_several_cases = len(self.loads.cases) > 1 and len(system.free) > system.first
+        has_several_cases = len(self.loads.cases) > 1 and len(system.free) > system.base_count
         massless = system.massless.tobytes() if has_several_cases else b""
         return system.free.tobytes(), system.rigid_modes, massless, system.basis is None
 
@@ -385,7 +385,7 @@ def _geometry(mechanism: Mechanism) -> tuple[str, ...]:
     """Return the generated parameters that determine which poses a robot reaches."""
     keys = [
         key
-        for key in declared(mechanism)
+        for key in field_keys(mechanism)
         if key.kind in GEOMETRY_KINDS or key.dimension in ("length", "angle")
     ]
     return tuple(dict.fromkeys(key.field for key in keys))

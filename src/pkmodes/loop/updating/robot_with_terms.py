@@ -213,7 +213,7 @@ class RobotWithTerms:
                     *(term_matrices.in_free() for term_matrices in term_matrices_of_site), strict=True
                 )
             )
-            modes = eigenmodes(site.system.first, term_matrices_of_site[0], M, K)
+            modes = eigenmodes(site.system.base_count, term_matrices_of_site[0], M, K)
             if modes is None:
                 return None
             eigenvalues, shapes = modes

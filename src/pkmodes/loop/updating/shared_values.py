@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from pkmodes.core.robot.layout import by_path, items, takers
+from pkmodes.core.robot.layout import items, items_by_path, overrides_by_path
 from pkmodes.core.robot.parameter_groups import groups_by_path
 from pkmodes.core.robot.robot import Robot
 from pkmodes.loop.diagnosis.problem import Candidate, Parameter
@@ -36,7 +36,7 @@ FRAME_SIGMA_FRACTION = 0.025
 def axis_deviations(robot: Robot) -> tuple[list[Parameter], dict[str, ParameterPath]]:
     """Return the deviations of declared values from those of the machine, of each axis, and the path of each."""
     all_paths, parameters, parameter_paths = set(paths(robot)), [], {}
-    shared = takers(robot.mechanism)
+    shared = overrides_by_path(robot.mechanism)
     for item in items(robot.mechanism):
         key, dimension = item.key, item.key.dimension
         may_be_wrong = dimension in UNCERTAIN_DIMENSIONS or dimension.endswith(STIFFNESS)
@@ -61,9 +61,9 @@ def changes_in_use(robot: Robot, candidate: Candidate) -> bool:
     """Return whether something may change while the parts of a machine stay the same and where they are."""
     if not candidate.name.startswith(PREFIX):
         return True
-    items_by_path, groups = by_path(robot.mechanism), groups_by_path(robot.mechanism)
+    item_at, groups = items_by_path(robot.mechanism), groups_by_path(robot.mechanism)
     path = candidate.name.removeprefix(PREFIX)
-    item = items_by_path.get(path) or items_by_path.get(path.rpartition(".")[0])
+    item = item_at.get(path) or item_at.get(path.rpartition(".")[0])
     return path not in groups and item is not None and item.key.dimension not in PART_DIMENSIONS
 
 

@@ -84,7 +84,7 @@ def without_term(site: Site) -> TermModes | None:
     system = site.system
     matrices = TermMatrices(*site.matrices, system.free.astype(np.intp), system.massless, system.rigid_modes)
     try:
-        solution = condensed_eigh(*matrices.in_free(), system.first, system.rigid_modes, system.massless)
+        solution = condensed_eigh(*matrices.in_free(), system.base_count, system.rigid_modes, system.massless)
     except np.linalg.LinAlgError:  # a fit tried a mass of zero
         return None
     return TermModes(matrices, *solution)
@@ -146,7 +146,7 @@ def eigenmodes(first: int, matrices: TermMatrices, M: Array, K: Array) -> tuple[
 
 def term_modes(site: Site, matrices: TermMatrices) -> TermModes | None:
     """Return the modes of a site with a term; None where M and K are not those of a machine."""
-    solution = eigenmodes(site.system.first, matrices, *matrices.in_free())
+    solution = eigenmodes(site.system.base_count, matrices, *matrices.in_free())
     return None if solution is None else TermModes(matrices, *solution)
 
 
@@ -177,5 +177,5 @@ def channels_of(system: ExtendedSystem, platform: Array, motions: Array) -> Arra
     transposed_platform = transposed_platform.reshape(
         len(transposed_platform), *(1,) * (motions.ndim - 3), *transposed_platform.shape[1:]
     )
-    coordinates = system.of_model(motions[..., : len(system.mechanism.extended.COORDINATES)])
+    coordinates = system.to_model_coordinates(motions[..., : len(system.mechanism.extended.COORDINATES)])
     return np.concatenate([coordinates, motions @ transposed_platform], axis=-1)

@@ -115,7 +115,7 @@ def term_candidates(structure: RobotStructure) -> TermCandidates:
     system, point = machines.systems[case], machines.points[row : row + 1]
     matrices = system.all_coordinates(point)
     M, K = (system.free_part(a) for a in matrices)
-    eigenvalues, shapes = condensed_eigh(M, K, system.first, system.rigid_modes, system.massless)
+    eigenvalues, shapes = condensed_eigh(M, K, system.base_count, system.rigid_modes, system.massless)
     machine = _Machine(system, Surroundings(system, point), matrices[0][0], eigenvalues[0], shapes[0])
     terms: list[tuple[Term, tuple[Parameter, ...]]] = []
     candidates = []

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.mechanism.generated import Generated
-from pkmodes.core.mechanism.stepped import STEP
+from pkmodes.core.mechanism.stepped import COMPLEX_STEP
 from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.loop.sensitivity.matrices import POSE, geometry_of
 from pkmodes.loop.sensitivity.paths import ParameterPath
@@ -45,7 +45,7 @@ class TermContribution(NamedTuple):
 
     def rates(self) -> TermContribution:
         """Return the derivatives, after a complex step."""
-        return TermContribution(np.imag(self.M) / STEP, np.imag(self.K) / STEP)
+        return TermContribution(np.imag(self.M) / COMPLEX_STEP, np.imag(self.K) / COMPLEX_STEP)
 
 
 class Mounts(NamedTuple):
@@ -77,7 +77,7 @@ class Surroundings:
         if path is not None:
             numbers = stepped_along(system.mechanism, self._parameters, self._effects, path)
             self._parameters, self._effects, shift = numbers
-            self.points = points + STEP * 1j * shift
+            self.points = points + COMPLEX_STEP * 1j * shift
         self._count = len(points)
         self._inertias: dict[tuple[str, int], tuple[Array, Array]] = {}
 
@@ -120,7 +120,7 @@ class Surroundings:
     @cached_property
     def platform(self) -> Array:
         """Motion of the platform per unit of every coordinate, (N, components, e)."""
-        motion = self.system.motion_of_all(self.points, self._parameters, self._effects)
+        motion = self.system.full_platform_motion(self.points, self._parameters, self._effects)
         return self._at_poses(motion, motion.shape[-2:])
 
     def of_inertia(self, declared: tuple[str, int]) -> tuple[Array, Array]:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.mechanism.stepped import STEP
+from pkmodes.core.mechanism.stepped import COMPLEX_STEP
 from pkmodes.core.support.expansion import modal_expansion
 from pkmodes.loop.diagnosis.problem import Prediction
 from pkmodes.loop.sensitivity.locked import released_changes
@@ -125,7 +125,7 @@ class TermRates:
                 stepped = Surroundings(site.system, site.points, path)
                 change = self._in_free_coordinates(change_of(term, values, stepped).rates())
                 of_M, of_K = of_M + change.M, of_K + change.K
-                platform_rates = np.imag(platform_with(term, stepped)) / STEP
+                platform_rates = np.imag(platform_with(term, stepped)) / COMPLEX_STEP
                 motion = self._motions @ np.swapaxes(platform_rates, -1, -2)
             rates = self._rates_of_change(of_M, of_K)._replace(motion=motion)
             if t in derivatives.locked_paths:
@@ -139,7 +139,7 @@ class TermRates:
         """Return the rates with parameter k of a term, from the values of all its parameters."""
         if self.present is not None and placed_term is self.present.placed_term:
             stepped = values.astype(complex)
-            stepped[k] += STEP * 1j
+            stepped[k] += COMPLEX_STEP * 1j
             return self._rates_of_change(
                 *self._in_free_coordinates(
                     change_of(placed_term.term, stepped, self.site.surroundings).rates()
@@ -169,12 +169,7 @@ class TermRates:
         """Return rates with those of compliances of locked joints, (r,): each deflects under its force."""
         modes, matrices = self.modes, self.modes.matrices
         force, change, norm = released_changes(
-            (matrices.M, matrices.K),
-            matrices.free,
-            joints,
-            weights[None],
-            modes.eigenvalues,
-            modes.shapes,
+            (matrices.M, matrices.K), matrices.free, joints, weights[None], modes.eigenvalues, modes.shapes
         )
         deflection = np.zeros_like(self._motions) if rates.deflection is None else rates.deflection
         deflection[..., joints] -= weights * force

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.mechanism.registry import Mechanism
-from pkmodes.core.solve.fields import FIELDS, INDEPENDENT, LINEAR, MODE, Field, conditions_of, of_maps
+from pkmodes.core.solve.fields import FIELDS, INDEPENDENT, LINEAR, MODE, Field, conditions_of, map_fields
 from pkmodes.core.solve.results import Modes
 from pkmodes.machine.dataset.attributes import attributes_of, axis_coordinates, code_attributes, import_xarray
 from pkmodes.machine.dataset.table import table_of
@@ -40,7 +40,7 @@ def to_dataset(modes: Modes) -> xarray.Dataset:
     pose_axis_count = poses.ndim - 1
     pose_dims = dims_of_poses(pose_axis_count)
     conditions = conditions_of([robot], "shapes" in arrays, drives)
-    fields = [field for field in of_maps(conditions) if field.name in arrays]
+    fields = [field for field in map_fields(conditions) if field.name in arrays]
     values = {field.name: arrays[field.name] for field in fields}
     vibration_index: Any = (*[slice(None)] * pose_axis_count, slice(modes.rigid_modes, None))
     for field in fields:
@@ -48,10 +48,10 @@ def to_dataset(modes: Modes) -> xarray.Dataset:
             values[field.name] = arrays[field.name][vibration_index]
     # Fields that are computed from those available, such as the parts of the platform's motion.
     available = {**values, "directions": mechanism.directions, "normal": normal}
-    for field in of_maps(conditions):
+    for field in map_fields(conditions):
         if not field.in_modes and available.keys() >= {*field.needs}:
             fields.append(field)
-            values[field.name] = field.of(*(available[name] for name in field.needs))
+            values[field.name] = field.function(*(available[name] for name in field.needs))
     coordinate_names = modes.coordinates if "shapes" in values else mechanism.independent
     variable_values = {name: arrays[name] for name in ("valid", "reason")}
     variable_values |= {

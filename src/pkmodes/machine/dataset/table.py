@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from pkmodes.core.solve.fields import EVERY, MODE, of_maps
+from pkmodes.core.solve.fields import ALL_CONDITIONS, MODE, map_fields
 from pkmodes.machine.dataset.variables import POSE_AXIS, POSE_VARIABLES, TRACKING_VARIABLES, dims_of
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ def table_of(dataset: xarray.Dataset) -> pandas.DataFrame:
     import xarray
 
     # The axes of each variable after those of the poses.
-    axes = {field.variable: dims_of(field) for field in of_maps(EVERY)}
+    axes = {field.variable: dims_of(field) for field in map_fields(ALL_CONDITIONS)}
     axes |= {variable.name: variable.dims for variable in (*TRACKING_VARIABLES, *POSE_VARIABLES)}
     columns: dict[str, xarray.DataArray] = {}
     for name, dims in sorted(

@@ -13,7 +13,7 @@ from pkmodes.core.solve.fields import (
     MODE,
     SHAPES,
     Field,
-    of_maps,
+    map_fields,
 )
 
 #: The axis of poses that are not on a grid.
@@ -69,7 +69,9 @@ def variables(
     - tracked: whether modes are tracked
     """
     shapes = SHAPES in conditions
-    field_variables = [(field, _variable(field, mechanism, normal, shapes)) for field in of_maps(conditions)]
+    field_variables = [
+        (field, _variable(field, mechanism, normal, shapes)) for field in map_fields(conditions)
+    ]
     return (
         *(variable for field, variable in field_variables if field.only != SHAPES),
         *POSE_VARIABLES,

@@ -14,9 +14,9 @@ from uuid import uuid4
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.robot.declaration import changeable
+from pkmodes.core.robot.declaration import changeable_units
 from pkmodes.core.robot.robot import Robot
-from pkmodes.core.solve.fields import EVERY, INDEPENDENT, MODE, of_maps
+from pkmodes.core.solve.fields import ALL_CONDITIONS, INDEPENDENT, MODE, map_fields
 from pkmodes.core.system.evaluation import evaluation
 from pkmodes.core.system.motors import solved_system
 from pkmodes.machine.dataset.attributes import attributes_of, axis_coordinates, code_attributes, import_xarray
@@ -56,14 +56,14 @@ def dataset_of(
     shape = (*variants.shape, *poses.shape)
     coordinates = layout.coordinates if layout.shapes else mechanism.independent
     # Shapes may have been needed for tracking only.
-    kept_variables = {field.variable for field in of_maps(layout.conditions)}
+    kept_variables = {field.variable for field in map_fields(layout.conditions)}
     array_names = [name for name in arrays if name in kept_variables or name == "code"]
     fields = _fields_of(
         {name: arrays[name] for name in array_names}, shape, np.array(code_reasons(mechanism)), tracked
     )
     if len(array_names) < len(arrays):
         columns = [layout.coordinates.index(name) for name in coordinates]
-        for field in of_maps(layout.conditions):
+        for field in map_fields(layout.conditions):
             if INDEPENDENT in field.dims:
                 fields[field.variable] = fields[field.variable][..., columns]
     descriptions = variables(mechanism, normal, layout.conditions, tracked is not None)
@@ -100,7 +100,7 @@ def dataset_of(
 
 def _coordinates(robot: Robot, poses: MapPoses, variants: Variants) -> dict[str, Any]:
     """Return the coordinates along the leading axes."""
-    units = changeable(robot)
+    units = changeable_units(robot)
     coordinates: dict[str, Any] = {
         path: (path, values, {"units": units.get(path, "1"), "long_name": f"parameter {path}"})
         for path, values in variants.swept.items()
@@ -198,7 +198,7 @@ def _tracked_fields(fields: Mapping[str, Any], tracked: Tracked, shape: tuple[in
             for values in (order, signs, events)
         )
     reordered = {}
-    for field in of_maps(EVERY):
+    for field in map_fields(ALL_CONDITIONS):
         values = fields.get(field.variable)
         if values is None or field.dims[:1] != (MODE,):
             continue

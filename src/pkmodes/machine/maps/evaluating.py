@@ -22,7 +22,7 @@ from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.model import Model
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.usable import USABLE
-from pkmodes.core.robot.usable_poses import inside
+from pkmodes.core.robot.usable_poses import within_limits
 from pkmodes.core.solve.fields import (
     COORDINATE,
     DIRECTION,
@@ -30,11 +30,11 @@ from pkmodes.core.solve.fields import (
     LINEAR,
     MODE,
     SHAPES,
+    axis_lengths,
     conditions_of,
-    missing,
-    of_maps,
-    sizes_of,
-    tail,
+    map_fields,
+    missing_value,
+    pose_shape,
 )
 from pkmodes.core.system.evaluation import evaluation, number_of_modes
 from pkmodes.core.system.motors import solved_system
@@ -72,9 +72,11 @@ def field_layouts(robot: Robot, layout: MapLayout) -> dict[str, tuple[tuple[int,
     """Return the shape at one pose, and the type, of each field."""
     coordinates = len(layout.coordinates)
     independent = coordinates if layout.shapes else None
-    sizes = sizes_of(robot.mechanism, layout.modes, coordinates, independent)
+    sizes = axis_lengths(robot.mechanism, layout.modes, coordinates, independent)
     sizes[LINEAR] = sizes[DIRECTION]
-    fields = {field.variable: (tail(field, sizes), field.dtype) for field in of_maps(layout.conditions)}
+    fields = {
+        field.variable: (pose_shape(field, sizes), field.dtype) for field in map_fields(layout.conditions)
+    }
     return {**fields, "code": ((), "i1")}
 
 
@@ -141,7 +143,7 @@ def evaluate(task: Task) -> dict[str, Array]:
 def _evaluate_piece(robot: Robot, points: Array, task: Task) -> dict[str, Array]:
     """Evaluate a robot at its poses; the fields have room for the modes and coordinates of all robots."""
     layout, model = task.layout, Model(robot, task.max_condition)
-    fields = of_maps(layout.conditions)
+    fields = map_fields(layout.conditions)
     # One thread: tasks run side by side.
     checked, values = model.fields_at(
         points,
@@ -155,7 +157,7 @@ def _evaluate_piece(robot: Robot, points: Array, task: Task) -> dict[str, Array]
     layouts, independent = field_layouts(robot, layout), robot.mechanism.independent
     for field in fields:
         shape, dtype = layouts[field.variable]
-        array = arrays[field.variable] = np.full((len(points), *shape), missing(dtype), dtype)
+        array = arrays[field.variable] = np.full((len(points), *shape), missing_value(dtype), dtype)
         robot_values = values[field.name]
         if field.dims[:1] == (MODE,):
             robot_values = robot_values[:, model.solved(layout.drives).rigid_modes :]
@@ -171,9 +173,9 @@ def _evaluate_piece(robot: Robot, points: Array, task: Task) -> dict[str, Array]
         else:
             array[...] = robot_values
     if task.usable_only:
-        unusable = checked.valid & ~inside(robot, points)
+        unusable = checked.valid & ~within_limits(robot, points)
         for array in arrays.values():
-            array[unusable] = missing(array.dtype.str)
+            array[unusable] = missing_value(array.dtype.str)
         arrays["code"][unusable] = code_reasons(robot.mechanism).index(USABLE)
     return arrays
 

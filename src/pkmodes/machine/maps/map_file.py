@@ -15,7 +15,7 @@ import numpy as np
 from pkmodes.core.base.arguments import FILE_NAME, alternatives, check_argument
 from pkmodes.core.base.errors import OutputError, shown
 from pkmodes.core.support.extras import require
-from pkmodes.core.support.places import resolved
+from pkmodes.core.support.places import resolve_path
 from pkmodes.core.support.replacing import check_replaced
 from pkmodes.machine.dataset.attributes import import_xarray
 from pkmodes.machine.dataset.table import table_of, write_table
@@ -62,7 +62,7 @@ class MapFile:
             problem = f"expected a name that ends in {alternatives(FORMATS)}, found {where}"
             raise OutputError(problem, "out", "for example: map.nc")
         if path.is_symlink():
-            path = resolved(path, "out")
+            path = resolve_path(path, "out")
             if path.suffix.lower() not in FORMATS:
                 problem = f"expected a link to a name that ends in {alternatives(FORMATS)}, found {shown(str(path))}"
                 raise OutputError(problem, where, "name that file as a map, or choose another name")

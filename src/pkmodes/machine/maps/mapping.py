@@ -16,7 +16,7 @@ from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.base.version import VERSION
 from pkmodes.core.model import Model
 from pkmodes.core.robot.usable import USABLE
-from pkmodes.core.solve.backends import AUTO, checked_threads, chosen
+from pkmodes.core.solve.backends import AUTO, checked_threads, choose_backend
 from pkmodes.core.system.evaluation import evaluation
 from pkmodes.core.system.motors import solved_system
 from pkmodes.machine.dataset.attributes import import_xarray
@@ -206,7 +206,7 @@ def map_of(
     variants = variants_of(model.robot, sweep, samples, seed)
     poses = grid_over_workspace(model) if grid is None else checked_poses(model.mechanism, grid)
     layout = layout_of(
-        variants.robots, shapes or tracked, chosen(backend), model.robot.resolve_drives(drives)
+        variants.robots, shapes or tracked, choose_backend(backend), model.robot.resolve_drives(drives)
     )
     plan = MapPlan(model, poses, variants, layout)
     if tracked:

@@ -10,7 +10,7 @@ import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.core.mechanism.registry import Mechanism
-from pkmodes.core.robot.columns import column_of
+from pkmodes.core.robot.columns import parse_heading
 from pkmodes.loop.measured.cells import TableNotation
 from pkmodes.loop.measured.csv_format import read_text
 from pkmodes.loop.measured.csv_rows import read_lines
@@ -35,7 +35,7 @@ def read_poses(path: str | PathLike[str], mechanism: Mechanism) -> Poses:
     remedy = f"start with the columns {','.join(units)}"
     lines = read_lines(read_text(Path(path), source, "the poses", "give a CSV file of poses"), source)
     where, header = lines.header(source, remedy)
-    columns = [column_of(cell, f"{where}, column {i + 1}", units) for i, cell in enumerate(header)]
+    columns = [parse_heading(cell, f"{where}, column {i + 1}", units) for i, cell in enumerate(header)]
     column_of_component = {}
     for name in units:
         matching = [i for i, (column_name, _) in enumerate(columns) if column_name == name]

@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.core.base.errors import PoseError, shown
-from pkmodes.core.mechanism.poses import given_poses
+from pkmodes.core.mechanism.poses import check_pose_array
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.pose_table import poses_by_name
-from pkmodes.core.support.axes import ascending
+from pkmodes.core.support.axes import check_axis_values
 from pkmodes.machine.dataset.variables import POSE_AXIS
 
 Array = NDArray[np.float64]
@@ -105,7 +105,7 @@ def checked_poses(mechanism: Mechanism, poses: Mapping[str, ArrayLike] | ArrayLi
     if isinstance(poses, PoseGrid | Poses):
         return poses
     if not isinstance(poses, Mapping):
-        points, _ = given_poses(poses_by_name(poses, mechanism), mechanism, "raise")
+        points, _ = check_pose_array(poses_by_name(poses, mechanism), mechanism, "raise")
         return Poses(points, tuple(component.name for component in mechanism.pose))
     names = [component.name for component in mechanism.pose]
     for name in poses:
@@ -118,5 +118,5 @@ def checked_poses(mechanism: Mechanism, poses: Mapping[str, ArrayLike] | ArrayLi
         problem = f"expected values of {', '.join(names)}, found none of {', '.join(missing)}"
         raise PoseError(problem, "grid", f"give one number or several, {EXAMPLE}")
     return PoseGrid(
-        {name: ascending(poses[name], name, f"grid: {name}", EXAMPLE, PoseError) for name in names}
+        {name: check_axis_values(poses[name], name, f"grid: {name}", EXAMPLE, PoseError) for name in names}
     )

@@ -26,8 +26,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import OutputError, shown
-from pkmodes.core.solve.fields import missing
-from pkmodes.core.support.writing import refusal
+from pkmodes.core.solve.fields import missing_value
+from pkmodes.core.support.writing import write_error
 
 Array = NDArray[Any]
 #: Shape at one pose and type of each field.
@@ -63,7 +63,7 @@ class Store:
                 array[rows] = values[name]
         except OSError as error:
             assert self.folder is not None, "memory raises no such error"
-            raise refusal(error, self.folder) from None
+            raise write_error(error, self.folder) from None
 
     def codes(self) -> Array:
         """Return the code of each row, after all of them were stored.
@@ -137,7 +137,7 @@ def disk_store(
                 shape=(rows, *pose_shape),
                 chunks=(min(rows_of_a_task, rows), *(max(length, 1) for length in pose_shape)),
                 dtype=dtype,
-                fill_value=missing(dtype),
+                fill_value=missing_value(dtype),
                 compressors=[Crc32cCodec()],
                 zarr_format=3,
                 config={"write_empty_chunks": True},  # otherwise a task without a valid pose is never done
@@ -146,7 +146,7 @@ def disk_store(
             all(_task_intact(group / name, array, task) for name, array in arrays.items()) for task in tasks
         ]
     except OSError as error:
-        raise refusal(error, folder) from None
+        raise write_error(error, folder) from None
     return Store(arrays, np.array(done), folder)
 
 
@@ -205,7 +205,7 @@ def folder_lock(folder: Path) -> Iterator[None]:
         problem, remedy = "another process is writing this map", "wait for it, or choose another output"
         raise OutputError(problem, str(folder), remedy) from None
     except OSError as error:
-        raise refusal(error, folder) from None
+        raise write_error(error, folder) from None
     try:
         yield
     finally:

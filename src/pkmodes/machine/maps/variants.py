@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.arguments import NATURAL_NUMBER, POSITIVE_INTEGER, check_argument
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.core.robot.layout import lent
+from pkmodes.core.robot.layout import table_sources
 from pkmodes.core.robot.parameter_groups import elements_at_value, groups_by_path
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.support.axes import swept_values
-from pkmodes.core.support.covariance import covariance_of, root_of, sigmas_by_path
+from pkmodes.core.support.covariance import covariance_of, covariance_root, sigmas_by_path
 
 Array = NDArray[np.float64]
 SAMPLE = "sample"
@@ -87,7 +87,7 @@ def _draw_robots(
         problem = "no value of the robot has a standard deviation from which it could be drawn"
         remedy = 'declare some, such as mass = { value = "1.5 kg", sigma = "1 %" }'
         raise PkmodesError(problem, f"{robot.source}: samples", remedy)
-    rng, root = np.random.default_rng(seed), root_of(covariance_of(robot, paths))
+    rng, root = np.random.default_rng(seed), covariance_root(covariance_of(robot, paths))
     declared_values = np.array([robot.quantities[path].value for path in paths])
     draws: list[tuple[dict[str, float], Robot]] = []
     for _ in range(samples):
@@ -114,7 +114,7 @@ def paths_set_by_sweep(robot: Robot, swept: Mapping[str, Array]) -> set[str]:
     for path, values in swept.items():
         if path in groups_by_path(robot.mechanism):
             paths |= set(elements_at_value(robot, groups_by_path(robot.mechanism)[path], float(values[0])))
-    for path, lender in lent(robot.mechanism).items():
+    for path, lender in table_sources(robot.mechanism).items():
         if {path, lender} & paths:
             paths |= {path, lender}
     return paths

@@ -14,11 +14,11 @@ from numpy.typing import NDArray
 from pkmodes.core.base.errors import PoseError
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.length import middle_of_joints
-from pkmodes.core.mechanism.poses import LARGE
+from pkmodes.core.mechanism.poses import LARGE_LENGTH
 from pkmodes.core.mechanism.regular import drawn_poses
 from pkmodes.core.model import Model
 from pkmodes.core.robot.usable import USABLE, Limits, is_box, limits_in_words
-from pkmodes.core.robot.usable_poses import inside, limits_of
+from pkmodes.core.robot.usable_poses import bounding_box, within_limits
 from pkmodes.core.support.progress import say
 from pkmodes.machine.maps.poses import PoseGrid
 
@@ -45,7 +45,7 @@ def fixed_components(model: Model, pose: Array | None = None) -> dict[int, float
     mechanism = model.mechanism
     names = [component.name for component in mechanism.pose]
     fixed = [names.index(name) for name in mechanism.components[len(mechanism.directions) :]]
-    low, high = limits_of(mechanism, model.robot.usable)
+    low, high = bounding_box(mechanism, model.robot.usable)
     values = np.clip(0.0, low, high) if pose is None else pose
     return {i: float(values[i]) for i in fixed}
 
@@ -213,7 +213,7 @@ def usable_poses(model: Model) -> Array:
 
 def limits_test(model: Model) -> PoseTest:
     """Return a function that tests whether poses, (N, d), are within the usable limits of the robot."""
-    return lambda points: inside(model.robot, np.asarray(points, dtype=float))
+    return lambda points: within_limits(model.robot, np.asarray(points, dtype=float))
 
 
 def usable_branch_test(model: Model, pose: Array) -> PoseTest:
@@ -225,7 +225,7 @@ def usable_branch_test(model: Model, pose: Array) -> PoseTest:
 
 
 def _clipped(model: Model, low: Array, high: Array) -> tuple[Array, Array]:
-    limits = limits_of(model.mechanism, model.robot.usable)
+    limits = bounding_box(model.mechanism, model.robot.usable)
     return np.maximum(low, limits[0]), np.minimum(high, limits[1])
 
 
@@ -249,7 +249,7 @@ def grid_over_workspaces(models: Sequence[Model], poses: int = DEFAULT_POSES) ->
     boxes = [usable_box(model) for model in models]
     low, high = np.min([box[0] for box in boxes], axis=0), np.max([box[1] for box in boxes], axis=0)
     mechanism = models[0].mechanism
-    bounds = [limits_of(mechanism, model.robot.usable) for model in models]
+    bounds = [bounding_box(mechanism, model.robot.usable) for model in models]
     limits = np.min([bound[0] for bound in bounds], axis=0), np.max([bound[1] for bound in bounds], axis=0)
     names = [component.name for component in mechanism.pose]
     units = [component.unit for component in mechanism.pose]
@@ -280,7 +280,7 @@ def workspace_remedy(model: Model, unreachable: Array, in_millimetres: str) -> s
     - in_millimetres: how to give them in millimetres
     """
     lengths = [component.unit == "m" for component in model.mechanism.pose]
-    if np.abs(unreachable[:, lengths]).max(initial=0.0) >= LARGE:
+    if np.abs(unreachable[:, lengths]).max(initial=0.0) >= LARGE_LENGTH:
         in_metres = np.where(lengths, unreachable / 1e3, unreachable)
         if model.check(in_metres).valid.any():
             return f"the numbers look like millimetres: {in_millimetres}"

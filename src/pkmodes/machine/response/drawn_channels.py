@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.mechanism.poses import placed
+from pkmodes.core.mechanism.poses import format_pose
 from pkmodes.core.support.motors import motors_in_words
 from pkmodes.machine.response.channels import Index
 from pkmodes.machine.response.frequency_response import FrequencyResponse
@@ -99,7 +99,7 @@ class DrawnChannels:
             model = {name: values for name, values in model.items() if name not in silent}
         else:
             silent = []
-        at = placed(response.robot.mechanism, response.poses[where], "g")
+        at = format_pose(response.robot.mechanism, response.poses[where], "g")
         also = "" if curves is None else ", with measured responses"
         also += "" if before is None else f", before: {before.robot.name}"
         quantity = response.quantity.capitalize()

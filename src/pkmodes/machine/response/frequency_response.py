@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.core.base.arguments import real_numbers
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.core.mechanism.poses import OnError, placed
+from pkmodes.core.mechanism.poses import OnError, format_pose
 from pkmodes.core.model import Model
 from pkmodes.core.solve.backends import AUTO
 from pkmodes.core.support.writing import write_file
@@ -154,7 +154,7 @@ class FrequencyResponse(Channels):
         where = self.one(index)
         text = io.StringIO()
         text.write(f"# robot: {self.robot.name}\n")
-        text.write(f"# pose: {placed(self.robot.mechanism, self.poses[where], 'g')}\n")
+        text.write(f"# pose: {format_pose(self.robot.mechanism, self.poses[where], 'g')}\n")
         text.write(f"# drives: {self.drives}\n")
         text.write(f"# quantity: {self.quantity}\n")
         channels = [

@@ -14,11 +14,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.linalg.damping import ModalDamping, modal_damping, rates_of_ratio
+from pkmodes.core.linalg.damping import ModalDamping, modal_damping, modal_rates_of_ratio
 from pkmodes.core.linalg.eigen import generalised_eigh
 from pkmodes.core.model import Model
 from pkmodes.core.solve.at_poses import RobotAtPoses
-from pkmodes.core.support.solutions import solved, with_all_coordinates, with_fields
+from pkmodes.core.support.solutions import solve_modes, with_all_coordinates, with_fields
 from pkmodes.core.system.motors import MotorsHeld, motor_motion
 
 Array = NDArray[np.float64]
@@ -55,7 +55,7 @@ class LinearisedRobot:
         system = self.system = model.solved(drives)
         self._solver, self._backend = model.solver(backend, drives).inner, backend
         read_too = () if isinstance(system, MotorsHeld) else (*MATRICES, PLATFORM_MOTION)
-        self._at = solved(self._solver, system, points, model.robot.source, *read_too)
+        self._at = solve_modes(self._solver, system, points, model.robot.source, *read_too)
         self.rigid, self.massless = system.rigid_modes, system.massless
         n, motors = len(model.system.coordinates), len(model.robot.mechanism.drives)
         self.kept, self.prescribed = np.eye(n), np.zeros((n, motors))
@@ -97,7 +97,7 @@ class LinearisedRobot:
             return nothing, nothing
         if isinstance(system, MotorsHeld):
             viscous, loss = (
-                self._blocks(system, system.in_basis(matrix)) for matrix in of.of_model(self.points)
+                self._blocks(system, system.in_basis(matrix)) for matrix in of.model_matrices(self.points)
             )
         else:
             viscous, loss = (Blocks(matrix, self._nothing) for matrix in of.matrices(self.points))
@@ -117,7 +117,7 @@ class LinearisedRobot:
     @cached_property
     def rates(self) -> Array:
         """Diagonal damping of the modes by the damping ratio [1/s], (N, m)."""
-        return rates_of_ratio(self.eigenvalues, self.model.dissipation.ratio, self.rigid)
+        return modal_rates_of_ratio(self.eigenvalues, self.model.dissipation.ratio, self.rigid)
 
     @cached_property
     def damping(self) -> ModalDamping:

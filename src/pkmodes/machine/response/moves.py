@@ -11,7 +11,7 @@ from pkmodes.core.base.arguments import Constraint, check_argument, is_number, r
 from pkmodes.core.base.attached import Attached
 from pkmodes.core.base.drives import HELD
 from pkmodes.core.base.errors import PkmodesError, PoseError, shown
-from pkmodes.core.mechanism.poses import placed
+from pkmodes.core.mechanism.poses import format_pose
 from pkmodes.core.model import Model
 from pkmodes.core.robot.pose_table import poses_by_name
 from pkmodes.core.robot.robot import Robot
@@ -228,6 +228,6 @@ def _check_path(model: Model, time: Array, poses: Array) -> None:
     try:
         model.checked(poses[k], "raise")
     except PoseError as error:
-        at = placed(model.robot.mechanism, poses[k], ".6g")
+        at = format_pose(model.robot.mechanism, poses[k], ".6g")
         problem = f"the path leaves the workspace at {time[k]:.6g} s, {at}: {error.what}"
         raise PoseError(problem, "poses", error.remedy) from None

@@ -28,7 +28,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import expm
 
-from pkmodes.core.linalg.rotations import AXES, about, matrix_of, vector_of
+from pkmodes.core.linalg.rotations import AXES, matrices_of_vectors, vectors_about, vectors_of_matrices
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.model import Model
 from pkmodes.core.solve.backends import AUTO
@@ -91,8 +91,8 @@ def _displacements(path: Array, mechanism: Mechanism) -> Array:
     displacements = np.diff(path, axis=0)
     if mechanism.rotations:
         first_rotation = len(mechanism.directions)
-        rotations = matrix_of(about(mechanism.rotations, path[:, first_rotation:]))
-        rotation_vectors = vector_of(rotations[1:] @ np.swapaxes(rotations[:-1], -1, -2))
+        rotations = matrices_of_vectors(vectors_about(mechanism.rotations, path[:, first_rotation:]))
+        rotation_vectors = vectors_of_matrices(rotations[1:] @ np.swapaxes(rotations[:-1], -1, -2))
         displacements[:, first_rotation:] = rotation_vectors[
             :, [AXES.index(axis) for axis in mechanism.rotations]
         ]

@@ -16,7 +16,7 @@ from msgspec import Meta
 from numpy.typing import NDArray
 
 from pkmodes.core.base.arguments import POSITIVE_INTEGER, Constraint, check_argument, is_number
-from pkmodes.core.base.drives import HELD, motors
+from pkmodes.core.base.drives import HELD, motors_text
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.core.base.numbers import plain
 from pkmodes.core.support.documents import Document, Size
@@ -166,7 +166,7 @@ def measured_ringing(
         None,
         int(np.count_nonzero(~used)),
         drives=data.drives[data.pose[rows[0]]],
-        motors=motors([data.drives[data.pose[rows[0]]]]),
+        motors=motors_text([data.drives[data.pose[rows[0]]]]),
         data=data,
         rows=rows,
         assumed=damping,

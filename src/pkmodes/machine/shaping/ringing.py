@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.core.base.arguments import POSITIVE_INTEGER, check_argument
-from pkmodes.core.base.drives import HELD, motors
+from pkmodes.core.base.drives import HELD, motors_text
 from pkmodes.core.base.errors import PkmodesError, PoseError
 from pkmodes.core.model import Model
 from pkmodes.core.solve.backends import AUTO
@@ -73,7 +73,7 @@ class Ringing:
     settings: tuple[Setting, ...] = ()
     setting: NDArray[np.intp] | None = None
     drives: str = HELD
-    motors: str = motors([HELD])
+    motors: str = motors_text([HELD])
 
     @cached_property
     def unshaped(self) -> Array:

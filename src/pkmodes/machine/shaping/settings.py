@@ -12,7 +12,7 @@ import numpy as np
 
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.model import Model
-from pkmodes.core.robot.declaration import changeable
+from pkmodes.core.robot.declaration import changeable_units
 from pkmodes.core.support.axes import swept_values
 
 #: Maximum number of settings: each needs its own shaper design.
@@ -57,7 +57,7 @@ def setting_combinations(model: Model, swept: Mapping[str, Any]) -> tuple[Settin
     if count > MAX_SETTINGS:
         problem = f"expected at most {MAX_SETTINGS} settings, found {count:,}"
         raise PkmodesError(problem, "settings", "give fewer values: shapers differ little between neighbours")
-    units = changeable(model.robot)
+    units = changeable_units(model.robot)
     return tuple(
         Setting(
             dict(zip(values, map(float, combination), strict=True)),

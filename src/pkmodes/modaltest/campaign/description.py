@@ -11,14 +11,14 @@ import msgspec
 from msgspec import Struct, field
 
 from pkmodes.core.base.errors import MeasurementError, nearest_name, shown
-from pkmodes.core.base.toml import MOST_PARTS, long_key
+from pkmodes.core.base.toml import MAX_KEY_PARTS, line_of_long_key
 from pkmodes.core.robot.columns import frequency_factor
 from pkmodes.core.robot.units import (
     NUMBER,
     QuantityError,
     check_plain_number,
     dimension_of,
-    meant_as,
+    likely_unit,
     parse,
 )
 from pkmodes.loop.measured.cells import number_in
@@ -132,8 +132,8 @@ def read_description(path: Path) -> CampaignTable:
     """
     source = str(path)
     text = read_text(path, source, "the campaign", "give a campaign file in TOML", MAX_FILE_SIZE)
-    if (line := long_key(text)) is not None:
-        problem = f"expected a key of at most {MOST_PARTS} parts, found more"
+    if (line := line_of_long_key(text)) is not None:
+        problem = f"expected a key of at most {MAX_KEY_PARTS} parts, found more"
         _refuse(problem, f"{source}: line {line}", "shorten the key")
     try:
         document = tomllib.loads(text)
@@ -202,7 +202,7 @@ def parse_frequency(text: str, where: str, example: str = "50 Hz") -> float:
             raise QuantityError(f"expected a frequency with its unit, found {shown(text)}")
         value = number_in(match[1], frequency_factor(match[2]))
     except QuantityError as error:
-        suggested_unit = meant_as(match[2], "Hz") if match is not None and not error.remedy else None
+        suggested_unit = likely_unit(match[2], "Hz") if match is not None and not error.remedy else None
         remedy = error.remedy or (
             remedy if suggested_unit is None or match is None else f'write "{match[1]} {suggested_unit}"'
         )

@@ -14,7 +14,7 @@ from typing import NoReturn
 import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError, nearest_name, shown
-from pkmodes.core.robot.columns import frequency_factor, parted
+from pkmodes.core.robot.columns import frequency_factor, split_heading
 from pkmodes.core.robot.units import QuantityError, base_units
 from pkmodes.core.support.ordering import joined
 from pkmodes.loop.measured.cells import TableNotation
@@ -164,7 +164,7 @@ def _column_indices(
         _refuse("two entries of columns name the same column", where, "give each its own")
     indices: dict[str, tuple[int, Decimal | None]] = {}
     for i, cell in enumerate(names):
-        name, unit = parted(cell, [*key_by_name, *NUMERIC_COLUMNS, "pose"])
+        name, unit = split_heading(cell, [*key_by_name, *NUMERIC_COLUMNS, "pose"])
         if name in key_by_name and unit is None:
             unit = split_unit(cell)[1] or None  # "Damping ratio in %"
         name = key_by_name.get(name, key_by_name.get(cell, name))
@@ -181,7 +181,7 @@ def _column_indices(
                     f"the column {shown(name)} is repeated", f"{where}, column {i + 1}", "remove one of them"
                 )
             indices[name] = (i, _factor(name, unit, f"{where}, column {i + 1}") if unit else None)
-    present = {*names, *(parted(cell, list(key_by_name))[0] for cell in names)}
+    present = {*names, *(split_heading(cell, list(key_by_name))[0] for cell in names)}
     missing = [name for name in columns.values() if name not in present]
     if missing:
         _refuse(

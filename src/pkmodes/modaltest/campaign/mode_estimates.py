@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.core.robot.units import LARGEST, SMALLEST
+from pkmodes.core.robot.units import MAX_MAGNITUDE, MIN_MAGNITUDE
 from pkmodes.modaltest.identification.estimates import Estimate, Mode, complex_mac
 from pkmodes.modaltest.identification.level import LevelShift
 
@@ -83,7 +83,7 @@ def check_shape(shape: Mapping[str, complex], where: str) -> None:
     Raises MeasurementError.
     """
     size = max((abs(value) for value in shape.values()), default=1.0)
-    if not SMALLEST <= size <= LARGEST:
+    if not MIN_MAGNITUDE <= size <= MAX_MAGNITUDE:
         problem = f"expected a mode shape, found components up to {size:g}"
         raise MeasurementError(problem, where, "leave the shape out where it was not measured")
 

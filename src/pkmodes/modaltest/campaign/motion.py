@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass, replace
 
 from pkmodes.core.base.errors import MeasurementError, shown
-from pkmodes.core.robot.units import QuantityError, base_units, check_plain_number, meant_as
+from pkmodes.core.robot.units import QuantityError, base_units, check_plain_number, likely_unit
 from pkmodes.modaltest.signals.units import unit_text
 
 #: Standard gravity in pint's notation.  A bare "g" is standard gravity, as in data sheets: no sensor measures grams.
@@ -41,7 +41,7 @@ def parse_motion(unit: str, where: str) -> Motion:
         factor, powers = base_factor(unit, where)
         return _motion_from_powers(factor, powers, unit, where)
     except MeasurementError as error:
-        if (suggested_unit := meant_as(unit, "m/s^2")) is None:
+        if (suggested_unit := likely_unit(unit, "m/s^2")) is None:
             raise
         raise MeasurementError(error.what, where, f'write "{suggested_unit}"') from None
 

@@ -21,7 +21,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.linalg.rotations import AXES, about, matrix_of
+from pkmodes.core.linalg.rotations import AXES, matrices_of_vectors, vectors_about
 
 Array = NDArray[np.float64]
 Vector = tuple[float, float, float]
@@ -45,7 +45,9 @@ class Platform:
 
     def rotation(self, point: Mapping[str, float]) -> Array:
         """Return its rotation, (3, 3), at a pose whose components ``r`` + axis are a rotation vector [rad]."""
-        return matrix_of(about(self.rotations, np.array([point[f"r{axis}"] for axis in self.rotations])))
+        return matrices_of_vectors(
+            vectors_about(self.rotations, np.array([point[f"r{axis}"] for axis in self.rotations]))
+        )
 
 
 @dataclass(frozen=True)
@@ -81,7 +83,7 @@ class Mount:
 
 def vector_along(axes: Sequence[str], numbers: Sequence[float]) -> Vector:
     """Return the vector with these components along these axes, and 0 along the others."""
-    x, y, z = about(axes, np.asarray(numbers, dtype=float)).tolist()
+    x, y, z = vectors_about(axes, np.asarray(numbers, dtype=float)).tolist()
     return x, y, z
 
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import MeasurementError, nearest_name, shown
 from pkmodes.core.base.numbers import plain
-from pkmodes.core.robot.units import LARGEST, SMALLEST
+from pkmodes.core.robot.units import MAX_MAGNITUDE, MIN_MAGNITUDE
 from pkmodes.modaltest.campaign.campaign import Record
 from pkmodes.modaltest.campaign.motion import Motion, motion_or_none, parse_motion
 from pkmodes.modaltest.campaign.sensors import MotionSensor, apply_sign, check_motion
@@ -151,7 +151,7 @@ def check_size(values: NDArray[Any], source: str) -> None:
     Raises MeasurementError.
     """
     size = float(np.nanmax(np.abs(values), initial=0.0))
-    if size > 0.0 and not SMALLEST <= size <= LARGEST:
+    if size > 0.0 and not MIN_MAGNITUDE <= size <= MAX_MAGNITUDE:
         problem = f"expected numbers in SI units of moderate size, found up to {plain(size, 3)}"
         raise MeasurementError(problem, source, "check the units of the sensors")
 

@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from pkmodes.core.base.errors import MeasurementError, shown
-from pkmodes.core.robot.columns import parted
+from pkmodes.core.robot.columns import split_heading
 from pkmodes.core.support.ordering import listed
 from pkmodes.loop.measured.meanings import split_unit
 from pkmodes.modaltest.signals.functions import FORCE, MAX_NAMES, FunctionKind, SignalRequest
@@ -123,7 +123,7 @@ def find_layout(
 
 def _head(cell: str, request: SignalRequest) -> tuple[str, str]:
     """Return the name in a cell and the label of its unit, "" without one; the whole cell may name a sensor."""
-    name, label = parted(cell, ())
+    name, label = split_heading(cell, ())
     if label is None and (match := IN_PARENTHESES.fullmatch(cell)) is not None:
         has_unit = unit_text(match[2]) is not None or match[2].lower().startswith(DECIBELS)
         name, label = (match[1], match[2]) if has_unit else (cell, None)

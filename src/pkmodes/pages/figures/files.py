@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from pkmodes.core.base.arguments import check_argument, one_of
 from pkmodes.core.base.errors import OutputError
-from pkmodes.core.support.replacing import check_replaced, holds
+from pkmodes.core.support.replacing import check_replaced, contains_mark
 from pkmodes.core.support.writing import write_files
 from pkmodes.pages.figures.pictures import PICTURES, Picture, pictures
 from pkmodes.pages.plots.style import GREY, styled
@@ -82,7 +82,7 @@ def write_pictures_and_sentences(
             paths,
             "folder",
             overwrite,
-            holds(kind.title.partition(" of the {body}")[0].encode()),
+            contains_mark(kind.title.partition(" of the {body}")[0].encode()),
             what=problem,
             remedy=remedy,
         )

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from numpy.typing import ArrayLike
 
-from pkmodes.core.mechanism.poses import placed
+from pkmodes.core.mechanism.poses import format_pose
 from pkmodes.core.support.extras import require
 from pkmodes.core.support.motors import motors_in_words
 from pkmodes.loop.sensitivity.changes import PERCENT, Changes, changes_at
@@ -56,7 +56,7 @@ def tornado_picture(
     drives = model.robot.resolve_drives(drives)
     point = model.modes(pose, fields=["frequencies"], drives=drives).poses
     changes = changes_at(model, point, drives, by)
-    at, doing = placed(model.mechanism, point, "g"), motors_in_words(model.robot, drives)
+    at, doing = format_pose(model.mechanism, point, "g"), motors_in_words(model.robot, drives)
     text = f"{describe(changes)} {model.robot.name} at {at}, {doing}."
     return Picture("tornado", TITLES[by], text, tornado(changes))
 
@@ -67,8 +67,8 @@ def describe(changes: Changes) -> str:
         "one per cent of each quantity" if changes.by == PERCENT else "one standard deviation of each value"
     )
     text = (
-        f"The change of each frequency for {step}, to first order, the largest on top: filled bars for more of it, "
-        f"open bars for less; at most {MAX_BARS} in a panel."
+        f"The change of each frequency for {step}, to first order, the largest on top: filled bars for more of "
+        f"it, open bars for less; at most {MAX_BARS} in a panel."
     )
     if changes.combined is not None:
         text += " The grey bar is the standard deviation of the frequency from all values together."

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import PkmodesError, shown
-from pkmodes.core.support.ordering import in_order
+from pkmodes.core.support.ordering import natural_order
 from pkmodes.loop.diagnosis.compare import Comparison
 from pkmodes.loop.diagnosis.match.predicted import Predicted
 from pkmodes.loop.diagnosis.states.result import Change
@@ -82,7 +82,7 @@ class PlottedEvidence:
         Raises PkmodesError if the measurements are others than those of the result.
         """
         measured_labels = tuple(dict.fromkeys(row.pose for row in result.rows))
-        order = in_order(measured_labels)
+        order = natural_order(measured_labels)
         labels = tuple(measured_labels[i] for i in order)
         index = {label: i for i, label in enumerate(labels)}
         if data is not None and (

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.core.robot.units import SHOWN
+from pkmodes.core.robot.units import DISPLAY_UNITS
 from pkmodes.pages.plots.labels import typeset
 
 if TYPE_CHECKING:
@@ -122,7 +122,7 @@ class Plane:
 
     def unit(self, name: str) -> tuple[str, float]:
         """Return the unit in which a component is drawn, and the factor from SI units."""
-        return SHOWN[self.dataset[name].attrs["units"]]
+        return DISPLAY_UNITS[self.dataset[name].attrs["units"]]
 
     def drawn(self, name: str) -> Array:
         """Return the values of a component in the unit in which it is drawn."""

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.robot.units import SHOWN
+from pkmodes.core.robot.units import DISPLAY_UNITS
 from pkmodes.pages.plots.drawing import Drawing
 from pkmodes.pages.plots.labels import short
 from pkmodes.pages.plots.sheet import Sheet
@@ -40,7 +40,7 @@ def against(dataset: xarray.Dataset, path: str, spread: Array | None = None) -> 
     dataset = dataset.isel({path: order})
     unit, factor = dataset[path].attrs["units"], 1.0
     if "." not in path:  # a component of the pose
-        unit, factor = SHOWN[unit]
+        unit, factor = DISPLAY_UNITS[unit]
     values = dataset[path].values * factor
     frequency = _flat(dataset, path)
     probabilities = ALL if frequency.shape[1] < FEW else INNER

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.robot.units import SHOWN
+from pkmodes.core.robot.units import DISPLAY_UNITS
 from pkmodes.machine.maps.left_out import unstable_mask
 from pkmodes.pages.plots.drawing import Drawing
 from pkmodes.pages.plots.labels import typeset
@@ -39,7 +39,7 @@ def volume(dataset: xarray.Dataset, across: Sequence[str]) -> Drawing:
     part = dataset.isel(_thinned_slices(dataset, across)).load().transpose(*across, ...)
     stable = part["valid"].values & ~unstable_mask(part).values
     values = np.where(stable, part["frequency"].values[..., 0], np.nan)
-    display_units = [SHOWN[part[name].attrs["units"]] for name in across]
+    display_units = [DISPLAY_UNITS[part[name].attrs["units"]] for name in across]
     coordinates = [
         part[name].values * factor for name, (_, factor) in zip(across, display_units, strict=True)
     ]

@@ -11,7 +11,7 @@ from itertools import permutations
 import numpy as np
 
 from pkmodes.core.base.drives import FREE
-from pkmodes.core.base.numbers import plain, rounded
+from pkmodes.core.base.numbers import plain, round_to_sigma
 from pkmodes.core.support.motors import motors_in_words
 from pkmodes.core.support.ordering import joined
 from pkmodes.loop.diagnosis.posterior.document import NOTHING_MISSING, OUTSIDE
@@ -141,7 +141,7 @@ def _effect(result: Diagnosis, setting: ReportSetting) -> list[Cell]:
     who = f"they {verb}" if len(result.effects) > 1 else f"it {verb}s"
     place = "setup" if setting.robot is None else "pose"
     before, now = (
-        rounded(float(f), abs(largest)).columns[0]
+        round_to_sigma(float(f), abs(largest)).columns[0]
         for f in (stages.without[at, partner], stages.after.spectrum[at, mode])
     )
     are = "another is" if len(new) == 1 else "others are"
@@ -180,7 +180,8 @@ def _difference(result: Diagnosis) -> list[Cell]:
     lost = len(rows) - len(apart)
     without = f" It has no mode for {plural(lost, 'other')}." if lost else ""
     measured, modelled = (
-        rounded(frequency, abs(largest)).columns[0] for frequency in (row.measured, row.measured + largest)
+        round_to_sigma(frequency, abs(largest)).columns[0]
+        for frequency in (row.measured, row.measured + largest)
     )
     return [
         Cell(

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from pkmodes.core.base.numbers import rounded
+from pkmodes.core.base.numbers import round_to_sigma
 from pkmodes.loop.diagnosis.states.result import Change
 from pkmodes.loop.diagnosis.states.words import reword
 from pkmodes.loop.diagnosis.verdict.findings import Corrected, Value
@@ -96,7 +96,7 @@ def _size(value: Value, values: Sequence[Corrected], setting: ReportSetting) -> 
     """Return the change of a declared value in per cent, or the size of what was not there before."""
     before = next((parameter.declared for parameter in values if parameter.name == value.name), 0.0)
     if before and (words := setting.words(value.name)):
-        change = rounded(100.0 * (value.value / before - 1.0), 100.0 * abs(value.sigma / before))
+        change = round_to_sigma(100.0 * (value.value / before - 1.0), 100.0 * abs(value.sigma / before))
         return f"the {words}, by {change} %"
     return f"{value.rounded} {value.unit}".removesuffix(" 1")
 

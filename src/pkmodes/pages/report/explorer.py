@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.robot.units import SHOWN
+from pkmodes.core.robot.units import DISPLAY_UNITS
 from pkmodes.pages.plots.labels import typeset
 from pkmodes.pages.plots.plane import limits_of
 from pkmodes.pages.plots.style import styled
@@ -91,7 +91,7 @@ def _axis(name: str, values: xarray.DataArray, shown: tuple[str, float], compone
 
 
 def _component(component: Any, part: xarray.Dataset) -> dict[str, Any]:
-    unit, factor = SHOWN[component.unit]
+    unit, factor = DISPLAY_UNITS[component.unit]
     digits = _digits(np.atleast_1d(part[component.name].values) * factor)
     return {"name": clean(component.name), "unit": unit, "factor": factor, "decimals": digits}
 

@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Mapping
 
 from pkmodes.core.base import numbers
-from pkmodes.core.base.numbers import p_text, plain, rounded, unsigned
+from pkmodes.core.base.numbers import p_text, plain, round_to_sigma, without_zero_sign
 from pkmodes.pages.plots.labels import MINUS, RAISED, TIMES, typeset, visible
 from pkmodes.pages.report.blocks import Cell, Spread
 
@@ -71,7 +71,7 @@ def three_digits(value: float | None, at: str = "", *, scale: float = 1.0, stron
 
 def hertz(value: float | None, at: str = "") -> Cell:
     """Return a frequency as a cell."""
-    return _cell(value, numbers.hertz, at)
+    return _cell(value, numbers.format_frequency, at)
 
 
 def p_value(value: float | None, at: str = "") -> Cell:
@@ -83,7 +83,7 @@ def _cell(value: float | None, write: Callable[[float], str], at: str, strong: b
     if value is None or math.isnan(value):
         return Cell(NOTHING, None, at, plain="-")
     text = write(value)
-    return Cell(typeset(text), float(value), at, strong, plain=unsigned(text))
+    return Cell(typeset(text), float(value), at, strong, plain=without_zero_sign(text))
 
 
 def uncertain_cell(
@@ -101,7 +101,7 @@ def uncertain_cell(
     - scale: the text shows this multiple of both
     - fit: a smaller standard deviation by the fit alone: the value keeps its digits
     """
-    rounding = rounded(scale * value, scale * sigma, None if fit is None else scale * fit)
+    rounding = round_to_sigma(scale * value, scale * sigma, None if fit is None else scale * fit)
     power = f"{TIMES}10{str(rounding.exponent).translate(RAISED)}" if rounding.exponent else ""
     digits, of_sigma = typeset(rounding.value), typeset(rounding.sigma)
     spread = Spread(float(sigma), at_sigma, digits, of_sigma, power)

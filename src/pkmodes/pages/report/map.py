@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
-from pkmodes.core.robot.declaration import changeable
+from pkmodes.core.robot.declaration import changeable_units
 from pkmodes.core.support.motors import motors_in_words
 from pkmodes.machine.maps.left_out import without_unrepresentative
 from pkmodes.machine.maps.spread import spread_along
@@ -188,7 +188,7 @@ def _figures(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
     if places is None:
         yield Section("figures", title, [Paragraph(where)])
         return
-    units, swept, drives = changeable(model.robot), swept_paths(dataset), str(dataset.attrs["drives"])
+    units, swept, drives = changeable_units(model.robot), swept_paths(dataset), str(dataset.attrs["drives"])
     blocks: list[Block] = []
     if swept and set(places.axes) <= set(dataset.dims):
         blocks += swept_pictures(model, dataset, places, units)

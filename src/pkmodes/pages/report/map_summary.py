@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 from pkmodes.core.base import numbers
 from pkmodes.core.base.numbers import plain
-from pkmodes.core.robot.declaration import changeable
+from pkmodes.core.robot.declaration import changeable_units
 from pkmodes.core.robot.report_fields import head_of
-from pkmodes.core.robot.units import SHOWN
+from pkmodes.core.robot.units import DISPLAY_UNITS
 from pkmodes.core.solve.fields import FIELDS
 from pkmodes.core.support.motors import motors_in_words
 from pkmodes.machine.maps.left_out import left_out_sentences
@@ -77,14 +77,14 @@ def _headline(content: dict[str, Any]) -> str:
     else:
         low, high, where = first["quantile_2_hz"], first["quantile_98_hz"], " at 96 % of the poses"
     if count == 1:
-        return f"{lowest} is {numbers.hertz(low)} Hz"
-    return f"{lowest} lies between {numbers.hertz(low)} and {numbers.hertz(high)} Hz{where}"
+        return f"{lowest} is {numbers.format_frequency(low)} Hz"
+    return f"{lowest} lies between {numbers.format_frequency(low)} and {numbers.format_frequency(high)} Hz{where}"
 
 
 def axis_units(model: Model) -> dict[str, tuple[str, float]]:
     """Return the unit of each axis as shown, with the factor from SI."""
-    units = {path: (unit(name), 1.0) for path, name in changeable(model.robot).items()}
-    return units | {component.name: SHOWN[component.unit] for component in model.mechanism.pose}
+    units = {path: (unit(name), 1.0) for path, name in changeable_units(model.robot).items()}
+    return units | {component.name: DISPLAY_UNITS[component.unit] for component in model.mechanism.pose}
 
 
 def _value(value: float) -> str:

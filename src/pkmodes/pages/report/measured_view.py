@@ -14,7 +14,7 @@ from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.model import Model
 from pkmodes.core.robot.reading import robot_from_document
 from pkmodes.core.robot.robot import Robot
-from pkmodes.core.support.ordering import in_order
+from pkmodes.core.support.ordering import natural_order
 from pkmodes.loop.diagnosis.compare import ComparedRow, Comparison
 from pkmodes.loop.diagnosis.match.predicted import Predicted
 from pkmodes.loop.diagnosis.states.result import Change
@@ -91,7 +91,7 @@ def measured_scene(
     ][:MOST]
     if not kept:
         return None
-    kept = [kept[k] for k in in_order([data.labels[i] for i in kept])]  # as in tables and figures
+    kept = [kept[k] for k in natural_order([data.labels[i] for i in kept])]  # as in tables and figures
     scene = scene_of([models[loads[i]] for i in kept], points[kept], drives=drives)
     quantities, units = settable_paths(shown.robot.mechanism), channels(shown.robot.mechanism)
     labels = []

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base import numbers
-from pkmodes.core.mechanism.length import headings, lengths_of, unit_vectors
-from pkmodes.core.mechanism.poses import placed
+from pkmodes.core.mechanism.length import lengths_of, unit_vector_headings, unit_vectors
+from pkmodes.core.mechanism.poses import format_pose
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.support.motors import motors_in_words
@@ -84,7 +84,7 @@ def response_report(
 
 def response_summary(model: Model, response: FrequencyResponse, drawn: DrawnChannels) -> Summary:
     """Return which channel responds most, and where."""
-    pose_text = placed(model.mechanism, response.poses[response.one(())], "g").replace("-", MINUS)
+    pose_text = format_pose(model.mechanism, response.poses[response.one(())], "g").replace("-", MINUS)
     measured = {} if drawn.measured is None else drawn.measured.responses
     compared = {name: values for name, values in drawn.model.items() if name in measured} or drawn.model
     name = most_responsive(compared, drawn.units)
@@ -95,14 +95,14 @@ def response_summary(model: Model, response: FrequencyResponse, drawn: DrawnChan
     if several:
         headline = (
             f"{clean(output_port)} responds most to {clean(input_port)} at "
-            f"{numbers.hertz(drawn.frequencies[peak])} Hz"
+            f"{numbers.format_frequency(drawn.frequencies[peak])} Hz"
         )
     else:
         headline = f"At {drawn.frequencies[0]:g} Hz {clean(output_port)} responds most to {clean(input_port)}"
     if drawn.measured is not None and name in measured:
         index = _largest_measured_index(drawn, measured[name])
         if index is not None:
-            headline += f", measured at {numbers.hertz(drawn.measured.frequencies[index])} Hz"
+            headline += f", measured at {numbers.format_frequency(drawn.measured.frequencies[index])} Hz"
     first, last = (float(drawn.frequencies[i]) for i in (0, -1))
     facts = [
         ("channels", Cell(str(len(drawn.model)), len(drawn.model))),
@@ -260,7 +260,7 @@ def _modes_table(model: Model, response: FrequencyResponse) -> Block:
     modes = model.modes(pose, drives=response.drives)
     sigmas, rigid = spread_of(model, pose, response.drives), modes.rigid_modes
     columns = [Column("mode"), Column("f [Hz]"), Column("damping [%]")]
-    columns += map(Column, headings(model.mechanism))
+    columns += map(Column, unit_vector_headings(model.mechanism))
     moved = unit_vectors(modes.platform_shapes, lengths_of(model.mechanism, model.robot.parameters))
     rows = []
     for i in range(rigid, len(modes.frequencies)):

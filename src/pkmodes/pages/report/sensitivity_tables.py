@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pkmodes.core.base.numbers import plain
-from pkmodes.core.mechanism.poses import placed
+from pkmodes.core.mechanism.poses import format_pose
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.support.motors import motors_in_words
 from pkmodes.core.support.words import meaning_of
@@ -67,7 +67,7 @@ def sensitivities_summary(
         which = f"Of the chosen quantities, mode {mode + 1}" if chosen_only else f"Mode {mode + 1}"
         headline = f"{which} depends most on {' or '.join(names)}: {change} % for 1 %"
         reason = "The largest change of any frequency for one per cent of a quantity. "
-    at = placed(model.mechanism, np.array(content["pose"]), "g").replace("-", MINUS)
+    at = format_pose(model.mechanism, np.array(content["pose"]), "g").replace("-", MINUS)
     doing, facts, rigid = motors_in_words(model.robot, content["drives"]), [], content["rigid_modes"]
     for mode, frequency in enumerate(percent.frequencies.tolist()):
         error = 0.0 if sigma is None or sigma.combined is None else float(sigma.combined[mode])

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.numbers import plain
-from pkmodes.core.mechanism.poses import placed
+from pkmodes.core.mechanism.poses import format_pose
 from pkmodes.core.robot.report_fields import head_of
-from pkmodes.core.robot.units import SHOWN
+from pkmodes.core.robot.units import DISPLAY_UNITS
 from pkmodes.machine.shaping.residual_vibration import residual
 from pkmodes.machine.shaping.settings import append_unit
 from pkmodes.pages.plots import shapers
@@ -134,7 +134,7 @@ def machine(model: Model, choice: Choice, content: dict[str, Any]) -> Facts:
     entries = [("poses", [Cell(thousands(content["poses"]), content["poses"], pointer("poses"))])]
     rms = number(choice.unshaped.rms, ".3g", pointer("unshaped", "rms"), scale=1e6)
     entries.append(("rms vibration without a shaper, for a step of 1 m/s\u00b2 [\u00b5m]", [rms]))
-    where = [minus(placed(model.mechanism, choice.unshaped.pose, ".4g"))]
+    where = [minus(format_pose(model.mechanism, choice.unshaped.pose, ".4g"))]
     if choice.unshaped.setting is not None:
         where[0] = Cell(f"{where[0].text},", plain=f"{where[0].plain or where[0].text},")
         where.append(Cell(clean(choice.unshaped.setting)))
@@ -145,7 +145,7 @@ def machine(model: Model, choice: Choice, content: dict[str, Any]) -> Facts:
         extent = append_unit(_range(values, ".4g"), symbol) + (f" ({count} values)" if count > 1 else "")
         entries.append((clean(path), [minus(extent)]))
     for i, component in enumerate(model.mechanism.pose):
-        unit, factor = SHOWN[component.unit]
+        unit, factor = DISPLAY_UNITS[component.unit]
         entries.append((component.name, [minus(f"{_range(at.poses[:, i] * factor, '.5g')} {unit}")]))
     for k in range(at.frequencies.shape[1]):
         text = f"{_range(at.frequencies[:, k], '.1f')} Hz"
@@ -232,7 +232,7 @@ def _over_workspace(model: Model, choice: Choice) -> Picture | Paragraph:
     clear = [name for name, values in shares.items() if values.max() < FLAT]
     shares = {name: values for name, values in shares.items() if name not in clear} or shares
     named = [components[i].name for i in varying]
-    units = [SHOWN[components[i].unit] for i in varying]
+    units = [DISPLAY_UNITS[components[i].unit] for i in varying]
     caption = "Vibration that is left, in per cent of the largest one without a shaper"
     if len(choice.ringing.settings) > 1:
         caption += f", at {clean(worst.setting)}, where the recommended shaper leaves most"
@@ -246,7 +246,7 @@ def _over_workspace(model: Model, choice: Choice) -> Picture | Paragraph:
     else:
         plane, layer = _plane(at.poses, worst.pose, varying[2:])
         for i, value in layer.items():
-            unit, factor = SHOWN[components[i].unit]
+            unit, factor = DISPLAY_UNITS[components[i].unit]
             caption += f", at {components[i].name} = {typeset(f'{value * factor:.4g}')} {unit}"
         caption += ", where the recommended shaper leaves most" if layer else ""
         drawn = shapers.over_plane(

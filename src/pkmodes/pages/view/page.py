@@ -11,7 +11,7 @@ from importlib.resources import files
 
 import numpy as np
 
-from pkmodes.core.robot.units import SHOWN
+from pkmodes.core.robot.units import DISPLAY_UNITS
 from pkmodes.core.support.page_policy import with_policy
 from pkmodes.pages.view.interpolation import SLIDER_STEPS
 from pkmodes.pages.view.measured_data import measured_sentence, measured_table, numbers_table
@@ -337,7 +337,7 @@ def _format_component(component: Named, value: float) -> str:
             np.format_float_positional(digits, trim="-") if abs(value) >= 1e-6 or not value else f"{digits:g}"
         )
         return f"{text} {component.unit}".removesuffix(" 1").replace("-", "\u2212")
-    unit, factor = SHOWN.get(component.unit, (component.unit, 1.0))
+    unit, factor = DISPLAY_UNITS.get(component.unit, (component.unit, 1.0))
     return f"{round(factor * value, 1) + 0.0:.1f} {unit}".replace("-", "\u2212")
 
 

@@ -57,7 +57,7 @@ class RobotDrawing:
     def springs(self, p: Array) -> Springs:
         """Return the springs of the model and of the released joints, zero stiffness included."""
         stiffness, strain = (np.asarray(a, dtype=float) for a in self._generated.springs(p))
-        free, first = self._system.free, self._system.first
+        free, first = self._system.free, self._system.base_count
         released = [c for effect in self._mechanism.effects.values() for c in effect.coordinates]
         joints = [i for i in free if i >= first]
         joint_descriptions = []

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pkmodes.core.base.numbers import p_in_words, plain, rounded
+from pkmodes.core.base.numbers import p_in_words, plain, round_to_sigma
 from pkmodes.loop.diagnosis.damping.evidence import DampingJudgement
 from pkmodes.loop.diagnosis.damping.explanation import loss_names
 from pkmodes.loop.diagnosis.damping.fit import LossFitter
@@ -47,7 +47,7 @@ def damping_clause(fitter: LossFitter, judgement: DampingJudgement, findings: Se
 
 def common_ratio_sentence(ratio: float, sigma: float) -> str:
     """Return the sentence for one ratio that explains the damping of a model that declares none."""
-    percent = f"{rounded(100.0 * ratio, 100.0 * sigma)} %"
+    percent = f"{round_to_sigma(100.0 * ratio, 100.0 * sigma)} %"
     return (
         f"the file declares no damping; every measured mode agrees with a damping ratio of {percent}, which names no "
         f'joint: to declare it, write ratio = "{plain(100.0 * ratio, 2)} %" in a table [damping]'
@@ -74,7 +74,7 @@ def scatter_sentence(ratio: float | None, scatter: float) -> str:
 
 def nearly_declared_sentence(ratio: float, sigma: float, declared: float) -> str:
     """Return the sentence for a common ratio that differs from the declared one no more than repeated tests do."""
-    percent = f"{rounded(100.0 * ratio, 100.0 * sigma)} %"
+    percent = f"{round_to_sigma(100.0 * ratio, 100.0 * sigma)} %"
     return (
         f"the measured ratios are those of a damping ratio of {percent} instead of the "
         f"declared {plain(100.0 * declared, 3)} %, by which repeated tests may differ"

@@ -19,7 +19,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.support.mac import space
+from pkmodes.core.support.mac import subspace_basis
 from pkmodes.loop.diagnosis.criteria import Criteria
 from pkmodes.loop.diagnosis.match.pairing import Pairing, close_rows, tile_indices, unpaired_close_modes
 from pkmodes.loop.diagnosis.match.shape_errors import shape_errors
@@ -156,7 +156,7 @@ class ShapeRows:
         modes = np.hstack([measured, unpaired_modes[rows]])
         is_mode, modes = modes >= 0, np.maximum(modes, 0)
         shapes = prediction.shapes[self._pose[rows][:, None], modes][..., self._columns]
-        basis, coefficients = space(shapes * self._weights[rows][:, None] * is_mode[..., None])
+        basis, coefficients = subspace_basis(shapes * self._weights[rows][:, None] * is_mode[..., None])
         amplitudes = ((basis @ self._shapes[rows][..., None])[..., 0, None] * coefficients).sum(axis=1)
         return _ModeSpaces(rows, basis, amplitudes, modes)
 

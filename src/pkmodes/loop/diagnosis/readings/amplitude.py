@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from pkmodes.core.base.numbers import p_in_words, plain, signed, times
+from pkmodes.core.base.numbers import format_factor, format_signed, p_in_words, plain
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.match.stage import MatchStage
 from pkmodes.loop.diagnosis.problem import Array
@@ -46,7 +46,7 @@ def level_dependence(fitter: Fitter, values: Array) -> AmplitudeDependence | Non
 def format_level_dependence(trend: AmplitudeDependence, data: Measurements) -> str:
     """Return how frequencies depend on the level."""
     unit, row = f" {data.level_unit}" if data.level_unit else "", trend.clearest.row
-    smallest, largest = (signed(100.0 * change) for change in trend.range)
+    smallest, largest = (format_signed(100.0 * change) for change in trend.range)
     change = smallest if smallest == largest else f"{smallest} to {largest}"
     mode = f"mode {data.mode[row]}" if data.mode[row] else f"{plain(data.frequency[row], 4)} Hz"
     clearest = f", clearest in line {data.lines[row]} ({data.labels[data.pose[row]]}, {mode})"
@@ -54,8 +54,8 @@ def format_level_dependence(trend: AmplitudeDependence, data: Measurements) -> s
     basis = "with the scatter of setups at one level"
     if not trend.repeated:
         basis = (
-            f"even with errors {times(UNREPEATED_FACTOR)} as large as stated, but no level was measured again, so "
-            "the repeatability of setups is unknown"
+            f"even with errors {format_factor(UNREPEATED_FACTOR)} as large as stated, but no level was measured "
+            "again, so the repeatability of setups is unknown"
         )
     return (
         f"from a level of {plain(trend.low, 3)} to {plain(trend.high, 3)}{unit} frequencies at the same position "

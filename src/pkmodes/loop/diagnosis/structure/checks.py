@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from pkmodes.core.base.errors import PkmodesError, listed, shown
+from pkmodes.core.base.errors import PkmodesError, checked_list, shown
 from pkmodes.loop.diagnosis.problem import Array, Candidate, Parameter
 
 #: What to do about a map that is not a matrix of the right form.
@@ -53,7 +53,7 @@ def check_candidate(candidate: Candidate, parameters: Mapping[str, Parameter]) -
     location = f"candidate {shown(candidate.name)}"
     if not isinstance(candidate.name, str):
         raise PkmodesError(f"expected a name, found {shown(candidate.name)}", "candidates", "give text")
-    names = listed(candidate.parameters, "names of parameters", location, '"k"', str)
+    names = checked_list(candidate.parameters, "names of parameters", location, '"k"', str)
     if not names or len(set(names)) < len(names):
         raise PkmodesError(f"expected different parameters, found {list(names)}", location, "name each once")
     for name in names:

@@ -14,8 +14,8 @@ from typing import Annotated
 import msgspec
 from msgspec import Meta
 
-from pkmodes.core.base.drives import Drives, motors_to_be
-from pkmodes.core.base.numbers import Rounded, rounded
+from pkmodes.core.base.drives import Drives, motors_instruction
+from pkmodes.core.base.numbers import Rounded, round_to_sigma
 from pkmodes.core.support.documents import Document
 from pkmodes.loop.diagnosis.verdict.joints import JointAlone
 from pkmodes.loop.diagnosis.verdict.relative import relative_to_mean
@@ -107,7 +107,7 @@ class Value:
     @property
     def rounded(self) -> Rounded:
         """The value and its standard deviation, rounded for reading."""
-        return rounded(self.value, self.sigma, self.fit_sigma)
+        return round_to_sigma(self.value, self.sigma, self.fit_sigma)
 
 
 #: Smallest ratio of a saved standard deviation to that of the fit that is explained to the reader.
@@ -170,7 +170,7 @@ def explain_saved_sigma(value: Value, corrected: Sequence[Corrected]) -> str:
         return ""
     unseen, parts = saved.unseen, []
     if saved.widened:
-        fit_sigma = rounded(value.value, value.sigma).columns[1]
+        fit_sigma = round_to_sigma(value.value, value.sigma).columns[1]
         parts.append(f"+- {fit_sigma} by the fit alone; the rest is what {unseen.agent} could have done")
     if unseen.unbounded:
         parts.append(omission_in_words(unseen))
@@ -326,7 +326,7 @@ class NextMeasurement(Document, frozen=True, omit_defaults=True):
     @property
     def motors(self) -> str:
         """What is to be done to the motors, as words; empty for a structure without motors."""
-        return "" if self.drives is None else motors_to_be([self.drives])
+        return "" if self.drives is None else motors_instruction([self.drives])
 
     @property
     def caveat(self) -> str:
@@ -334,6 +334,6 @@ class NextMeasurement(Document, frozen=True, omit_defaults=True):
         if not self.hidden_by:
             return ""
         return (
-            f"{self.hidden_by} could make up for most of that within its sigma: measure several poses in this way, "
-            "or state it more exactly"
+            f"{self.hidden_by} could make up for most of that within its sigma: measure several poses in this "
+            "way, or state it more exactly"
         )

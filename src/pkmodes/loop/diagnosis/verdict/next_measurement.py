@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pkmodes.core.base.drives import DRIVES, motors_to_be
+from pkmodes.core.base.drives import DRIVES, motors_instruction
 from pkmodes.core.base.numbers import plain
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.store import FitStore
@@ -152,7 +152,7 @@ def _why_none(
     if not best.sigmas:
         return f"at none of {setups_in_words} can the remaining explanations be compared"
     other_ways = (
-        f", with {motors_to_be(DRIVES)}"
+        f", with {motors_instruction(DRIVES)}"
         if any(condition.has_other_drives for condition in conditions)
         else ""
     )

@@ -8,8 +8,8 @@ from collections.abc import Iterator
 import numpy as np
 from scipy import stats
 
-from pkmodes.core.base.drives import motors
-from pkmodes.core.base.numbers import plain, signed, times
+from pkmodes.core.base.drives import motors_text
+from pkmodes.core.base.numbers import format_factor, format_signed, plain
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.fit.store import FitStore
@@ -56,23 +56,23 @@ def _shapes(store: FitStore, fit: Fit) -> Iterator[str]:
     scatter = store.shape_scatter(fit)
     if scatter is not None and scatter > c.shapes.most_scatter:
         yield (
-            f"no explanation fits the shapes: they scatter by {100 * scatter:.0f} % of their largest component "
-            "(sensors exchanged or miswired, or shapes of other modes)"
+            f"no explanation fits the shapes: they scatter by {100 * scatter:.0f} % of their largest "
+            "component (sensors exchanged or miswired, or shapes of other modes)"
         )
     strange_rows = strange_shapes(store, fit)
     if len(strange_rows) == 1:
         row = strange_rows[0]
         yield (
-            f"the shape in line {data.lines[row]} is not that of the mode at its frequency "
-            f"(MAC {plain(fit.pairing.mac[row], 2)})"
+            f"the shape in line {data.lines[row]} is not that of the mode at its frequency (MAC "
+            f"{plain(fit.pairing.mac[row], 2)})"
         )
     elif len(strange_rows):
         lines = ", ".join(str(data.lines[i]) for i in strange_rows[:8]) + (
             ", ..." if len(strange_rows) > 8 else ""
         )
         yield (
-            f"the shapes in lines {lines} are not those of the modes at their frequencies "
-            f"(MAC {plain(fit.pairing.mac[strange_rows].min(), 2)} or more)"
+            f"the shapes in lines {lines} are not those of the modes at their frequencies (MAC "
+            f"{plain(fit.pairing.mac[strange_rows].min(), 2)} or more)"
         )
 
 
@@ -82,10 +82,10 @@ def _stated_errors(store: FitStore, fit: Fit, adequate: bool) -> Iterator[str]:
         return
     ratio = (squares / degrees) ** 0.5
     if ratio < 1.0 / MAX_ERROR_FACTOR and stats.chi2.cdf(squares, degrees) < MAX_P_OF_SMALL_RESIDUAL:
-        factor = times(1.0 / ratio) if ratio > 1e-6 else "far"
+        factor = format_factor(1.0 / ratio) if ratio > 1e-6 else "far"
         yield f"the stated errors of the frequencies are {factor} too large: the residual scatters much less"
     elif adequate and ratio > MAX_ERROR_FACTOR:
-        yield f"the stated errors of the frequencies are {times(ratio)} too small"
+        yield f"the stated errors of the frequencies are {format_factor(ratio)} too small"
 
 
 def _nuisances(fitter: Fitter, fit: Fit) -> Iterator[str]:
@@ -111,8 +111,8 @@ def _set_aside(fitter: Fitter, fit: Fit) -> Iterator[str]:
     for row in sorted(fit.hypothesis.excluded):
         data = fitter.data
         yield (
-            f"line {data.lines[row]} ({data.labels[data.pose[row]]}, {data.frequency[row]:g} Hz) is set aside as an "
-            "outlier: check it"
+            f"line {data.lines[row]} ({data.labels[data.pose[row]]}, {data.frequency[row]:g} Hz) is set aside "
+            "as an outlier: check it"
         )
     if fit.hypothesis.scatter:
         pattern = drift(fitter, fit)
@@ -164,7 +164,8 @@ def drift(fitter: Fitter, fit: Fit) -> str:
     if stats.spearmanr(order, means).pvalue > fitter.criteria.gate.level:
         return ""
     slope = float(np.polyfit(order, means, 1)[0])
-    return f"it drifts with the order of the poses, by {signed(100 * slope * (len(means) - 1))} % from first to last"
+    drift = format_signed(100 * slope * (len(means) - 1))
+    return f"it drifts with the order of the poses, by {drift} % from first to last"
 
 
 def _unmeasured(fitter: Fitter, fit: Fit) -> Iterator[str]:
@@ -175,5 +176,5 @@ def _unmeasured(fitter: Fitter, fit: Fit) -> Iterator[str]:
             if np.isclose(low, high, rtol=1e-3)
             else f"{plain(low, 4)} to {plain(high, 4)} Hz"
         )
-        setups_in_words = f"{setups} poses" + (f" with {motors([drives])}" if is_mixed else "")
+        setups_in_words = f"{setups} poses" + (f" with {motors_text([drives])}" if is_mixed else "")
         yield f"a mode at {frequency_range} was expected at {setups_in_words} but never measured"

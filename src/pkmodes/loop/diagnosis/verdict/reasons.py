@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import stats
 
-from pkmodes.core.base.numbers import plain, signed, times
+from pkmodes.core.base.numbers import format_factor, format_signed, plain
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.problem import Candidate
@@ -53,7 +53,7 @@ def ratio_in_words(ratio: float) -> str:
         return "as large as"
     if abs(percent) < 50:
         return f"{abs(percent)} % {'larger' if percent > 0 else 'smaller'} than"
-    return f"{times(ratio)} as large as"
+    return f"{format_factor(ratio)} as large as"
 
 
 def variation_with_pose(fitter: Fitter, fit: Fit) -> str:
@@ -74,6 +74,6 @@ def variation_with_pose(fitter: Fitter, fit: Fit) -> str:
     labels = [fitter.data.labels[fitter.data.pose[r[0]]] for r in rows]
     highest, lowest = int(means.argmax()), int(means.argmin())
     return (
-        f"the residual varies with the pose, from {signed(100 * means[highest])} % at {labels[highest]} to "
-        f"{signed(100 * means[lowest])} % at {labels[lowest]}"
+        f"the residual varies with the pose, from {format_signed(100 * means[highest])} % at {labels[highest]} to "
+        f"{format_signed(100 * means[lowest])} % at {labels[lowest]}"
     )

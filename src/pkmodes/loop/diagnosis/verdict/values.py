@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 from scipy import stats
 
-from pkmodes.core.base.numbers import plain, rounded
+from pkmodes.core.base.numbers import plain, round_to_sigma
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.problem import Candidate
 from pkmodes.loop.diagnosis.search.search import Search
@@ -25,8 +25,9 @@ def insignificant_value(search: Search, final: Fit) -> str:
             for bound in (p.lower, p.upper):
                 if bound != p.value and np.isfinite(bound) and abs(value - bound) < c.claim.bounded * sigma:
                     return (
-                        f"{cause.name} would explain the residual, but its value, {rounded(value, sigma)}, is at its "
-                        f"bound {plain(bound, 4)}: something else may be the cause"
+                        f"{cause.name} would explain the residual, but its value, "
+                        f"{round_to_sigma(value, sigma)}, is at its bound {plain(bound, 4)}: "
+                        "something else may be the cause"
                     )
         if p_absent(search, final, cause) > c.claim.absent:
             return (

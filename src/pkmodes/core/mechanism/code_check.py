@@ -1,4 +1,4 @@
-"""Whether the description of a mechanism fits its generated code: its fields, coordinates and functions.
+"""Check that the description of a mechanism matches its generated code: its fields, coordinates and functions.
 
 The functions are evaluated once for the sample robot, at any pose: only the shapes of the results count.
 """
@@ -14,8 +14,8 @@ import numpy as np
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.mechanism.generated import Generated
-from pkmodes.core.mechanism.packages import place_of
-from pkmodes.core.mechanism.regular import sample
+from pkmodes.core.mechanism.packages import package_location
+from pkmodes.core.mechanism.regular import sample_parameters
 
 Shape = tuple[int, ...]
 
@@ -32,22 +32,22 @@ def check_code(mechanism: Mechanism) -> None:
         problem = f"{type(error).__name__}: {error}"
     if problem:
         message = f"the description of the mechanism does not fit its code: {problem}"
-        raise PkmodesError(message, place_of(mechanism.package), "generate it again")
+        raise PkmodesError(message, package_location(mechanism.package), "generate it again")
 
 
 def _problems(mechanism: Mechanism) -> Iterator[str]:
     shapes = {field: _shape(value) for field, value in mechanism.sample.items()}
-    yield from _differ("the fields of the sample", shapes, mechanism.model.Parameters._fields)
-    yield from _keys(mechanism, shapes)
-    yield from _coordinates(mechanism)
+    yield from _check_same_names("the fields of the sample", shapes, mechanism.model.Parameters._fields)
+    yield from _key_problems(mechanism, shapes)
+    yield from _coordinate_problems(mechanism)
     for field, counterpart in mechanism.differences.items():
-        yield from _wrong(f"the shape of {field} and {counterpart}", shapes[field], shapes[counterpart])
+        yield from _check_equal(f"the shape of {field} and {counterpart}", shapes[field], shapes[counterpart])
     for scale in mechanism.scales:
-        yield from _wrong(
+        yield from _check_equal(
             f"the shape of {scale.field}", np.shape(np.zeros(shapes[scale.field])[scale.index]), ()
         )
-    yield from _functions(mechanism)
-    yield from _drawing(mechanism)
+    yield from _function_problems(mechanism)
+    yield from _drawing_problems(mechanism)
 
 
 def _shape(value: Any) -> Shape:
@@ -57,19 +57,21 @@ def _shape(value: Any) -> Shape:
     return array.shape
 
 
-def _differ(subject: str, actual: Sequence[str] | dict[str, Any], expected: Sequence[str]) -> Iterator[str]:
+def _check_same_names(
+    subject: str, actual: Sequence[str] | dict[str, Any], expected: Sequence[str]
+) -> Iterator[str]:
     if set(actual) != set(expected):
         yield f"{subject} are {', '.join(actual)}; expected {', '.join(expected)}"
 
 
-def _wrong(subject: str, actual: object, expected: object) -> Iterator[str]:
+def _check_equal(subject: str, actual: object, expected: object) -> Iterator[str]:
     if actual != expected:
         yield f"{subject} is {actual}, expected {expected}"
 
 
-def _keys(mechanism: Mechanism, shapes: dict[str, Shape]) -> Iterator[str]:
+def _key_problems(mechanism: Mechanism, shapes: dict[str, Shape]) -> Iterator[str]:
     """Check that every number of every field belongs to one key."""
-    places: dict[str, list[Shape]] = {"gravity": [()]}
+    key_indices: dict[str, list[Shape]] = {"gravity": [()]}
     numbers = {"gravity": 3}
     for table in mechanism.tables:
         # The leading extent of its fields is that of the repeated table that takes its values.
@@ -79,51 +81,61 @@ def _keys(mechanism: Mechanism, shapes: dict[str, Shape]) -> Iterator[str]:
             if key.field:
                 shape = shapes[key.field]
                 leading, block = shape[: len(entries)], shape[len(entries) + len(key.index) :]
-                yield from _wrong(f"the shape of {key.field}", (*entries, *key.shape), (*leading, *block))
+                yield from _check_equal(
+                    f"the shape of {key.field}", (*entries, *key.shape), (*leading, *block)
+                )
                 np.zeros(shape[len(entries) :])[key.index]  # IndexError if there is no such place
-                places.setdefault(key.field, []).append(key.index)
+                key_indices.setdefault(key.field, []).append(key.index)
                 numbers[key.field] = numbers.get(key.field, 0) + prod((*entries, *key.shape))
-    yield from _differ("the fields of the keys", places, tuple(shapes))
-    for field, indices in places.items():
-        yield from _wrong(f"the number of keys of {field}", len(indices), len(set(indices)))
-        yield from _wrong(f"the number of values of {field}", numbers[field], prod(shapes[field]))
+    yield from _check_same_names("the fields of the keys", key_indices, tuple(shapes))
+    for field, indices in key_indices.items():
+        yield from _check_equal(f"the number of keys of {field}", len(indices), len(set(indices)))
+        yield from _check_equal(f"the number of values of {field}", numbers[field], prod(shapes[field]))
 
 
-def _coordinates(mechanism: Mechanism) -> Iterator[str]:
+def _coordinate_problems(mechanism: Mechanism) -> Iterator[str]:
     effects = mechanism.effects.values()
     all_coordinates = (*mechanism.coordinates, *(q for effect in effects for q in effect.coordinates))
     for module, coordinates in (
         (mechanism.model, mechanism.coordinates),
         (mechanism.extended, all_coordinates),
     ):
-        yield from _wrong(
+        yield from _check_equal(
             "the order of coordinates", tuple(q.name for q in coordinates), tuple(module.COORDINATES)
         )
-        yield from _wrong("their units", tuple(q.unit for q in coordinates), tuple(module.COORDINATE_UNITS))
+        yield from _check_equal(
+            "their units", tuple(q.unit for q in coordinates), tuple(module.COORDINATE_UNITS)
+        )
     fields = [f"{effect.name}_{parameter.name}" for effect in effects for parameter in effect.parameters]
-    yield from _differ("the parameters of effects", fields, mechanism.extended.Effects._fields)
+    yield from _check_same_names("the parameters of effects", fields, mechanism.extended.Effects._fields)
     if hasattr(mechanism.model, "RIGID_MODES"):
-        yield from _wrong("the number of rigid modes", mechanism.rigid_modes, mechanism.model.RIGID_MODES)
+        yield from _check_equal(
+            "the number of rigid modes", mechanism.rigid_modes, mechanism.model.RIGID_MODES
+        )
 
 
-def _functions(mechanism: Mechanism) -> Iterator[str]:
-    model, effects = _of_sample(mechanism, mechanism.model), _of_sample(mechanism, mechanism.extended)
+def _function_problems(mechanism: Mechanism) -> Iterator[str]:
+    model, effects = _bind_sample(mechanism, mechanism.model), _bind_sample(mechanism, mechanism.extended)
     pose = np.full(len(mechanism.pose), 0.1)
     positions, jacobian = model.inverse_kinematics(pose), model.platform_jacobian(pose)
-    yield from _wrong("the number of independent coordinates", len(mechanism.independent), len(positions))
-    yield from _wrong("the shape of the platform Jacobian", (len(pose), len(positions)), np.shape(jacobian))
+    yield from _check_equal(
+        "the number of independent coordinates", len(mechanism.independent), len(positions)
+    )
+    yield from _check_equal(
+        "the shape of the platform Jacobian", (len(pose), len(positions)), np.shape(jacobian)
+    )
     motion = np.shape(effects.extended_platform_motion(pose))
     subject = "the number of directions and rotations" if mechanism.rotations else "the number of directions"
-    yield from _wrong(subject, len(mechanism.platform), motion[0])
+    yield from _check_equal(subject, len(mechanism.platform), motion[0])
     torques = model.static_equilibrium(pose)[0]
-    yield from _wrong("the number of drives", len(mechanism.drives), len(torques))
+    yield from _check_equal("the number of drives", len(mechanism.drives), len(torques))
     motors = np.shape(effects.motor_motion())
     subject = "the shape of the motors' angles"
-    yield from _wrong(subject, (len(mechanism.drives), len(mechanism.extended.COORDINATES)), motors)
+    yield from _check_equal(subject, (len(mechanism.drives), len(mechanism.extended.COORDINATES)), motors)
     for margin in mechanism.margins:
         results = getattr(model, margin.function)(pose)
         shape = np.shape(results[margin.output] if isinstance(results, tuple) else (results,)[margin.output])
-        yield from _wrong(
+        yield from _check_equal(
             f"the shape of the names of {margin.function}", tuple(map(len, margin.names)), shape
         )
     requirements = [(model, requirement) for requirement in mechanism.requirements]
@@ -132,20 +144,27 @@ def _functions(mechanism: Mechanism) -> Iterator[str]:
     ]
     for generated, requirement in requirements:
         size = np.size(getattr(generated, requirement.function)())
-        yield from _wrong(f"the number of places of {requirement.function}", len(requirement.places), size)
+        yield from _check_equal(
+            f"the number of places of {requirement.function}", len(requirement.places), size
+        )
 
 
-def _drawing(mechanism: Mechanism) -> Iterator[str]:
-    drawing, drawn = mechanism.drawing, _of_sample(mechanism, mechanism.drawn)
+def _drawing_problems(mechanism: Mechanism) -> Iterator[str]:
+    drawing, drawn = mechanism.drawing, _bind_sample(mechanism, mechanism.drawn)
     pose = np.full(len(mechanism.pose), 0.1)
-    up = (np.tile([0.0, 0.0, 1.0], drawing.uprights),) if drawing.uprights else ()
-    points, motions = drawn.drawing_points(pose, *up), drawn.drawing_motion(pose, *up)
-    yield from _wrong("the number of drawn points", len(drawing.motions), len(points))
-    yield from _wrong("the number of their motions", max(drawing.motions) + 1, len(motions))
-    yield from _wrong("the number of springs", len(drawing.springs), len(drawn.springs(pose)[0]))
+    open_directions = (np.tile([0.0, 0.0, 1.0], drawing.uprights),) if drawing.uprights else ()
+    points, motions = (
+        drawn.drawing_points(pose, *open_directions),
+        drawn.drawing_motion(pose, *open_directions),
+    )
+    yield from _check_equal("the number of drawn points", len(drawing.motions), len(points))
+    yield from _check_equal("the number of their motions", max(drawing.motions) + 1, len(motions))
+    yield from _check_equal("the number of springs", len(drawing.springs), len(drawn.springs(pose)[0]))
     if drawing.uprights:
-        yield from _wrong("the number of uprights", drawing.uprights, len(drawn.drawing_directions(pose)))
+        yield from _check_equal(
+            "the number of uprights", drawing.uprights, len(drawn.drawing_directions(pose))
+        )
 
 
-def _of_sample(mechanism: Mechanism, module: Any) -> Generated:
-    return Generated(module, sample(mechanism), mechanism.extended.Effects())
+def _bind_sample(mechanism: Mechanism, module: Any) -> Generated:
+    return Generated(module, sample_parameters(mechanism), mechanism.extended.Effects())
