@@ -103,8 +103,8 @@ class ShaperOptions(OptionTable):
         default="10 %",
         show_default=True,
         passed=True,
-        help="Largest share of the vibration that the recommended shaper may leave at the worst pose, or of the "
-        "worst measured mode.",
+        help="Largest share of the largest vibration that the recommended shaper may leave, or of the worst measured "
+        "mode.",
     )
     length: float | None = option(
         "--length",
@@ -257,12 +257,12 @@ def _shapers_for_robot(
 
     def blocks() -> tuple[Summary, Sequence[Shown]]:
         from pkmodes.pages.report.firmware_lines import firmware_lines, schedule_lines
-        from pkmodes.pages.report.shaper import machine, shaper_summary, shapers_table
+        from pkmodes.pages.report.shaper import machine, shaper_summary, shapers_tables
         from pkmodes.pages.report.shaper_schedule import schedule_blocks
 
         printed: list[Shown] = [
             machine(model, choice, content),
-            shapers_table(choice),
+            *shapers_tables(choice),
             *schedule_blocks(choice),
             *firmware_lines(content),
             *schedule_lines(content),

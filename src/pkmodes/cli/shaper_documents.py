@@ -58,6 +58,31 @@ class LeftDocument(Document, frozen=True, omit_defaults=True):
     settings: SettingsOf = msgspec.field(name="set", default_factory=dict)
 
 
+class LeftAtPoseDocument(Document, frozen=True, omit_defaults=True):
+    """Vibration that a shaper leaves at each pose, relative to none at the same pose and setting."""
+
+    rms: Annotated[Size, Meta(description="Root mean square over the poses.")]
+    worst: Annotated[Size, Meta(description="Largest value.")]
+    pose: Annotated[list[float], Meta(description="Where it is largest, in SI units.")]
+    rms_uncertain: Annotated[
+        Size | None,
+        Meta(
+            description="rms with frequencies spread by the standard deviations of the robot file; null without any."
+        ),
+    ]
+    settings: SettingsOf = msgspec.field(name="set", default_factory=dict)
+
+
+#: What Klipper suggests as its ``max_accel``.
+MaxAcceleration = Annotated[
+    Size | None,
+    Meta(
+        description="Largest acceleration at which corners are smoothed by no more than 0.12 mm, as Klipper suggests "
+        "its max_accel [m/s^2]; null if it follows the pose."
+    ),
+]
+
+
 class CandidateDocument(Document, frozen=True):
     """A shaper."""
 
@@ -73,7 +98,11 @@ class CandidateDocument(Document, frozen=True):
     amplitudes: Annotated[list[float] | None, Meta(description="Of the impulses; their sum is 1.")]
     delays_s: Annotated[list[float] | None, Meta(description="Of the impulses [s].")]
     duration_s: Annotated[Size, Meta(description="Delay of the last impulse [s]; the longest of all poses.")]
+    max_acceleration: MaxAcceleration
     left: Annotated[LeftDocument, Meta(description="Vibration that it leaves.")]
+    left_at_pose: Annotated[
+        LeftAtPoseDocument, Meta(description="The same at each pose, relative to none at this pose.")
+    ]
 
 
 class StepDocument(Document, frozen=True, kw_only=True):
@@ -143,6 +172,9 @@ class ScheduleDocument(Document, frozen=True):
             description="Vibration that the schedule leaves over all settings, as for the shapers for all of them."
         ),
     ]
+    left_at_pose: Annotated[
+        LeftAtPoseDocument, Meta(description="The same at each pose and setting, relative to none there.")
+    ]
     steps: Annotated[list[StepDocument], Meta(description="In the order of the settings.")]
     firmware: Annotated[
         dict[str, str | None],
@@ -152,6 +184,22 @@ class ScheduleDocument(Document, frozen=True):
         ),
     ]
     firmware_versions: VersionsOf
+
+
+class AxisDocument(Document, frozen=True):
+    """Fixed shapers for one of several independent axes, and for the modes that it excites."""
+
+    axis: Annotated[str, Meta(description="Name of the axis.")]
+    modes: Annotated[Count, Meta(description="Number of modes that count, at most at a pose.")]
+    unshaped: Annotated[UnshapedDocument, Meta(description="Without a shaper, for a step along this axis.")]
+    shapers: Annotated[list[CandidateDocument], Meta(description="The best one of each kind.")]
+    recommended: Annotated[Count, Meta(description="Index of the recommended one.")]
+    schedule: Annotated[
+        ScheduleDocument | None,
+        Meta(
+            description="The shaper of each setting; null where no frequency of the axis changes with --set."
+        ),
+    ]
 
 
 class SpectrumDocument(Document, frozen=True):
@@ -200,12 +248,19 @@ class ShaperDocument(Document, frozen=True):
         list[CandidateDocument],
         Meta(description="The best fixed one of each kind, then those that follow the pose."),
     ]
-    recommended: Annotated[Count, Meta(description="Index of the recommended one, which is fixed.")]
+    recommended: Annotated[
+        Count, Meta(description="Index of the recommended one, which is fixed, and for all axes together.")
+    ]
+    axes: Annotated[
+        list[AxisDocument],
+        Meta(description="The shapers of each axis; empty unless the axes are independent."),
+    ]
     spectrum: SpectrumDocument | None
     firmware: Annotated[
         dict[str, str | None],
         Meta(
-            description="Lines for the current klipper, marlin and reprapfirmware; null where it has no such shaper."
+            description="Lines for the current klipper, marlin and reprapfirmware, of each axis where the axes are "
+            "independent; null where it has no such shaper."
         ),
     ]
     firmware_versions: VersionsOf
@@ -225,6 +280,7 @@ class MeasuredCandidateDocument(Document, frozen=True):
     amplitudes: Annotated[list[float], Meta(description="Of the impulses; their sum is 1.")]
     delays_s: Annotated[list[float], Meta(description="Of the impulses [s].")]
     duration_s: Annotated[Size, Meta(description="Delay of the last impulse [s].")]
+    max_acceleration: MaxAcceleration
     rounding_s2: Annotated[
         Size,
         Meta(
@@ -275,34 +331,53 @@ class MeasuredShaperDocument(Document, frozen=True):
 
 def shaper_document(model: Model, choice: Choice, spectrum: MeasuredSpectrum | None) -> ShaperDocument:
     """Return the result for a robot."""
-    from pkmodes.machine.shaping.choice import lines_of
     from pkmodes.machine.shaping.remarks import firmware_remarks
+    from pkmodes.machine.shaping.version_lines import current_lines
 
-    best = choice.candidates[choice.recommended]
     spectrum_part, spectrum_notes = SpectrumDocument.seen(spectrum, choice)
-    no_design = dict.fromkeys(("frequencies_hz", "damping_ratios", "amplitudes", "delays_s"))
-    shapers = [
-        CandidateDocument.of(
-            candidate,
-            **(no_design if candidate.follows_pose else _design(candidate)),
-            duration_s=candidate.duration,
-            left=_left(candidate.left),
-        )
-        for candidate in choice.candidates
-    ]
     return ShaperDocument(
         robot=model.robot.name,
         drives=cast("Drives", choice.ringing.drives),
         poses=len(choice.ringing.poses),
         modes=choice.ringing.frequencies.shape[1],
-        unshaped=UnshapedDocument.of(choice.unshaped, settings=_settings(choice.unshaped)),
-        shapers=shapers,
+        unshaped=_unshaped(choice),
+        shapers=_candidates(choice),
         recommended=choice.recommended,
+        axes=[_axis(axis, part) for axis, part in choice.by_axis.items()],
         spectrum=spectrum_part,
-        firmware=lines_of(best),
+        firmware=current_lines(choice),
         firmware_versions=lines_by_version(choice),
         schedule=None if choice.schedule is None else _schedule(choice, choice.schedule),
         notes=[*choice.notes, *firmware_remarks(choice), *spectrum_notes],
+    )
+
+
+def _unshaped(choice: Choice) -> UnshapedDocument:
+    return UnshapedDocument.of(choice.unshaped, settings=_settings(choice.unshaped))
+
+
+def _candidates(choice: Choice) -> list[CandidateDocument]:
+    no_design = dict.fromkeys(("frequencies_hz", "damping_ratios", "amplitudes", "delays_s"))
+    return [
+        CandidateDocument.of(
+            candidate,
+            **(no_design if candidate.follows_pose else _design(candidate)),
+            duration_s=candidate.duration,
+            left=_left(candidate.left),
+            left_at_pose=_left_at_pose(candidate.left_at_pose),
+        )
+        for candidate in choice.candidates
+    ]
+
+
+def _axis(axis: str, choice: Choice) -> AxisDocument:
+    return AxisDocument(
+        axis=axis,
+        modes=choice.ringing.modes,
+        unshaped=_unshaped(choice),
+        shapers=_candidates(choice),
+        recommended=choice.recommended,
+        schedule=None if choice.schedule is None else _schedule(choice, choice.schedule),
     )
 
 
@@ -322,13 +397,14 @@ def _schedule(choice: Choice, schedule: Schedule) -> ScheduleDocument:
             left=_left(step.best.left),
             left_at_ends=step.at_ends,
             left_by_fixed=step.fixed,
-            firmware=command_of(step.best),
+            firmware=command_of(step.best, schedule.axis),
         )
         for step in schedule.steps
     ]
     return ScheduleDocument(
         units=dict(schedule.steps[0].setting.units),
         left=_left(schedule.left),
+        left_at_pose=_left_at_pose(schedule.left_at_pose),
         steps=steps,
         firmware=schedule.lines(),
         firmware_versions=schedule_lines_by_version(choice, schedule),
@@ -341,6 +417,10 @@ def _settings(amplitude: Amplitude) -> dict[str, float]:
 
 def _left(amplitude: Amplitude) -> LeftDocument:
     return LeftDocument.of(amplitude, settings=_settings(amplitude))
+
+
+def _left_at_pose(amplitude: Amplitude) -> LeftAtPoseDocument:
+    return LeftAtPoseDocument.of(amplitude, settings=_settings(amplitude))
 
 
 def _design(candidate: Candidate) -> dict[str, list[float]]:
@@ -367,6 +447,7 @@ def measured_document(choice: Choice, spectrum: MeasuredSpectrum | None) -> Meas
                 kind=candidate.kind,
                 **_design(candidate),
                 duration_s=candidate.duration,
+                max_acceleration=candidate.max_acceleration,
                 rounding_s2=candidate.rounding,
                 left=at.shares(candidate),
             )

@@ -43,7 +43,7 @@ def over_frequency(choice: Choice, spectrum: MeasuredSpectrum | None) -> tuple[D
     ratio = f"{plain(100.0 * best.damping_ratio, 2)} %"
     caption = (
         f"What each shaper leaves of a mode at each frequency, for the damping ratio of the designs, {ratio}. The "
-        f"legend has the frequencies of each design, and the most that it leaves {at.where_most}."
+        f"legend has the frequencies of each design, and the most that it leaves {at.share_of}."
     )
     if len(fixed) < sum(not candidate.follows_pose for candidate in choice.candidates):
         caption += (
