@@ -213,7 +213,8 @@ class SpectrumDocument(Document, frozen=True):
     left: Annotated[
         Size,
         Meta(
-            description="What the recommended shaper leaves of a mode there with the damping ratio of its design."
+            description="What the recommended shaper leaves of a mode there with the damping ratio of its design; of "
+            "several axes, the one that leaves most."
         ),
     ]
 
@@ -224,9 +225,9 @@ class SpectrumDocument(Document, frozen=True):
             return None, []
         from pkmodes.machine.shaping.residual_vibration import residual
 
-        best = choice.candidates[choice.recommended]
         peak, at_mode = spectrum.highest_peak(choice.ringing.frequencies)
-        share = float(residual(best.shaper, peak, best.damping_ratio))
+        recommended = [part.best for part in choice.parts.values()]
+        share = max(float(residual(best.shaper, peak, best.damping_ratio)) for best in recommended)
         missing = (
             f"the highest peak of the spectrum, at {peak:.4g} Hz, is at none of the modes: a mode may be missing "
             f"or wrong; the recommended shaper leaves {plain(100.0 * share, 2)} % of a mode there"
@@ -438,7 +439,7 @@ def measured_document(choice: Choice, spectrum: MeasuredSpectrum | None) -> Meas
     from pkmodes.machine.shaping.remarks import firmware_remarks
 
     at = of_measured(choice)
-    data, best = at.data, choice.candidates[choice.recommended]
+    data, best = at.data, choice.best
     spectrum_part, spectrum_notes = SpectrumDocument.seen(spectrum, choice)
     shapers = []
     for candidate in choice.candidates:

@@ -222,9 +222,9 @@ class Ringing:
         beyond = float(self.unshaped.max() / np.median(self.unshaped))
         if beyond > DOMINATING:
             notes.append(
-                f"the machine rings {beyond:.0f} times as much at the worst {self.point_is} as at half of them: poses "
-                "near singular ones decide; give the part of the workspace that is used, as a grid or as [usable] in the "
-                "robot file"
+                f"the machine rings {beyond:.0f} times as much at the worst {self.point_is} as at half of them: "
+                "poses near singular ones decide; give the part of the workspace that is used, as a grid or as "
+                "[usable] in the robot file"
             )
         if not self.damping_ratios.any():
             notes.append(

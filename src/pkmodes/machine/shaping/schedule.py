@@ -170,7 +170,12 @@ def notes_of(schedule: Schedule) -> list[str]:
         notes.append(
             f"halfway between two settings the schedule{of} leaves up to {plain(100 * ends, 2)} %: give more values"
         )
-    lacking = [NAMES[name] for name, text in schedule.lines().items() if text is None]
+    shapers = {NAMES[name]: schedule.shapers_in(name) for name in NAMES}
+    if schedule.axis and (none := [title for title, kinds in shapers.items() if kinds is None]):
+        notes.append(f"no schedule{of} for {joined(none)}: it has no shaper for {schedule.axis} by itself")
+    lacking = [
+        title for name, title in NAMES.items() if shapers[title] is not None and schedule.differs_in(name)
+    ]
     if lacking and schedule.steps[0].choice.firmware is None:
         notes.append(
             f"{joined(lacking)} lack{'s' if len(lacking) == 1 else ''} a shaper of the schedule{of}: lines have the "

@@ -116,15 +116,18 @@ def shaper_summary(model: Model, choice: Choice, content: dict[str, Any]) -> Sum
                 Cell(_per_cent(best.left.worst), best.left.worst, largest),
             ),
             (f"{of}{MAX_ACCELERATION}", acceleration_cell(best, pointer(*place, "max_acceleration"))),
-            (
-                f"{of}largest vibration without, for a step of 1 m/s\u00b2",
-                Cell(
-                    f"{plain(1e6 * part.unshaped.worst, 3)} \u00b5m",
-                    part.unshaped.worst,
-                    pointer(*at, "unshaped", "worst"),
-                ),
-            ),
         ]
+    if not choice.by_axis:
+        facts.append(
+            (
+                "largest vibration without, for a step of 1 m/s\u00b2",
+                Cell(
+                    f"{plain(1e6 * choice.unshaped.worst, 3)} \u00b5m",
+                    choice.unshaped.worst,
+                    pointer("unshaped", "worst"),
+                ),
+            )
+        )
     return Summary(
         subject=f"{shortened(content['robot'])}, {choice.ringing.motors}",
         kind="Shaper",
@@ -261,16 +264,16 @@ def shapers_table(choice: Choice, axis: str = "", index: int = 0, *, recommends:
     point_is, points_are = choice.ringing.point_is, choice.ringing.points_are
     which = f" along {axis}" if axis else "" if recommends else ", with one shaper for all axes"
     caption = (
-        f"What shapers leave of the vibration{which}, at each {point_is} of that without a shaper: the root mean "
-        f"square over the {points_are}, and the largest value"
+        f"What shapers leave{which}, of the vibration without a shaper at the same {point_is}: the root mean square "
+        f"over the {points_are}, and the largest value"
     )
     if uncertain:
         caption += (
-            "; the root mean square where frequencies are spread by the standard deviations of the robot file"
+            "; the root mean square with frequencies spread by the standard deviations of the robot file"
         )
     caption += (
-        ". The largest vibration that is left anywhere, of the largest without a shaper (largest), decides. "
-        "max_accel [mm/s\u00b2] is what Klipper suggests."
+        ". The last share is of the largest vibration anywhere, and decides. max_accel [mm/s\u00b2] is what Klipper "
+        "suggests."
     )
     note = "* The recommended one." if recommends else ""
     if any(candidate.follows_pose for candidate in choice.candidates):
@@ -369,8 +372,8 @@ def _against_error(choice: Choice, axis: str = "") -> Picture:
         all_left = np.array([residual(impulses, f * (1.0 + error), ratios) for error in ERRORS])
         remaining[name] = 100.0 * np.sqrt(np.mean(np.sum((weights * all_left) ** 2, axis=2), axis=1)) / before
     caption = (
-        f"Root mean square over the {at.points_are} of the vibration{_along(axis)} that is left if all frequencies differ "
-        "from those of the model by the same share. Belts that are 10 % stiffer raise them by 5 %."
+        f"Root mean square over the {at.points_are} of the vibration{_along(axis)} that is left if all frequencies "
+        "differ from those of the model by the same share. Belts that are 10 % stiffer raise them by 5 %."
     )
     spread = None if at.spread is None else float(at.spread.mean())
     if spread is not None:

@@ -49,7 +49,7 @@ def measured_shaper_report(
 
 def measured_shaper_summary(choice: Choice, content: dict[str, Any]) -> Summary:
     """Return the recommended shaper, and what it leaves."""
-    best = choice.candidates[choice.recommended]
+    best = choice.best
     remaining = of_measured(choice).shares(best)
     at = ("shapers", choice.recommended, "left")
     modes, poses = plural(content["modes"], "measured mode"), plural(content["poses"], "pose")
