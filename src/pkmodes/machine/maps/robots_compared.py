@@ -32,6 +32,8 @@ ENDS = (0.02, 0.98)
 #: A mode is comparable if its partner differs at no more than this share of the poses, and the median MAC of the
 #: pairs is at least this.
 EXCHANGED, LIKE = 0.1, 0.8
+#: Modes with a smaller MAC are no pair: only one mode of a robot can have a larger one with a shape.
+PAIR = 0.5
 #: Smaller relative differences of a frequency count as none.
 NOTHING = 5e-5
 
@@ -45,7 +47,8 @@ class FrequencyChanges:
     - frequencies: of the first robot, (N, m) [Hz]; NaN where it cannot be evaluated
     - relative: frequency of the partner over that of the mode, minus 1, (N, m); NaN where there is no partner
     - partner: index among the vibration modes of the second robot, -1 for none, (N, m)
-    - mac: of the two shapes, by the mass matrix of the first robot at the coordinates that both have, (N, m)
+    - mac: of the two shapes, by the mass matrix of the first robot at the coordinates that both have, (N, m); NaN
+      without a partner
     - second_modes: the number m'
     """
 
@@ -94,7 +97,8 @@ class ModeChange(Document, frozen=True):
         ),
     ]
     exchanged: Annotated[
-        Probability | None, Meta(description="Share of the poses at which the partner has another number.")
+        Probability | None,
+        Meta(description="Share of the poses that both reach at which it has another partner, or none."),
     ]
     mac: Annotated[float | None, Meta(description="Median modal assurance criterion of the pairs.")]
 
@@ -173,11 +177,11 @@ def compare_robots(first: Model, second: Model, poses: Array, drives: str = FREE
 
 
 def largest_difference(modes: Sequence[ModeChange]) -> str:
-    """Return the largest difference of a mode that can be compared, as a sentence without a stop."""
+    """Return the largest difference of a mode that can be followed, as a sentence without a stop."""
     comparable = [mode for mode in modes if mode.comparable]
     if not comparable:
-        return "No mode of the first robot is one mode of the second throughout"
-    of = "" if len(comparable) == len(modes) else " of the modes that can be compared"
+        return "No mode can be followed from the first robot to the second"
+    of = "" if len(comparable) == len(modes) else " of the modes that can be followed"
     largest = max(comparable, key=lambda mode: abs(mode.median or 0.0))
     if abs(largest.median or 0.0) < NOTHING:
         return f"No frequency{of} changes"
@@ -186,22 +190,24 @@ def largest_difference(modes: Sequence[ModeChange]) -> str:
 
 
 def exchanging(modes: Sequence[ModeChange]) -> str:
-    """Return which modes have partners but cannot be compared, as a sentence without a stop; empty if none."""
+    """Return which modes have partners but cannot be followed, as a sentence without a stop; empty if none."""
     names = [str(mode.mode) for mode in modes if mode.poses and not mode.comparable]
     if not names:
         return ""
     several = len(names) > 1
     which = f"modes {', '.join(names[:-1])} and {names[-1]}" if several else f"mode {names[0]}"
     return (
-        f"{which} cannot be compared: the partner is another one at more than {100.0 * EXCHANGED:g} % of the poses, "
-        f"or the median MAC is below {LIKE:g}, so that {'their' if several else 'its'} quantiles mix motions"
+        f"{which} cannot be followed: at more than {100.0 * EXCHANGED:g} % of the poses the partner is another one "
+        f"or there is none, or the median MAC is below {LIKE:g}, so that {'their' if several else 'its'} quantiles mix "
+        "motions"
     )
 
 
 def compare_frequencies(first: Model, second: Model, poses: Array, drives: str = FREE) -> FrequencyChanges:
     """Evaluate two robots at the same poses and pair their modes at each of them.
 
-    The pairs are those with the largest sum of MAC, so a mode keeps its partner where frequencies cross or veer.
+    The pairs are those with the largest sum of MAC, so a mode keeps its partner where frequencies cross or veer; but
+    modes with a MAC below `PAIR` are none.
 
     - poses: where a robot cannot be evaluated, it is left out, (N, d)
     - drives: as for `pkmodes.Model.modes`
@@ -227,7 +233,7 @@ def compare_frequencies(first: Model, second: Model, poses: Array, drives: str =
 
 def mode_changes(changes: FrequencyChanges) -> tuple[ModeChange, ...]:
     """Return the distribution of each mode's difference over the poses."""
-    modes = []
+    modes, both = [], changes.counts.both
     for mode in range(changes.modes):
         paired = np.isfinite(changes.relative[:, mode])
         if not paired.any():
@@ -244,7 +250,7 @@ def mode_changes(changes: FrequencyChanges) -> tuple[ModeChange, ...]:
                 float(low),
                 float(high),
                 dominant + 1,
-                float((partner != dominant).mean()),
+                float(1.0 - (partner == dominant).sum() / both),
                 float(np.median(changes.mac[paired, mode])),
             )
         )
@@ -278,6 +284,8 @@ def _at(first: Model, second: Model, poses: Array, drives: str) -> tuple[NDArray
             mine, partners = np.arange(len(table)), table.argmax(axis=1)
             if len(np.unique(partners)) < len(partners):
                 mine, partners = linear_sum_assignment(table, maximize=True)
+            alike = table[mine, partners] >= PAIR
+            mine, partners = mine[alike], partners[alike]
             partner[row, mine] = partners
             relative[row, mine] = g[row, partners] / f[row, mine] - 1.0
             mac[row, mine] = table[mine, partners]
