@@ -196,10 +196,10 @@ def exchanging(modes: Sequence[ModeChange]) -> str:
         return ""
     several = len(names) > 1
     which = f"modes {', '.join(names[:-1])} and {names[-1]}" if several else f"mode {names[0]}"
+    whose = "their" if several else "its"
     return (
         f"{which} cannot be followed: at more than {100.0 * EXCHANGED:g} % of the poses the partner is another one "
-        f"or there is none, or the median MAC is below {LIKE:g}, so that {'their' if several else 'its'} quantiles mix "
-        "motions"
+        f"or there is none, or the median MAC is below {LIKE:g}, so that {whose} quantiles mix motions"
     )
 
 
