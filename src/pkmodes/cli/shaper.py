@@ -238,7 +238,7 @@ def _shapers_for_robot(
     options: ShaperOptions, spectrum: MeasuredSpectrum | None, sources: Sequence[Source]
 ) -> _Result:
     """Choose shapers for the modes of a robot file."""
-    from pkmodes.cli.shaper_documents import shaper_document
+    from pkmodes.cli.shaper_contents import shaper_document
 
     kinds = options.kind_names  # refused before a file is read
     model = load(cast("Path", options.robot))
@@ -298,7 +298,7 @@ def _shapers_for_measured(
     options: ShaperOptions, spectrum: MeasuredSpectrum | None, sources: Sequence[Source]
 ) -> _Result:
     """Choose shapers for measured modes."""
-    from pkmodes.cli.shaper_documents import measured_document
+    from pkmodes.cli.shaper_contents import measured_document
     from pkmodes.loop.updating.reading import read_any
     from pkmodes.machine.shaping.measured_modes import measured_shapers
 
