@@ -97,4 +97,5 @@ def _responses_at(response: FrequencyResponse, frequencies: Array, index: Index)
     points = response.poses[response.one(index)][None]
     linearised = LinearisedRobot(request.model, points, response.drives, AUTO)
     omega = 2.0 * np.pi * np.maximum(frequencies, 0.0)
-    return responses(linearised, request.inputs, request.outputs, omega, response.quantity)[0]
+    values = responses(linearised, request.inputs, request.outputs, omega, response.quantity)
+    return np.asarray(values[0], dtype=complex)
