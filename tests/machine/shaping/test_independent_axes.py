@@ -58,6 +58,13 @@ def test_a_shaper_for_each_axis_is_shorter_than_one_for_both(choice: Choice) -> 
     assert all(part.best.left.worst <= choice.left for part in choice.by_axis.values())
 
 
+def test_notes_on_what_is_recommended_are_those_of_each_axis(choice: Choice) -> None:
+    assert not any("no fixed shaper" in note for note in choice.notes)
+    strict = pkmodes.load(BED_SLINGER).with_values(DAMPING).shapers(POSES, ["zv"], left=0.01)
+    said = [note for note in strict.notes if "no fixed shaper" in note]
+    assert [note.partition(" no fixed shaper leaves at most 1 %")[0] for note in said] == ["on x", "on y"]
+
+
 def test_machines_whose_axes_share_modes_have_one_shaper() -> None:
     for robot, poses in (("corexy-printer", POSES), ("linear-delta-2022", [[0.6, 0.03, -0.25]])):
         assert pkmodes.load(ROOT / f"robots/{robot}.toml").shapers(poses, "zv").by_axis == {}

@@ -33,6 +33,8 @@ from pkmodes.machine.shaping.ringing import Ringing
 from pkmodes.machine.shaping.shapers import Shaper
 
 Array = NDArray[np.float64]
+#: How the note begins that no fixed shaper is good enough.
+NONE_GOOD = "no fixed shaper"
 #: Time between two commands of the controller [s].
 TICK = 1e-3
 #: Shortest shaper, in ticks: the impulses of a shorter one would coincide.
@@ -101,11 +103,11 @@ def choose(
     if firmware is not None:
         notes += _as_made(candidates, firmware)
     if short:
-        kept = {candidate.kind for candidate in candidates}
+        long_enough = {candidate.kind for candidate in candidates}
         listed: dict[str, None] = {}
         for candidate in short:
             which = f" of the {at.point_is}" if candidate.follows_pose else ", fixed"
-            listed[f"{candidate.kind}{which if candidate.kind in kept else ''}"] = None
+            listed[f"{candidate.kind}{which if candidate.kind in long_enough else ''}"] = None
         notes.append(
             f"{', '.join(listed)}: left out, shorter than two ticks of {numbers.plain(1e3 * tick, 3)} ms"
         )
@@ -181,24 +183,24 @@ def _recommended(
     notes: list[str] = []
     if best is None:
         fixed = [candidate for candidate in candidates if not candidate.follows_pose]
-        has = [
+        available = [
             candidate
             for candidate in fixed
             if firmware is None or setting(firmware, *candidate.design) is not None
         ]
-        if not has:
+        if not available:
             kinds = ", ".join(candidate.kind for candidate in fixed)
             problem = f"{version_name(firmware or '')} has none of the shapers compared: {kinds}"
             raise PkmodesError(problem, "firmware", "compare others, such as zv, mzv and ei")
         of = "" if firmware is None else f" that {version_name(firmware)} has"
         problem = f"no fixed shaper{of} lasts at most {1e3 * (length or 0.0):.4g} ms"
-        shortest = min(candidate.duration for candidate in has)
+        shortest = min(candidate.duration for candidate in available)
         raise PkmodesError(problem, "length", f"the shortest one lasts {1e3 * shortest:.4g} ms")
     if good:
         return best, notes
     of = "" if firmware is None else f" of {version_name(firmware)}"
     notes.append(
-        f"no fixed shaper{of} leaves at most {numbers.plain(100 * share, 3)} % {at.share_of}; the best one is "
+        f"{NONE_GOOD}{of} leaves at most {numbers.plain(100 * share, 3)} % {at.share_of}; the best one is "
         "recommended"
     )
     following = [

@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 #: Smoothing of corners to which Klipper limits the acceleration that it suggests [m], and its default speed at
 #: corners of 90 degrees (square_corner_velocity) [m/s].
 SMOOTHING, CORNER_SPEED = 0.12e-3, 5e-3
-#: A fixed shaper is good enough if it leaves at most this share of the vibration at the worst pose.
+#: A fixed shaper is good enough if it leaves at most this share of the largest vibration without a shaper.
 LEFT = 0.1
 
 
@@ -163,7 +163,7 @@ class Choice:
         Index of a fixed one.
     notes : tuple of str
     left : float
-        Share of the vibration at the worst pose that is good enough.
+        Share of the largest vibration without a shaper that is good enough.
     length : float or None
         Longest duration allowed [s].
     firmware : str or None
