@@ -437,21 +437,6 @@ class Description(Part, frozen=True, omit_defaults=True):
     terms: tuple[Term, ...] = ()
     moving_bodies: tuple[Name, ...] = ()
 
-    def moving_body(self, axis: str = "") -> str:
-        """Return what moves along an axis, without an article; without one, what moves along any.
-
-        Machines whose directions belong to several bodies have them all: "tool head (x) and bed (y)".
-        """
-        bodies = dict(zip(self.directions, self.moving_bodies, strict=False))
-        if axis or len(set(bodies.values())) < 2:
-            return bodies.get(axis or self.directions[0], "platform")
-        return " and ".join(f"{body} ({direction})" for direction, body in bodies.items())
-
-    def body_moves(self) -> str:
-        """Return a clause that says that they move: "platform moves", "tool head (x) and bed (y) move"."""
-        body = self.moving_body()
-        return f"{body} move" if len(set(self.moving_bodies)) > 1 else f"{body} moves"
-
     @property
     def components(self) -> tuple[Name, ...]:
         """The pose components that say where the platform is and how it is turned, in the order of `platform`."""

@@ -104,13 +104,13 @@ def test_shapers_are_a_table_of_what_they_leave() -> None:
     model = pkmodes.load("robots/corexy-printer.toml")
     choice = model.shapers([[0.1, 0.1], [0.2, 0.2]], ["zv", "mzv"])
     head, *rows = cells_of(choice._repr_html_())
-    assert head[:5] == ["shaper", "design [Hz]", "lasts [ms]", "left, rms [%]", "worst [%]"]
+    assert head[:5] == ["shaper", "design [Hz]", "lasts [ms]", "rms [%]", "worst [%]"]
     assert len(rows) == len(choice.candidates)
     for row, one in zip(rows, choice.candidates, strict=True):
         assert row[0].removesuffix(" *") == one.kind
         assert row[1] == ("of the pose" if one.follows_pose else f"{one.frequencies[0]:.2f}")
         assert [float(text) for text in row[2:5]] == pytest.approx(
-            [1e3 * one.duration, 100 * one.left.rms, 100 * one.left.worst], abs=0.06
+            [1e3 * one.duration, 100 * one.left_at_pose.rms, 100 * one.left_at_pose.worst], abs=0.06
         )
     assert [row[0].endswith(" *") for row in rows].index(True) == choice.recommended
 

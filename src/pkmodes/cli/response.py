@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Self
 
 import click
 import numpy as np
@@ -20,9 +20,27 @@ from pkmodes.cli.poses import pose_of, pose_option
 from pkmodes.cli.reporting import report_file
 from pkmodes.core.base.drives import Drives
 from pkmodes.core.base.errors import PkmodesError, shown
-from pkmodes.core.support.documents import Document
+from pkmodes.core.support.documents import Count, Document, Size
 from pkmodes.core.support.progress import say
 from pkmodes.machine.response.ports import QUANTITIES
+
+if TYPE_CHECKING:
+    from pkmodes.machine.response.resonances import Resonance
+
+
+class ResonanceDocument(Document, frozen=True):
+    """The strongest resonance of the channels with the unit of the first one, of measured ones if there are any."""
+
+    output: Annotated[str, Meta(description="Name of the output.")]
+    input: Annotated[str, Meta(description="Name of the input.")]
+    mode: Annotated[Count, Meta(description="Number of the vibration mode by frequency, from 1 on.")]
+    frequency_hz: Annotated[Size, Meta(description="Its undamped natural frequency [Hz].")]
+
+    @classmethod
+    def of_resonance(cls, resonance: Resonance) -> Self:
+        """Return the document of a resonance."""
+        output, _, into = resonance.channel.partition("/")
+        return cls(output=output, input=into, mode=resonance.mode, frequency_hz=resonance.frequency)
 
 
 class ResponseDocument(Document, frozen=True):
@@ -40,6 +58,10 @@ class ResponseDocument(Document, frozen=True):
         list[list[list[float]]], Meta(description="Real parts: for each frequency, outputs by inputs.")
     ]
     imaginary: Annotated[list[list[list[float]]], Meta(description="Imaginary parts, likewise.")]
+    resonance: Annotated[
+        ResonanceDocument | None,
+        Meta(description="The strongest resonance; null where no mode shows within the frequencies."),
+    ]
 
 
 @dataclass(frozen=True)
@@ -140,6 +162,9 @@ def response(options: ResponseOptions) -> None:
 
     Prints the largest response of each channel; --out writes the whole responses, --report a page with pictures.
     """
+    from pkmodes.machine.response.drawn_channels import DrawnChannels
+    from pkmodes.machine.response.resonances import resonance_of
+
     options.check_files()
     frequencies = _frequencies(options.frequencies, options.log)
     options.check_needs()
@@ -161,6 +186,13 @@ def response(options: ResponseOptions) -> None:
         system = None
         if options.model_file is not None:
             system = model.state_space(point, inputs, outputs, modes=options.modes, **passed)
+    measured = None
+    if options.measured is not None:
+        from pkmodes.machine.response.measured import read_response
+
+        measured = read_response(options.measured)
+    drawn = DrawnChannels.of(result, measured)
+    resonance = resonance_of(result, drawn) if len(frequencies) > 1 else None
     document = ResponseDocument.of(
         result,
         robot=model.robot.name,
@@ -168,12 +200,8 @@ def response(options: ResponseOptions) -> None:
         frequencies_hz=result.frequencies.tolist(),
         real=result.values.real.tolist(),
         imaginary=result.values.imag.tolist(),
+        resonance=None if resonance is None else ResonanceDocument.of_resonance(resonance),
     )
-    measured = None
-    if options.measured is not None:
-        from pkmodes.machine.response.measured import read_response
-
-        measured = read_response(options.measured)
     files = [ResultFile(options.out, result.as_csv)]
     if options.figure is not None:
         from pkmodes.pages.figures.files import image_bytes
@@ -193,10 +221,8 @@ def response(options: ResponseOptions) -> None:
 
     def show() -> None:
         from pkmodes.cli.terminal import Terminal
-        from pkmodes.machine.response.drawn_channels import DrawnChannels
         from pkmodes.pages.report.response import largest_responses_table, response_summary
 
-        drawn = DrawnChannels.of(result, measured)
         Terminal().result(response_summary(model, result, drawn), largest_responses_table(drawn))
 
     deliver(options.json_file, document.as_json(), show, *files)

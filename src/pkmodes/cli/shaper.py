@@ -103,8 +103,8 @@ class ShaperOptions(OptionTable):
         default="10 %",
         show_default=True,
         passed=True,
-        help="Largest share of the vibration that the recommended shaper may leave at the worst pose, or of the "
-        "worst measured mode.",
+        help="Largest share of the largest vibration that the recommended shaper may leave, or of the worst measured "
+        "mode.",
     )
     length: float | None = option(
         "--length",
@@ -238,7 +238,7 @@ def _shapers_for_robot(
     options: ShaperOptions, spectrum: MeasuredSpectrum | None, sources: Sequence[Source]
 ) -> _Result:
     """Choose shapers for the modes of a robot file."""
-    from pkmodes.cli.shaper_documents import shaper_document
+    from pkmodes.cli.shaper_contents import shaper_document
 
     kinds = options.kind_names  # refused before a file is read
     model = load(cast("Path", options.robot))
@@ -257,12 +257,12 @@ def _shapers_for_robot(
 
     def blocks() -> tuple[Summary, Sequence[Shown]]:
         from pkmodes.pages.report.firmware_lines import firmware_lines, schedule_lines
-        from pkmodes.pages.report.shaper import machine, shaper_summary, shapers_table
+        from pkmodes.pages.report.shaper import machine, shaper_summary, shapers_tables
         from pkmodes.pages.report.shaper_schedule import schedule_blocks
 
         printed: list[Shown] = [
             machine(model, choice, content),
-            shapers_table(choice),
+            *shapers_tables(choice),
             *schedule_blocks(choice),
             *firmware_lines(content),
             *schedule_lines(content),
@@ -298,7 +298,7 @@ def _shapers_for_measured(
     options: ShaperOptions, spectrum: MeasuredSpectrum | None, sources: Sequence[Source]
 ) -> _Result:
     """Choose shapers for measured modes."""
-    from pkmodes.cli.shaper_documents import measured_document
+    from pkmodes.cli.shaper_contents import measured_document
     from pkmodes.loop.updating.reading import read_any
     from pkmodes.machine.shaping.measured_modes import measured_shapers
 

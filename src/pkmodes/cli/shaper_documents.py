@@ -2,31 +2,29 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Self, cast
+from typing import TYPE_CHECKING, Annotated, Self
 
 import msgspec
-import numpy as np
 from msgspec import Meta
 
 from pkmodes.core.base.drives import Drives
 from pkmodes.core.base.numbers import plain
 from pkmodes.core.support.documents import Count, Document, Number, Size
-from pkmodes.machine.shaping.measured_modes import LeftOfModes, of_measured
-from pkmodes.machine.shaping.version_lines import VersionLines, lines_by_version, schedule_lines_by_version
+from pkmodes.machine.shaping.measured_modes import LeftOfModes
+from pkmodes.machine.shaping.version_lines import VersionLines
 
 if TYPE_CHECKING:
-    from pkmodes.core.model import Model
     from pkmodes.machine.shaping.measured_spectrum import MeasuredSpectrum
-    from pkmodes.machine.shaping.results import Amplitude, Candidate, Choice, Schedule
+    from pkmodes.machine.shaping.results import Choice
 
 
 #: Settings of an operating point.
-SettingsField = Annotated[
+SettingsOf = Annotated[
     dict[str, float],
     Meta(description="Values of --set there, by path, in SI units; present only with --set."),
 ]
 #: Lines by version of the firmware, beside those for the current versions.
-VersionLinesField = Annotated[
+VersionsOf = Annotated[
     list[VersionLines],
     Meta(
         description="The same with the versions for which they are, and those for others where they differ."
@@ -40,7 +38,7 @@ class UnshapedDocument(Document, frozen=True, omit_defaults=True):
     rms: Annotated[Size, Meta(description="Root mean square over the poses [s^2].")]
     worst: Annotated[Size, Meta(description="Largest value [s^2].")]
     pose: Annotated[list[float], Meta(description="Where it is largest, in SI units.")]
-    settings: SettingsField = msgspec.field(name="set", default_factory=dict)
+    settings: SettingsOf = msgspec.field(name="set", default_factory=dict)
 
 
 class LeftDocument(Document, frozen=True, omit_defaults=True):
@@ -55,7 +53,32 @@ class LeftDocument(Document, frozen=True, omit_defaults=True):
             description="rms with frequencies spread by the standard deviations of the robot file; null without any."
         ),
     ]
-    settings: SettingsField = msgspec.field(name="set", default_factory=dict)
+    settings: SettingsOf = msgspec.field(name="set", default_factory=dict)
+
+
+class LeftAtPoseDocument(Document, frozen=True, omit_defaults=True):
+    """Vibration that a shaper leaves at each pose, relative to none at the same pose and setting."""
+
+    rms: Annotated[Size, Meta(description="Root mean square over the poses.")]
+    worst: Annotated[Size, Meta(description="Largest value.")]
+    pose: Annotated[list[float], Meta(description="Where it is largest, in SI units.")]
+    rms_uncertain: Annotated[
+        Size | None,
+        Meta(
+            description="rms with frequencies spread by the standard deviations of the robot file; null without any."
+        ),
+    ]
+    settings: SettingsOf = msgspec.field(name="set", default_factory=dict)
+
+
+#: What Klipper suggests as its ``max_accel``.
+MaxAcceleration = Annotated[
+    Size | None,
+    Meta(
+        description="Largest acceleration at which corners are smoothed by no more than 0.12 mm, as Klipper suggests "
+        "its max_accel [m/s^2]; null if it follows the pose."
+    ),
+]
 
 
 class CandidateDocument(Document, frozen=True):
@@ -73,7 +96,11 @@ class CandidateDocument(Document, frozen=True):
     amplitudes: Annotated[list[float] | None, Meta(description="Of the impulses; their sum is 1.")]
     delays_s: Annotated[list[float] | None, Meta(description="Of the impulses [s].")]
     duration_s: Annotated[Size, Meta(description="Delay of the last impulse [s]; the longest of all poses.")]
+    max_acceleration: MaxAcceleration
     left: Annotated[LeftDocument, Meta(description="Vibration that it leaves.")]
+    left_at_pose: Annotated[
+        LeftAtPoseDocument, Meta(description="The same at each pose, relative to none at this pose.")
+    ]
 
 
 class StepDocument(Document, frozen=True, kw_only=True):
@@ -143,6 +170,9 @@ class ScheduleDocument(Document, frozen=True):
             description="Vibration that the schedule leaves over all settings, as for the shapers for all of them."
         ),
     ]
+    left_at_pose: Annotated[
+        LeftAtPoseDocument, Meta(description="The same at each pose and setting, relative to none there.")
+    ]
     steps: Annotated[list[StepDocument], Meta(description="In the order of the settings.")]
     firmware: Annotated[
         dict[str, str | None],
@@ -151,7 +181,23 @@ class ScheduleDocument(Document, frozen=True):
             "firmware lacks one of the shapers."
         ),
     ]
-    firmware_versions: VersionLinesField
+    firmware_versions: VersionsOf
+
+
+class AxisDocument(Document, frozen=True):
+    """Fixed shapers for one of several independent axes, and for the modes that it excites."""
+
+    axis: Annotated[str, Meta(description="Name of the axis.")]
+    modes: Annotated[Count, Meta(description="Number of modes that count, at most at a pose.")]
+    unshaped: Annotated[UnshapedDocument, Meta(description="Without a shaper, for a step along this axis.")]
+    shapers: Annotated[list[CandidateDocument], Meta(description="The best one of each kind.")]
+    recommended: Annotated[Count, Meta(description="Index of the recommended one.")]
+    schedule: Annotated[
+        ScheduleDocument | None,
+        Meta(
+            description="The shaper of each setting; null where no frequency of the axis changes with --set."
+        ),
+    ]
 
 
 class SpectrumDocument(Document, frozen=True):
@@ -165,27 +211,28 @@ class SpectrumDocument(Document, frozen=True):
     left: Annotated[
         Size,
         Meta(
-            description="What the recommended shaper leaves of a mode there with the damping ratio of its design."
+            description="What the recommended shaper leaves of a mode there with the damping ratio of its design; of "
+            "several axes, the one that leaves most."
         ),
     ]
 
     @classmethod
-    def with_notes(cls, spectrum: MeasuredSpectrum | None, choice: Choice) -> tuple[Self | None, list[str]]:
-        """Return the document of a spectrum, and notes on it; None and no notes without a spectrum."""
+    def seen(cls, spectrum: MeasuredSpectrum | None, choice: Choice) -> tuple[Self | None, list[str]]:
+        """Return the document of a spectrum, and what is to be said of it; nothing without one."""
         if spectrum is None:
             return None, []
         from pkmodes.machine.shaping.residual_vibration import residual
 
-        best = choice.candidates[choice.recommended]
         peak, at_mode = spectrum.highest_peak(choice.ringing.frequencies)
-        left_fraction = float(residual(best.shaper, peak, best.damping_ratio))
-        missing_mode_note = (
+        recommended = [part.best for part in choice.parts.values()]
+        share = max(float(residual(best.shaper, peak, best.damping_ratio)) for best in recommended)
+        missing = (
             f"the highest peak of the spectrum, at {peak:.4g} Hz, is at none of the modes: a mode may be missing "
-            f"or wrong; the recommended shaper leaves {plain(100.0 * left_fraction, 2)} % of a mode there"
+            f"or wrong; the recommended shaper leaves {plain(100.0 * share, 2)} % of a mode there"
         )
-        return cls(
-            file=spectrum.source, peak_hz=peak, at_mode=at_mode, left=left_fraction
-        ), [] if at_mode else [missing_mode_note]
+        return cls(file=spectrum.source, peak_hz=peak, at_mode=at_mode, left=share), [] if at_mode else [
+            missing
+        ]
 
 
 class ShaperDocument(Document, frozen=True):
@@ -200,15 +247,22 @@ class ShaperDocument(Document, frozen=True):
         list[CandidateDocument],
         Meta(description="The best fixed one of each kind, then those that follow the pose."),
     ]
-    recommended: Annotated[Count, Meta(description="Index of the recommended one, which is fixed.")]
+    recommended: Annotated[
+        Count, Meta(description="Index of the recommended one, which is fixed, and for all axes together.")
+    ]
+    axes: Annotated[
+        list[AxisDocument],
+        Meta(description="The shapers of each axis; empty unless the axes are independent."),
+    ]
     spectrum: SpectrumDocument | None
     firmware: Annotated[
         dict[str, str | None],
         Meta(
-            description="Lines for the current klipper, marlin and reprapfirmware; null where it has no such shaper."
+            description="Lines for the current klipper, marlin and reprapfirmware, of each axis where the axes are "
+            "independent; null where it has no such shaper."
         ),
     ]
-    firmware_versions: VersionLinesField
+    firmware_versions: VersionsOf
     schedule: Annotated[
         ScheduleDocument | None,
         Meta(description="The shaper of each setting; null unless --set gives several values."),
@@ -225,6 +279,7 @@ class MeasuredCandidateDocument(Document, frozen=True):
     amplitudes: Annotated[list[float], Meta(description="Of the impulses; their sum is 1.")]
     delays_s: Annotated[list[float], Meta(description="Of the impulses [s].")]
     duration_s: Annotated[Size, Meta(description="Delay of the last impulse [s].")]
+    max_acceleration: MaxAcceleration
     rounding_s2: Annotated[
         Size,
         Meta(
@@ -269,132 +324,5 @@ class MeasuredShaperDocument(Document, frozen=True):
             description="Lines for the current klipper, marlin and reprapfirmware; null where it has no such shaper."
         ),
     ]
-    firmware_versions: VersionLinesField
+    firmware_versions: VersionsOf
     notes: Annotated[list[str], Meta(description="What the reader should know.")]
-
-
-def shaper_document(model: Model, choice: Choice, spectrum: MeasuredSpectrum | None) -> ShaperDocument:
-    """Return the result for a robot."""
-    from pkmodes.machine.shaping.choice import lines_of
-    from pkmodes.machine.shaping.remarks import firmware_remarks
-
-    best = choice.candidates[choice.recommended]
-    spectrum_part, spectrum_notes = SpectrumDocument.with_notes(spectrum, choice)
-    no_design = dict.fromkeys(("frequencies_hz", "damping_ratios", "amplitudes", "delays_s"))
-    shapers = [
-        CandidateDocument.of(
-            candidate,
-            **(no_design if candidate.follows_pose else _design_fields(candidate)),
-            duration_s=candidate.duration,
-            left=_left_document(candidate.left),
-        )
-        for candidate in choice.candidates
-    ]
-    return ShaperDocument(
-        robot=model.robot.name,
-        drives=cast("Drives", choice.ringing.drives),
-        poses=len(choice.ringing.poses),
-        modes=choice.ringing.frequencies.shape[1],
-        unshaped=UnshapedDocument.of(choice.unshaped, settings=_setting_values(choice.unshaped)),
-        shapers=shapers,
-        recommended=choice.recommended,
-        spectrum=spectrum_part,
-        firmware=lines_of(best),
-        firmware_versions=lines_by_version(choice),
-        schedule=None if choice.schedule is None else _schedule_document(choice, choice.schedule),
-        notes=[*choice.notes, *firmware_remarks(choice), *spectrum_notes],
-    )
-
-
-def _schedule_document(choice: Choice, schedule: Schedule) -> ScheduleDocument:
-    from pkmodes.machine.shaping.results import command_of
-
-    steps = [
-        StepDocument(
-            settings=dict(step.setting.values),
-            serves=None if step.serves is None else list(step.serves),
-            heights_m=None if step.heights is None else list(step.heights),
-            poses=len(step.choice.ringing.poses),
-            kind=step.best.kind,
-            **_design_fields(step.best),
-            duration_s=step.best.duration,
-            rounding_s2=step.best.rounding,
-            left=_left_document(step.best.left),
-            left_at_ends=step.at_ends,
-            left_by_fixed=step.fixed,
-            firmware=command_of(step.best),
-        )
-        for step in schedule.steps
-    ]
-    return ScheduleDocument(
-        units=dict(schedule.steps[0].setting.units),
-        left=_left_document(schedule.left),
-        steps=steps,
-        firmware=schedule.lines(),
-        firmware_versions=schedule_lines_by_version(choice, schedule),
-    )
-
-
-def _setting_values(amplitude: Amplitude) -> dict[str, float]:
-    return {} if amplitude.setting is None else dict(amplitude.setting.values)
-
-
-def _left_document(amplitude: Amplitude) -> LeftDocument:
-    return LeftDocument.of(amplitude, settings=_setting_values(amplitude))
-
-
-def _design_fields(candidate: Candidate) -> dict[str, list[float]]:
-    return {
-        "frequencies_hz": list(candidate.frequencies),
-        "damping_ratios": [candidate.damping_ratio] * len(candidate.frequencies),
-        "amplitudes": candidate.shaper.amplitudes.tolist(),
-        "delays_s": candidate.shaper.delays.tolist(),
-    }
-
-
-def measured_document(choice: Choice, spectrum: MeasuredSpectrum | None) -> MeasuredShaperDocument:
-    """Return the result for measured modes."""
-    from pkmodes.machine.shaping.choice import lines_of
-    from pkmodes.machine.shaping.remarks import firmware_remarks
-
-    measured = of_measured(choice)
-    data, best = measured.data, choice.candidates[choice.recommended]
-    spectrum_part, spectrum_notes = SpectrumDocument.with_notes(spectrum, choice)
-    shapers = []
-    for candidate in choice.candidates:
-        shapers.append(
-            MeasuredCandidateDocument(
-                kind=candidate.kind,
-                **_design_fields(candidate),
-                duration_s=candidate.duration,
-                rounding_s2=candidate.rounding,
-                left=measured.shares(candidate),
-            )
-        )
-    modes = []
-    for row, left_fraction, largest_fraction in zip(measured.rows, *measured.left_of(best), strict=True):
-        has_damping = np.isfinite(data.damping[row])
-        modes.append(
-            MeasuredModeDocument(
-                pose=data.labels[data.pose[row]],
-                line=int(data.lines[row]),
-                frequency_hz=float(data.frequency[row]),
-                sigma_hz=float(data.sigma[row]),
-                damping_ratio=float(data.damping[row]) if has_damping else measured.assumed,
-                left=float(left_fraction),
-                left_uncertain=float(largest_fraction),
-            )
-        )
-    return MeasuredShaperDocument(
-        measured=data.source,
-        drives=cast("Drives", measured.drives),
-        poses=len(np.unique(data.pose[measured.rows])),
-        modes=len(measured.rows),
-        shapers=shapers,
-        recommended=choice.recommended,
-        measured_modes=modes,
-        spectrum=spectrum_part,
-        firmware=lines_of(best),
-        firmware_versions=lines_by_version(choice),
-        notes=[*choice.notes, *firmware_remarks(choice), *spectrum_notes],
-    )

@@ -48,6 +48,18 @@ def test_modes_that_change_places_are_paired_by_their_shapes() -> None:
     assert [pair.mac for pair in without.pairs] == [None, None, None]
 
 
+def test_shapes_that_are_not_alike_are_no_pair() -> None:
+    """A MAC of 0.22, by hand cos^2 of the angle between the shapes: frequencies nearby do not make it one mode."""
+    cosine = np.sqrt(0.22)
+    shape, unlike = np.array([[1.0, 0.0, 0.0]]), np.array([[cosine, np.sqrt(1.0 - cosine**2), 0.0]])
+    found = compare_measurements(measured([50.0], shape), measured([51.0], unlike))
+    assert found.pairs == []
+    assert (found.changed, len(found.first_unpaired), len(found.second_unpaired)) == ("no_pairs", 1, 1)
+    alike = np.array([[np.sqrt(0.6), np.sqrt(0.4), 0.0]])
+    (pair,) = compare_measurements(measured([50.0], shape), measured([51.0], alike)).pairs
+    assert pair.mac == pytest.approx(0.6)
+
+
 def test_nothing_is_claimed_too_often_and_a_change_is_found() -> None:
     """1,000 pairs of measurements of 8 modes with normal errors: false claims at the level, 5 sigma nearly always."""
     rng = np.random.default_rng(20261128)

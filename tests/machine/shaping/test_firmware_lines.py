@@ -10,7 +10,7 @@ import pytest
 
 import pkmodes
 from pkmodes.machine.shaping import KINDS, residual, shaper
-from pkmodes.machine.shaping.firmware import change, command, firmware, setting
+from pkmodes.machine.shaping.firmware import VERSIONS, change, command, firmware, setting
 from pkmodes.machine.shaping.firmware_impulses import as_made
 from pkmodes.machine.shaping.version_lines import lines_by_version
 
@@ -61,7 +61,41 @@ def test_marlin_gets_m593_for_zv_and_fixed_time_motion_for_the_others() -> None:
     assert lines("2hump_ei")["marlin"] == "M493 S1 X Y C6 A31.27 I0.0200 Q0.05"
     assert lines("zv*zv", (20.0, 33.0))["marlin"] is None
     # It accepts no damping ratio below 1 %.
-    assert firmware("zvd", (F,), 0.0, shaper("zvd", F, 0.0))["marlin"] == "M493 S1 X Y C2 A31.27 I0.0100"
+    assert firmware("zvd", (F,), 0.005, shaper("zvd", F, 0.005))["marlin"] == "M493 S1 X Y C2 A31.27 I0.0100"
+
+
+@pytest.mark.parametrize("kind", ["zv", "mzv", "2hump_ei"])
+def test_a_damping_ratio_of_zero_is_no_line_to_paste(kind: str) -> None:
+    """Klipper and Marlin get none and take their own; RepRapFirmware gets the impulses themselves."""
+    one = shaper(kind, F, 0.0)
+    for version in VERSIONS:
+        for text in (setting(version, kind, (F,), 0.0, one), change(version, kind, (F,), 0.0, one)):
+            assert text is not None
+            assert "damping" not in text.lower()
+            assert not re.search(r" [DSIJ]0\.0", text)
+            assert ('P"custom"' in text) == version.startswith("reprapfirmware")
+    assert setting("klipper", kind, (F,), 0.0, one) == (
+        f"[input_shaper]\nshaper_type: {kind}\nshaper_freq_x: 31.27\nshaper_freq_y: 31.27"
+    )
+
+
+def test_lines_without_a_damping_ratio_are_judged_with_that_of_the_firmware() -> None:
+    """zv of Klipper for a ratio of 0.1, by hand, on an undamped mode: |1 + K exp(i pi f/f0 ...)| / (1 + K)."""
+    choice = pkmodes.load(ROOT / "robots/corexy-printer.toml").shapers([[0.05, 0.05]], "zv", modes=1)
+    f = float(choice.ringing.frequencies[0, 0])
+    for option, ratio in (("klipper", 0.1), ("marlin", 0.15)):
+        decay = np.exp(-np.pi * ratio / np.sqrt(1.0 - ratio**2))
+        delay = 0.5 / (choice.best.frequencies[0] * np.sqrt(1.0 - ratio**2))
+        expected = abs(1.0 + decay * np.exp(2j * np.pi * f * delay)) / (1.0 + decay)
+        (line,) = [line for line in lines_by_version(choice) if line.option == option]
+        assert line.worst_at_pose == pytest.approx(expected, rel=1e-6)
+        assert line.worst_at_pose > 0.15
+    # Asked for by name, the shaper is designed for that ratio, and the line has it.
+    asked = pkmodes.load(ROOT / "robots/corexy-printer.toml").shapers(
+        [[0.05, 0.05]], "zv", firmware="klipper"
+    )
+    assert "damping_ratio_x: 0.1000" in str(lines_by_version(asked)[0].lines)
+    assert any("shapers are designed for 0.1, which Klipper takes by default" in note for note in asked.notes)
 
 
 def test_reprapfirmware_gets_its_names_where_it_has_them() -> None:
@@ -147,8 +181,8 @@ def test_reprapfirmware_before_3_6_gets_sums_and_times_between_impulses() -> Non
 
 def test_reprapfirmware_gets_the_impulses_of_mzv_where_its_own_are_in_reverse_order() -> None:
     assert str(lines("mzv")["reprapfirmware"]).startswith('M593 P"custom" H')
-    undamped = firmware("mzv", (F,), 0.0, shaper("mzv", F, 0.0))["reprapfirmware"]
-    assert undamped == 'M593 P"mzv" F31.27 S0.0000'
+    hardly_damped = firmware("mzv", (F,), 0.0005, shaper("mzv", F, 0.0005))["reprapfirmware"]
+    assert hardly_damped == 'M593 P"mzv" F31.27 S0.0005'
 
 
 def test_klipper_before_september_2025_has_no_limit_of_damping_ratios() -> None:

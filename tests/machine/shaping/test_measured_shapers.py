@@ -194,9 +194,8 @@ def test_the_command_says_what_is_left_of_each_mode_and_what_is_not_known(
     found = json.loads(file.read_text(encoding="utf-8"))
     assert (found["drives"], found["poses"], found["modes"], found["spectrum"]) == ("held", 2, 4, None)
     best = found["shapers"][found["recommended"]]
-    rows = printed_table(
-        printed, "shaper", "design [Hz]", "lasts [ms]", "worst [%]", "worst, 2 sigma [%]", "rounds [um]"
-    )
+    titles = ("shaper", "design [Hz]", "lasts [ms]", "worst [%]", "worst, 2 sigma [%]", "rounds [um]")
+    rows = printed_table(printed, *titles, "max_accel")
     assert rows[found["recommended"]][0] == f"{best['kind']} *"
     for row, one in zip(rows, found["shapers"], strict=True):
         assert row[3:5] == [f"{100.0 * one['left'][key]:.2f}" for key in ("worst", "worst_uncertain")]

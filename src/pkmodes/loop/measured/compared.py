@@ -43,6 +43,8 @@ Array = NDArray[np.float64]
 RowPair = tuple[int, int, float | None]
 #: Largest difference between the logarithms of the frequencies of one mode.
 MAX_FREQUENCY_DIFFERENCE = 0.25
+#: Rows whose shapes have a smaller MAC are not of one mode.
+LEAST_MAC_OF_PAIR = 0.5
 #: Difference between the logarithms of two frequencies that costs as much as shapes with a MAC of 0.
 DIFFERENCE_AT_ZERO_MAC = 0.1
 
@@ -251,12 +253,14 @@ def paired_rows(
 ) -> list[RowPair]:
     """Return pairs of rows at one pose with the MAC of each, so that frequencies and shapes agree best overall.
 
+    Rows that differ in frequency or shape by more than one mode can are no pair.
+
     - rows, second_rows: of the pose, in the first and in the second measurement
     """
     log_ratios = np.abs(np.log(second.frequency[second_rows][None, :] / first.frequency[rows][:, None]))
     macs = _mac_matrix(first, second, rows, second_rows)
     cost = log_ratios / DIFFERENCE_AT_ZERO_MAC + np.where(np.isfinite(macs), 1.0 - macs, 0.0)
-    is_too_far = log_ratios > MAX_FREQUENCY_DIFFERENCE
+    is_too_far = (log_ratios > MAX_FREQUENCY_DIFFERENCE) | (macs < LEAST_MAC_OF_PAIR)
     index_pairs = zip(*linear_sum_assignment(np.where(is_too_far, 1e6, cost)), strict=True)
     return [
         (int(rows[i]), int(second_rows[j]), float(macs[i, j]) if np.isfinite(macs[i, j]) else None)

@@ -33,6 +33,8 @@ RANGE_QUANTILES = (0.02, 0.98)
 #: A mode is comparable if its partner differs at no more than this share of the poses, and the median MAC of the
 #: pairs is at least this.
 MAX_EXCHANGED, MIN_MAC = 0.1, 0.8
+#: Modes with a smaller MAC are no pair: only one mode of a robot can have a larger one with a shape.
+MIN_PAIR_MAC = 0.5
 #: Smaller relative changes of a frequency are reported as none.
 NEGLIGIBLE_CHANGE = 5e-5
 
@@ -46,7 +48,8 @@ class FrequencyChanges:
     - frequencies: of the first robot, (N, m) [Hz]; NaN where it cannot be evaluated
     - relative: frequency of the partner over that of the mode, minus 1, (N, m); NaN where there is no partner
     - partner: index among the vibration modes of the second robot, -1 for none, (N, m)
-    - mac: of the two shapes, by the mass matrix of the first robot at the coordinates that both have, (N, m)
+    - mac: of the two shapes, by the mass matrix of the first robot at the coordinates that both have, (N, m); NaN
+      without a partner
     - second_modes: the number m'
     """
 
@@ -95,7 +98,8 @@ class ModeChange(Document, frozen=True):
         ),
     ]
     exchanged: Annotated[
-        Probability | None, Meta(description="Share of the poses at which the partner has another number.")
+        Probability | None,
+        Meta(description="Share of the poses that both reach at which it has another partner, or none."),
     ]
     mac: Annotated[float | None, Meta(description="Median modal assurance criterion of the pairs.")]
 
@@ -175,11 +179,11 @@ def compare_robots(first: Model, second: Model, poses: Array, drives: str | None
 
 
 def largest_difference_sentence(modes: Sequence[ModeChange]) -> str:
-    """Return a sentence, without a stop, on the largest difference of a mode that can be compared."""
+    """Return a sentence, without a stop, on the largest difference of a mode that can be followed."""
     comparable = [mode for mode in modes if mode.comparable]
     if not comparable:
-        return "No mode of the first robot is one mode of the second throughout"
-    scope = "" if len(comparable) == len(modes) else " of the modes that can be compared"
+        return "No mode can be followed from the first robot to the second"
+    scope = "" if len(comparable) == len(modes) else " of the modes that can be followed"
     largest = max(comparable, key=lambda mode: abs(mode.median or 0.0))
     if abs(largest.median or 0.0) < NEGLIGIBLE_CHANGE:
         return f"No frequency{scope} changes"
@@ -188,16 +192,16 @@ def largest_difference_sentence(modes: Sequence[ModeChange]) -> str:
 
 
 def incomparable_modes_sentence(modes: Sequence[ModeChange]) -> str:
-    """Return a sentence, without a stop, on the modes that have partners but cannot be compared; empty if none."""
+    """Return a sentence, without a stop, on the modes that have partners but cannot be followed; empty if none."""
     names = [str(mode.mode) for mode in modes if mode.poses and not mode.comparable]
     if not names:
         return ""
     several = len(names) > 1
     modes_text = f"modes {', '.join(names[:-1])} and {names[-1]}" if several else f"mode {names[0]}"
     return (
-        f"{modes_text} cannot be compared: the partner is another one at more than {100.0 * MAX_EXCHANGED:g} % of "
-        f"the poses, or the median MAC is below {MIN_MAC:g}, so that {'their' if several else 'its'} quantiles mix "
-        "motions"
+        f"{modes_text} cannot be followed: at more than {100.0 * MAX_EXCHANGED:g} % of the poses the partner is "
+        f"another one or there is none, or the median MAC is below {MIN_MAC:g}, so that "
+        f"{'their' if several else 'its'} quantiles mix motions"
     )
 
 
@@ -206,7 +210,8 @@ def compare_frequencies(
 ) -> FrequencyChanges:
     """Evaluate two robots at the same poses and pair their modes at each of them.
 
-    The pairs are those with the largest sum of MAC, so a mode keeps its partner where frequencies cross or veer.
+    The pairs are those with the largest sum of MAC, so a mode keeps its partner where frequencies cross or veer; but
+    modes with a MAC below `MIN_PAIR_MAC` are none.
 
     - poses: where a robot cannot be evaluated, it is left out, (N, d)
     - drives: as for `pkmodes.Model.modes`; by default as both robot files say
@@ -245,7 +250,7 @@ def _drives_of_both(first: Robot, second: Robot, drives: str | None) -> str:
 
 def mode_changes(changes: FrequencyChanges) -> tuple[ModeChange, ...]:
     """Return the distribution of each mode's difference over the poses."""
-    modes = []
+    modes, both = [], changes.counts.both
     for mode in range(changes.modes):
         paired = np.isfinite(changes.relative[:, mode])
         if not paired.any():
@@ -262,7 +267,7 @@ def mode_changes(changes: FrequencyChanges) -> tuple[ModeChange, ...]:
                 float(low),
                 float(high),
                 dominant + 1,
-                float((partner != dominant).mean()),
+                float(1.0 - (partner == dominant).sum() / both),
                 float(np.median(changes.mac[paired, mode])),
             )
         )
@@ -298,6 +303,8 @@ def _compare_at(first: Model, second: Model, poses: Array, drives: str) -> tuple
             modes, partners = np.arange(len(mac_table)), mac_table.argmax(axis=1)
             if len(np.unique(partners)) < len(partners):
                 modes, partners = linear_sum_assignment(mac_table, maximize=True)
+            is_pair = mac_table[modes, partners] >= MIN_PAIR_MAC
+            modes, partners = modes[is_pair], partners[is_pair]
             partner[row, modes] = partners
             relative[row, modes] = g[row, partners] / f[row, modes] - 1.0
             mac[row, modes] = mac_table[modes, partners]

@@ -43,10 +43,13 @@ class FrequencyResponse(Channels):
         NaN where a pose could not be evaluated.
     frequencies : ndarray, shape (F,)
         [Hz].
+    request : ResponseRequest
+        The robot and the ports that were requested.
     """
 
     values: Complex
     frequencies: Array
+    request: ResponseRequest
 
     def __repr__(self) -> str:
         shape = self.values.shape
@@ -246,6 +249,7 @@ def frequency_response(
         **request.fields(checked),
         values=nan_in_both_parts(np.asarray(values, dtype=complex)),
         frequencies=hertz,
+        request=request,
     )
 
 

@@ -156,10 +156,10 @@ def _least(kind: str, zeta: Array, f: Array, ratios: Array, weights: Array) -> A
 def following(kind: str, at: Ringing, fixed: Shaper) -> Shaper:
     """Return the best shaper of each pose, (N, n): that for its own modes, or a fixed one where this leaves less."""
     followed = own_shapers(kind, at)
-    mine, theirs = (
+    left_by_own, left_by_fixed = (
         at.shaped(residual(design, at.frequencies, at.damping_ratios)) for design in (followed, fixed)
     )
-    loses = (mine > theirs)[:, None]
+    loses = (left_by_own > left_by_fixed)[:, None]
     return Shaper(
         *(np.where(loses, fixed_part, own_part) for own_part, fixed_part in zip(followed, fixed, strict=True))
     )

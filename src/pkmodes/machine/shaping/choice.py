@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,17 +15,26 @@ from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.support.ordering import joined
 from pkmodes.core.support.progress import say
 from pkmodes.machine.shaping.at_poses import check_factors, following
-from pkmodes.machine.shaping.firmware import NAMES, VERSIONS, setting, version_name
+from pkmodes.machine.shaping.firmware import (
+    NAMES,
+    NO_DAMPING,
+    VERSIONS,
+    ratio_in_use,
+    setting,
+    version_name,
+)
 from pkmodes.machine.shaping.firmware import firmware as lines
 from pkmodes.machine.shaping.firmware_impulses import has_own
 from pkmodes.machine.shaping.fixed import best_fixed
-from pkmodes.machine.shaping.kinds import KINDS, PRODUCT, plain
+from pkmodes.machine.shaping.kinds import KINDS, PRODUCT, factors, plain
 from pkmodes.machine.shaping.residual_vibration import residual
-from pkmodes.machine.shaping.results import LEFT, Amplitude, Candidate, Choice
+from pkmodes.machine.shaping.results import LEFT, Amplitude, Candidate, Choice, recommended_of
 from pkmodes.machine.shaping.ringing import Ringing
 from pkmodes.machine.shaping.shapers import Shaper
 
 Array = NDArray[np.float64]
+#: How the note begins that no fixed shaper is good enough.
+NONE_GOOD = "no fixed shaper"
 #: Time between two commands of the controller [s].
 TICK = 1e-3
 #: Shortest shaper, in ticks: the impulses of a shorter one would coincide.
@@ -67,22 +78,24 @@ def choose(
         raise PkmodesError(
             "expected at least one kind of shaper, found none", "kinds", f"known: {', '.join(KINDS)}"
         )
-    both: list[Candidate] = []
+    compared: list[Candidate] = []
     all_names = (*names, *names) if follow and at.known_between else names
     for number, name in enumerate(all_names):
         say(f"shaper {number + 1} of {len(all_names)}: {name}")
         if number < len(names):
-            frequencies, fixed = best_fixed(name, at, firmware)
-            both.append(_candidate(name, False, frequencies, at.mean_ratio, fixed, at))
+            several_modes = firmware is None or len(factors(name)) > 1
+            zeta = at.mean_ratio if several_modes else ratio_in_use(firmware or "", name, at.mean_ratio)
+            frequencies, fixed = best_fixed(name, at, firmware, zeta)
+            compared.append(_candidate(name, False, frequencies, zeta, fixed, at))
         else:
-            followed = following(name, at, both[number - len(names)].shaper)
-            both.append(_candidate(name, True, (), np.nan, followed, at))
-    short = [candidate for candidate in both if np.min(candidate.shaper.durations) < TICKS * tick]
+            followed = following(name, at, compared[number - len(names)].shaper)
+            compared.append(_candidate(name, True, (), np.nan, followed, at))
+    short = [candidate for candidate in compared if np.min(candidate.shaper.durations) < TICKS * tick]
     candidates = tuple(
-        candidate for candidate in both if all(candidate is not excluded for excluded in short)
+        candidate for candidate in compared if all(candidate is not excluded for excluded in short)
     )
     if not any(not candidate.follows_pose for candidate in candidates):
-        longest = numbers.plain(1e3 * max(candidate.duration for candidate in both), 3)
+        longest = numbers.plain(1e3 * max(candidate.duration for candidate in compared), 3)
         two_ticks = f"two ticks of {numbers.plain(1e3 * tick, 3)} ms"
         problem = f"the shapers last {longest} ms at most, less than {two_ticks}"
         raise PkmodesError(problem, "tick", "shorten the tick, or choose a longer kind")
@@ -90,16 +103,51 @@ def choose(
     if firmware is not None:
         notes += _as_made(candidates, firmware)
     if short:
-        kept = {candidate.kind for candidate in candidates}
+        long_enough = {candidate.kind for candidate in candidates}
         listed: dict[str, None] = {}
         for candidate in short:
             which = f" of the {at.point_is}" if candidate.follows_pose else ", fixed"
-            listed[f"{candidate.kind}{which if candidate.kind in kept else ''}"] = None
+            listed[f"{candidate.kind}{which if candidate.kind in long_enough else ''}"] = None
         notes.append(
             f"{', '.join(listed)}: left out, shorter than two ticks of {numbers.plain(1e3 * tick, 3)} ms"
         )
     unshaped = _amplitude(at, at.unshaped)
-    return Choice(at, unshaped, candidates, recommended, (*at.notes(), *notes), left, length, firmware)
+    designed_for = sorted({candidate.damping_ratio for candidate in candidates if not candidate.follows_pose})
+    ratios = "none"
+    if firmware is not None and designed_for[-1] >= NO_DAMPING:
+        listed_ratios = joined([f"{ratio:g}" for ratio in designed_for if ratio >= NO_DAMPING])
+        ratios = f"{listed_ratios}, which {NAMES[VERSIONS[firmware].firmware]} takes by default"
+    all_notes = (*at.notes(ratios), *notes)
+    return Choice(at, unshaped, candidates, recommended, all_notes, left, length, firmware)
+
+
+def kinds_for(at: Ringing, kinds: Iterable[str] | None) -> Iterable[str] | None:
+    """Return the kinds with no more factors than modes count; None for those compared by default."""
+    if kinds is None:
+        return None
+    names = (kinds,) if isinstance(kinds, str) else kinds
+    return tuple(name for name in names if len(factors(name)) <= at.modes)
+
+
+def choices_by_axis(whole: Choice, kinds: Iterable[str] | None, tick: float) -> dict[str, Choice]:
+    """Return the choice of fixed shapers for each axis by itself; empty where the axes are not independent.
+
+    An axis has no products of more factors than it has modes.
+
+    - whole: the choice for all axes together
+    - kinds: as for `choose`
+    - tick: of that choice [s]
+
+    Empty as well if no kind is left for an axis, or none of them is long or short enough.
+    """
+    by_axis: dict[str, Choice] = {}
+    limits: Any = {"left": whole.left, "length": whole.length, "firmware": whole.firmware, "tick": tick}
+    for axis, at in whole.ringing.by_axis().items():
+        try:
+            by_axis[axis] = choose(at, kinds_for(at, kinds), follow=False, **limits)
+        except PkmodesError:
+            return {}
+    return by_axis
 
 
 def lines_of(candidate: Candidate) -> dict[str, str | None]:
@@ -123,32 +171,6 @@ def _as_made(candidates: Sequence[Candidate], version: str) -> list[str]:
     ]
 
 
-def recommended_of(
-    candidates: Sequence[Candidate], share: float, length: float | None, firmware: str | None
-) -> tuple[int | None, bool]:
-    """Return the index of the shortest fixed shaper that is good enough, or else of the best one.
-
-    - share: share at the worst pose that is good enough
-    - length: longest duration allowed [s]
-    - firmware: the version of a firmware that has it; None for any
-
-    Returns, in this order:
-    - index: None if none lasts at most `length`, or the firmware has none
-    - good: whether it is good enough
-    """
-    allowed = [
-        i
-        for i, candidate in enumerate(candidates)
-        if not candidate.follows_pose
-        and (length is None or candidate.duration <= length)
-        and (firmware is None or setting(firmware, *candidate.design) is not None)
-    ]
-    good = [i for i in allowed if candidates[i].left.worst <= share]
-    if good:
-        return min(good, key=lambda i: candidates[i].duration), True
-    return min(allowed, key=lambda i: candidates[i].left.worst, default=None), False
-
-
 def _recommended(
     candidates: tuple[Candidate, ...],
     share: float,
@@ -161,24 +183,24 @@ def _recommended(
     notes: list[str] = []
     if best is None:
         fixed = [candidate for candidate in candidates if not candidate.follows_pose]
-        has = [
+        available = [
             candidate
             for candidate in fixed
             if firmware is None or setting(firmware, *candidate.design) is not None
         ]
-        if not has:
+        if not available:
             kinds = ", ".join(candidate.kind for candidate in fixed)
             problem = f"{version_name(firmware or '')} has none of the shapers compared: {kinds}"
             raise PkmodesError(problem, "firmware", "compare others, such as zv, mzv and ei")
         of = "" if firmware is None else f" that {version_name(firmware)} has"
         problem = f"no fixed shaper{of} lasts at most {1e3 * (length or 0.0):.4g} ms"
-        shortest = min(candidate.duration for candidate in has)
+        shortest = min(candidate.duration for candidate in available)
         raise PkmodesError(problem, "length", f"the shortest one lasts {1e3 * shortest:.4g} ms")
     if good:
         return best, notes
     of = "" if firmware is None else f" of {version_name(firmware)}"
     notes.append(
-        f"no fixed shaper{of} leaves at most {numbers.plain(100 * share, 3)} % {at.where_most}; the best one is "
+        f"{NONE_GOOD}{of} leaves at most {numbers.plain(100 * share, 3)} % {at.share_of}; the best one is "
         "recommended"
     )
     following = [
@@ -197,7 +219,7 @@ def _recommended(
         )
         notes.append(
             f"following the {at.point_is}, {follower.kind} leaves {rest} "
-            f"{at.where_most}{spread}, and more while the machine moves (pkmodes.Model.simulate)"
+            f"{at.share_of}{spread}, and more while the machine moves (pkmodes.Model.simulate)"
         )
     return best, notes
 
@@ -207,7 +229,14 @@ def _candidate(
 ) -> Candidate:
     shaped = shaped_by(shaper, at)
     return Candidate(
-        kind, follows, frequencies, zeta, shaper, relative(shaper, at, shaped), shaped / at.unshaped
+        kind,
+        follows,
+        frequencies,
+        zeta,
+        shaper,
+        relative(shaper, at, shaped),
+        shaped / at.unshaped,
+        relative_at_pose(shaper, at, shaped),
     )
 
 
@@ -219,16 +248,33 @@ def shaped_by(shaper: Shaper, at: Ringing) -> Array:
 def relative(shaper: Shaper, at: Ringing, shaped: Array) -> Amplitude:
     """Return what a shaper leaves over all operating points, relative to no shaper."""
     amplitude, before = _amplitude(at, shaped), np.sqrt(np.mean(at.unshaped**2))
-    squares = [
-        share * np.mean(at.shaped(residual(shaper, f, at.damping_ratios)) ** 2) for share, f in at.at_spread()
-    ]
+    uncertain = _rms_uncertain(shaper, at, np.ones_like(at.unshaped))
     return Amplitude(
         float(amplitude.rms / before),
         float(amplitude.worst / at.unshaped.max()),
         amplitude.pose,
-        float(np.sqrt(sum(squares)) / before) if squares else None,
+        None if uncertain is None else float(uncertain / before),
         amplitude.setting,
     )
+
+
+def relative_at_pose(shaper: Shaper, at: Ringing, shaped: Array) -> Amplitude:
+    """Return what a shaper leaves at each operating point, relative to no shaper at the same one."""
+    return replace(
+        _amplitude(at, shaped / at.unshaped), rms_uncertain=_rms_uncertain(shaper, at, at.unshaped)
+    )
+
+
+def _rms_uncertain(shaper: Shaper, at: Ringing, reference: Array) -> float | None:
+    """Return the root mean square left with frequencies spread by their standard deviations; None without any.
+
+    - reference: that to which the vibration at each operating point is relative, (N,)
+    """
+    squares = [
+        share * np.mean((at.shaped(residual(shaper, f, at.damping_ratios)) / reference) ** 2)
+        for share, f in at.at_spread()
+    ]
+    return float(np.sqrt(sum(squares))) if squares else None
 
 
 def _amplitude(at: Ringing, values: Array) -> Amplitude:

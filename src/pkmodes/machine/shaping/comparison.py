@@ -9,7 +9,7 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from pkmodes.core.model import Model
-from pkmodes.machine.shaping.choice import TICK, choose
+from pkmodes.machine.shaping.choice import NONE_GOOD, TICK, choices_by_axis, choose, kinds_for
 from pkmodes.machine.shaping.results import LEFT, Choice
 from pkmodes.machine.shaping.ringing import ringing
 from pkmodes.machine.shaping.schedule import check_heights, notes_of, schedule_of, varying
@@ -46,7 +46,7 @@ def shapers_over(
     modes : int, optional
         The lowest modes that count; by default three.
     left : float
-        Share of the vibration that a fixed shaper may leave at the worst pose to be good enough.
+        Share of the largest vibration that a fixed shaper may leave to be good enough.
     length : float, optional
         Longest duration of a shaper [s].
     tick : float
@@ -68,8 +68,11 @@ def shapers_over(
     -------
     Choice
         ``candidates``, and ``recommended``: the index of the shortest fixed shaper that is good enough, else of
-        the one that leaves least at its worst pose.  At no pose those that follow it leave more than fixed ones.
+        that whose largest remaining vibration is smallest.  At no pose those that follow it leave more than fixed
+        ones.
         ``schedule``, with several settings: the shaper of each, chosen by the same rule over its poses.
+        ``by_axis``, where the axes are independent, as those of a bed slinger: the choice for each axis, with a
+        schedule if its frequencies change with the settings.
 
     Raises
     ------
@@ -87,7 +90,26 @@ def shapers_over(
     if kinds is not None and not isinstance(kinds, str):
         kinds = tuple(kinds)
     whole = choose(at, kinds, left=left, length=length, tick=tick, firmware=firmware)
-    if len(at.settings) < 2:
-        return whole
-    schedule = schedule_of(model, poses, whole, kinds, tick, height)
-    return replace(whole, schedule=schedule, notes=(*whole.notes, *notes_of(schedule)))
+    by_axis = choices_by_axis(whole, kinds, tick)
+    if len(at.settings) > 1:
+        schedule = schedule_of(model, poses, whole, kinds, tick, height)
+        for axis, choice in by_axis.items():
+            if choice.ringing.changes_with_settings:
+                usable = kinds_for(choice.ringing, kinds)
+                scheduled = schedule_of(model, poses, choice, usable, tick, height, axis)
+                by_axis[axis] = replace(choice, schedule=scheduled)
+        whole = replace(whole, schedule=schedule)
+    notes = list(whole.notes)
+    if by_axis:  # one shaper for all axes is not what is recommended
+        notes = [note for note in notes if not note.startswith(NONE_GOOD)]
+        notes += [
+            f"on {axis} {note}"
+            for axis, part in by_axis.items()
+            for note in part.notes
+            if note.startswith(NONE_GOOD)
+        ]
+    whole = replace(whole, by_axis=by_axis)
+    for part in whole.parts.values():
+        if part.schedule is not None:
+            notes += notes_of(part.schedule)
+    return replace(whole, notes=tuple(notes))

@@ -67,6 +67,13 @@ REPRAPFIRMWARE = {"zvd": "zvd", "zvdd": "zvdd", "mzv": "mzv", "2hump_ei": "ei2",
 #: Damping ratio up to which RepRapFirmware makes nearly the impulses of the design under these names.  Those of its
 #: mzv are in reverse order (tags 3.5.3 and 3.6.0-beta.1): the smallest one first.
 SAME = {"zvd": 0.99, "zvdd": 0.99, "mzv": 0.001, "2hump_ei": 0.03, "3hump_ei": 0.03}
+#: Smaller damping ratios are 0 in a line, and no machine has none: the line leaves it out, or has the impulses.
+NO_DAMPING = 5e-5
+#: Damping ratio of a shaper whose line has none: the default of Klipper (DEFAULT_DAMPING_RATIO) and of Marlin's
+#: fixed-time motion (FTM_SHAPING_ZETA_X), and of its M593 (SHAPING_ZETA_X), unless its configuration has another.
+DEFAULT_RATIO, MARLIN_ZV_RATIO = 0.1, 0.15
+#: Axes that the lines are for unless others are given.
+AXES = "xy"
 #: Most impulses of a custom shaper, and smallest difference of delays that is resolved [s].
 IMPULSES, APART = 5, 1e-5
 
@@ -96,55 +103,89 @@ def firmware(kind: str, frequencies: tuple[float, ...], zeta: float, shaper: Sha
     return {name: setting(name, kind, frequencies, zeta, shaper) for name in NAMES}
 
 
-def command(kind: str, frequencies: tuple[float, ...], zeta: float, shaper: Shaper) -> dict[str, str | None]:
+def command(
+    kind: str, frequencies: tuple[float, ...], zeta: float, shaper: Shaper, axes: str = AXES
+) -> dict[str, str | None]:
     """Return the G-code that changes the shaper during a print, by firmware; None where it has no such shaper.
 
-    - kind, frequencies, zeta, shaper: as for `firmware`
+    - kind, frequencies, zeta, shaper, axes: as for `setting`
     """
-    return {name: change(name, kind, frequencies, zeta, shaper) for name in NAMES}
+    return {name: change(name, kind, frequencies, zeta, shaper, axes) for name in NAMES}
 
 
 def setting(
-    version: str, kind: str, frequencies: tuple[float, ...], zeta: float, shaper: Shaper
+    version: str,
+    kind: str,
+    frequencies: tuple[float, ...],
+    zeta: float,
+    shaper: Shaper,
+    axes: str = AXES,
 ) -> str | None:
     """Return the lines of a configuration; None where the version has no such shaper.
 
     - version: a key of `VERSIONS`
     - kind, frequencies, zeta, shaper: as for `firmware`
+    - axes: those that the shaper is for
     """
     if VERSIONS[version].firmware != "klipper":
-        return change(version, kind, frequencies, zeta, shaper)
+        return change(version, kind, frequencies, zeta, shaper, axes)
     if not _in_klipper(version, kind, zeta):
         return None
-    lines = ["[input_shaper]", f"shaper_type: {kind}"]
-    lines += [f"shaper_freq_{axis}: {frequencies[0]:.2f}" for axis in "xy"]
-    return "\n".join(lines + [f"damping_ratio_{axis}: {zeta:.4f}" for axis in "xy"])
+    kinds = [f"shaper_type: {kind}"] if axes == AXES else [f"shaper_type_{axis}: {kind}" for axis in axes]
+    lines = ["[input_shaper]", *kinds, *(f"shaper_freq_{axis}: {frequencies[0]:.2f}" for axis in axes)]
+    ratios = [] if zeta < NO_DAMPING else [f"damping_ratio_{axis}: {zeta:.4f}" for axis in axes]
+    return "\n".join(lines + ratios)
 
 
 def change(
-    version: str, kind: str, frequencies: tuple[float, ...], zeta: float, shaper: Shaper
+    version: str,
+    kind: str,
+    frequencies: tuple[float, ...],
+    zeta: float,
+    shaper: Shaper,
+    axes: str = AXES,
 ) -> str | None:
     """Return the G-code that changes the shaper during a print; None where the version has no such shaper.
 
-    - version, kind, frequencies, zeta, shaper: as for `setting`
+    - version, kind, frequencies, zeta, shaper, axes: as for `setting`
     """
     f, name = frequencies[0], VERSIONS[version].firmware
     if name == "klipper":
         if not _in_klipper(version, kind, zeta):
             return None
-        axes = [f"SHAPER_FREQ_{axis}={f:.2f}" for axis in "XY"]
-        axes += [f"DAMPING_RATIO_{axis}={zeta:.4f}" for axis in "XY"]
-        return " ".join(["SET_INPUT_SHAPER", f"SHAPER_TYPE={kind}", *axes])
+        letters = axes.upper()
+        kinds = (
+            [f"SHAPER_TYPE={kind}"] if axes == AXES else [f"SHAPER_TYPE_{axis}={kind}" for axis in letters]
+        )
+        values = [f"SHAPER_FREQ_{axis}={f:.2f}" for axis in letters]
+        if zeta >= NO_DAMPING:
+            values += [f"DAMPING_RATIO_{axis}={zeta:.4f}" for axis in letters]
+        return " ".join(["SET_INPUT_SHAPER", *kinds, *values])
     if name == "marlin":
-        return _marlin(kind, f, zeta, by_axis=version == "marlin")
+        return _marlin(kind, f, zeta, axes.upper(), by_axis=version == "marlin")
+    if axes != AXES:
+        return None  # its shaper is for all axes
     if named(kind, zeta):
         return f'M593 P"{REPRAPFIRMWARE[kind]}" F{f:.2f} S{zeta:.4f}'
     return _impulses(shaper, whole=version == "reprapfirmware")
 
 
+def ratio_in_use(version: str, kind: str, zeta: float) -> float:
+    """Return the damping ratio for which a version makes a shaper of its line: its default where the line has none.
+
+    - version: a key of `VERSIONS`
+    - kind: of one mode
+    - zeta: damping ratio of the design
+    """
+    name = VERSIONS[version].firmware
+    if zeta >= NO_DAMPING or name == "reprapfirmware":
+        return zeta
+    return MARLIN_ZV_RATIO if name == "marlin" and kind == "zv" else DEFAULT_RATIO
+
+
 def named(kind: str, zeta: float) -> bool:
     """Return whether RepRapFirmware gets its name for a shaper: where it makes impulses near those of the design."""
-    return zeta <= SAME.get(kind, -1.0)
+    return NO_DAMPING <= zeta <= SAME.get(kind, -1.0)
 
 
 def _in_klipper(version: str, kind: str, zeta: float) -> bool:
@@ -152,17 +193,31 @@ def _in_klipper(version: str, kind: str, zeta: float) -> bool:
     return kind in KLIPPER and (version == "klipper-2025-08" or zeta <= KLIPPER[kind])
 
 
-def _marlin(kind: str, f: float, zeta: float, *, by_axis: bool) -> str | None:
-    """Return the command of Marlin, with X and Y as the axes that it is for, or in older ones with their shapers."""
+def _marlin(kind: str, f: float, zeta: float, axes: str, *, by_axis: bool) -> str | None:
+    """Return the command of Marlin, with X and Y as the axes that it is for, or in older ones with their shapers.
+
+    - axes: their letters
+    - by_axis: whether the letters of a value are the same for all axes, as from October 2025 on
+    """
+    damped = zeta >= NO_DAMPING
     if kind == "zv":
-        return f"M593 F{f:.2f} D{zeta:.4f}"
+        words = ["M593", *([] if axes == AXES.upper() else axes), f"F{f:.2f}"]
+        return " ".join([*words, *([f"D{zeta:.4f}"] if damped else [])])
     if kind not in MARLIN or f < LOWEST or zeta > MOST:
         return None
-    number, ratio, tolerant = MARLIN[kind], f"{max(zeta, LEAST):.4f}", kind in TOLERANT
-    if by_axis:
-        return f"M493 S1 X Y C{number} A{f:.2f} I{ratio}" + (f" Q{TOLERANCE:g}" if tolerant else "")
-    tolerance = f" Q{TOLERANCE:g} R{TOLERANCE:g}" if tolerant else ""
-    return f"M493 S1 X{number} Y{number} A{f:.2f} B{f:.2f} I{ratio} J{ratio}{tolerance}"
+    number, ratio, tolerance = MARLIN[kind], f"{max(zeta, LEAST):.4f}", f"{TOLERANCE:g}"
+    # Letters of frequency, damping ratio and tolerance: in older versions Y has its own.
+    letters = (
+        [("A", "I", "Q")]
+        if by_axis
+        else [("A", "I", "Q") if axis == "X" else ("B", "J", "R") for axis in axes]
+    )
+    words = ["M493", "S1", *(axes if by_axis else (f"{axis}{number}" for axis in axes))]
+    words += [f"C{number}"] if by_axis else []
+    words += [f"{frequency}{f:.2f}" for frequency, _, _ in letters]
+    words += [f"{letter}{ratio}" for _, letter, _ in letters] if damped else []
+    words += [f"{letter}{tolerance}" for _, _, letter in letters] if kind in TOLERANT else []
+    return " ".join(words)
 
 
 def _impulses(shaper: Shaper, *, whole: bool) -> str | None:

@@ -33,14 +33,17 @@ TOGETHER = 100
 STARTS, APART = 5, 3
 
 
-def best_fixed(kind: str, at: Ringing, version: str | None = None) -> tuple[tuple[float, ...], Shaper]:
+def best_fixed(
+    kind: str, at: Ringing, version: str | None = None, zeta: float | None = None
+) -> tuple[tuple[float, ...], Shaper]:
     """Return design frequencies [Hz], one for each factor, and the shaper, for the mean damping ratio.
 
     - at: of the machine
+    - zeta: the damping ratio of the design, if it is another one
     - version: of the firmware whose impulses count, a key of `pkmodes.machine.shaping.firmware.VERSIONS`; by default
       those of `pkmodes.shaping.shaper`, as for products
     """
-    names, zeta = factor_names(kind), at.mean_ratio
+    names, zeta = factor_names(kind), at.mean_ratio if zeta is None else zeta
     k, alike = len(names), len(set(names)) == 1
     version = None if k > 1 else version
     chosen = _chosen(at.unshaped, MOST // at.frequencies.shape[1])

@@ -76,8 +76,8 @@ class MeasuredRinging(Ringing):
         return False
 
     @property
-    def where_most(self) -> str:
-        """Where the largest remaining vibration is sought, in words."""
+    def share_of(self) -> str:
+        """What the largest remaining vibration is a share of, in words."""
         return f"of the worst measured mode within {WITHIN:g} standard deviations"
 
     def left_of(self, candidate: Candidate) -> tuple[Array, Array]:
@@ -94,8 +94,11 @@ class MeasuredRinging(Ringing):
             worst_uncertain=float(largest.max()),
         )
 
-    def notes(self) -> list[str]:
-        """Return notes on these modes for the reader."""
+    def notes(self, designed_for: str = "none") -> list[str]:
+        """Return notes on these modes for the reader.
+
+        - designed_for: the damping ratio of the designs where no mode has any, in words
+        """
         notes, data = [], self.data
         if self.left_out:
             are = "pose is" if self.left_out == 1 else "poses are"
@@ -119,6 +122,10 @@ class MeasuredRinging(Ringing):
                     f"whichever from {low:g} to {high:g} % leaves most counts instead (--damping gives one)"
                 )
             notes.append(f"{lacking} a damping ratio: {taken}")
+        if not self.damping_ratios.any():
+            notes.append(
+                f"no mode has damping: shapers are designed for {designed_for}; --damping gives a ratio"
+            )
         return notes
 
 

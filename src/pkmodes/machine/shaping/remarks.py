@@ -1,31 +1,59 @@
-"""What firmware makes of a recommended shaper, and what it offers instead of one that it lacks."""
+"""What firmware makes of a recommended shaper, and what it gets instead of one that it lacks."""
 
 from __future__ import annotations
 
 from pkmodes.core.base.numbers import plain
 from pkmodes.core.support.ordering import joined
-from pkmodes.machine.shaping.choice import lines_of, recommended_of
-from pkmodes.machine.shaping.firmware import LEAST, MARLIN, NAMES
+from pkmodes.machine.shaping.firmware import (
+    DEFAULT_RATIO,
+    LEAST,
+    MARLIN,
+    MARLIN_ZV_RATIO,
+    NAMES,
+    NO_DAMPING,
+)
 from pkmodes.machine.shaping.results import Choice
+from pkmodes.machine.shaping.version_lines import recommended_in, shapers_in_words
 
 
 def firmware_remarks(choice: Choice) -> list[str]:
     """Return sentences on firmware that lacks the recommended shaper, or makes a different one from its lines."""
-    best = choice.candidates[choice.recommended]
-    # For a firmware that lacks it, what would be recommended of the shapers that it has.
-    lacking: dict[str, list[str]] = {}
-    for name in (name for name, line in lines_of(best).items() if line is None):
-        index, good = recommended_of(choice.candidates, choice.left, choice.length, name)
-        if index is not None:
-            substitute = choice.candidates[index]
-            worst = f"{plain(100 * substitute.left.worst, 2)} % {choice.ringing.where_most}"
-            limit = f"{plain(100 * choice.left, 3)} %"
-            which = f"is the shortest that leaves at most {limit}" if good else "leaves least"
-            instead = f"of those compared that it has, {substitute.kind} {which}: {worst}"
-            lacking.setdefault(f"{instead} (--shapers {substitute.kind} prints its lines)", []).append(
-                NAMES[name]
+    recommended = {axis: part.best for axis, part in choice.parts.items()}
+    notes, substitutes = [], dict[str, list[str]]()
+    for name, title in NAMES.items():
+        shapers = recommended_in(name, choice)
+        if choice.by_axis and "" in shapers:
+            notes.append(
+                f"{title} has one shaper for all axes: its line is for {_leaving(choice, shapers[''].kind)}"
             )
-    notes = [f"no {best.kind} in {joined(names)}; {instead}" for instead, names in lacking.items()]
-    if best.kind in MARLIN and best.damping_ratio < LEAST:
+        elif not shapers:
+            notes.append(
+                f"{title} has none of the shapers compared: --shapers zv,mzv,ei compares some that it has"
+            )
+        elif any(shapers[axis].kind != recommended[axis].kind for axis in shapers):
+            kinds = " and ".join(
+                _leaving(choice.parts[axis], shaper.kind, f" on {axis}" if axis else "")
+                for axis, shaper in shapers.items()
+            )
+            substitutes.setdefault(kinds, []).append(title)
+    lacking = shapers_in_words(recommended)
+    notes += [
+        f"no {lacking} in {joined(titles)}: lines are for {kinds}" for kinds, titles in substitutes.items()
+    ]
+    ratios = [shaper.damping_ratio for shaper in recommended.values()]
+    if min(ratios) < NO_DAMPING:
+        notes.append(
+            f"lines of Klipper and Marlin without a damping ratio: Klipper then takes {DEFAULT_RATIO:g}, and Marlin "
+            f"what is set, {DEFAULT_RATIO:g} unless changed ({MARLIN_ZV_RATIO:g} by M593)"
+        )
+    elif any(shaper.kind in MARLIN and shaper.damping_ratio < LEAST for shaper in recommended.values()):
         notes.append(f"Marlin takes no damping ratio below {LEAST:g}: its line has this value")
     return notes
+
+
+def _leaving(choice: Choice, kind: str, on: str = "") -> str:
+    """Return a kind of fixed shaper, and the most that it leaves."""
+    shaper = next(
+        candidate for candidate in choice.candidates if candidate.kind == kind and not candidate.follows_pose
+    )
+    return f"{kind}{on}, which leaves up to {plain(100 * shaper.left.worst, 2)} % {choice.ringing.share_of}"

@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.attached import Attached
-from pkmodes.machine.shaping.firmware import NAMES, change, command
+from pkmodes.machine.shaping.firmware import AXES, NAMES, VERSIONS, change, command, setting
 from pkmodes.machine.shaping.ringing import Ringing
 from pkmodes.machine.shaping.settings import Setting, append_unit
 from pkmodes.machine.shaping.shapers import Shaper
 
 Array = NDArray[np.float64]
-#: A fixed shaper is good enough if it leaves at most this share of the vibration at the worst pose.
+#: Smoothing of corners to which Klipper limits the acceleration that it suggests [m], and its default speed at
+#: corners of 90 degrees (square_corner_velocity) [m/s].
+SMOOTHING, CORNER_SPEED = 0.12e-3, 5e-3
+#: A fixed shaper is good enough if it leaves at most this share of the largest vibration without a shaper.
 LEFT = 0.1
 
 
@@ -60,6 +64,8 @@ class Candidate:
         Relative to no shaper: the root mean square and the largest value over those without a shaper.
     left_at : ndarray, shape (N,)
         The same at each pose, relative to no shaper there.
+    left_at_pose : Amplitude
+        Root mean square and largest value of ``left_at``: at each pose relative to no shaper at the same pose.
     """
 
     kind: str
@@ -69,6 +75,7 @@ class Candidate:
     shaper: Shaper
     left: Amplitude
     left_at: Array
+    left_at_pose: Amplitude
 
     @property
     def duration(self) -> float:
@@ -91,6 +98,54 @@ class Candidate:
             0.5 * np.average((delays - np.average(delays, weights=amplitudes)) ** 2, weights=amplitudes)
         )
 
+    @property
+    def max_acceleration(self) -> float | None:
+        """Largest acceleration that Klipper would suggest [m/s^2]; None if the shaper follows the pose.
+
+        The one at which corners are smoothed by `SMOOTHING` (``find_shaper_max_accel`` of its shaper_calibrate.py):
+        where a move turns back, the distance from the command is `rounding` times the acceleration; at a corner of
+        90 degrees, passed at `CORNER_SPEED`, it is that of the impulses after their mean.  0 if a corner is smoothed
+        more at this speed alone.
+        """
+        if self.follows_pose:
+            return None
+        amplitudes, delays = self.shaper
+        later = np.maximum(delays - np.average(delays, weights=amplitudes), 0.0)
+        at_speed, at_acceleration = np.average([later, 0.5 * later**2], axis=1, weights=amplitudes)
+        corner = (SMOOTHING / np.sqrt(2.0) - CORNER_SPEED * at_speed) / at_acceleration
+        return max(0.0, float(min(corner, SMOOTHING / self.rounding)))
+
+
+def recommended_of(
+    candidates: Sequence[Candidate],
+    share: float,
+    length: float | None,
+    firmware: str | None,
+    axes: str = AXES,
+) -> tuple[int | None, bool]:
+    """Return the index of the shortest fixed shaper that is good enough, or else of the best one.
+
+    - share: share of the largest vibration that is good enough
+    - length: longest duration allowed [s]
+    - firmware: the version of a firmware that has it; None for any
+    - axes: those that the shaper is for
+
+    Returns, in this order:
+    - index: None if none lasts at most `length`, or the firmware has none
+    - good: whether it is good enough
+    """
+    allowed = [
+        i
+        for i, candidate in enumerate(candidates)
+        if not candidate.follows_pose
+        and (length is None or candidate.duration <= length)
+        and (firmware is None or setting(firmware, *candidate.design, axes) is not None)
+    ]
+    good = [i for i in allowed if candidates[i].left.worst <= share]
+    if good:
+        return min(good, key=lambda i: candidates[i].duration), True
+    return min(allowed, key=lambda i: candidates[i].left.worst, default=None), False
+
 
 @dataclass(frozen=True)
 class Choice:
@@ -108,13 +163,15 @@ class Choice:
         Index of a fixed one.
     notes : tuple of str
     left : float
-        Share of the vibration at the worst pose that is good enough.
+        Share of the largest vibration without a shaper that is good enough.
     length : float or None
         Longest duration allowed [s].
     firmware : str or None
         The version of a firmware that has the recommended one, and whose impulses all have; None for any.
     schedule : Schedule or None
         Fixed shapers for one setting each; None without several settings.
+    by_axis : mapping of str to Choice
+        The choice for each axis by itself, where the axes are independent; else empty.
     """
 
     ringing: Ringing
@@ -126,8 +183,32 @@ class Choice:
     length: float | None = None
     firmware: str | None = None
     schedule: Schedule | None = None
+    by_axis: Mapping[str, Choice] = field(default_factory=dict)
 
     _repr_html_ = Attached("pkmodes.pages.report.notebook:of_shapers")
+
+    @property
+    def best(self) -> Candidate:
+        """The recommended shaper."""
+        return self.candidates[self.recommended]
+
+    def best_in(self, version: str, axes: str = AXES, without: str = "") -> Candidate | None:
+        """Return the recommended shaper, or the best one that a version of a firmware has; None if it has none.
+
+        - version: such as ``"klipper"`` or ``"klipper-2025-08"``
+        - axes: those that the shaper is for
+        - without: a kind that does not count
+        """
+        if self.best.kind != without and setting(version, *self.best.design, axes) is not None:
+            return self.best
+        candidates = [candidate for candidate in self.candidates if candidate.kind != without]
+        index, _ = recommended_of(candidates, self.left, self.length, version, axes)
+        return None if index is None else candidates[index]
+
+    @property
+    def parts(self) -> Mapping[str, Choice]:
+        """The choices that count: by axis, or the choice for all axes under an empty name."""
+        return self.by_axis or {"": self}
 
 
 @dataclass(frozen=True)
@@ -161,7 +242,7 @@ class Step:
     @property
     def best(self) -> Candidate:
         """The shaper that serves."""
-        return self.choice.candidates[self.choice.recommended]
+        return self.choice.best
 
     @property
     def good(self) -> bool:
@@ -182,31 +263,45 @@ class Schedule:
     left : Amplitude
         What the shapers leave at their own settings, relative to no shaper over all settings: as for the fixed
         shapers of the `Choice`.
+    left_at_pose : Amplitude
+        The same relative to no shaper at the same pose and setting.
+    axis : str
+        The axis that it is for; empty for all.
     """
 
     steps: tuple[Step, ...]
     parameter: str | None
     left: Amplitude
+    left_at_pose: Amplitude
+    axis: str = ""
 
     def lines(self) -> dict[str, str | None]:
-        """Return the commands for the current version of each firmware; see `commands`."""
-        return {name: self.commands(name) for name in NAMES}
+        """Return the commands for the current version of each firmware; None where it lacks one of the shapers."""
+        return {name: None if self.differs_in(name) else self.commands(name) for name in NAMES}
+
+    def differs_in(self, version: str) -> bool:
+        """Whether a version of a firmware lacks one of the shapers: as for `commands`."""
+        shapers = self.shapers_in(version)
+        return shapers is None or [shaper.kind for shaper in shapers] != [
+            step.best.kind for step in self.steps
+        ]
 
     def commands(self, version: str) -> str | None:
         """Return the commands for a version of a firmware, each after a comment that says where it belongs.
 
-        None where the version lacks one of the shapers.
+        A shaper that the version lacks is replaced by the best one that it has; None if it has none.
 
         Parameters
         ----------
         version : str
             Such as ``"klipper"`` or ``"klipper-2025-08"``.
         """
-        lines = []
-        for step in self.steps:
-            text = change(version, *step.best.design)
-            if text is None:
-                return None
+        lines, axes = [], self.axis or AXES
+        shapers = self.shapers_in(version)
+        if shapers is None:
+            return None
+        for step, shaper in zip(self.steps, shapers, strict=True):
+            text = change(version, *shaper.design, axes) or ""
             where = str(step.setting)
             if self.parameter is not None and step.serves is not None:
                 low, high = (f"{value:.4g}" for value in step.serves)
@@ -217,7 +312,42 @@ class Schedule:
             lines += [f"; {where}", text]
         return "\n".join(lines)
 
+    def shapers_in(self, version: str) -> list[Candidate] | None:
+        """Return the shaper of each step that a version of a firmware has; None if it has none for one of them.
 
-def command_of(candidate: Candidate) -> dict[str, str | None]:
-    """Return the commands that set a fixed shaper between two moves, by firmware."""
-    return command(*candidate.design)
+        Parameters
+        ----------
+        version : str
+            As for `commands`.
+        """
+        by_step = {str(i): step.choice for i, step in enumerate(self.steps)}
+        shapers = shapers_in(version, dict.fromkeys(by_step, self.axis or AXES), by_step)
+        return None if shapers is None else list(shapers.values())
+
+
+def shapers_in(
+    version: str, axes: Mapping[str, str], choices: Mapping[str, Choice]
+) -> dict[str, Candidate] | None:
+    """Return the best shapers of several choices that a version of a firmware has; None if it has none for one.
+
+    Marlin has zv by M593, and others by fixed-time motion, which turns M593 off: it gets no mixture of both.
+
+    - version: a key of `pkmodes.machine.shaping.firmware.VERSIONS`
+    - axes: those that the shaper of each choice is for
+    - choices: under the same names
+    """
+    shapers = {name: choice.best_in(version, axes[name]) for name, choice in choices.items()}
+    kinds = {shaper.kind for shaper in shapers.values() if shaper is not None}
+    if VERSIONS[version].firmware == "marlin" and "zv" in kinds and len(kinds) > 1:
+        shapers = {name: choice.best_in(version, axes[name], "zv") for name, choice in choices.items()}
+    if any(shaper is None for shaper in shapers.values()):
+        return None
+    return {name: shaper for name, shaper in shapers.items() if shaper is not None}
+
+
+def command_of(candidate: Candidate, axis: str = "") -> dict[str, str | None]:
+    """Return the commands that set a fixed shaper between two moves, by firmware.
+
+    - axis: that for which they are; empty for all
+    """
+    return command(*candidate.design, axis or AXES)

@@ -30,6 +30,8 @@ Array = NDArray[np.float64]
 MODES = 3
 #: Ratio of the largest to the median amplitude above which a few poses decide everything.
 DOMINATING = 20.0
+#: A mode that a step along another axis excites less than this, relative to its own axis, belongs to its own.
+INDEPENDENT = 1e-6
 #: Relative difference below which frequencies count as equal.
 SAME = 1e-9
 #: Points and weights of the average over a normal distribution (Gauss-Hermite quadrature): exact for polynomials up
@@ -50,6 +52,12 @@ class Ringing:
     weights : ndarray, shape (N, m)
         Amplitude of the platform in each mode after a step of its acceleration by 1 m/s^2: the root of the sum of
         squares over the directions of the step [s^2].
+    steps : ndarray, shape (N, m, k), or None
+        The same for a step along each axis [s^2]; None where the axes are unknown.
+    axes : tuple of str
+        Their names, k of them.
+    modes_of_all : int
+        Of one of several axes: how many modes count for all of them together; else 0.
     spread : ndarray, shape (N, m), or None
         Relative standard deviations of the frequencies, from those in the robot file; None where it has none.
     left_out : int
@@ -74,6 +82,9 @@ class Ringing:
     setting: NDArray[np.intp] | None = None
     drives: str = HELD
     motors: str = motors_text([HELD])
+    steps: Array | None = None
+    axes: tuple[str, ...] = ()
+    modes_of_all: int = 0
 
     @cached_property
     def unshaped(self) -> Array:
@@ -90,14 +101,19 @@ class Ringing:
         return int(self.frequencies.shape[1])
 
     @property
+    def counted(self) -> int:
+        """How many of the lowest modes of the machine count at each pose, for all axes together."""
+        return self.modes_of_all or self.modes
+
+    @property
     def known_between(self) -> bool:
         """Whether shapers can be designed for any pose, so that they may follow it."""
         return True
 
     @property
-    def where_most(self) -> str:
-        """Where the largest remaining vibration is sought, in words."""
-        return f"at the worst {self.point_is}"
+    def share_of(self) -> str:
+        """What the largest remaining vibration is a share of, in words."""
+        return "of the largest vibration"
 
     @property
     def point_is(self) -> str:
@@ -126,10 +142,71 @@ class Ringing:
             left_out=0,
             settings=(self.settings[setting],),
             setting=np.zeros(int(np.count_nonzero(kept)), dtype=np.intp),
+            steps=None if self.steps is None else self.steps[kept],
         )
 
-    def notes(self) -> list[str]:
-        """Return notes on these modes for the reader."""
+    def by_axis(self) -> dict[str, Ringing]:
+        """Return the modes that a step along each axis excites, by its name, where the axes are independent.
+
+        They are if no mode answers to steps along two of them, as where each axis has its own belt: then a shaper for
+        one axis does nothing to the modes of another one.  Where a pose has fewer modes of an axis than another pose,
+        the missing ones have no weight.  Empty if the axes are not independent, or one of them has no mode.
+        """
+        if self.steps is None or len(self.axes) < 2 or not self.steps.any():
+            return {}
+        ascending = np.sort(self.steps, axis=-1)
+        if (ascending[..., -2] > INDEPENDENT * ascending[..., -1]).any():
+            return {}
+        excited = ascending[..., -1] > INDEPENDENT * ascending[..., -1].max(axis=-1, keepdims=True)
+        axis_of_mode = self.steps.argmax(axis=-1)
+        parts = {name: self._of_axis(k, excited & (axis_of_mode == k)) for k, name in enumerate(self.axes)}
+        return (
+            {} if None in parts.values() else {name: part for name, part in parts.items() if part is not None}
+        )
+
+    def _of_axis(self, axis: int, mask: NDArray[np.bool_]) -> Ringing | None:
+        """Return the modes of an axis; None if a setting has no pose with any.
+
+        - mask: which modes these are, (N, m)
+        """
+        kept = mask.any(axis=1)
+        if not kept.any() or (self.setting is not None and len(set(self.setting[kept])) < len(self.settings)):
+            return None
+        mask = mask[kept]
+        order = np.argsort(~mask, axis=1, kind="stable")[:, : int(mask.sum(axis=1).max())]
+        present = np.take_along_axis(mask, order, 1)
+        order = np.where(present, order, order[:, :1])
+
+        def chosen(values: Array) -> Array:
+            return np.asarray(np.take_along_axis(values[kept], order, 1))
+
+        assert self.steps is not None
+        return replace(
+            self,
+            poses=self.poses[kept],
+            frequencies=chosen(self.frequencies),
+            damping_ratios=chosen(self.damping_ratios),
+            weights=np.where(present, chosen(self.steps[..., axis]), 0.0),
+            spread=None if self.spread is None else chosen(self.spread),
+            setting=None if self.setting is None else self.setting[kept],
+            steps=None,
+            axes=(self.axes[axis],),
+            modes_of_all=self.modes,
+        )
+
+    @property
+    def changes_with_settings(self) -> bool:
+        """Whether a frequency differs between the settings."""
+        parts = [self.only(i).frequencies for i in range(len(self.settings))]
+        return len(parts) > 1 and not all(
+            part.shape == parts[0].shape and np.allclose(part, parts[0], SAME, 0.0) for part in parts
+        )
+
+    def notes(self, designed_for: str = "none") -> list[str]:
+        """Return notes on these modes for the reader.
+
+        - designed_for: the damping ratio of the designs where the machine has none, in words
+        """
         notes = []
         if self.left_out:
             are = "pose is" if self.left_out == 1 else "poses are"
@@ -137,23 +214,22 @@ class Ringing:
             notes.append(
                 f"{self.left_out} {are} left out{of}: not reachable, or a mode does not oscillate there"
             )
-        parts = [self.only(i).frequencies for i in range(len(self.settings))]
-        if len(parts) > 1 and all(
-            part.shape == parts[0].shape and np.allclose(part, parts[0], SAME, 0.0) for part in parts
-        ):
+        if len(self.settings) > 1 and not self.changes_with_settings:
             notes.append(
-                f"no frequency changes with the settings: {' and '.join(self.settings[0].values)} cannot be seen in "
-                "the modes that count"
+                f"no frequency changes with the settings: {' and '.join(self.settings[0].values)} cannot be "
+                "seen in the modes that count"
             )
         beyond = float(self.unshaped.max() / np.median(self.unshaped))
         if beyond > DOMINATING:
             notes.append(
-                f"the machine rings {beyond:.0f} times as much {self.where_most} as at half of them: poses near "
-                "singular ones decide; give the part of the workspace that is used, as a grid or as [usable] in the "
-                "robot file"
+                f"the machine rings {beyond:.0f} times as much at the worst {self.point_is} as at half of "
+                "them: poses near singular ones decide; give the part of the workspace that is used, as a "
+                "grid or as [usable] in the robot file"
             )
         if not self.damping_ratios.any():
-            notes.append("the robot file has no damping: shapers are designed for none; see [damping]")
+            notes.append(
+                f"the robot file has no damping: shapers are designed for {designed_for}; see [damping]"
+            )
         return notes
 
     @property
@@ -232,6 +308,8 @@ def at_settings(
         np.repeat(np.arange(len(parts)), [len(part.poses) for part in parts]),
         does,
         parts[0].motors,
+        np.concatenate([part.steps for part in parts if part.steps is not None]),
+        parts[0].axes,
     )
 
 
@@ -262,6 +340,8 @@ def _at_poses(
         int(np.count_nonzero(~good)),
         drives=drives,
         motors=motors_in_words(model.robot, drives),
+        steps=w[good],
+        axes=tuple(component.name for component in model.mechanism.pose)[: w.shape[-1]],
     )
 
 

@@ -19,7 +19,7 @@ from pkmodes.core.base.numbers import plain
 from pkmodes.core.model import Model
 from pkmodes.core.support.ordering import joined, listed
 from pkmodes.core.support.progress import say
-from pkmodes.machine.shaping.choice import choose, relative, shaped_by
+from pkmodes.machine.shaping.choice import choose, relative, relative_at_pose, shaped_by
 from pkmodes.machine.shaping.firmware import NAMES
 from pkmodes.machine.shaping.results import Choice, Schedule, Step
 from pkmodes.machine.shaping.ringing import Ringing, at_settings
@@ -46,6 +46,7 @@ def schedule_of(
     kinds: Iterable[str] | None,
     tick: float,
     height: Sequence[float] | None,
+    axis: str = "",
 ) -> Schedule:
     """Choose a fixed shaper for each setting, by the rule of the choice for all of them.
 
@@ -55,6 +56,7 @@ def schedule_of(
     - kinds: of the choice
     - tick: of the choice [s]
     - height: layer heights of the first and of the last value [m], between which the parameter grows evenly
+    - axis: that of the choice, where it is for one of several independent axes
 
     Raises PkmodesError if no shaper is long or short enough at a setting.
     """
@@ -68,16 +70,16 @@ def schedule_of(
             choices.append(choose(at.only(i), kinds, tick=tick, follow=False, **limits))
         except PkmodesError as error:
             raise type(error)(f"at {setting}: {error.what}", error.where, error.remedy) from None
-    best = [choice.candidates[choice.recommended].shaper for choice in choices]
+    best = [choice.best.shaper for choice in choices]
     scheduled = each_setting(best, at)
-    serves, ends = _between(model, poses, at, parameter, best)
+    serves, ends = _between(model, poses, at, parameter, best, axis)
     heights = []  # of the layers between which each shaper serves
     if serves and height is not None:
         values, layers = (serves[0][0], serves[-1][1]), tuple(map(float, height))
         heights = [
             (float(np.interp(a, values, layers)), float(np.interp(b, values, layers))) for a, b in serves
         ]
-    fixed = whole.candidates[whole.recommended].shaper
+    fixed = whole.best.shaper
     steps = [
         Step(
             setting,
@@ -89,7 +91,9 @@ def schedule_of(
         )
         for i, (setting, choice) in enumerate(zip(at.settings, choices, strict=True))
     ]
-    return Schedule(tuple(steps), parameter, relative(scheduled, at, shaped_by(scheduled, at)))
+    shaped = shaped_by(scheduled, at)
+    left, left_at_pose = relative(scheduled, at, shaped), relative_at_pose(scheduled, at, shaped)
+    return Schedule(tuple(steps), parameter, left, left_at_pose, axis)
 
 
 def varying(settings: Sequence[Setting]) -> str | None:
@@ -123,7 +127,7 @@ def each_setting(shapers: Sequence[Shaper], at: Ringing) -> Shaper:
 
 
 def _between(
-    model: Model, poses: ArrayLike, at: Ringing, parameter: str | None, best: Sequence[Shaper]
+    model: Model, poses: ArrayLike, at: Ringing, parameter: str | None, best: Sequence[Shaper], axis: str
 ) -> tuple[list[tuple[float, float]], list[float]]:
     """Return the values between which each shaper serves, and the most that it leaves halfway to its neighbours.
 
@@ -137,10 +141,12 @@ def _between(
     there = at_settings(
         model,
         poses,
-        at.modes,
+        at.counted,
         [Setting({**first.values, parameter: value}, first.units) for value in halfway],
         at.drives,
     )
+    if axis:
+        there = there.by_axis()[axis]
     ends = [0.0] * len(values)
     for k in range(len(halfway)):
         part = there.only(k)
@@ -153,21 +159,27 @@ def notes_of(schedule: Schedule) -> list[str]:
     """Return notes on the schedule for the reader."""
     notes, limit = [], f"{plain(100 * schedule.steps[0].choice.left, 3)} %"
     poor = [str(step.setting) for step in schedule.steps if not step.good]
+    of = f" of {schedule.axis}" if schedule.axis else ""
     if poor:
         notes.append(
-            f"at {listed(poor, NAMED, '; ')} no fixed shaper leaves at most {limit} at the worst pose: the best one "
-            "is scheduled"
+            f"at {listed(poor, NAMED, '; ')} no fixed shaper{of} leaves at most {limit} of the largest vibration: "
+            "the best one is scheduled"
         )
     ends = max((step.at_ends for step in schedule.steps if step.at_ends is not None), default=0.0)
     if ends > max(schedule.steps[0].choice.left, *(step.best.left.worst for step in schedule.steps)):
         notes.append(
-            f"halfway between two settings the schedule leaves up to {plain(100 * ends, 2)} %: give more values"
+            f"halfway between two settings the schedule{of} leaves up to {plain(100 * ends, 2)} %: give more values"
         )
-    lacking = [NAMES[name] for name, text in schedule.lines().items() if text is None]
+    shapers = {NAMES[name]: schedule.shapers_in(name) for name in NAMES}
+    if schedule.axis and (none := [title for title, kinds in shapers.items() if kinds is None]):
+        notes.append(f"no schedule{of} for {joined(none)}: it has no shaper for {schedule.axis} by itself")
+    lacking = [
+        title for name, title in NAMES.items() if shapers[title] is not None and schedule.differs_in(name)
+    ]
     if lacking and schedule.steps[0].choice.firmware is None:
         notes.append(
-            f"no schedule for {joined(lacking)}, which lack{'s' if len(lacking) == 1 else ''} one of its shapers; "
-            "--firmware NAME schedules only shapers that this firmware has"
+            f"{joined(lacking)} lack{'s' if len(lacking) == 1 else ''} a shaper of the schedule{of}: lines have the "
+            "best shapers that there are instead; --firmware NAME schedules only shapers that this firmware has"
         )
     if schedule.steps[0].heights is not None:
         notes.append(

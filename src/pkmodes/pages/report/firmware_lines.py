@@ -8,19 +8,23 @@ from pkmodes.machine.shaping.firmware import HOW_TO_FIND_VERSION
 from pkmodes.pages.report.blocks import Lines, Paragraph
 from pkmodes.pages.report.formatting import clean, per_cent
 
-#: Keys of the remaining vibration, in order of preference.
-WORST_KEYS = ("worst_uncertain", "worst")
-
 
 def firmware_lines(content: dict[str, Any]) -> list[Paragraph | Lines]:
-    """Return the lines for each version of a firmware that has the recommended shaper.
+    """Return the lines for each version of a firmware: of the recommended shaper, or of the best that it has.
 
     - content: the JSON of the command
     """
-    remaining = content["shapers"][content["recommended"]]["left"]
-    compared_share = next(remaining[key] for key in WORST_KEYS if key in remaining)
-    intro = "For the recommended shaper. Check which axes your firmware shapes: usually x and y, not z."
-    return _blocks(intro, content["firmware_versions"], compared_share, "", "{} has no such shaper.")
+    parts = content.get("axes") or [content]
+    recommended = [part["shapers"][part["recommended"]] for part in parts]
+    compared_share = max(
+        shaper["left_at_pose"]["worst"] if "left_at_pose" in shaper else shaper["left"]["worst_uncertain"]
+        for shaper in recommended
+    )
+    which = "shapers of each axis" if len(parts) > 1 else "shaper"
+    intro = f"For the recommended {which}. Check which axes your firmware shapes: usually x and y, not z."
+    return _blocks(
+        intro, content["firmware_versions"], compared_share, "", "{} has none of the shapers compared."
+    )
 
 
 def schedule_lines(content: dict[str, Any]) -> list[Paragraph | Lines]:
@@ -28,19 +32,33 @@ def schedule_lines(content: dict[str, Any]) -> list[Paragraph | Lines]:
 
     - content: the JSON of the command
     """
-    schedule = content["schedule"]
-    if schedule is None:
-        return []
+    if content["axes"]:
+        scheduled = [(axis["axis"], axis["schedule"]) for axis in content["axes"] if axis["schedule"]]
+        return [block for axis, schedule in scheduled for block in _schedule_lines(schedule, axis)]
+    return _schedule_lines(content["schedule"], "") if content["schedule"] else []
+
+
+def _schedule_lines(schedule: dict[str, Any], axis: str) -> list[Paragraph | Lines]:
+    """Return the lines of a schedule.
+
+    - schedule: its part of the JSON
+    - axis: that for which it is; empty for all
+    """
     by_layer = schedule["steps"][0]["heights_m"] is not None
     insert_at = (
         "before the first layer that begins at its height or above" if by_layer else "where its values begin"
     )
     intro = (
-        f"For the schedule: G-code, each line to be inserted {insert_at}. Klipper takes it if printer.cfg has a "
-        "section [input_shaper]."
+        f"For the schedule{' of ' + axis if axis else ''}: G-code, each line to be inserted {insert_at}. Klipper "
+        "takes it if printer.cfg has a section [input_shaper]."
     )
-    compared_share, missing_sentence = schedule["left"]["worst"], "{} lacks a shaper of the schedule."
-    return _blocks(intro, schedule["firmware_versions"], compared_share, ", schedule", missing_sentence)
+    missing_sentence = "{} has none of the shapers compared."
+    if axis:
+        intro += f" No line changes another axis than {axis}."
+        missing_sentence = f"{{}} has no shaper for {axis} by itself."
+    suffix = f", schedule of {axis}" if axis else ", schedule"
+    compared_share = schedule["left_at_pose"]["worst"]
+    return _blocks(intro, schedule["firmware_versions"], compared_share, suffix, missing_sentence)
 
 
 def _blocks(
@@ -53,24 +71,24 @@ def _blocks(
     - missing_sentence: for a version without lines, with a field for its name
     """
     remaining_by_version = {
-        version["version"]: per_cent(version["worst"]) for version in versions if version["worst"] is not None
+        version["version"]: per_cent(version["worst_at_pose"])
+        for version in versions
+        if version["worst_at_pose"] is not None
     }
     differing = {name for name, text in remaining_by_version.items() if text != per_cent(compared_share)}
     if differing:
         intro += (
-            " Some versions turn these lines into other impulses than those compared above: what these leave at "
-            f"most, instead of {per_cent(compared_share)}, is beside their names."
+            " Some versions lack a shaper, or turn these lines into other impulses than those compared above: what "
+            f"theirs leave at most, instead of {per_cent(compared_share)}, is beside their names."
         )
     blocks: list[Paragraph | Lines] = [Paragraph(intro)]
     for i, version in enumerate(versions):
         name, firmware = version["version"], version["firmware"]
         if version["lines"]:
             remaining_text = f", leaves {remaining_by_version[name]}" if name in differing else ""
-            blocks.append(
-                Lines(
-                    f"{name}{suffix}{remaining_text}", [clean(line) for line in version["lines"].splitlines()]
-                )
-            )
+            instead = f", {clean(version['shaper'])} instead" if version["instead"] else ""
+            lines = [clean(line) for line in version["lines"].splitlines()]
+            blocks.append(Lines(f"{name}{suffix}{instead}{remaining_text}", lines))
         else:
             blocks.append(Paragraph(missing_sentence.format(name)))
         so_far, later = (

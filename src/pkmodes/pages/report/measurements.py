@@ -53,7 +53,11 @@ def measurements_summary(result: MeasurementsCompared) -> Summary:
 def _judged(result: MeasurementsCompared) -> tuple[str, str, Colour]:
     """Return what the differences mean."""
     if result.changed == "no_pairs":
-        return "No mode has a partner", "No frequency of one is within 25 % of any of the other.", "bad"
+        return (
+            "No mode has a partner",
+            "No mode of one is within 25 % of any of the other, with a MAC of 0.5 where shapes are known.",
+            "bad",
+        )
     count = len(result.pairs)
     unpaired = len(result.first_unpaired) + len(result.second_unpaired)
     unpaired_note = f"; {plural(unpaired, 'mode')} without a partner" if unpaired else ""

@@ -25,7 +25,7 @@ from pkmodes.pages.report.diagnosis import verdict_headline
 from pkmodes.pages.report.formatting import figures, plural, sentence, unit, unit_cell
 from pkmodes.pages.report.numbers import errors, fitted_value_tables
 from pkmodes.pages.report.setting import ReportSetting
-from pkmodes.pages.report.shaper import shapers_table
+from pkmodes.pages.report.shaper import shapers_tables
 from pkmodes.pages.report.shaper_schedule import schedule_blocks
 
 Array = NDArray[np.float64]
@@ -115,7 +115,7 @@ def of_shapers(choice: Choice) -> str:
     if isinstance(choice.ringing, MeasuredRinging):
         return _html(shaper_measured.shapers_table(choice))
     doing = f"<p>{escape(sentence(choice.ringing.motors))}</p>"
-    return doing + "".join(map(_html, [shapers_table(choice), *schedule_blocks(choice)]))
+    return doing + "".join(map(_html, [*shapers_tables(choice), *schedule_blocks(choice)]))
 
 
 def of_comparison(result: Comparison) -> str:

@@ -17,6 +17,7 @@ from pkmodes.core.support.motors import motors_in_words
 from pkmodes.loop.sensitivity.spread import spread_of
 from pkmodes.machine.response.drawn_channels import DrawnChannels, most_responsive
 from pkmodes.machine.response.measured import MeasuredResponse
+from pkmodes.machine.response.resonances import resonance_of
 from pkmodes.pages.plots.labels import MINUS
 from pkmodes.pages.plots.responses import responses
 from pkmodes.pages.report.blocks import Block, Cell, Column, Picture, Section, Summary, Table
@@ -42,11 +43,13 @@ if TYPE_CHECKING:
     from pkmodes.core.robot.robot import Robot
     from pkmodes.machine.response.frequency_response import FrequencyResponse
 
+#: A measured peak belongs to a mode of the model if their frequencies differ by no more than this factor.
+NEAR = 1.25
 #: Channels in one figure, two by two.
 CHANNELS_PER_FIGURE = 4
 UNDAMPED_NOTE = (
-    "The robot file has no damping: a resonance has no height of its own, and its peak depends only on how near the "
-    "nearest frequency is. Add [damping] ratio."
+    "The robot file has no damping: a resonance has no height of its own, and its peak depends only on how near "
+    "the nearest frequency is. Add [damping] ratio."
 )
 
 
@@ -83,33 +86,36 @@ def response_report(
 
 
 def response_summary(model: Model, response: FrequencyResponse, drawn: DrawnChannels) -> Summary:
-    """Return which channel responds most, and where."""
+    """Return the strongest resonance of the channels of one unit, or which channel responds most without any."""
     pose_text = format_pose(model.mechanism, response.poses[response.one(())], "g").replace("-", MINUS)
     measured = {} if drawn.measured is None else drawn.measured.responses
     compared = {name: values for name, values in drawn.model.items() if name in measured} or drawn.model
-    name = most_responsive(compared, drawn.units)
-    output_port, _, input_port = name.partition("/")
-    peak = int(np.abs(drawn.model[name]).argmax())
     several = len(drawn.frequencies) > 1
-    # With one frequency, only the channel is named; with several, the frequency of the peak too.
-    if several:
-        headline = (
-            f"{clean(output_port)} responds most to {clean(input_port)} at "
-            f"{numbers.format_frequency(drawn.frequencies[peak])} Hz"
-        )
-    else:
-        headline = f"At {drawn.frequencies[0]:g} Hz {clean(output_port)} responds most to {clean(input_port)}"
-    if drawn.measured is not None and name in measured:
-        index = _largest_measured_index(drawn, measured[name])
-        if index is not None:
-            headline += f", measured at {numbers.format_frequency(drawn.measured.frequencies[index])} Hz"
     first, last = (float(drawn.frequencies[i]) for i in (0, -1))
+    resonance = resonance_of(response, drawn) if several else None
+    name = most_responsive(compared, drawn.units) if resonance is None else resonance.channel
+    output_port, _, input_port = name.partition("/")
+    most = f"{clean(output_port)} responds most to {clean(input_port)}"
+    if resonance is not None:
+        where = f"in mode {resonance.mode}, at {numbers.format_frequency(resonance.frequency)} Hz"
+        headline = f"{clean(output_port)} resonates most with {clean(input_port)} {where}"
+        if drawn.measured is not None and name in measured:
+            index = _measured_peak_near(drawn, measured[name], resonance.frequency)
+            if index is not None:
+                headline += f", measured at {numbers.format_frequency(drawn.measured.frequencies[index])} Hz"
+    elif several:
+        peak = numbers.format_frequency(drawn.frequencies[int(np.abs(drawn.model[name]).argmax())])
+        headline = f"No resonance from {first:g} to {last:g} Hz: {most} at {peak} Hz"
+    else:
+        headline = f"At {first:g} Hz {most}"
     facts = [
         ("channels", Cell(str(len(drawn.model)), len(drawn.model))),
         ("frequencies", Cell(f"{first:g} to {last:g} Hz"))
         if several
         else ("frequency", Cell(f"{first:g} Hz")),
     ]
+    if resonance is not None:
+        facts.append((f"mode {resonance.mode}", hertz_cell(resonance.frequency, "resonance", "frequency_hz")))
     if drawn.measured is not None:
         count = len(drawn.measured.responses)
         facts.append(("of the channels measured", Cell(str(count), count)))
@@ -120,7 +126,8 @@ def response_summary(model: Model, response: FrequencyResponse, drawn: DrawnChan
         which = "measured channels" if measured else "channels"
         unit_text = unit(drawn.units[name])
         channel_group = f"{which} in {unit_text}" if unit_text else f"dimensionless {which}"
-        reason += f" Of the {channel_group} this one has the largest response."
+        strongest = "the largest response" if resonance is None else "the strongest resonance"
+        reason += f" Of the {channel_group} this one has {strongest}."
     if meanings := [
         f"{clean(port)} is {words}"
         for port in (output_port, input_port)
@@ -136,6 +143,14 @@ def response_summary(model: Model, response: FrequencyResponse, drawn: DrawnChan
         facts=facts,
         head=head_of(model.robot.report),
     )
+
+
+def hertz_cell(frequency: float, *at: str) -> Cell:
+    """Return a frequency with its unit.
+
+    - at: its place in the JSON
+    """
+    return Cell(f"{numbers.format_frequency(frequency)} Hz", frequency, pointer(*at))
 
 
 def _notes(robot: Robot, drawn: DrawnChannels) -> Iterator[str]:
@@ -172,6 +187,18 @@ def _largest_measured_index(drawn: DrawnChannels, values: NDArray[Any]) -> int |
     frequencies = drawn.measured.frequencies
     inside = (frequencies >= drawn.frequencies[0]) & (frequencies <= drawn.frequencies[-1])
     return int(np.where(inside, np.abs(values), -1.0).argmax()) if inside.any() else None
+
+
+def _measured_peak_near(drawn: DrawnChannels, values: NDArray[Any], frequency: float) -> int | None:
+    """Return the index of the largest measured response around a mode [Hz]; None where none of them is a peak."""
+    assert drawn.measured is not None
+    f, size = drawn.measured.frequencies, np.abs(values)
+    near = (f >= frequency / NEAR) & (f <= frequency * NEAR) & (f >= drawn.frequencies[0])
+    near &= f <= drawn.frequencies[-1]
+    if not near.any():
+        return None
+    peak = int(np.where(near, size, -1.0).argmax())
+    return peak if size[peak] >= size[max(peak - 1, 0) : peak + 2].max() else None
 
 
 def _response_figures(drawn: DrawnChannels) -> list[Block]:

@@ -74,7 +74,7 @@ def _pictures(first: Model, second: Model, drives: str, places: PoseGrid | None)
     caption = (
         f"Relative difference of each frequency in {of}, {plane_in_words}: red where the second robot is "
         "higher, blue where it is lower, a line where they agree. One scale for all modes; 2 % of the values lie "
-        "beyond its ends. Blank where one of the robots cannot be evaluated."
+        "beyond its ends. Blank where one of the robots cannot be evaluated, or the mode has no partner."
     )
     drawn = relative_changes(plane, relative)
     picture = Picture.of(drawn, "Difference of the frequencies", caption, caption, cropped=True)

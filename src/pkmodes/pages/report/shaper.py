@@ -12,6 +12,8 @@ from pkmodes.core.base.numbers import plain
 from pkmodes.core.mechanism.poses import format_pose
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.robot.units import DISPLAY_UNITS
+from pkmodes.core.support.ordering import joined
+from pkmodes.machine.shaping.firmware import version_name
 from pkmodes.machine.shaping.residual_vibration import residual
 from pkmodes.machine.shaping.settings import append_unit
 from pkmodes.pages.plots import shapers
@@ -30,6 +32,8 @@ if TYPE_CHECKING:
     from pkmodes.machine.shaping.measured_spectrum import MeasuredSpectrum
     from pkmodes.machine.shaping.results import Candidate, Choice
 
+#: Title of the largest acceleration that Klipper suggests.
+MAX_ACCELERATION = "Klipper's max_accel, for corners smoothed by 0.12 mm"
 #: Relative errors of the frequencies in the second figure.
 ERRORS = np.linspace(-0.2, 0.2, 81)
 #: Most poses at which shapers are evaluated over the frequency error.
@@ -60,13 +64,20 @@ def shaper_report(
     """
     need_report()
     sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources
+    parts = choice.parts.items()
     sections = [
-        Section("shapers", "Shapers", [shapers_table(choice)]),
+        Section("shapers", "Shapers", shapers_tables(choice)),
         *([Section("schedule", "Schedule", table)] if (table := schedule_blocks(choice)) else []),
         Section("machine", "The machine", [machine(model, choice, content)]),
-        Section("workspace", "Over the workspace", [_over_workspace(model, choice)]),
+        Section(
+            "workspace", "Over the workspace", [_over_workspace(model, part, axis) for axis, part in parts]
+        ),
         *([] if spectrum is None else [over_frequency_section(choice, spectrum)]),
-        Section("errors", "Where frequencies differ from the model's", [_against_error(choice)]),
+        Section(
+            "errors",
+            "Where frequencies differ from the model's",
+            [_against_error(part, axis) for axis, part in parts],
+        ),
         Section("firmware", "Lines for firmware", [*firmware_lines(content), *schedule_lines(content)]),
         origin(sources, model.mechanism),
     ]
@@ -74,48 +85,85 @@ def shaper_report(
 
 
 def shaper_summary(model: Model, choice: Choice, content: dict[str, Any]) -> Summary:
-    """Return the recommended shaper, and what it leaves."""
-    best, unshaped = choice.candidates[choice.recommended], choice.unshaped
-    at = pointer("shapers", choice.recommended, "left", "worst")
-    share = float(best.left_at.max())
-    return Summary(
-        subject=f"{shortened(content['robot'])}, {choice.ringing.motors}",
-        kind="Shaper",
-        headline=f"{best.kind} leaves {plain(100.0 * best.left.worst, 2)} % of the largest vibration",
-        reason=(
-            f"The recommended fixed shaper, for {design_of(best)}. Where it leaves most, the vibration "
-            f"is {plain(100.0 * best.left.worst, 2)} % of the largest one without a shaper. {why_recommended(choice)}"
-        ),
-        notes=[as_sentence(clean(note)) for note in content["notes"]],
-        facts=[
-            ("lasts", Cell(f"{plain(1e3 * best.duration, 3)} ms", best.duration)),
+    """Return the recommended shaper, or that of each axis, and what it leaves at the worst pose."""
+    parts = choice.parts
+    worst = max(part.best.left_at_pose.worst for part in parts.values())
+    if choice.by_axis:
+        shapers = [f"{part.best.kind} on {axis} ({design_of(part.best)})" for axis, part in parts.items()]
+        headline = f"{joined(shapers)} leave up to {_share(worst)} at the worst {choice.ringing.point_is}"
+        reason = "The recommended fixed shapers: the axes are independent, so each has its own. " + " ".join(
+            f"On {axis} {_reason(part)}" for axis, part in parts.items()
+        )
+    else:
+        headline = f"{choice.best.kind} leaves up to {_share(worst)} at the worst {choice.ringing.point_is}"
+        reason = f"The recommended fixed shaper, for {design_of(choice.best)}. {sentence(_reason(choice))}"
+    facts = []
+    for i, (axis, part) in enumerate(parts.items()):
+        best, of, at = part.best, f"{axis}: " if axis else "", ("axes", i) if axis else ()
+        place = (*at, "shapers", part.recommended)
+        largest, on_pose = (pointer(*place, key, "worst") for key in ("left", "left_at_pose"))
+        facts += [
             (
-                "largest vibration left, of the largest without",
-                Cell(_per_cent(best.left.worst), best.left.worst, at),
+                f"{of}lasts",
+                Cell(f"{plain(1e3 * best.duration, 3)} ms", best.duration, pointer(*place, "duration_s")),
             ),
             (
-                f"most left at one {choice.ringing.point_is}, of the vibration there",
-                Cell(_per_cent(share), share),
+                f"{of}left at the worst {part.ringing.point_is}, of the vibration there",
+                Cell(_per_cent(best.left_at_pose.worst), best.left_at_pose.worst, on_pose),
             ),
+            (
+                f"{of}largest vibration left, of the largest without",
+                Cell(_per_cent(best.left.worst), best.left.worst, largest),
+            ),
+            (f"{of}{MAX_ACCELERATION}", acceleration_cell(best, pointer(*place, "max_acceleration"))),
+        ]
+    if not choice.by_axis:
+        facts.append(
             (
                 "largest vibration without, for a step of 1 m/s\u00b2",
                 Cell(
-                    f"{plain(1e6 * unshaped.worst, 3)} \u00b5m", unshaped.worst, pointer("unshaped", "worst")
+                    f"{plain(1e6 * choice.unshaped.worst, 3)} \u00b5m",
+                    choice.unshaped.worst,
+                    pointer("unshaped", "worst"),
                 ),
-            ),
-            *spectrum_facts(content),
-        ],
+            )
+        )
+    return Summary(
+        subject=f"{shortened(content['robot'])}, {choice.ringing.motors}",
+        kind="Shaper",
+        headline=headline,
+        reason=reason,
+        notes=[as_sentence(clean(note)) for note in content["notes"]],
+        facts=[*facts, *spectrum_facts(content)],
         head=head_of(model.robot.report),
     )
+
+
+def acceleration_cell(candidate: Candidate, json_pointer: str = "", *, unit: bool = True) -> Cell:
+    """Return the largest acceleration that Klipper would suggest in mm/s^2, rounded as Klipper does."""
+    value = candidate.max_acceleration
+    if value is None:
+        return number(None)
+    step = 100 if value >= 1.0 else 1
+    text = thousands(step * round(1e3 * value / step))
+    return Cell(f"{text} mm/s\u00b2" if unit else text, value, json_pointer)
+
+
+def _reason(choice: Choice) -> str:
+    """Return what the recommended shaper leaves of the largest vibration, and why it is recommended."""
+    share = _per_cent(choice.best.left.worst)
+    return f"it leaves at most {share} of the largest vibration without a shaper. {why_recommended(choice)}"
 
 
 def why_recommended(choice: Choice) -> str:
     """Return why it is recommended."""
     limit, length = choice.left, choice.length
     lasting = "" if length is None else f" that lasts at most {1e3 * length:.4g} ms"
-    if choice.candidates[choice.recommended].left.worst <= limit:
-        return f"It is the shortest fixed one{lasting} that leaves at most {plain(100.0 * limit, 3)} % there."
-    return f"No fixed one{lasting} leaves at most {plain(100.0 * limit, 3)} % there; it leaves least."
+    of = "" if choice.firmware is None else f" of {version_name(choice.firmware)}"
+    share = f"{plain(100.0 * limit, 3)} % of it"
+    if choice.best.left.worst <= limit:
+        return f"It is the shortest fixed one{of}{lasting} that leaves at most {share}."
+    return f"No fixed one{of}{lasting} leaves at most {share}; it leaves least."
 
 
 def as_sentence(text: str) -> str:
@@ -126,6 +174,11 @@ def as_sentence(text: str) -> str:
 
 def _per_cent(share: float) -> str:
     return f"{plain(100.0 * share, 3)} %" if share >= 1e-6 else "nothing"
+
+
+def _share(share: float) -> str:
+    """Return a share of the vibration for a headline."""
+    return f"{plain(100.0 * share, 2)} % of the vibration"
 
 
 def machine(model: Model, choice: Choice, content: dict[str, Any]) -> Facts:
@@ -162,9 +215,19 @@ def _range(values: NDArray[np.float64], form: str) -> str:
     return " to ".join(ends)
 
 
-def shapers_table(choice: Choice) -> Table:
-    """Return all shapers, and what each leaves."""
-    keys = {"rms": "left, rms [%]", "worst": "worst [%]", "rms_uncertain": "rms, uncertain [%]"}
+def shapers_tables(choice: Choice) -> list[Table]:
+    """Return all shapers with what each leaves: for each independent axis, and last for all axes together."""
+    tables = [shapers_table(part, axis, i) for i, (axis, part) in enumerate(choice.by_axis.items())]
+    return [*tables, shapers_table(choice, recommends=not tables)]
+
+
+def shapers_table(choice: Choice, axis: str = "", index: int = 0, *, recommends: bool = True) -> Table:
+    """Return shapers, and what each leaves.
+
+    - axis, index: that for which they are, and its number; empty for all
+    - recommends: whether one of them is recommended
+    """
+    keys = {"rms": "rms [%]", "worst": "worst [%]", "rms_uncertain": "rms, uncertain [%]"}
     uncertain = any(candidate.left.rms_uncertain is not None for candidate in choice.candidates)
     if not uncertain:
         del keys["rms_uncertain"]
@@ -173,10 +236,13 @@ def shapers_table(choice: Choice) -> Table:
         Column("design [Hz]", numbers=False),
         Column("lasts [ms]"),
         *(Column(title) for title in keys.values()),
+        Column("largest [%]"),
+        Column("max_accel"),
     ]
     rows = []
     for i, candidate in enumerate(choice.candidates):
-        strong = i == choice.recommended
+        strong = recommends and i == choice.recommended
+        at = (*(("axes", index) if axis else ()), "shapers", i)
         cells = [
             Cell(clean(candidate.kind) + (" *" if strong else ""), strong=strong),
             Cell(
@@ -184,28 +250,43 @@ def shapers_table(choice: Choice) -> Table:
                 if candidate.follows_pose
                 else ", ".join(f"{f:.2f}" for f in candidate.frequencies)
             ),
-            number(candidate.duration, ".1f", scale=1e3),
+            number(candidate.duration, ".1f", pointer(*at, "duration_s"), scale=1e3),
         ]
-        cells += [number(getattr(candidate.left, key), ".2f", scale=100.0) for key in keys]
+        cells += [
+            number(
+                getattr(candidate.left_at_pose, key), ".2f", pointer(*at, "left_at_pose", key), scale=100.0
+            )
+            for key in keys
+        ]
+        cells.append(number(candidate.left.worst, ".2f", pointer(*at, "left", "worst"), scale=100.0))
+        cells.append(acceleration_cell(candidate, pointer(*at, "max_acceleration"), unit=False))
         rows.append(cells)
+    point_is, points_are = choice.ringing.point_is, choice.ringing.points_are
+    which = f" along {axis}" if axis else "" if recommends else ", with one shaper for all axes"
     caption = (
-        f"What shapers leave of the vibration: the root mean square over the {choice.ringing.points_are}, of that "
-        "without a shaper; the largest value, of the largest without a shaper"
+        f"What shapers leave{which}, of the vibration without a shaper at the same {point_is}: the root mean "
+        f"square over the {points_are}, and the largest value"
     )
     if uncertain:
         caption += (
-            "; the root mean square where frequencies are spread by the standard deviations of the robot file"
+            "; the root mean square with frequencies spread by the standard deviations of the robot file"
         )
-    note = (
-        f"* The recommended one. Those of the {choice.ringing.point_is} are judged at rest and for the model as it "
-        "is: a move, and frequencies that differ from the model's, add to what they leave."
+    caption += (
+        ". The last share is of the largest vibration anywhere, and decides. max_accel [mm/s\u00b2] is what "
+        "Klipper suggests."
     )
-    return Table(f"{caption}.", columns, rows, note=note, heads=2)
+    note = "* The recommended one." if recommends else ""
+    if any(candidate.follows_pose for candidate in choice.candidates):
+        note += (
+            f" Those of the {point_is} are judged at rest and for the model as it is: a move, and frequencies "
+            "that differ from the model's, add to what they leave."
+        )
+    return Table(caption, columns, rows, note=note.strip(), heads=2)
 
 
 def _picked(choice: Choice) -> dict[str, Candidate]:
     """Return the recommended shaper, and the best one that follows the pose."""
-    best = choice.candidates[choice.recommended]
+    best = choice.best
     picked = {f"{best.kind}, fixed": best}
     following = [candidate for candidate in choice.candidates if candidate.follows_pose]
     if following:
@@ -214,9 +295,9 @@ def _picked(choice: Choice) -> dict[str, Candidate]:
     return picked
 
 
-def _over_workspace(model: Model, choice: Choice) -> Picture | Paragraph:
+def _over_workspace(model: Model, choice: Choice, axis: str = "") -> Picture | Paragraph:
     at, components = choice.ringing, model.mechanism.pose
-    worst = choice.candidates[choice.recommended].left
+    worst = choice.best.left
     part = np.arange(len(at.poses))
     if worst.setting is not None:
         number = at.settings.index(worst.setting)
@@ -228,12 +309,12 @@ def _over_workspace(model: Model, choice: Choice) -> Picture | Paragraph:
     }
     if not varying:
         share = ", ".join(f"{name}: {_per_cent(values[0] / 100.0)}" for name, values in shares.items())
-        return Paragraph(f"There is only one pose. Left of the vibration there: {share}.")
+        return Paragraph(f"There is only one pose. Left of the vibration there{_along(axis)}: {share}.")
     clear = [name for name, values in shares.items() if values.max() < FLAT]
     shares = {name: values for name, values in shares.items() if name not in clear} or shares
     named = [components[i].name for i in varying]
     units = [DISPLAY_UNITS[components[i].unit] for i in varying]
-    caption = "Vibration that is left, in per cent of the largest one without a shaper"
+    caption = f"Vibration that is left{_along(axis)}, in per cent of the largest one without a shaper"
     if len(choice.ringing.settings) > 1:
         caption += f", at {clean(worst.setting)}, where the recommended shaper leaves most"
     judged = ". A shaper that follows the pose is judged at rest; a move adds to it."
@@ -255,7 +336,12 @@ def _over_workspace(model: Model, choice: Choice) -> Picture | Paragraph:
             units,
             {name: share[plane] for name, share in shares.items()},
         )
-    return Picture.of(drawn, "Left over the workspace", caption + judged, caption + judged)
+    return Picture.of(drawn, f"Left over the workspace{_along(axis)}", caption + judged, caption + judged)
+
+
+def _along(axis: str) -> str:
+    """Return the axis that something is for, in words; empty for all."""
+    return f" along {axis}" if axis else ""
 
 
 def _plane(
@@ -268,7 +354,7 @@ def _plane(
     return layer, {i: float(through[i]) for i in normals}
 
 
-def _against_error(choice: Choice) -> Picture:
+def _against_error(choice: Choice, axis: str = "") -> Picture:
     at = choice.ringing
     sample = np.unique(np.linspace(0, len(at.poses) - 1, POSES).astype(int))
     f, ratios, weights = at.frequencies[sample], at.damping_ratios[sample], at.weights[sample]
@@ -286,12 +372,12 @@ def _against_error(choice: Choice) -> Picture:
         all_left = np.array([residual(impulses, f * (1.0 + error), ratios) for error in ERRORS])
         remaining[name] = 100.0 * np.sqrt(np.mean(np.sum((weights * all_left) ** 2, axis=2), axis=1)) / before
     caption = (
-        f"Root mean square over the {at.points_are} of the vibration that is left if all frequencies differ from "
-        "those of the model by the same share. Belts that are 10 % stiffer raise them by 5 %."
+        f"Root mean square over the {at.points_are} of the vibration{_along(axis)} that is left if all "
+        "frequencies differ from those of the model by the same share. Belts that are 10 % stiffer raise them by "
+        "5 %."
     )
     spread = None if at.spread is None else float(at.spread.mean())
     if spread is not None:
         caption += " The band is the mean standard deviation of the frequencies."
-    return Picture.of(
-        shapers.against_error(ERRORS, remaining, spread), "Against frequency error", caption, caption
-    )
+    title = f"Against frequency error{_along(axis)}"
+    return Picture.of(shapers.against_error(ERRORS, remaining, spread), title, caption, caption)

@@ -25,8 +25,12 @@ CURVES, DRAWN = 5, 400
 
 
 def over_frequency(choice: Choice, spectrum: MeasuredSpectrum | None) -> tuple[Drawing, str]:
-    """Return the figure of what shapers leave at each frequency, over a spectrum if given; and its caption."""
-    at, best = choice.ringing, choice.candidates[choice.recommended]
+    """Return the figure of what shapers leave at each frequency, over a spectrum if given; and its caption.
+
+    Where the axes are independent, it is that of the shapers for all axes together; `Choice.by_axis` has the others.
+    """
+    at, best = choice.ringing, choice.best
+    marked_as = "common" if choice.by_axis else "recommended"
     fixed = _undominated(choice)
     f = _frequencies(choice)
     if spectrum is not None:
@@ -37,17 +41,17 @@ def over_frequency(choice: Choice, spectrum: MeasuredSpectrum | None) -> tuple[D
         remaining = 100.0 * residual(candidate.shaper, f, candidate.damping_ratio)
         curves.append(
             shapers.ShaperCurve(
-                design + (", recommended" if candidate is best else ""), remaining, candidate is best
+                design + (f", {marked_as}" if candidate is best else ""), remaining, candidate is best
             )
         )
     ratio = f"{plain(100.0 * best.damping_ratio, 2)} %"
     caption = (
         f"What each shaper leaves of a mode at each frequency, for the damping ratio of the designs, {ratio}. The "
-        f"legend has the frequencies of each design, and the most that it leaves {at.where_most}."
+        f"legend has the frequencies of each design, and the most that it leaves {at.share_of}."
     )
     if len(fixed) < sum(not candidate.follows_pose for candidate in choice.candidates):
         caption += (
-            f" At most {CURVES} are drawn: the recommended one, and the shortest of those that no other beats in "
+            f" At most {CURVES} are drawn: the {marked_as} one, and the shortest of those that no other beats in "
             "both length and what it leaves."
         )
     drawn = marked = None
@@ -82,7 +86,7 @@ def _frequencies(choice: Choice) -> NDArray[np.float64]:
 
 def _undominated(choice: Choice) -> list[Candidate]:
     """Return the recommended shaper and a few fixed ones that no other beats in length and remaining vibration."""
-    best = choice.candidates[choice.recommended]
+    best = choice.best
     fixed = sorted(
         (candidate for candidate in choice.candidates if not candidate.follows_pose),
         key=lambda candidate: (candidate.duration, candidate.left.worst),
@@ -99,8 +103,12 @@ def _undominated(choice: Choice) -> list[Candidate]:
 def over_frequency_section(choice: Choice, spectrum: MeasuredSpectrum | None) -> Section:
     """Return the section of the figure."""
     title = "Over frequency" if spectrum is None else "Over the measured spectrum"
-    drawing, caption = over_frequency(choice, spectrum)
-    return Section("frequency", title, [Picture.of(drawing, title, caption, caption)])
+    pictures = []
+    for axis, part in choice.parts.items():
+        drawing, caption = over_frequency(part, spectrum)
+        title_of_axis, begin = (f"{title}, for {axis}", f"For {axis}. ") if axis else (title, "")
+        pictures.append(Picture.of(drawing, title_of_axis, begin + caption, begin + caption))
+    return Section("frequency", title, pictures)
 
 
 def curves_csv(choice: Choice, spectrum: MeasuredSpectrum | None) -> str:

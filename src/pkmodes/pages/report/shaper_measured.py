@@ -15,7 +15,7 @@ from pkmodes.pages.report.firmware_lines import firmware_lines
 from pkmodes.pages.report.formatting import clean, label, number, plural, pointer, shortened, uncertain_cell
 from pkmodes.pages.report.page import need_report, page
 from pkmodes.pages.report.sections import origin
-from pkmodes.pages.report.shaper import as_sentence, why_recommended
+from pkmodes.pages.report.shaper import MAX_ACCELERATION, acceleration_cell, as_sentence, why_recommended
 from pkmodes.pages.report.shaper_curves import design_of, over_frequency_section, spectrum_facts
 from pkmodes.pages.report.sources import Source
 from pkmodes.pages.report.tables import table
@@ -49,7 +49,7 @@ def measured_shaper_report(
 
 def measured_shaper_summary(choice: Choice, content: dict[str, Any]) -> Summary:
     """Return the recommended shaper, and what it leaves."""
-    best = choice.candidates[choice.recommended]
+    best = choice.best
     remaining = of_measured(choice).shares(best)
     at = ("shapers", choice.recommended, "left")
     modes, poses = plural(content["modes"], "measured mode"), plural(content["poses"], "pose")
@@ -61,6 +61,10 @@ def measured_shaper_summary(choice: Choice, content: dict[str, Any]) -> Summary:
     )
     facts = [
         ("lasts", Cell(f"{plain(1e3 * best.duration, 3)} ms", best.duration)),
+        (
+            MAX_ACCELERATION,
+            acceleration_cell(best, pointer("shapers", choice.recommended, "max_acceleration")),
+        ),
         (
             "most left of a mode as measured [%]",
             number(remaining.worst, ".2g", pointer(*at, "worst"), scale=100.0),
@@ -89,6 +93,7 @@ def shapers_table(choice: Choice) -> Table:
         Column("lasts [ms]"),
         *(Column(title, page_only=key == "rms") for key, title in keys.items()),
         Column("rounds [\u00b5m]"),
+        Column("max_accel"),
     ]
     rows = []
     ringing = of_measured(choice)
@@ -103,11 +108,12 @@ def shapers_table(choice: Choice) -> Table:
             number(getattr(remaining, key), ".2f", pointer(*at, "left", key), scale=100.0) for key in keys
         ]
         cells.append(number(candidate.rounding, ".1f", pointer(*at, "rounding_s2"), scale=1e6))
+        cells.append(acceleration_cell(candidate, pointer(*at, "max_acceleration"), unit=False))
         rows.append(cells)
     caption = (
         "What shapers leave of the measured modes: the root mean square and the largest of all as measured, and the "
         f"largest with each mode {ERRORS}. Where a shaped path turns back, it is rounded by this much for each "
-        "m/s\u00b2 of acceleration."
+        "m/s\u00b2 of acceleration; max_accel [mm/s\u00b2] is what Klipper suggests."
     )
     return Table(caption, columns, rows, note="* The recommended one.", heads=2)
 

@@ -9,18 +9,28 @@ from pkmodes.pages.report.blocks import Cell, Column, Table
 from pkmodes.pages.report.formatting import clean, number, pointer, unit
 
 if TYPE_CHECKING:
-    from pkmodes.machine.shaping.results import Choice, Step
+    from pkmodes.machine.shaping.results import Choice, Schedule, Step
 
 #: Prefix of paths that titles leave out, since it carries no information.
 OF_EFFECTS = "effects."
 
 
 def schedule_blocks(choice: Choice) -> list[Table]:
-    """Return the table of the schedule; empty without one."""
-    schedule = choice.schedule
-    if schedule is None:
-        return []
-    first, fixed = schedule.steps[0], choice.candidates[choice.recommended]
+    """Return the table of the schedule, or of each axis that has one; empty without any."""
+    return [
+        _table(part, part.schedule, ("axes", i) if axis else ())
+        for i, (axis, part) in enumerate(choice.parts.items())
+        if part.schedule is not None
+    ]
+
+
+def _table(choice: Choice, schedule: Schedule, at: tuple[str | int, ...]) -> Table:
+    """Return the table of a schedule.
+
+    - choice: that for all settings
+    - at: place of the choice in the JSON
+    """
+    first, fixed = schedule.steps[0], choice.best
     one_parameter, layers = schedule.parameter is not None, first.heights is not None
     settings = [
         Column(clean(path.removeprefix(OF_EFFECTS)) + ("" if symbol == "1" else f" [{unit(symbol)}]"))
@@ -33,7 +43,7 @@ def schedule_blocks(choice: Choice) -> list[Table]:
         Column("design [Hz]", numbers=False),
         Column("damping [%]"),
         Column("lasts [ms]", page_only=layers),
-        Column("worst [%]"),
+        Column("left [%]"),
         *([Column("halfway [%]")] if one_parameter else []),
         Column("fixed [%]"),
         Column("rounds [\u00b5m]"),
@@ -41,8 +51,9 @@ def schedule_blocks(choice: Choice) -> list[Table]:
     serves = ", and the height of the print from which it applies" if layers else ""
     halfway = ", halfway to its neighbours" if one_parameter else ""
     caption = (
-        f"The schedule: for each setting the shaper that is recommended for its poses{serves}. What is left is the "
-        f"largest vibration, of the largest without a shaper: at the setting itself (worst){halfway}, and at the "
+        f"The schedule{' of ' + schedule.axis if schedule.axis else ''}: for each setting the shaper that is "
+        f"recommended for its poses{serves}. What is left is the largest vibration, of the largest without a shaper: "
+        f"at the setting itself (left){halfway}, and at the "
         f"setting with the recommended {clean(fixed.kind)} for all of them (fixed). Where a shaped path "
         "turns back, it is rounded by this much for each m/s\u00b2 of acceleration."
     )
@@ -52,12 +63,15 @@ def schedule_blocks(choice: Choice) -> list[Table]:
         f"without a shaper, and rounds by {min(rounds):.1f} to {max(rounds):.1f} \u00b5m; {clean(fixed.kind)} for "
         f"all of them leaves {plain(100.0 * fixed.left.worst, 2)} % and rounds by {1e6 * fixed.rounding:.1f} \u00b5m."
     )
-    rows = [_row(step, i, layers, one_parameter) for i, step in enumerate(schedule.steps)]
-    return [Table(caption, columns, rows, note=note, heads=len(settings))]
+    rows = [
+        _row(step, (*at, "schedule", "steps", i), layers, one_parameter)
+        for i, step in enumerate(schedule.steps)
+    ]
+    return Table(caption, columns, rows, note=note, heads=len(settings))
 
 
-def _row(step: Step, i: int, layers: bool, one_parameter: bool) -> list[Cell]:
-    at, best = ("schedule", "steps", i), step.best
+def _row(step: Step, at: tuple[str | int, ...], layers: bool, one_parameter: bool) -> list[Cell]:
+    best = step.best
     cells = [number(value, ".4g", pointer(*at, "set", path)) for path, value in step.setting.values.items()]
     if layers and step.heights is not None:
         cells.append(number(step.heights[0], ".1f", pointer(*at, "heights_m", 0), scale=1e3))
