@@ -107,10 +107,13 @@ def map_(options: MapOptions) -> None:
 
     def page() -> str:
         from pkmodes.pages.report.map import map_report, middle_of
+        from pkmodes.pages.report.map_planes import section_of
         from pkmodes.pages.report.model_view import view_of
 
-        view = view_of(model, start=middle_of(model, dataset), drives=content["drives"])
-        return map_report(model, dataset, content, sources, view)
+        section = section_of(model, dataset)
+        start = middle_of(model, dataset, section.places)
+        view = view_of(model, start=start, drives=content["drives"])
+        return map_report(model, dataset, content, sources, view, section)
 
     def show() -> None:
         from pkmodes.cli.terminal import Terminal

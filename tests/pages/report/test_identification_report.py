@@ -75,6 +75,16 @@ def content(page: Path) -> dict:
     return json.loads((page.parent / "m.json").read_text(encoding="utf-8"))
 
 
+def test_it_opens_on_at_most_six_screens(page: Path) -> None:
+    """The records are folded, as in the page of a diagnosis; unfolded they are longer."""
+    with opened(page, width=1280, height=900) as browser:
+        height = "document.documentElement.scrollHeight"
+        assert browser.page.evaluate(height) <= 6 * 900
+        browser.page.get_by_role("button", name="Unfold all").click()
+        assert browser.page.evaluate(height) > 6 * 900
+        assert browser.page.locator("#record-1 table").is_visible()
+
+
 def test_numbers_are_those_of_the_json(page: Path) -> None:
     document, root = content(page), read(page.read_text(encoding="utf-8"))
     placed, exponents = [one for one in root.all("data") if "data-at" in one.attributes], powers(root)

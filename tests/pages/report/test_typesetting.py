@@ -41,8 +41,8 @@ def test_units_have_points_and_raised_powers(name: str, expected: str) -> None:
 
 def test_counts_have_thin_spaces_between_thousands() -> None:
     assert thousands(492) == "492"
-    assert thousands(6583) == "6\u2009583"
-    assert plural(1234567, "pose") == "1\u2009234\u2009567 poses"
+    assert thousands(6583) == "6\u202f583"
+    assert plural(1234567, "pose") == "1\u202f234\u202f567 poses"
 
 
 @pytest.mark.parametrize(

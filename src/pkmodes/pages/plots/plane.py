@@ -66,11 +66,10 @@ class Plane:
         constant = {dim: float(dataset[dim].values[0]) for dim in components if dim in single}
         linear = all(dataset[dim].attrs["units"] == "m" for dim in several)
         normal = next((dim for dim in constant if linear and dataset[dim].attrs["units"] == "m"), None)
-        extent = {dim: float(np.ptp(dataset[dim].values)) for dim in several}
-        same = len({dataset[dim].attrs["units"] for dim in several}) == 1
-        across, along = several[1], several[0]
-        if same and extent[across] > LONGER * extent[along]:
-            across, along = along, across
+        across, along = sides_of(
+            {dim: dataset[dim].values for dim in several[::-1]},
+            {dim: dataset[dim].attrs["units"] for dim in several},
+        )
         # Loaded first: text that is still in a file cannot be transposed.
         flat = dataset.isel(dict.fromkeys(single, 0)).load().transpose(along, across, ...)
         return cls(flat, across, along, normal, constant.pop(normal, 0.0) if normal else 0.0, constant)
@@ -148,6 +147,18 @@ class Plane:
         panel.label(title, x=across, y=along, row=row, **settings)
         if not panel.narrow:
             panel.axes.tick_params(labelleft="y" not in panel.inner, labelbottom="x" not in panel.inner)
+
+
+def sides_of(axes: Mapping[str, Array], units: Mapping[str, str]) -> tuple[str, str]:
+    """Return which of the two axes of a plane is drawn across, and which upright.
+
+    - axes: the values of both, in the order of the components of the pose
+    - units: their units
+    """
+    across, along = axes
+    extent = {name: float(np.ptp(values)) for name, values in axes.items()}
+    longer = units[across] == units[along] and extent[across] > LONGER * extent[along]
+    return (along, across) if longer else (across, along)
 
 
 def plane_axes(sizes: Mapping[str, int], components: Sequence[str], place: str) -> list[str]:

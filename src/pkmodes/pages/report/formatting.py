@@ -144,8 +144,8 @@ def unit_cell(name: str) -> Cell:
 
 
 def thousands(count: int) -> str:
-    """Return a count with thin spaces between its thousands."""
-    return f"{count:,}".replace(",", "\u2009")
+    """Return a count with narrow spaces between its thousands, at which no line breaks."""
+    return f"{count:,}".replace(",", "\u202f")
 
 
 def per_cent(share: float) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -44,11 +45,11 @@ def identification_report(
     need_report()
     sections = [Section("records", "Records", _overview(identified, content))]
     sections += [
-        record_section(i, result, campaign, content["records"][i])
+        replace(record_section(i, result, campaign, content["records"][i]), folded=True)
         for i, result in enumerate(identified.records)
     ]
     repeatability = number(identified.repeatability, ".2g", pointer("repeatability"), scale=100.0)
-    sections.append(origin(sources, None, [("repeatability [%]", [repeatability])]))
+    sections.append(replace(origin(sources, None, [("repeatability [%]", [repeatability])]), folded=True))
     return page(_summary(identified, campaign), sections)
 
 

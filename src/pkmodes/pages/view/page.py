@@ -15,7 +15,7 @@ from pkmodes.core.robot.units import SHOWN
 from pkmodes.core.support.page_policy import with_policy
 from pkmodes.pages.view.interpolation import FINE
 from pkmodes.pages.view.measured_data import measured_table, numbers_table, observed
-from pkmodes.pages.view.page_data import as_data, embedded, platform_directions
+from pkmodes.pages.view.page_data import as_data, packed, platform_directions
 from pkmodes.pages.view.scene import AMPLITUDE, Scene
 from pkmodes.pages.view.still import still
 from pkmodes_description import Named
@@ -120,7 +120,7 @@ def fragment(scene: Scene, name: str = "robot") -> str:
         HTML.
     """
     key = escape(name)
-    data = embedded(as_data(scene))
+    data = packed(as_data(scene))
     return f"""<section class="pkview" aria-label="{escape(scene.robot)} in three dimensions">
 <div class="pkview-frame">
 <div class="pkview-stage">
@@ -145,7 +145,7 @@ def fragment(scene: Scene, name: str = "robot") -> str:
 <noscript><p>The moving picture needs JavaScript; the table is that of one pose.</p></noscript>
 {_table(scene, key)}
 {measured_table(scene, key)}
-<script type="application/json">{data}</script>
+{data}
 </section>
 """
 

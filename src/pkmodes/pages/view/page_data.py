@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import zlib
+from base64 import b64encode
 from typing import Any
 
 import numpy as np
@@ -17,6 +19,8 @@ from pkmodes.pages.view.workspace import Surface
 Array = NDArray[np.float64]
 #: Decimals of positions [m], of displacements and rotations per metre, of shares, and of errors between states.
 PLACES, MOVES, SHARES, OFF = 5, 4, 4, 5
+#: Most characters of JSON that a page holds as they are; deflated, they are a third.
+PLAIN = 1_000_000
 
 
 def as_data(scene: Scene) -> dict[str, Any]:
@@ -78,6 +82,15 @@ def as_data(scene: Scene) -> dict[str, Any]:
 def platform_directions(scene: Scene) -> Array:
     """Return the unit vectors of the platform's motion, (N, m, components); zero where it does not move."""
     return unit_vectors(scene.platform_shapes, scene.lengths)
+
+
+def packed(data: dict[str, Any]) -> str:
+    """Return the script element with the data of a view: plain JSON, or deflated where that is large."""
+    text = embedded(data)
+    if len(text) <= PLAIN:
+        return f'<script type="application/json">{text}</script>'
+    deflated = b64encode(zlib.compress(text.encode("utf-8"), 9)).decode("ascii")
+    return f'<script type="application/x-deflated-json">{deflated}</script>'
 
 
 def embedded(data: dict[str, Any]) -> str:
