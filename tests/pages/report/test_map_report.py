@@ -47,7 +47,7 @@ def test_its_frequencies_are_those_of_the_json(page: Path) -> None:
 def test_its_figures_are_folded_and_its_first_sections_are_not(page: Path) -> None:
     sections = {
         one.attributes["id"]: one.attributes.get("class", "")
-        for one in read(page).all("section")[1:]
+        for one in read(page.read_text(encoding="utf-8")).all("section")[1:]
         if "id" in one.attributes
     }
     assert {name for name, kind in sections.items() if kind == "folded"} == {"figures", "origin"}

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import datetime
+
 import pytest
 
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.pages.report.blocks import Summary
 from pkmodes.pages.report.formatting import plural, prose, thousands, three_digits, unit
+from pkmodes.pages.report.page import date_of_page, page
 
 
 @pytest.mark.parametrize(
@@ -59,3 +64,19 @@ def test_counts_have_thin_spaces_between_thousands() -> None:
 )
 def test_three_digits_keep_their_zeros(value: float | None, expected: str) -> None:
     assert three_digits(value).text == expected
+
+
+@pytest.mark.parametrize(("epoch", "date"), [("1700000000", "2023-11-14"), ("0", "1970-01-01")])
+def test_a_page_has_the_date_of_its_source(epoch: str, date: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", epoch)
+    assert f'Map<time datetime="{date}">, {date}</time>' in page(Summary("robot", "Map", headline="h"), [])
+
+
+def test_a_page_has_the_date_of_the_day(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("SOURCE_DATE_EPOCH")
+    days = {str(datetime.datetime.now().astimezone().date())}
+    found = date_of_page()
+    assert found in days | {str(datetime.datetime.now().astimezone().date())}
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "yesterday")
+    with pytest.raises(PkmodesError, match="expected whole seconds since 1970"):
+        date_of_page()

@@ -16,7 +16,7 @@ from pkmodes.modaltest.campaign.campaign import FUNCTIONS, Campaign, Record, rea
 from pkmodes.modaltest.campaign.frequency_records import read_responses
 from pkmodes.modaltest.campaign.impact_records import impact_modes
 from pkmodes.modaltest.campaign.mode_estimates import NAMELESS
-from pkmodes.modaltest.campaign.sensors import Transducer, unsigned
+from pkmodes.modaltest.campaign.sensors import NEGATIVE, Transducer, unsigned
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -54,9 +54,9 @@ def campaign_response(
     f: Array | None = None
     sums: dict[str, Complex] = {}
     counts: dict[str, int] = {}
-    unplaced = set[str]()
+    unplaced, assumed = set[str](), dict[str, str]()
     for record in records:
-        for name, frequencies, values in _functions(campaign, record, inputs, unplaced):
+        for name, frequencies, values in _functions(campaign, record, inputs, unplaced, assumed):
             f = frequencies if f is None else f
             if len(frequencies) != len(f) or not np.allclose(frequencies, f, rtol=1e-9):
                 continue  # of another resolution: its lines are not those of the first
@@ -75,7 +75,11 @@ def campaign_response(
     channels = {
         name: (total / counts[name])[kept] / omega ** INTEGRALS[quantity] for name, total in sums.items()
     }
-    return MeasuredResponse(source, f[kept], channels, {"drives": records[0].drives})
+    notes = [
+        f"{source} does not say where the force {shown(name)} acts: it is taken as {into} at the platform's centre"
+        for name, into in sorted(assumed.items())
+    ]
+    return MeasuredResponse(source, f[kept], channels, {"drives": records[0].drives}, tuple(notes))
 
 
 def _records_at(campaign: Campaign, point: Sequence[float], source: str) -> list[Record]:
@@ -105,11 +109,12 @@ def _records_at(campaign: Campaign, point: Sequence[float], source: str) -> list
 
 
 def _functions(
-    campaign: Campaign, record: Record, inputs: Sequence[str], unplaced: set[str]
+    campaign: Campaign, record: Record, inputs: Sequence[str], unplaced: set[str], assumed: dict[str, str]
 ) -> Iterator[tuple[str, Array, Complex]]:
     """Yield the functions of a record, accelerations per force: ``OUTPUT/INPUT``, frequencies and values, each (F,).
 
-    - unplaced: takes the names of forces of which the campaign does not say where they act
+    - unplaced, assumed: take the names of forces of which the campaign does not say where they act: those left out,
+      and those taken as an input
     """
     rotation = campaign.platform.rotation(record.point)
     for setup, paths in record.separate.items():
@@ -124,6 +129,8 @@ def _functions(
                 if into is None:
                     unplaced.add(column)
                     continue
+                if not _places(column, sensors, forces):
+                    assumed[column] = into[0]
                 measured = [
                     (place, values[:, s, r])
                     for s, place in enumerate(places)
@@ -179,21 +186,28 @@ def _acting(
     Without a [[force]] of that name, it acts where the sensor of that name measures, at the driving point; else it is
     the only force among the inputs of the model.
     """
-    plain = unsigned(name)
-    places = [
-        place for place in (*forces.values(), *sensors.values()) if unsigned(place.name) == plain and plain
-    ]
-    if not places and name in NAMELESS and len(forces) == 1:
-        places = [*forces.values()]
+    places = _places(name, sensors, forces)
     if not places:
         pushing = [into for into in inputs if into.startswith(tuple(ACTING.values()))]
-        return (pushing[0], 1.0) if len(pushing) == 1 else None
+        against = bool(NEGATIVE.fullmatch(name))  # a hammer blow along a negative direction
+        return (pushing[0], -1.0 if against else 1.0) if len(pushing) == 1 else None
     port = _port(places[0], rotation)
     if port is None:
         return None
     channel, sign = port
     beginning = next((one for one in ACTING if channel.startswith(one)), None)
     return (channel if beginning is None else ACTING[beginning] + channel[len(beginning) :]), sign
+
+
+def _places(
+    name: str, sensors: Mapping[str, Transducer], forces: Mapping[str, Transducer]
+) -> list[Transducer]:
+    """Return where a force acts as the campaign says it; empty where it does not."""
+    plain = unsigned(name)
+    places = [
+        place for place in (*forces.values(), *sensors.values()) if unsigned(place.name) == plain and plain
+    ]
+    return [*forces.values()] if not places and name in NAMELESS and len(forces) == 1 else places
 
 
 def _port(place: Transducer | None, rotation: Array) -> tuple[str, float] | None:

@@ -43,7 +43,7 @@ def report(
 ) -> str:
     """Return the report of a diagnosis, of what changed, or of a comparison.
 
-    The same result always gives the same text.
+    The same result always gives the same text, but for the date (``SOURCE_DATE_EPOCH``).
 
     Parameters
     ----------
