@@ -14,7 +14,7 @@ from pkmodes.api import load
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.option_table import OptionTable, entry, option
 from pkmodes.cli.options import PATH, drives_option, forwarded_mechanism_option, robot_argument
-from pkmodes.cli.poses import grid_option, places_given, poses_option
+from pkmodes.cli.poses import grid_option, path_of, path_option, places_given, poses_option
 from pkmodes.cli.progress import duration
 from pkmodes.cli.reporting import report_file
 from pkmodes.cli.settings import settings_given, settings_option
@@ -28,6 +28,7 @@ class MapOptions(OptionTable):
     robot: Path = entry(robot_argument, reads="robot file")
     grid: str | None = entry(grid_option)
     poses: Path | None = entry(poses_option, reads="")
+    path: str | None = entry(path_option)
     settings: tuple[str, ...] = entry(
         settings_option(
             "Sweep a parameter, such as platform.mass=1:2:5 or platform.mass=1.5; repeat for several parameters, "
@@ -95,8 +96,11 @@ def map_(options: MapOptions) -> None:
     sources, out = options.sources(), options.out
     model = load(options.robot)
     with options.named(sweep="--set"), _continued(out):
+        path = None if options.path is None else path_of(model.mechanism, options.path)
+        if path is not None and (options.grid is not None or options.poses is not None):
+            raise click.UsageError("--path excludes --grid and --poses", click.get_current_context())
         dataset = model.map(
-            places_given(model, options.grid, options.poses),
+            places_given(model, options.grid, options.poses) if path is None else path.poses,
             sweep=settings_given(model, options.settings),
             progress=_counted(),
             **options.passed(),
@@ -113,7 +117,7 @@ def map_(options: MapOptions) -> None:
         section = section_of(model, dataset)
         start = middle_of(model, dataset, section.places)
         view = view_of(model, start=start, drives=content["drives"])
-        return map_report(model, dataset, content, sources, view, section)
+        return map_report(model, dataset, content, sources, view, section, path)
 
     def show() -> None:
         from pkmodes.cli.terminal import Terminal

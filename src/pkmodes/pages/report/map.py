@@ -24,7 +24,7 @@ from pkmodes.pages.report.blocks import (
     Section,
 )
 from pkmodes.pages.report.explorer import explorer_of
-from pkmodes.pages.report.formatting import clean, file_name, shortened
+from pkmodes.pages.report.formatting import clean, file_name, plural, sentence, shortened
 from pkmodes.pages.report.map_planes import (
     MapSection,
     declared_values,
@@ -41,6 +41,7 @@ if TYPE_CHECKING:
     import xarray
 
     from pkmodes.core.model import Model
+    from pkmodes.machine.maps.pose_path import PosePath
     from pkmodes.machine.maps.poses import PoseGrid
 
 #: Sections that a reader unfolds.
@@ -58,6 +59,7 @@ def map_report(
     sources: Sequence[Source] | None = None,
     view: str | None = None,
     section: MapSection | None = None,
+    path: PosePath | None = None,
 ) -> str:
     """Return the report of a map.
 
@@ -75,6 +77,8 @@ def map_report(
         HTML of a view in three dimensions, from `view_of`; by default there is none.
     section : MapSection, optional
         From `section_of`, where it was needed before.
+    path : PosePath, optional
+        The path whose poses the map has.
 
     Returns
     -------
@@ -99,7 +103,7 @@ def map_report(
         *([Section("explore", "Pose by pose", [explorer])] if explorer is not None else []),
         *view_section(view),
         *_volume(model, dataset),
-        *_changes(model, dataset, shown(dataset)),
+        *_changes(model, dataset, shown(dataset), path),
         *_figures(model, dataset, section),
         origin(sources, model.mechanism, about, str(dataset.attrs["version"])),
     ]
@@ -138,7 +142,9 @@ def _volume(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
     yield Section("volume", title, [Picture.of(drawing, title, text, text, cropped=True)])
 
 
-def _changes(model: Model, dataset: xarray.Dataset, drawn_of: xarray.Dataset) -> Iterator[Section]:
+def _changes(
+    model: Model, dataset: xarray.Dataset, drawn_of: xarray.Dataset, path: PosePath | None
+) -> Iterator[Section]:
     """Yield the sections of swept parameters, samples, and poses on a line or in a list.
 
     - drawn_of: the same without the poses that are not representative
@@ -169,7 +175,18 @@ def _changes(model: Model, dataset: xarray.Dataset, drawn_of: xarray.Dataset) ->
             "Sampled robots",
             [picture, Paragraph("Drawn from their standard deviations:"), listing],
         )
-    if "pose" in dims:
+    if "pose" in dims and path is not None:
+        spread = spread_along(model.robot, dataset, "pose", model.max_condition)
+        caption = (
+            f"Frequencies along the path, at {plural(len(path.distance), 'pose')}; dashed lines are its corners. "
+            "A gap is a part that cannot be evaluated."
+        )
+        caption += "" if spread is None else f" {sentence(BAND)}"
+        picture = Picture.of(
+            sweeps.along_path(drawn_of, path, spread), "Frequencies along the path", caption, caption
+        )
+        yield Section("poses", "Along the path", [picture])
+    elif "pose" in dims:
         spread = spread_along(model.robot, dataset, "pose", model.max_condition)
         caption = "Frequencies along the poses, medians over everything else."
         if spread is not None:
