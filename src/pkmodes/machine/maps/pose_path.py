@@ -63,5 +63,5 @@ class PosePath:
         table = np.stack([np.interp(at, ends, points[:, k]) for k in range(points.shape[1])], axis=1)
         unit, factor = SHOWN.get(units[int(np.argmax(moves))], (units[int(np.argmax(moves))], 1.0))
         labels = tuple(f"{factor * distance:.6g} {unit}" for distance in at)
-        names = tuple(component.name for component in mechanism.pose)
-        return cls(Poses(table, names, labels), factor * at, factor * ends, unit)
+        components = tuple(component.name for component in mechanism.pose)
+        return cls(Poses(table, components, labels), factor * at, factor * ends, unit)

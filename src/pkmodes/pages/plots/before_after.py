@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from pkmodes.loop.measured.comparison import MeasurementsCompared
@@ -24,8 +26,13 @@ def changes_of_modes(result: MeasurementsCompared) -> Drawing:
         panel = sheet.panel(2.8)
         marks.draw_zero_line(panel)
         if common is not None:
-            style = {"color": GREY, "linestyle": "--", "linewidth": 1.0, "label": "common change"}
-            panel.plot([f.min(), f.max()], [100.0 * common] * 2, **style)
+            dashed: dict[str, Any] = {
+                "color": GREY,
+                "linestyle": "--",
+                "linewidth": 1.0,
+                "label": "common change",
+            }
+            panel.plot([f.min(), f.max()], [100.0 * common] * 2, **dashed)
         for chosen, colour, face, name in (
             (clear, VERMILLION, VERMILLION, "changed"),
             (~clear, BLUE, PAPER, "within the errors"),
@@ -34,7 +41,13 @@ def changes_of_modes(result: MeasurementsCompared) -> Drawing:
                 continue
             ends = np.stack([change - sigma, change + sigma], axis=1)[chosen]
             panel.lines(f[chosen, None], ends, color=colour, linewidth=1.2)
-            style = {"s": 22, "facecolor": face, "edgecolor": colour, "linewidth": 1.2, "zorder": 3}
+            style: dict[str, Any] = {
+                "s": 22,
+                "facecolor": face,
+                "edgecolor": colour,
+                "linewidth": 1.2,
+                "zorder": 3,
+            }
             panel.scatter(f[chosen], change[chosen], label=name, **style)
         panel.label(x="frequency in the first [Hz]", y="change [%]")
         marks.add_legend(sheet, panel)

@@ -154,11 +154,11 @@ def _changes(
     swept = [dim for dim in dims if "." in dim]
     if swept:
         blocks: list[Block] = []
-        for path in swept:
-            spread = spread_along(model.robot, dataset, path, model.max_condition)
-            caption = f"Frequencies against {clean(path)}{_banded(dataset, path, spread)}."
-            drawing = sweeps.against(drawn_of, path, spread)
-            blocks.append(Picture.of(drawing, clean(path), caption, caption))
+        for name in swept:
+            spread = spread_along(model.robot, dataset, name, model.max_condition)
+            caption = f"Frequencies against {clean(name)}{_banded(dataset, name, spread)}."
+            drawing = sweeps.against(drawn_of, name, spread)
+            blocks.append(Picture.of(drawing, clean(name), caption, caption))
         yield Section("sweeps", "Swept parameters", blocks)
     if "sample" in dims:
         drawn = [
