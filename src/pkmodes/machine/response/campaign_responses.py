@@ -68,7 +68,7 @@ def campaign_response(
         if not unplaced:
             problem = "expected a sensor along a channel of the robot, found none"
         raise PkmodesError(
-            problem, source, "describe it as a [[force]], or ask for one input alone, --inputs force_x"
+            problem, source, "ask for the input in which it acts alone, such as --inputs force_x"
         )
     kept = f > 0.0
     omega = 2j * np.pi * f[kept]

@@ -24,6 +24,7 @@ from pkmodes.pages.report.formatting import (
     number,
     pointer,
     prose,
+    read_in,
     sentence,
     shortened,
     three_digits,
@@ -168,10 +169,13 @@ def _sizes(result: Diagnosis, i: int, setting: ReportSetting) -> list[tuple[str,
         keys = ("effects", i, "relative" if relative else "parameters", key(value))
         sigma = pointer(*keys, "sigma" if relative else "saved_sigma")
         saved = believed(value, result.corrected)
-        cell = uncertain_cell(value.value, saved.sigma, pointer(*keys, "value"), sigma, fit=saved.fit_sigma)
+        read, scale = read_in(value.unit, value.value)
+        cell = uncertain_cell(
+            value.value, saved.sigma, pointer(*keys, "value"), sigma, scale=scale, fit=saved.fit_sigma
+        )
         name = clean(key(value))
         title = f"{name} relative to the mean" if relative else setting.words(value.name) or name
-        facts.append((f"{title} [{unit(value.unit)}]" if unit(value.unit) else title, cell))
+        facts.append((f"{title} [{unit(read)}]" if unit(read) else title, cell))
     return facts
 
 

@@ -16,6 +16,7 @@ from pkmodes.pages.report.formatting import (
     number,
     plural,
     pointer,
+    read_in,
     three_digits,
     uncertain_cell,
     unit_cell,
@@ -77,15 +78,16 @@ def fitted_value_tables(result: Diagnosis, setting: ReportSetting) -> list[Table
             if any(parameter.name == value.name for parameter in effect.parameters):
                 role, at = "cause", ("effects", i, "parameters", key(value))
                 after, sigma, saved = (pointer(*at, name) for name in ("value", "sigma", "saved_sigma"))
+        unit, scale = read_in(value.unit, value.declared, value.value)
         rows.append(
             [
                 Cell.named(setting.words(value.name), clean(value.name.removeprefix("effects."))),
                 Cell(f"{role}, at a bound" if value.at_bound else role),
-                figures(value.declared, 6, before),
-                uncertain_cell(value.value, value.saved_sigma, after, saved, fit=value.sigma),
-                figures(value.sigma, 2, sigma),
-                unit_cell(value.unit),
-                figures(prior, 2),
+                figures(value.declared, 6, before, scale=scale),
+                uncertain_cell(value.value, value.saved_sigma, after, saved, scale=scale, fit=value.sigma),
+                figures(value.sigma, 2, sigma, scale=scale),
+                unit_cell(unit),
+                figures(prior, 2, scale=scale),
                 number((value.value - value.declared) / prior if prior else None, "+.1f"),
             ]
         )
