@@ -17,6 +17,7 @@ os.environ |= dict.fromkeys(
 
 # SymPy remembers more of what it has computed than it would by itself: emission takes a sixth less.
 os.environ["SYMPY_CACHE_SIZE"] = "50000"
+os.environ["SOURCE_DATE_EPOCH"] = "1700000000"  # the bytes of pages do not depend on the day
 
 import importlib
 import math

@@ -44,6 +44,7 @@ def main(arguments: Sequence[str]) -> None:
         page = browser.new_page(viewport=VIEW, device_scale_factor=2)
         for name, (sample, part) in SHOWN.items():
             page.goto((samples / sample).as_uri())
+            page.evaluate("document.querySelectorAll('details').forEach((part) => { part.open = true; })")
             page.wait_for_timeout(2000)  # until the machine is drawn
             if part:
                 page.locator(part).first.evaluate("part => part.scrollIntoView()")

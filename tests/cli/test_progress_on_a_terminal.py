@@ -59,7 +59,7 @@ def test_figures_says_which_picture_it_draws_and_erases_it(
     printed, received = capsys.readouterr().out, terminal.getvalue()
     assert "loading ... " in received
     assert "of 7: " in received
-    assert visible(received)[0].startswith("note: workspace holds a sentence instead of a picture: ")
+    assert visible(received)[0].startswith("note: workspace is not drawn: ")
     assert not any(word in line for line in visible(received) for word in ("of 7: ", "loading"))
     assert max(map(len, visible(received))) <= 80
     assert len(printed.splitlines()) == 7
@@ -72,7 +72,7 @@ def test_nothing_of_it_reaches_a_pipe(
     monkeypatch.setattr("pkmodes.pages.figures.files.image_bytes", drawn)
     assert run(["figures", PRINTER, "--out", str(tmp_path / "out"), "--grid", PLANE]) == 0
     notes = capsys.readouterr().err
-    assert notes.startswith("note: workspace holds a sentence instead of a picture: ")
+    assert notes.startswith("note: workspace is not drawn: ")
     assert "\r" not in notes
     assert "\x1b" not in notes
     assert "of 7: " not in notes

@@ -78,9 +78,11 @@ def compare(
     """
     if robot.suffix.lower() == modes.suffix.lower() == ".csv":
         check_targets(json_file, [robot, modes, poses], report_target(report_to))
-        for option, value in {"--grid": grid, "--poses": poses, "--report": report_to}.items():
+        for option, value in {"--grid": grid, "--poses": poses}.items():
             _refuse(value, option, "does not apply to two measurement files")
-        _compare_measurements((robot, modes), parse_band_option(band), drives, everything, json_file)
+        _compare_measurements(
+            (robot, modes), parse_band_option(band), drives, everything, report_to, json_file
+        )
         return
     check_file_order(robot, modes, "pkmodes compare")
     check_targets(json_file, [robot, modes, poses], report_target(report_to))
@@ -133,14 +135,23 @@ def _compare_measurements(
     band: tuple[float, float] | None,
     drives: str | None,
     everything: bool,
+    report_to: Path | None,
     json_file: str | None,
 ) -> None:
     """Compare two measurement files: which modes changed, and whether by more than their errors."""
     from pkmodes.loop.measured.compared import compare_measurements
     from pkmodes.loop.updating.reading import read_any
 
+    sources = sources_of(
+        report_to, dict(zip(("first measurement", "second measurement"), files, strict=True))
+    )
     first, second = (read_any(file, band, drives=drives) for file in files)
     result = compare_measurements(first, second)
+
+    def page() -> str:
+        from pkmodes.pages.report.measurements_page import measurements_report
+
+        return measurements_report(result, sources)
 
     def show() -> None:
         from pkmodes.cli.terminal import Terminal
@@ -151,7 +162,7 @@ def _compare_measurements(
         blocks = [*changes(result, limit), *shape_tables(result, limit)]
         Terminal().result(measurements_summary(result), *blocks)
 
-    deliver(json_file, result.as_json(), show)
+    deliver(json_file, result.as_json(), show, report_file(report_to, page))
 
 
 def _refuse(value: object, option: str, why: str) -> None:

@@ -35,8 +35,8 @@ class FiguresDocument(Document, frozen=True):
     same_everywhere: Annotated[
         dict[str, str],
         Meta(
-            description="What is said instead of a figure that would show the same everywhere, by the name of its "
-            "file without suffix; the file holds this sentence."
+            description="What is said instead of a figure that would show the same everywhere, by the name that its "
+            "file would have without suffix; there is no such file."
         ),
     ]
 
@@ -47,8 +47,8 @@ class FiguresDocument(Document, frozen=True):
 @click.option(
     "--grid",
     metavar="X=START:STOP:COUNT,...",
-    help="The plane: two components of the pose as start:stop:count, the others as one value.  By default the plane "
-    "of the workspace with the lowest mean condition number.",
+    help="The plane: two components of the pose as start:stop:count, the others as one value.  By default the "
+    "plane of the workspace with the lowest mean condition number.",
 )
 @click.option(
     "--format",
@@ -95,7 +95,7 @@ def figures(
         for path in written:
             echo(path)
         for name, sentence in sentences.items():
-            for line in Terminal().wrap(f"note: {name} holds a sentence instead of a picture: {sentence}"):
+            for line in Terminal().wrap(f"note: {name} is not drawn: {sentence}"):
                 echo(line, err=True)
 
     deliver(json_file, document.as_json(), show)

@@ -38,6 +38,7 @@ TERMINAL_CHARACTERS = {
     "\u2019": "'",
     "\u03c9": " omega ",
     "\u00a0": " ",
+    "\u202f": ",",
     "\u2009": ",",
 }
 SYMBOL = re.compile("|".join(TERMINAL_CHARACTERS))

@@ -14,7 +14,7 @@ from pkmodes.api import load
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.option_table import OptionTable, entry, option
 from pkmodes.cli.options import PATH, drives_option, forwarded_mechanism_option, robot_argument
-from pkmodes.cli.poses import grid_option, places_given, poses_option
+from pkmodes.cli.poses import grid_option, path_of, path_option, places_given, poses_option
 from pkmodes.cli.progress import duration
 from pkmodes.cli.reporting import report_file
 from pkmodes.cli.settings import settings_given, settings_option
@@ -28,10 +28,11 @@ class MapOptions(OptionTable):
     robot: Path = entry(robot_argument, reads="robot file")
     grid: str | None = entry(grid_option)
     poses: Path | None = entry(poses_option, reads="")
+    path: str | None = entry(path_option)
     settings: tuple[str, ...] = entry(
         settings_option(
-            "Sweep a parameter, such as platform.mass=1:2:5 or platform.mass=1.5; repeat for several parameters, "
-            "all of whose combinations are evaluated."
+            "Sweep a parameter, such as platform.mass=1:2:5 or platform.mass=1.5; repeat for several "
+            "parameters, all of whose combinations are evaluated."
         )
     )
     samples: int | None = option(
@@ -85,8 +86,8 @@ class MapOptions(OptionTable):
 
 @click.command(
     "map",
-    epilog="\b\nExample:\n  pkmodes map robots/linear-delta-2022.toml \\\n"
-    "    --grid x=0.3:0.8:51,y=-0.1:0.1:41,z=-0.245 --out map.nc",
+    epilog="\b\nExample:\n  pkmodes map robots/linear-delta-2022.toml \\\n    --grid "
+    "x=0.3:0.8:51,y=-0.1:0.1:41,z=-0.245 --out map.nc",
 )
 @MapOptions.taken_by
 def map_(options: MapOptions) -> None:
@@ -95,8 +96,11 @@ def map_(options: MapOptions) -> None:
     sources, out = options.sources(), options.out
     model = load(options.robot)
     with options.named(sweep="--set"), _explain_interrupt(out):
+        path = None if options.path is None else path_of(model.mechanism, options.path)
+        if path is not None and (options.grid is not None or options.poses is not None):
+            raise click.UsageError("--path excludes --grid and --poses", click.get_current_context())
         dataset = model.map(
-            places_given(model, options.grid, options.poses),
+            places_given(model, options.grid, options.poses) if path is None else path.poses,
             sweep=settings_given(model, options.settings),
             progress=_progress_reporter(),
             **options.passed(),
@@ -107,10 +111,13 @@ def map_(options: MapOptions) -> None:
 
     def page() -> str:
         from pkmodes.pages.report.map import map_report, middle_of
+        from pkmodes.pages.report.map_planes import section_of
         from pkmodes.pages.report.model_view import view_of
 
-        view = view_of(model, start=middle_of(model, dataset), drives=content["drives"])
-        return map_report(model, dataset, content, sources, view)
+        section = section_of(model, dataset)
+        start = middle_of(model, dataset, section.places)
+        view = view_of(model, start=start, drives=content["drives"])
+        return map_report(model, dataset, content, sources, view, section, path)
 
     def show() -> None:
         from pkmodes.cli.terminal import Terminal

@@ -14,6 +14,7 @@ from pkmodes.core.base.errors import PoseError
 if TYPE_CHECKING:
     from pkmodes.core.mechanism.registry import Mechanism
     from pkmodes.core.model import Model
+    from pkmodes.machine.maps.pose_path import PosePath
     from pkmodes.machine.maps.poses import MapPoses
 
 pose_option = click.option(
@@ -30,6 +31,14 @@ grid_option = click.option(
     help="For each component of the pose, start:stop:count with both ends included, or one value, in SI units or "
     "with units.  Rotations that are not given are 0.  By default the reachable workspace, within the "
     "[usable] limits of the robot file.",
+)
+
+path_option = click.option(
+    "--path",
+    "path",
+    metavar="X,Y,...;X,Y,...",
+    help="Straight lines from pose to pose, written as in --pose and separated by semicolons: the frequencies "
+    "along the path.",
 )
 
 poses_option = click.option(
@@ -95,6 +104,21 @@ def pose_of(model: Model, text: str) -> list[float]:
         remedy = f'the numbers look like {apparent_units}: write --pose "{with_units}"'
         raise PoseError(str(model.check(pose).sentences).partition(";")[0], "--pose", remedy)
     return pose
+
+
+def path_of(mechanism: Mechanism, text: str) -> PosePath:
+    """Read ``--path``: poses with straight lines between them.
+
+    Raises PoseError if there are fewer than two, one of them is not a pose, or two that follow each other are equal.
+    """
+    from pkmodes.machine.maps.pose_path import PosePath
+
+    parts = [part.strip() for part in text.split(";") if part.strip()]
+    try:
+        corners = [parse_pose(part, mechanism) for part in parts]
+    except PoseError as error:
+        raise PoseError(error.what, "--path", error.remedy.replace("--pose", "--path")) from None
+    return PosePath.through(mechanism, corners)
 
 
 def places_given(model: Model, grid: str | None, poses: Path | None) -> MapPoses | None:

@@ -137,8 +137,8 @@ class ResponseOptions(OptionTable):
         type=PATH,
         reads="measured responses",
         needs=("figure", "report_to"),
-        help="Measured responses to draw over those of the model: a table like that of --out, a universal or a "
-        "MATLAB file.",
+        help="Measured responses to draw over those of the model: a campaign file, which knows the names, a table "
+        "like that of --out, a universal or a MATLAB file.",
     )
     before: Path | None = option(
         "--before",
@@ -188,9 +188,14 @@ def response(options: ResponseOptions) -> None:
             system = model.state_space(point, inputs, outputs, modes=options.modes, **passed)
     measured = None
     if options.measured is not None:
-        from pkmodes.machine.response.measured import read_response
+        if options.measured.suffix.lower() == ".toml":
+            from pkmodes.machine.response.campaign_responses import campaign_response
 
-        measured = read_response(options.measured)
+            measured = campaign_response(options.measured, point, options.quantity, result.inputs)
+        else:
+            from pkmodes.machine.response.measured import read_response
+
+            measured = read_response(options.measured)
     drawn = DrawnChannels.of(result, measured)
     resonance = resonance_of(result, drawn) if len(frequencies) > 1 else None
     document = ResponseDocument.of(

@@ -25,8 +25,8 @@ TERMINAL = "terminal.txt"
 KEPT = (".json", ".csv", ".toml")
 #: What depends on the clock.
 VARIABLE = re.compile(r'(?<="seconds": )[\d.e+-]+')
-#: Elements whose text is not seen.
-HIDDEN = {"script", "style", "svg", "template"}
+#: Elements whose text is not seen, and the date.
+HIDDEN = {"script", "style", "svg", "template", "time"}
 #: Elements that begin a line, and cells of a table.
 BLOCKS = {"div", "section", "header", "footer", "figcaption", "caption"}
 LINES = {"p", "h1", "h2", "h3", "h4", "tr", "li", "dt", *BLOCKS}

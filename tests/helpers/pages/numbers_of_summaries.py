@@ -67,13 +67,13 @@ def pointers(sentence: str, content: Any) -> dict[str, list[str]]:
     """Return the places in the JSON of each number of a sentence; no place for one that has none."""
     values = list(leaves(content))
     # Labels and names of the JSON are no numbers: P4, k_2, model.csv.
-    for label in sorted({v for _, v in values if isinstance(v, str) and v in sentence and len(v) < 60}, key=len):
+    for label in sorted(
+        {v for _, v in values if isinstance(v, str) and v in sentence and len(v) < 60}, key=len
+    ):
         if re.search(r"\d", label):
             sentence = re.sub(rf"(?<!\w){re.escape(label)}(?!\w)", " ", sentence)
     numeric = [
-        (pointer, float(v))
-        for pointer, v in values
-        if isinstance(v, int | float) and not isinstance(v, bool)
+        (pointer, float(v)) for pointer, v in values if isinstance(v, int | float) and not isinstance(v, bool)
     ]
     places: dict[str, list[str]] = {}
     found = numbers_in(sentence)
@@ -88,7 +88,10 @@ def pointers(sentence: str, content: Any) -> dict[str, list[str]]:
             with_places = [other for other in found if places[other.text]]
             for first, second in itertools.combinations(with_places, 2):
                 tolerance = first.half + second.half + number.half
-                for value in (first.value - second.value, 100.0 * (first.value / (second.value or 1.0) - 1.0)):
+                for value in (
+                    first.value - second.value,
+                    100.0 * (first.value / (second.value or 1.0) - 1.0),
+                ):
                     if abs(abs(value) - abs(number.value)) <= tolerance:
                         places[number.text] = [f"{first.text} and {second.text}"]
     return places

@@ -12,12 +12,14 @@ from matplotlib.colors import to_hex, to_rgba
 
 from helpers.pages.report_examples import made_up
 from pkmodes.loop.diagnosis.match.predicted import Predicted
-from pkmodes.loop.diagnosis.verdict.findings import Corrected, Examined
+from pkmodes.loop.diagnosis.verdict.findings import Corrected, Examined, Unseen
 from pkmodes.pages.plots import differences, scores, spectrum
 from pkmodes.pages.plots.evidence import ModelStage, PlottedEvidence
 from pkmodes.pages.plots.mac_matrices import mac_matrices
 from pkmodes.pages.plots.style import BLUE, GREEN, GREY
-from pkmodes.pages.report import figures
+from pkmodes.pages.report import explanations, figures, numbers
+from pkmodes.pages.report.blocks import Picture
+from pkmodes.pages.report.setting import ReportSetting
 
 NAN = np.nan
 MACS = np.array([[0.9, 0.2, 0.1], [0.3, 0.8, 0.15], [NAN] * 3, [0.7, 0.4, 0.06], [0.12, 0.22, 0.6]])
@@ -244,6 +246,44 @@ def test_candidates_stand_in_the_order_of_their_scores_with_the_colour_of_their_
     assert colours["claimed, with its class"] == to_rgba(BLUE)
     assert colours["remains"] == to_rgba(GREEN)
     assert colours["not claimed"] == to_rgba(GREY)
+
+
+def test_a_p_value_that_no_number_holds_is_beyond_the_axis() -> None:
+    """Of 0 and of 1e-310, which ends at 300 on the axis of the others, neither says how far."""
+    result, _ = made_up(3, 2)
+    tested = tuple(
+        Examined(name, p, (), True)
+        for name, p in (("belt_mass", 0.0), ("payload", 1e-310), ("link_compliance", 1e-20))
+    )
+    drawn = scores.candidate_scores(replace(result, candidates=tested))
+    assert drawn is not None
+    (axes,) = drawn.figure.axes
+    shown = marks(axes)
+    assert [y for _, y in shown.pop("beyond 300")] == [0.0, 1.0]
+    assert [place for places in shown.values() for place in places] == [(20.0, 2.0)]
+    said = explanations.candidate_blocks(replace(result, candidates=tested))[0]
+    assert isinstance(said, Picture)
+    assert "The p-values of 2 candidates are too small for a number" in said.caption
+
+
+def test_the_bars_of_moved_values_are_the_standard_deviations_of_the_table() -> None:
+    """0.04 kg of the fit and 0.03 kg of what was not observed are 0.05 kg, as the table and the saved file have."""
+    value = Corrected("platform.mass", 1.3, 0.04, "kg", 1.5, 0.1, False, Unseen(0.03, "payload"))
+    drawn = scores.pulls([value])
+    assert drawn is not None
+    (bars,) = (one for one in drawn.figure.axes[0].collections if isinstance(one, LineCollection))
+    np.testing.assert_allclose(bars.get_segments()[0][:, 0], [-2.5, -1.5], rtol=1e-6)
+
+
+def test_more_values_than_a_figure_holds_are_said() -> None:
+    values = tuple(
+        Corrected(f"{name}.mass", 1.3, 0.05, "kg", 1.5, 0.1, False) for name in "abcdefghijklmnopqrst"
+    )
+    result, _ = made_up(3, 2)
+    many = replace(result, corrected=values, correlation=np.eye(20).tolist(), refitted=(), effects=())
+    setting = ReportSetting("s", None, None, (), None)
+    assert "(the 16 that moved most of 20)" in numbers.pulls(many, setting)[0].caption
+    assert "(the first 16 of 20)" in numbers.correlations(many)[0].caption
 
 
 def test_values_stand_where_the_fit_moved_them_in_standard_deviations_of_their_prior() -> None:

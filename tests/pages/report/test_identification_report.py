@@ -6,6 +6,8 @@ import json
 import re
 import sys
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -15,6 +17,7 @@ from helpers.pages.page_reading import Element, at, powers, read, shown
 from helpers.pages.report_examples import HOSTILE
 from modaltest.campaign.structures import Frame, accelerations, write_frf
 from pkmodes.cli import run
+from pkmodes.pages.report.identification import lowest_coherence
 
 F = np.arange(10.0, 220.0, 0.5)
 HEAD = 'format = 1\nchannels = ["u1", "u2", "u3"]\nband = ["20 Hz", "200 Hz"]\ntones = ["50 Hz"]\n'
@@ -73,6 +76,30 @@ def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def content(page: Path) -> dict:
     return json.loads((page.parent / "m.json").read_text(encoding="utf-8"))
+
+
+def test_it_opens_on_at_most_six_screens(page: Path) -> None:
+    """The records are folded, as in the page of a diagnosis; unfolded they are longer."""
+    with opened(page, width=1280, height=900) as browser:
+        height = "document.documentElement.scrollHeight"
+        assert browser.page.evaluate(height) <= 6 * 900
+        browser.page.get_by_role("button", name="Unfold all").click()
+        assert browser.page.evaluate(height) > 6 * 900
+        assert browser.page.locator("#record-1 table").is_visible()
+
+
+def test_the_coherence_of_a_record_is_the_lowest_of_its_modes() -> None:
+    """Each mode by the function that shows it best: 0.9 of 0.9 and 0.2 at 10 Hz, 0.7 of 0.4 and 0.7 at 20 Hz."""
+    f = np.array([5.0, 10.0, 20.0, 30.0])
+    curves = [
+        SimpleNamespace(frequencies=f, coherence=np.array(values))
+        for values in ([1.0, 0.9, 0.4, 1.0], [1.0, 0.2, 0.7, 1.0])
+    ]
+    modes = [SimpleNamespace(frequency=frequency) for frequency in (10.1, 19.8)]
+    record: Any = SimpleNamespace(inspections=[SimpleNamespace(curves=curves)], modes=modes)
+    assert lowest_coherence(record) == pytest.approx(0.7)
+    record.inspections[0].curves = [SimpleNamespace(frequencies=f, coherence=None)]
+    assert lowest_coherence(record) is None
 
 
 def test_numbers_are_those_of_the_json(page: Path) -> None:

@@ -13,7 +13,9 @@ import pytest
 import pkmodes
 from helpers.pages.browser import Opened, opened
 from pkmodes.machine.maps.poses import Poses
+from pkmodes.pages.plots.plane import Plane
 from pkmodes.pages.report.map import map_report
+from pkmodes.pages.report.map_planes import section_of
 from pkmodes.pages.report.map_values import pack, values_of
 
 ROBOT = "robots/linear-delta-2022.toml"
@@ -129,18 +131,19 @@ def test_the_pointer_reads_and_a_click_moves_the_machine(mapped: tuple[Path, Any
         assert box is not None
         x, y = browser.page.evaluate(
             "(() => { const { chart } = document.querySelector('.explorer').explorer;"
-            "return [chart.across(500), chart.along(50)]; })()"
+            "return [chart.across(50), chart.along(500)]; })()"
         )
         browser.page.mouse.move(box["x"] + x, box["y"] + y)
         assert texts(browser, "where") == ["At the pointer"]
-        here = found.isel({"platform.mass": 0}).sel(x=0.5, y=0.05, z=-0.245, method="nearest")
+        z = section_of(pkmodes.load(ROBOT), found).places.axes["z"][0]
+        here = found.isel({"platform.mass": 0}).sel(x=0.5, y=0.05, z=z, method="nearest")
         assert texts(browser, "frequency") == [f"{value:.3f}" for value in here["frequency"].values]
         assert browser.page.evaluate("poses.length") == 0
         browser.page.mouse.click(box["x"] + x, box["y"] + y)
         browser.page.mouse.move(0, 0)
         assert texts(browser, "where") == ["At the cursor"]
         assert texts(browser, "frequency") == [f"{value:.3f}" for value in here["frequency"].values]
-        assert browser.page.evaluate("poses") == [pytest.approx([0.5, 0.05, -0.245], abs=1e-9)]
+        assert browser.page.evaluate("poses") == [pytest.approx([0.5, 0.05, z], abs=1e-9)]
 
 
 def test_the_cursor_follows_the_keyboard_and_the_machine(mapped: tuple[Path, Any]) -> None:
@@ -148,16 +151,18 @@ def test_the_cursor_follows_the_keyboard_and_the_machine(mapped: tuple[Path, Any
     with opened(page) as browser:
         started(browser)
         browser.page.locator("canvas").focus()
-        reached = found["valid"].isel({"platform.mass": 0, "z": 2, "y": 4}).values
+        at = section_of(pkmodes.load(ROBOT), found).places.axes["z"][0]
+        level = found["z"].values.tolist().index(at)
+        reached = found["valid"].isel({"platform.mass": 0, "z": level, "y": 4}).values
         start = 6
         for _ in range(12):
-            browser.page.keyboard.press("ArrowRight")
+            browser.page.keyboard.press("ArrowUp")
         last = float(found["x"].values[np.flatnonzero(reached)[-1]])
         assert browser.page.evaluate("poses.at(-1)[0]") == pytest.approx(last)
         assert browser.page.evaluate("poses.length") == reached[start + 1 :].sum()
         assert texts(browser, "status") == ["There is no further pose in this direction."]
         browser.page.keyboard.press("PageDown")
-        assert browser.page.evaluate("poses.at(-1)[2]") == pytest.approx(-0.25)
+        assert browser.page.evaluate("poses.at(-1)[2]") == pytest.approx(found["z"].values[level - 1])
         count = browser.page.evaluate("poses.length")
         browser.page.evaluate(
             "document.dispatchEvent(new CustomEvent('pkmodes-moved', { detail: { pose: [0.41, -0.03, -0.21] } }))"
@@ -166,6 +171,43 @@ def test_the_cursor_follows_the_keyboard_and_the_machine(mapped: tuple[Path, Any
             "x\u00a0400.0\u00a0mm, y\u00a0\u221225.0\u00a0mm, z\u00a0\u2212200.0" in texts(browser, "pose")[0]
         )
         assert browser.page.evaluate("poses.length") == count  # it does not answer the machine
+
+
+def test_it_opens_in_the_section_of_the_figures_with_their_axes(mapped: tuple[Path, Any]) -> None:
+    """The section is that of `plane_of`; of x and y there, the longer is upright as the figures draw it."""
+    page, found = mapped
+    model = pkmodes.load(ROBOT)
+    places = section_of(model, found).places
+    assert places is not None
+    drawn = Plane.of(model.map(places), ["x", "y", "z"])
+    with opened(page) as browser:
+        started(browser)
+        explorer = "document.querySelector('.explorer').explorer"
+        assert browser.page.evaluate(f"{explorer}.map.pose({explorer}.place)[2]") == pytest.approx(drawn.at)
+        names = browser.page.evaluate(f"{explorer}.shown.map((k) => {explorer}.data.components[k].name)")
+        assert names == [drawn.across, drawn.along] == ["y", "x"]
+
+
+def test_a_slider_does_not_reset_another(mapped: tuple[Path, Any]) -> None:
+    """Where the pose is out of reach the others give way, and return as soon as it can be reached again."""
+    page, found = mapped
+    valid = found["valid"].isel({"platform.mass": 0})  # z, y, x
+    z, y, x = next(
+        (int(z), int(y), int(x))
+        for z, y, x in np.argwhere(valid.values)
+        if not valid.values[z, :, x].all() and valid.values[z].any(axis=1).all()
+    )
+    out = int(np.flatnonzero(~valid.values[z, :, x])[0])
+    with opened(page) as browser:
+        started(browser)
+        for name, value in (("z", z), ("y", y), ("x", x)):
+            moved(browser, name, value)
+        set_to = [float(found[name].values[i]) for name, i in zip("xyz", (x, y, z), strict=True)]
+        assert browser.page.evaluate("poses.at(-1)") == pytest.approx(set_to)
+        moved(browser, "y", out)
+        assert browser.page.evaluate("poses.at(-1)") != pytest.approx(set_to, abs=1e-9)
+        moved(browser, "y", y)
+        assert browser.page.evaluate("poses.at(-1)") == pytest.approx(set_to)
 
 
 def test_a_list_of_poses_is_linked_whatever_its_labels(tmp_path: Path) -> None:

@@ -44,6 +44,15 @@ def test_its_frequencies_are_those_of_the_json(page: Path) -> None:
     assert str(page.parent) not in text
 
 
+def test_its_figures_are_folded_and_its_first_sections_are_not(page: Path) -> None:
+    sections = {
+        one.attributes["id"]: one.attributes.get("class", "")
+        for one in read(page.read_text(encoding="utf-8")).all("section")[1:]
+        if "id" in one.attributes
+    }
+    assert {name for name, kind in sections.items() if kind == "folded"} == {"figures", "origin"}
+
+
 def test_captions_have_a_minus_sign_like_the_rest(page: Path) -> None:
     text = unescape(page.read_text(encoding="utf-8"))
     assert "z = \u2212245 mm" in text
@@ -62,7 +71,7 @@ def test_large_counts_have_the_same_separator_everywhere(
     model = pkmodes.load(ROBOT)
     found = model.map({"x": np.linspace(0.3, 0.9, 60), "y": np.linspace(0.0, 0.1, 20), "z": -0.245})
     summary = read(map_report(model, found)).by_id("summary").text
-    assert "1\u2009200" in summary
+    assert "1\u202f200" in summary
     assert not re.search(r"\d,\d", summary)
 
 

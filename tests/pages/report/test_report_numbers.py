@@ -369,7 +369,7 @@ def test_many_rows_are_cut_to_the_worst_and_the_page_stays_small(shared: Shared)
     assert len(html.encode()) < 4_000_000
     section = read(html).by_id("rows")
     assert "300 measured modes that differ most" in section.text
-    assert "10\u2009000 modes are in the output of --json" in section.text
+    assert "10\u202f000 modes are in the output of --json" in section.text
     bodies = section.all("tbody")[0].all("tr")
     assert len(bodies) == 300
     assert result.stages is not None

@@ -2,9 +2,19 @@
 
 from __future__ import annotations
 
+import datetime
+from dataclasses import replace
+
 import pytest
 
-from pkmodes.pages.report.formatting import plural, prose, thousands, three_digits, unit
+from helpers.pages.report_examples import made_up
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.loop.diagnosis.verdict.findings import Corrected
+from pkmodes.pages.report import numbers
+from pkmodes.pages.report.blocks import Summary, Table
+from pkmodes.pages.report.formatting import plural, prose, read_in, thousands, three_digits, unit
+from pkmodes.pages.report.page import date_of_page, page
+from pkmodes.pages.report.setting import ReportSetting
 
 
 @pytest.mark.parametrize(
@@ -41,8 +51,8 @@ def test_units_have_points_and_raised_powers(name: str, expected: str) -> None:
 
 def test_counts_have_thin_spaces_between_thousands() -> None:
     assert thousands(492) == "492"
-    assert thousands(6583) == "6\u2009583"
-    assert plural(1234567, "pose") == "1\u2009234\u2009567 poses"
+    assert thousands(6583) == "6\u202f583"
+    assert plural(1234567, "pose") == "1\u202f234\u202f567 poses"
 
 
 @pytest.mark.parametrize(
@@ -59,3 +69,47 @@ def test_counts_have_thin_spaces_between_thousands() -> None:
 )
 def test_three_digits_keep_their_zeros(value: float | None, expected: str) -> None:
     assert three_digits(value).text == expected
+
+
+@pytest.mark.parametrize(
+    ("name", "values", "expected"),
+    [
+        ("m", (0.0, 8e-4), ("mm", 1e3)),
+        ("m", (0.4, 0.401), ("m", 1.0)),
+        ("m", (0.0, 0.0), ("m", 1.0)),
+        ("rad", (1e-4,), ("rad", 1.0)),
+        ("m/N", (1e-4,), ("m/N", 1.0)),
+    ],
+)
+def test_short_lengths_are_read_in_mm(
+    name: str, values: tuple[float, ...], expected: tuple[str, float]
+) -> None:
+    assert read_in(name, *values) == expected
+
+
+def test_a_row_of_fitted_values_has_one_unit() -> None:
+    """0, then 0.8 mm +- 0.1 mm within 2 mm: not 8e-4 m."""
+    result, _ = made_up(3, 2)
+    value = Corrected("measurement.offset.z", 8e-4, 1e-4, "m", 0.0, 2e-3, False)
+    few = replace(result, corrected=(value,), refitted=(), effects=())
+    (block,) = numbers.fitted_value_tables(few, ReportSetting("s", None, None, (), None))
+    assert isinstance(block, Table)
+    texts = [cell.text for cell in block.rows[0]]
+    assert "0.80 \u00b1 0.10" in texts
+    assert {"mm", "2"} <= set(texts)
+
+
+@pytest.mark.parametrize(("epoch", "date"), [("1700000000", "2023-11-14"), ("0", "1970-01-01")])
+def test_a_page_has_the_date_of_its_source(epoch: str, date: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", epoch)
+    assert f'Map<time datetime="{date}">, {date}</time>' in page(Summary("robot", "Map", headline="h"), [])
+
+
+def test_a_page_has_the_date_of_the_day(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("SOURCE_DATE_EPOCH")
+    days = {str(datetime.datetime.now().astimezone().date())}
+    found = date_of_page()
+    assert found in days | {str(datetime.datetime.now().astimezone().date())}
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "yesterday")
+    with pytest.raises(PkmodesError, match="expected whole seconds since 1970"):
+        date_of_page()

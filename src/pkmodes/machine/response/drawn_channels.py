@@ -43,6 +43,7 @@ class DrawnChannels:
     - prescribed: channels from a prescribed motion to itself, which are left out
     - text: what is drawn: quantity, robot, pose, and what the motors do
     - before: of another robot, such as the one before a correction, by channel, each (F,)
+    - notes: what was assumed of the measured responses
     """
 
     frequencies: Array
@@ -53,6 +54,7 @@ class DrawnChannels:
     prescribed: tuple[str, ...]
     text: str
     before: Mapping[str, Array] | None = None
+    notes: tuple[str, ...] = ()
 
     @classmethod
     def of(
@@ -108,7 +110,15 @@ class DrawnChannels:
         if silent:
             text += f" No response in {', '.join(silent)}."
         return cls(
-            response.frequencies, model, units, curves, tuple(silent), tuple(prescribed), text, first or None
+            response.frequencies,
+            model,
+            units,
+            curves,
+            tuple(silent),
+            tuple(prescribed),
+            text,
+            first or None,
+            () if measured is None else measured.notes,
         )
 
 

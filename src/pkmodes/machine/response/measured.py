@@ -31,12 +31,15 @@ class MeasuredResponse:
         By ``OUTPUT/INPUT``, in the units of the model's response.
     stated : mapping of str to str
         What the table's comments say of it: ``quantity``, ``drives``, and ``unit OUTPUT/INPUT``.
+    notes : tuple of str
+        What was assumed of it.
     """
 
     source: str
     frequencies: Array
     channels: dict[str, NDArray[np.complex128]]
     stated: Mapping[str, str] = field(default_factory=dict)
+    notes: tuple[str, ...] = ()
 
     def check(self, expected: Mapping[str, str]) -> None:
         """Refuse a table that states that it is of something else.

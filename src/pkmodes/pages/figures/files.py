@@ -36,7 +36,7 @@ def write_pictures(
 ) -> list[Path]:
     """Draw the figures of a robot and write them, all or none.
 
-    A figure that would show the same value everywhere is replaced by a sentence.
+    A figure that would show the same value everywhere is not written; its file of an earlier run is removed.
 
     Parameters
     ----------
@@ -71,7 +71,7 @@ def write_pictures(
 def write_pictures_and_sentences(
     model: Model, folder: Path, grid: Any, formats: Sequence[str], *, drives: str | None, overwrite: bool
 ) -> tuple[list[Path], dict[str, str]]:
-    """Like `write_pictures`; return the files, and the sentences that replace figures, by figure name."""
+    """Like `write_pictures`; return the files, and the sentences said instead of figures, by figure name."""
     for file_format in formats:
         check_argument(file_format, one_of(FORMATS), "formats", "choose one of the three", OutputError)
     for kind in PICTURES:
@@ -82,7 +82,7 @@ def write_pictures_and_sentences(
             paths,
             "folder",
             overwrite,
-            contains_mark(kind.title.partition(" of the {body}")[0].encode()),
+            contains_mark(kind.mark),
             what=problem,
             remedy=remedy,
         )
@@ -91,9 +91,16 @@ def write_pictures_and_sentences(
     for picture in pictures(model, grid, drives=drives):
         if picture.instead:
             sentences[picture.name] = picture.instead
+            continue
         for file_format in formats:
             files[f"{picture.name}.{file_format}"] = image_bytes(picture, file_format)
-    return write_files(folder, files), sentences
+    written = write_files(folder, files)
+    for kind in PICTURES:  # what an earlier run drew would pass for a picture of this robot
+        stale = [folder / f"{kind.name}.{file_format}" for file_format in formats if kind.name in sentences]
+        for path in stale:
+            if path.is_file() and contains_mark(kind.mark)(path):
+                path.unlink()
+    return written, sentences
 
 
 def image_bytes(picture: Picture, file_format: str) -> bytes:

@@ -139,6 +139,11 @@ class PictureKind:
     planar: str | None = None
     addition: Callable[[RobotPlane], str] | None = None
 
+    @property
+    def mark(self) -> bytes:
+        """The part of the title that every robot's figure has."""
+        return self.title.partition(" of the {body}")[0].encode()
+
 
 def known_to(spread: NDArray[Any] | None) -> str:
     """Return the uncertainty of the frequencies as a sentence; empty without standard deviations."""

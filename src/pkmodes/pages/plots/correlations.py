@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.robot.units import DISPLAY_UNITS
 from pkmodes.loop.diagnosis.verdict.findings import Corrected
 from pkmodes.pages.plots.drawing import Drawing
 from pkmodes.pages.plots.labels import short, typeset
@@ -23,6 +25,10 @@ NOTABLE = 0.5**0.5
 PAIRS, POINTS = 4, 121
 #: Probabilities that an ellipse contains the true pair of values, each with its line style.
 INSIDE = ((0.68, "-"), (0.95, "--"))
+#: A value is near 0 if it is at most this many of its standard deviations: then the ellipse of 95 % reaches 0.
+FAR = 3.0
+#: The number of a part in a name, such as that of a leg, with the dot or underscore before it.
+NUMBERS = re.compile(r"[._]?\d+")
 #: Declared values are shown up to this many standard deviations of the fit away.
 NEAR = 6.0
 
@@ -57,13 +63,33 @@ def matrix(values: Sequence[Corrected], correlation: Array) -> Drawing | None:
 
 
 def notable(values: Sequence[Corrected], correlation: Array) -> list[tuple[int, int]]:
-    """Return the pairs of values with a notable correlation, the largest first; values of 0 have no size."""
-    pairs = [
-        (i, k)
-        for i, k in combinations(range(len(values)), 2)
-        if abs(correlation[i, k]) >= NOTABLE and values[i].value and values[k].value
-    ]
+    """Return the pairs of values with a notable correlation, the largest first."""
+    pairs = [(i, k) for i, k in combinations(range(len(values)), 2) if abs(correlation[i, k]) >= NOTABLE]
     return sorted(pairs, key=lambda pair: -abs(correlation[pair]))
+
+
+def drawn_pairs(values: Sequence[Corrected], correlation: Array) -> list[tuple[int, int]]:
+    """Return the notable pairs that tell something: not those of one quantity at two places, such as two legs."""
+    return [
+        (i, k)
+        for i, k in notable(values, correlation)
+        if family(values[i].name) != family(values[k].name) and values[i].sigma > 0.0 < values[k].sigma
+    ]
+
+
+def family(name: str) -> str:
+    """Return what a name has in common with those of the same quantity at other places: without its numbers."""
+    return NUMBERS.sub("", name)
+
+
+def scaled(value: Corrected) -> tuple[str, float]:
+    """Return the unit in which deviations from a value are drawn, and its factor: per cent, unless it is near 0.
+
+    Of lengths it is mm, as in other figures.
+    """
+    if abs(value.value) > FAR * value.sigma:
+        return "%", 100.0 / abs(value.value)
+    return DISPLAY_UNITS.get(value.unit, (value.unit, 1.0))
 
 
 def ellipse(sigma: tuple[float, float], correlation: float, probability: float) -> Array:
@@ -78,8 +104,11 @@ def ellipse(sigma: tuple[float, float], correlation: float, probability: float) 
 
 
 def ellipses(values: Sequence[Corrected], correlation: Array) -> Drawing | None:
-    """Draw where each notable pair of values may lie, in per cent of the fitted values; None without such a pair."""
-    pairs = notable(values, correlation)[:PAIRS]
+    """Draw where each notable pair of values may lie, about the fitted ones; None without such a pair.
+
+    Deviations are in per cent of the fitted value, or, where that is near 0, in its unit.
+    """
+    pairs = drawn_pairs(values, correlation)[:PAIRS]
     if not pairs:
         return None
 
@@ -88,7 +117,8 @@ def ellipses(values: Sequence[Corrected], correlation: Array) -> Drawing | None:
         groups = sheet.groups(len(pairs), columns, 2.8 * -(-len(pairs) // columns) + 0.3)
         for (i, k), (panel,) in zip(pairs, groups, strict=True):
             pair_values = values[i], values[k]
-            factors = [100.0 / abs(value.value) for value in pair_values]
+            (x_unit, x_factor), (y_unit, y_factor) = map(scaled, pair_values)
+            factors = x_factor, y_factor
             sigma = pair_values[0].sigma * factors[0], pair_values[1].sigma * factors[1]
             for probability, line_style in INSIDE:
                 x, y = ellipse(sigma, float(correlation[i, k]), probability)
@@ -113,8 +143,8 @@ def ellipses(values: Sequence[Corrected], correlation: Array) -> Drawing | None:
             panel.inner = set()
             panel.label(
                 f"correlation {typeset(f'{correlation[i, k]:+.2f}')}",
-                x=f"{names[0]} [%]",
-                y=f"{names[1]} [%]",
+                x=f"{names[0]} [{x_unit}]",
+                y=f"{names[1]} [{y_unit}]",
             )
         handles = {
             name: legend_handle

@@ -14,8 +14,8 @@ from pkmodes.pages.plots.sheet import Sheet
 from pkmodes.pages.plots.style import ink_on
 
 Array = NDArray[Any]
-#: Most parameters listed.
-ROWS = 14
+#: Most parameters listed, and most modes whose columns have room for the word.
+ROWS, NAMED = 14, 8
 
 
 def table(paths: Sequence[str], relative: Array) -> Drawing:
@@ -33,11 +33,16 @@ def table(paths: Sequence[str], relative: Array) -> Drawing:
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(0.24 * len(order) + 0.9)
         mesh = panel.image(medians[order], cmap="PuOr", vmin=-limit, vmax=limit, aspect="auto")
-        panel.name_places("x", range(modes), [f"mode {i + 1}" for i in range(modes)])
+        names_of_modes = [f"mode {i + 1}" for i in range(modes)]
+        many = modes > NAMED
+        titles = [str(i + 1) for i in range(modes)] if many else names_of_modes
+        panel.name_places("x", range(modes), titles, names_of_modes)
         panel.name_places("y", range(len(order)), [broken(name) for name in names], names)
         panel.axes.grid(visible=False)
         panel.axes.tick_params(length=0)
-        style: dict[str, Any] = {"ha": "center", "va": "center", "fontsize": 7.5}
+        if many:
+            panel.axes.set_xlabel("mode")
+        style: dict[str, Any] = {"ha": "center", "va": "center", "fontsize": 6.0 if many else 7.5}
         for (row, mode), value in np.ndenumerate(medians[order]):
             ink = ink_on(mesh.to_rgba(value))
             panel.axes.text(mode, row, typeset(f"{value:+.2f}"), color=ink, **style)

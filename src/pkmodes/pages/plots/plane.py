@@ -68,11 +68,10 @@ class Plane:
         normal = next(
             (dim for dim in constant_values if is_linear and dataset[dim].attrs["units"] == "m"), None
         )
-        extent = {dim: float(np.ptp(dataset[dim].values)) for dim in plane_dims}
-        same_units = len({dataset[dim].attrs["units"] for dim in plane_dims}) == 1
-        across, along = plane_dims[1], plane_dims[0]
-        if same_units and extent[across] > LONGER * extent[along]:
-            across, along = along, across
+        across, along = sides_of(
+            {dim: dataset[dim].values for dim in plane_dims[::-1]},
+            {dim: dataset[dim].attrs["units"] for dim in plane_dims},
+        )
         # Loaded first: text that is still in a file cannot be transposed.
         plane_dataset = dataset.isel(dict.fromkeys(constant_dims, 0)).load().transpose(along, across, ...)
         return cls(
@@ -157,6 +156,18 @@ class Plane:
         panel.label(title, x=across, y=along, row=row, **settings)
         if not panel.narrow:
             panel.axes.tick_params(labelleft="y" not in panel.inner, labelbottom="x" not in panel.inner)
+
+
+def sides_of(axes: Mapping[str, Array], units: Mapping[str, str]) -> tuple[str, str]:
+    """Return which of the two axes of a plane is drawn across, and which upright.
+
+    - axes: the values of both, in the order of the components of the pose
+    - units: their units
+    """
+    across, along = axes
+    extent = {name: float(np.ptp(values)) for name, values in axes.items()}
+    longer = units[across] == units[along] and extent[across] > LONGER * extent[along]
+    return (along, across) if longer else (across, along)
 
 
 def plane_axes(sizes: Mapping[str, int], components: Sequence[str], place: str) -> list[str]:

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import Any
 
 import numpy as np
 
-from pkmodes.loop.diagnosis.verdict.findings import Corrected
+from pkmodes.loop.diagnosis.verdict.findings import Corrected, Examined
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes.pages.plots import marks
 from pkmodes.pages.plots.drawing import Drawing
 from pkmodes.pages.plots.labels import short, visible
 from pkmodes.pages.plots.panel import Panel
 from pkmodes.pages.plots.sheet import Sheet
-from pkmodes.pages.plots.style import BLUE, GREEN, GREY, PAPER
+from pkmodes.pages.plots.style import BLUE, GREEN, GREY, INK, PAPER
 
 #: Most candidates or values in a figure, and length of the longest name.
 MOST, LONGEST = 16, 64
@@ -23,8 +24,9 @@ WHOLE = 96
 ROW, ABOVE = 0.3, 0.12
 #: Fraction of the axis left of 0, so that a mark at 0 is not cut off.
 LEFT = 0.012
-#: Smaller p-values are drawn as this one.
+#: Smaller p-values are beyond the axis: below it a computer soon holds 0 alone.
 LEAST = 1e-300
+BEYOND, LIMIT = "beyond 300", 300.0
 
 
 def candidate_scores(result: Diagnosis) -> Drawing | None:
@@ -44,12 +46,19 @@ def candidate_scores(result: Diagnosis) -> Drawing | None:
 
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(0.85 + ROW * len(candidates))
+        beyond = [candidates.index(c) for c in candidates if is_beyond(c)]
+        if beyond:
+            marks_beyond: dict[str, Any] = {"marker": ">", "s": 34, "linewidth": 1.2, "zorder": 3}
+            panel.lines(
+                np.array([[0.0, LIMIT]] * len(beyond)), np.array(beyond)[:, None], color=INK, linewidth=1.6
+            )
+            panel.scatter([LIMIT] * len(beyond), beyond, color=INK, label=BEYOND, **marks_beyond)
         for label, colour, group in kinds:
             for detectable, face in ((True, colour), (False, PAPER)):
-                plotted = [c for c in group if c.detectable == detectable]
+                plotted = [c for c in group if c.detectable == detectable and not is_beyond(c)]
                 if plotted:
                     y = np.array([candidates.index(c) for c in plotted])
-                    x = -np.log10([max(c.p_value, LEAST) for c in plotted])
+                    x = -np.log10([c.p_value for c in plotted])
                     ends = np.stack([0.0 * x, x], axis=1)[x > 0.0]
                     panel.lines(ends, y[x > 0.0, None], color=colour, linewidth=1.6)
                     name = label if detectable else f"{label}, not detectable"
@@ -63,6 +72,11 @@ def candidate_scores(result: Diagnosis) -> Drawing | None:
         marks.add_legend(sheet, panel)
 
     return Drawing(draw)
+
+
+def is_beyond(candidate: Examined) -> bool:
+    """Return whether the p-value is too small for the axis."""
+    return candidate.p_value < LEAST
 
 
 def _label(words: str, name: str) -> str:
@@ -93,10 +107,12 @@ def _rows(panel: Panel, labels: Sequence[str]) -> None:
 def pulls(values: Sequence[Corrected], words: Callable[[str], str] | None = None) -> Drawing | None:
     """Return how far the fit moved each value, in standard deviations of its prior; None if none has a prior.
 
+    The bars are the standard deviations of the table, which include what was not observed.
+
     - words: returns what the name of a value means, or nothing
     """
     with_prior = [(value, value.prior_sigma) for value in values if value.prior_sigma]
-    shifts = [((v.value - v.declared) / prior, v.sigma / prior, v.name) for v, prior in with_prior]
+    shifts = [((v.value - v.declared) / prior, v.saved_sigma / prior, v.name) for v, prior in with_prior]
     largest_shifts = sorted(shifts, key=lambda entry: -abs(entry[0]))[:MOST]
     if not largest_shifts:
         return None

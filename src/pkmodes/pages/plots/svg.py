@@ -46,6 +46,8 @@ REFERENCE = re.compile(r"url\(#([^)]+)\)")
 FORBIDDEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
 #: Resolution of images in narrow figures, which have large panels [1/inch].
 SPARING = 130
+#: Most panels below one another on a narrow screen: of more, the wide figure is the shorter way.
+MOST_PANELS = 12
 #: Length of the prefix that makes ids unique to a figure.
 DIGITS = 8
 
@@ -72,7 +74,7 @@ def inline_narrow(drawing: Drawing, title: str, description: str) -> str:
     with styled(), warnings.catch_warnings():
         warnings.simplefilter("ignore", UserWarning)  # panels that collapse, and characters that a font lacks
         sheet = drawing.sheet(narrow=True)
-        visible_box = sheet.settle()
+        visible_box = sheet.settle() if len(sheet.panels) <= MOST_PANELS else None
     if visible_box is None:
         return ""
     return _element(sheet.figure, title, description, {"bbox_inches": visible_box, "dpi": SPARING})

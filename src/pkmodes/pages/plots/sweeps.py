@@ -16,6 +16,8 @@ from pkmodes.pages.plots.style import BLUE, GREY, PALETTE, VERMILLION
 if TYPE_CHECKING:
     import xarray
 
+    from pkmodes.machine.maps.pose_path import PosePath
+
 Array = NDArray[Any]
 #: Most pose names written under an axis.
 LABELS = 24
@@ -92,6 +94,35 @@ def along(dataset: xarray.Dataset, spread: Array | None = None) -> Drawing:
         rotation = 90 if len(labels) > 10 else 0
         panel.name_places("x", range(0, len(labels), step), labels[::step], rotation=rotation)
         panel.label(x="pose", y="f [Hz]")
+        sheet.legend(panel, above=False, loc="outside right upper")
+
+    return Drawing(draw)
+
+
+def along_path(dataset: xarray.Dataset, path: PosePath, spread: Array | None = None) -> Drawing:
+    """Draw the frequencies of all modes over the distance along a path, with its corners.
+
+    - dataset: a map of the poses of the path
+    - spread: standard deviations of the frequencies, (poses, modes) [Hz], as bands
+    """
+    frequencies = _flat(dataset, "pose")
+    modes = frequencies.shape[-1]
+    frequency = np.stack([_quantiles(frequencies[..., mode], (0.5,))[0] for mode in range(modes)], axis=-1)
+
+    def draw(sheet: Sheet) -> None:
+        panel = sheet.panel(3.4)
+        for place in path.corners[1:-1]:
+            panel.line_at(float(place), "corner", color=GREY, linestyle="--", linewidth=0.8)
+        for mode in range(modes):
+            colour, style = PALETTE[mode % len(PALETTE)], "-" if mode < len(PALETTE) else "--"
+            values = frequency[:, mode]
+            if spread is not None:
+                low, high = values - spread[:, mode], values + spread[:, mode]
+                panel.band(path.distance, low, high, color=colour, alpha=0.18, linewidth=0)
+            panel.plot(path.distance, values, style, color=colour, label=f"mode {mode + 1}")
+        panel.axes.set_xlim(float(path.distance[0]), float(path.distance[-1]))
+        panel.axes.set_ylim(0.0, None)
+        panel.label(x=f"distance along the path [{path.unit}]", y="f [Hz]")
         sheet.legend(panel, above=False, loc="outside right upper")
 
     return Drawing(draw)

@@ -24,6 +24,7 @@ from pkmodes.pages.report.formatting import (
     number,
     pointer,
     prose,
+    read_in,
     sentence,
     shortened,
     three_digits,
@@ -172,10 +173,13 @@ def _sizes(result: Diagnosis, i: int, setting: ReportSetting) -> list[tuple[str,
         keys = ("effects", i, "relative" if relative else "parameters", parameter_key(value))
         sigma = pointer(*keys, "sigma" if relative else "saved_sigma")
         saved = with_saved_sigma(value, result.corrected)
-        cell = uncertain_cell(value.value, saved.sigma, pointer(*keys, "value"), sigma, fit=saved.fit_sigma)
+        read, scale = read_in(value.unit, value.value)
+        cell = uncertain_cell(
+            value.value, saved.sigma, pointer(*keys, "value"), sigma, scale=scale, fit=saved.fit_sigma
+        )
         name = clean(parameter_key(value))
         title = f"{name} relative to the mean" if relative else setting.words(value.name) or name
-        facts.append((f"{title} [{unit(value.unit)}]" if unit(value.unit) else title, cell))
+        facts.append((f"{title} [{unit(read)}]" if unit(read) else title, cell))
     return facts
 
 
@@ -219,9 +223,9 @@ def _correction(result: Diagnosis, robot: Robot | None) -> list[Block]:
     chosen = "".join(f" {sentence(clean(naming.choice_in_words(effect)))}" for effect in several)
     return [
         Paragraph(
-            "What changes in the corrected robot file, as written by --save-robot: the cause where "
-            f"one was found, {losses}and the refitted values with their new standard deviations. "
-            f"Comments and order are kept.{chosen}"
+            "What changes in the corrected robot file, as written by --save-robot: the cause where one was "
+            f"found, {losses}and the refitted values with their new standard deviations. Comments and order "
+            f"are kept.{chosen}"
         ),
         Difference("Difference of the robot file", lines),
     ]

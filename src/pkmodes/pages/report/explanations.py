@@ -177,6 +177,12 @@ def candidate_blocks(result: Diagnosis) -> list[Block]:
         open_marks = ""
         if not all(candidate.detectable for candidate in ranked[: scores.MOST]):
             open_marks = " Open marks are candidates that these data cannot detect, listed below the table."
+        beyond = sum(map(scores.is_beyond, ranked))
+        if beyond:
+            open_marks += (
+                f" The p-values of {plural(beyond, 'candidate')} are too small for a number: the arrows end beyond "
+                "the axis, and do not say which is longest."
+            )
         blocks.append(
             Picture.of(
                 figure,

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 
 from pkmodes.core.robot.units import DISPLAY_UNITS
 from pkmodes.pages.plots.labels import typeset
-from pkmodes.pages.plots.plane import limits_of
+from pkmodes.pages.plots.plane import LONGER, limits_of, sides_of
 from pkmodes.pages.plots.style import styled
 from pkmodes.pages.report.blocks import Explorer, Slider
-from pkmodes.pages.report.formatting import clean, shortened
+from pkmodes.pages.report.formatting import clean, shortened, thousands
 from pkmodes.pages.report.map_values import DECIMALS, LARGEST, MapValues, values_of
 from pkmodes.pages.view.page_data import script_json
 
@@ -22,19 +22,23 @@ if TYPE_CHECKING:
     import xarray
 
     from pkmodes.core.model import Model
+    from pkmodes.machine.maps.poses import PoseGrid
 
 #: Number of colours in the scale on the page.
 COLOURS = 128
 LIST = "pose"
 
 
-def explorer_of(model: Model, dataset: xarray.Dataset, units: Any, *, machine: bool) -> Explorer | None:
+def explorer_of(
+    model: Model, dataset: xarray.Dataset, units: Any, *, machine: bool, plane: PoseGrid | None = None
+) -> Explorer | None:
     """Return the interactive map; None unless there are several poses to choose from.
 
     - model: the robot as declared
     - dataset: from `pkmodes.Model.map`
     - units: unit of each axis as shown, with the factor from SI
     - machine: whether the page has a view of the machine, which follows
+    - plane: that of the figures of the page: the map opens there, with the same axes
     """
     if not dataset["valid"].any():
         return None
@@ -53,6 +57,8 @@ def explorer_of(model: Model, dataset: xarray.Dataset, units: Any, *, machine: b
         "components": [_component(component, part) for component in model.mechanism.pose],
         "list": [part[name].values.tolist() for name in components] if LIST in places else None,
         "limits": [limits_of(part["frequency"].values[..., i]) for i in range(part.sizes["mode"])],
+        "section": None if plane is None else _section(model, plane),
+        "longer": LONGER,
         "colours": _colours(),
         "decimals": DECIMALS,
         "largest": LARGEST,
@@ -74,6 +80,16 @@ def explorer_of(model: Model, dataset: xarray.Dataset, units: Any, *, machine: b
         machine=machine,
         varied=any(axis["kind"] == "robot" and len(axis["labels"]) > 1 for axis in axes),
     )
+
+
+def _section(model: Model, plane: PoseGrid) -> dict[str, Any]:
+    """Return the two components of a plane as figures draw them, across and upright, and the others' values [SI]."""
+    several = {name: values for name, values in plane.axes.items() if len(values) > 1}
+    if len(several) != 2:
+        return {"sides": [], "at": {}}
+    units = {component.name: component.unit for component in model.mechanism.pose}
+    at = {name: float(values[0]) for name, values in plane.axes.items() if name not in several}
+    return {"sides": list(sides_of(several, units)), "at": at}
 
 
 def _axis(name: str, values: xarray.DataArray, shown: tuple[str, float], components: Sequence[str]) -> Any:
@@ -115,7 +131,7 @@ def _colours() -> list[str]:
 
 def _note(values: MapValues, dataset: xarray.Dataset) -> str:
     """Return which poses of the map the page holds."""
-    held, total = (f"{part['valid'].size:,}".replace(",", "\u202f") for part in (values.dataset, dataset))
+    held, total = (thousands(part["valid"].size) for part in (values.dataset, dataset))
     if not values.thinned:
         return f"This page holds all {total} poses of the map."
     kept = []

@@ -13,6 +13,8 @@ from pkmodes.pages.report.blocks import Cell, Spread
 
 #: Longer labels and file names are shortened; the JSON has them in full.
 LONGEST = 100
+#: Lengths below this are shown in mm [m].
+SHORT = 0.1
 #: Shown in place of a missing number.
 NOTHING = "\u2013"
 #: A number with a power of ten within a sentence.
@@ -44,9 +46,19 @@ def sentence(text: str) -> str:
     return begun + ("" if text.endswith((".", "?", "!")) else ".")
 
 
-def figures(value: float | None, digits: int = 6, at: str = "") -> Cell:
-    """Return a number as a cell with at most `digits` significant digits; `NOTHING` if there is none."""
-    return _cell(value, lambda finite: plain(finite, digits), at)
+def figures(value: float | None, digits: int = 6, at: str = "", *, scale: float = 1.0) -> Cell:
+    """Return a number as a cell with at most `digits` significant digits; `NOTHING` if there is none.
+
+    - scale: the text shows this multiple of it
+    """
+    return _cell(value, lambda finite: plain(scale * finite, digits), at)
+
+
+def read_in(unit_name: str, *values: float) -> tuple[str, float]:
+    """Return the unit in which lengths of a row are read, and its factor: mm where all are below 0.1 m."""
+    if unit_name == "m" and 0.0 < max(map(abs, values), default=0.0) < SHORT:
+        return "mm", 1e3
+    return unit_name, 1.0
 
 
 def number(
@@ -144,8 +156,8 @@ def unit_cell(name: str) -> Cell:
 
 
 def thousands(count: int) -> str:
-    """Return a count with thin spaces between its thousands."""
-    return f"{count:,}".replace(",", "\u2009")
+    """Return a count with narrow spaces between its thousands, at which no line breaks."""
+    return f"{count:,}".replace(",", "\u202f")
 
 
 def per_cent(share: float) -> str:

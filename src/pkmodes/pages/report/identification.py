@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -44,11 +45,11 @@ def identification_report(
     need_report()
     sections = [Section("records", "Records", _overview(identified, content))]
     sections += [
-        record_section(i, result, campaign, content["records"][i])
+        replace(record_section(i, result, campaign, content["records"][i]), folded=True)
         for i, result in enumerate(identified.records)
     ]
     repeatability = number(identified.repeatability, ".2g", pointer("repeatability"), scale=100.0)
-    sections.append(origin(sources, None, [("repeatability [%]", [repeatability])]))
+    sections.append(replace(origin(sources, None, [("repeatability [%]", [repeatability])]), folded=True))
     return page(_summary(identified, campaign), sections)
 
 
@@ -194,13 +195,22 @@ def _overview(identified: Identification, content: Mapping[str, Any]) -> list[Bl
                 number(_files(result), ".0f"),
                 number(len(result.left_out), ".0f"),
                 number(len(content["records"][i]["messages"]), ".0f"),
+                number(lowest_coherence(result), ".2f"),
             ]
         )
     columns = [
         *(Column("pose", False), Column("kind", False), Column("modes")),
         *(Column("lowest [Hz]"), Column("highest [Hz]")),
-        *(Column("files"), Column("left out"), Column("messages")),
+        *(Column("files"), Column("left out"), Column("messages"), Column("coherence")),
     ]
+    caption = "Records."
+    if all(lowest_coherence(result) is None for result in identified.records):
+        rows, columns = [row[:-1] for row in rows], columns[:-1]
+    else:
+        caption = (
+            "Records. The coherence is the lowest of the modes, each in the drawn function of its record that shows "
+            "it best; far below 1, noise or a nonlinear machine drowns the mode."
+        )
     blocks: list[Block] = []
     if len(identified.records) > 1:
         labels = [result.record.pose for result in identified.records]
@@ -219,7 +229,31 @@ def _overview(identified: Identification, content: Mapping[str, Any]) -> list[Bl
                 "neighbours lack was hidden there, or is not a mode.",
             )
         )
-    return [*blocks, table("Records.", columns, rows)]
+    return [*blocks, table(caption, columns, rows)]
+
+
+def lowest_coherence(result: RecordResult) -> float | None:
+    """Return the lowest coherence at a mode of a record, of each mode in the drawn function with the highest there.
+
+    None where the files of the record have no coherence.
+    """
+    curves = [
+        curve
+        for inspection in result.inspections
+        for curve in inspection.curves
+        if curve.coherence is not None
+    ]
+    lowest: float | None = None
+    for mode in result.modes:
+        here = [
+            float(curve.coherence[int(np.argmin(np.abs(curve.frequencies - mode.frequency)))])
+            for curve in curves
+            if curve.coherence is not None and curve.frequencies[0] <= mode.frequency <= curve.frequencies[-1]
+        ]
+        known = [value for value in here if np.isfinite(value)]
+        if known:
+            lowest = max(known) if lowest is None else min(lowest, max(known))
+    return lowest
 
 
 def _frequency(index: int, result: RecordResult, k: int) -> Cell:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from pkmodes.core.robot.declaration import changeable_units
@@ -14,17 +15,16 @@ from pkmodes.machine.maps.summary import summary_of
 from pkmodes.pages.figures.pictures import pictures
 from pkmodes.pages.plots import sweeps
 from pkmodes.pages.plots.volume import volume
-from pkmodes.pages.report.blocks import (
-    Block,
-    Cell,
-    Listing,
-    Paragraph,
-    Picture,
-    Section,
-)
+from pkmodes.pages.report.blocks import Block, Cell, Listing, Paragraph, Picture, Section
 from pkmodes.pages.report.explorer import explorer_of
-from pkmodes.pages.report.formatting import clean, file_name, shortened
-from pkmodes.pages.report.map_planes import declared_values, plane_of, swept_paths, swept_pictures
+from pkmodes.pages.report.formatting import clean, file_name, plural, sentence, shortened
+from pkmodes.pages.report.map_planes import (
+    MapSection,
+    declared_values,
+    section_of,
+    swept_paths,
+    swept_pictures,
+)
 from pkmodes.pages.report.map_summary import axis_units, ranges, summary_of_map
 from pkmodes.pages.report.page import need_report, page
 from pkmodes.pages.report.sections import origin, view_section
@@ -34,7 +34,11 @@ if TYPE_CHECKING:
     import xarray
 
     from pkmodes.core.model import Model
+    from pkmodes.machine.maps.pose_path import PosePath
+    from pkmodes.machine.maps.poses import PoseGrid
 
+#: Sections that a reader unfolds.
+FOLDED = ("volume", "figures", "origin")
 #: Explanation of the bands where the robot file states standard deviations.
 BAND = (
     "the band is one standard deviation on either side, to first order from those that the robot file states"
@@ -47,6 +51,8 @@ def map_report(
     content: dict[str, Any] | None = None,
     sources: Sequence[Source] | None = None,
     view: str | None = None,
+    section: MapSection | None = None,
+    path: PosePath | None = None,
 ) -> str:
     """Return the report of a map.
 
@@ -62,6 +68,10 @@ def map_report(
         The input files as they were read; by default the robot file as it is now.
     view : str, optional
         HTML of a view in three dimensions, from `view_of`; by default there is none.
+    section : MapSection, optional
+        From `section_of`, where it was needed before.
+    path : PosePath, optional
+        The path whose poses the map has.
 
     Returns
     -------
@@ -76,7 +86,8 @@ def map_report(
     need_report()
     content = summary_of(dataset, None).as_json() if content is None else content
     sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources
-    explorer = explorer_of(model, dataset, axis_units(model), machine=view is not None)
+    section = section_of(model, dataset) if section is None else section
+    explorer = explorer_of(model, dataset, axis_units(model), machine=view is not None, plane=section.places)
     about = [("rigid-body modes", [Cell(str(content["rigid_modes"]))])]
     if content["file"]:
         about.append(("map", [Cell(shortened(file_name(content["file"])))]))
@@ -85,19 +96,28 @@ def map_report(
         *([Section("explore", "Pose by pose", [explorer])] if explorer is not None else []),
         *view_section(view),
         *_volume(model, dataset),
-        *_changes(model, dataset, without_unrepresentative(dataset)),
-        *_figures(model, dataset),
+        *_changes(model, dataset, without_unrepresentative(dataset), path),
+        *_figures(model, dataset, section),
         origin(sources, model.mechanism, about, str(dataset.attrs["version"])),
     ]
-    return page(summary_of_map(model, content), sections)
+    return page(
+        summary_of_map(model, content),
+        [replace(section, folded=section.name in FOLDED) for section in sections],
+    )
 
 
-def middle_of(model: Model, dataset: xarray.Dataset) -> list[float] | None:
-    """Return the pose in the middle of a map; None for a list of poses, or if it cannot be evaluated."""
+def middle_of(model: Model, dataset: xarray.Dataset, places: PoseGrid | None = None) -> list[float] | None:
+    """Return the pose in the middle of a map; None for a list of poses, or if it cannot be evaluated.
+
+    - places: the plane of the figures, in which it lies
+    """
     names = [component.name for component in model.mechanism.pose]
     if not set(names) <= set(dataset.dims):
         return None
     pose = [float(dataset[name].values[dataset.sizes[name] // 2]) for name in names]
+    if places is not None:
+        single = {name: float(values[0]) for name, values in places.axes.items() if len(values) == 1}
+        pose = [single.get(name, value) for name, value in zip(names, pose, strict=True)]
     return pose if model.check(pose).valid else None
 
 
@@ -112,10 +132,12 @@ def _volume(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
     title = "The reachable volume"
     text = "The poses that can be reached, coloured by the frequency of mode 1: from outside, and cut open."
     drawing = volume(dataset.squeeze([dim for dim in dims if dim not in components]), components)
-    yield Section("volume", title, [Picture.of(drawing, title, text, text)])
+    yield Section("volume", title, [Picture.of(drawing, title, text, text, cropped=True)])
 
 
-def _changes(model: Model, dataset: xarray.Dataset, drawn_of: xarray.Dataset) -> Iterator[Section]:
+def _changes(
+    model: Model, dataset: xarray.Dataset, drawn_of: xarray.Dataset, path: PosePath | None
+) -> Iterator[Section]:
     """Yield the sections of swept parameters, samples, and poses on a line or in a list.
 
     - drawn_of: the same without the poses that are not representative
@@ -125,19 +147,19 @@ def _changes(model: Model, dataset: xarray.Dataset, drawn_of: xarray.Dataset) ->
     swept = [dim for dim in dims if "." in dim]
     if swept:
         blocks: list[Block] = []
-        for path in swept:
-            spread = spread_along(model.robot, dataset, path, model.max_condition)
-            caption = f"Frequencies against {clean(path)}{_banded(dataset, path, spread)}."
-            drawing = sweeps.against(drawn_of, path, spread)
-            blocks.append(Picture.of(drawing, clean(path), caption, caption))
+        for name in swept:
+            spread = spread_along(model.robot, dataset, name, model.max_condition)
+            caption = f"Frequencies against {clean(name)}{_banded(dataset, name, spread)}."
+            drawing = sweeps.against(drawn_of, name, spread)
+            blocks.append(Picture.of(drawing, clean(name), caption, caption))
         yield Section("sweeps", "Swept parameters", blocks)
     if "sample" in dims:
         drawn = [
             str(name) for name, c in dataset.coords.items() if c.dims == ("sample",) and name != "sample"
         ]
         caption = (
-            "Scatter of the frequencies over the sampled robots at each pose, relative to their median: half of the "
-            "values are within the bar, 95 % within the line."
+            "Scatter of the frequencies over the sampled robots at each pose, relative to their median: half of "
+            "the values are within the bar, 95 % within the line."
         )
         picture = Picture.of(sweeps.scatter(drawn_of), "Scatter over sampled robots", caption, caption)
         listing = Listing([clean(path) for path in drawn], names=True)
@@ -146,7 +168,18 @@ def _changes(model: Model, dataset: xarray.Dataset, drawn_of: xarray.Dataset) ->
             "Sampled robots",
             [picture, Paragraph("Drawn from their standard deviations:"), listing],
         )
-    if "pose" in dims:
+    if "pose" in dims and path is not None:
+        spread = spread_along(model.robot, dataset, "pose", model.max_condition)
+        caption = (
+            f"Frequencies along the path, at {plural(len(path.distance), 'pose')}; dashed lines are its corners. "
+            "A gap is a part that cannot be evaluated."
+        )
+        caption += "" if spread is None else f" {sentence(BAND)}"
+        picture = Picture.of(
+            sweeps.along_path(drawn_of, path, spread), "Frequencies along the path", caption, caption
+        )
+        yield Section("poses", "Along the path", [picture])
+    elif "pose" in dims:
         spread = spread_along(model.robot, dataset, "pose", model.max_condition)
         caption = "Frequencies along the poses, medians over everything else."
         if spread is not None:
@@ -180,11 +213,11 @@ def _banded(dataset: xarray.Dataset, dim: str, spread: Any) -> str:
     return f": the line is the median over {over}, the band leaves out {left_out}"
 
 
-def _figures(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
+def _figures(model: Model, dataset: xarray.Dataset, section: MapSection) -> Iterator[Section]:
     """Yield the figures of the robot: in the plane of the map if it has one, otherwise in its working plane."""
     if len(model.mechanism.pose) < 2:
         return
-    places, where, title = plane_of(model, dataset)
+    places, where, title = section.places, section.where, section.title
     if places is None:
         yield Section("figures", title, [Paragraph(where)])
         return

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -33,6 +33,26 @@ CHOSEN = (
 def swept_paths(dataset: xarray.Dataset) -> list[str]:
     """Return the paths of the parameters that have several values."""
     return [str(dim) for dim in dataset["frequency"].dims if "." in str(dim) and dataset.sizes[dim] > 1]
+
+
+class MapSection(NamedTuple):
+    """The plane of a map that its page draws.
+
+    - places: None where there is none
+    - where: which plane that is, for a sentence; or why there is none
+    - title: of the figures
+    """
+
+    places: PoseGrid | None
+    where: str
+    title: str
+
+
+def section_of(model: Model, dataset: xarray.Dataset) -> MapSection:
+    """Choose the section of a map that its page draws; a mechanism with one component of the pose has none."""
+    return (
+        MapSection(*plane_of(model, dataset)) if len(model.mechanism.pose) > 1 else MapSection(None, "", "")
+    )
 
 
 def plane_of(model: Model, dataset: xarray.Dataset) -> tuple[PoseGrid | None, str, str]:
@@ -67,7 +87,10 @@ def plane_of(model: Model, dataset: xarray.Dataset) -> tuple[PoseGrid | None, st
             axes = {name: np.array([at]) if name == normal else dataset[name].values for name in names}
             axes |= {name: nearest_to_zero(dataset[name].values) for name in names if name not in linear}
             return _thinned(axes, dataset), f"the plane of the map {CHOSEN}", OF_MAP
-        return plane, f"the plane {CHOSEN} of the workspace", WORKING
+        # A plane of the map itself, so that the figures and the map pose by pose show the same section.
+        nearest = values[[np.argmin(np.abs(values - plane.axes[normal][0]))]]
+        section = PoseGrid({**plane.axes, normal: nearest}, plane.usable_only)
+        return section, f"the plane of the map nearest to that {CHOSEN} of the workspace", WORKING
     if not listed and (varied or not several):
         extent = f"along {clean(several[0])}" if several else "at one pose"
         return (

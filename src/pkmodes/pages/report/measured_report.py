@@ -6,6 +6,7 @@ In a comparison nothing is fitted, so there is no verdict, only whether the diff
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.core.model import Model
@@ -27,6 +28,9 @@ from pkmodes.pages.report.sections import glossary, view_section
 from pkmodes.pages.report.setting import ReportSetting
 from pkmodes.pages.report.sources import Source, known_sources
 
+#: Sections of a comparison that are unfolded when the page opens.
+OPEN = ("modes",)
+
 
 def report(
     result: Diagnosis | Comparison,
@@ -39,7 +43,7 @@ def report(
 ) -> str:
     """Return the report of a diagnosis, of what changed, or of a comparison.
 
-    The same result always gives the same text.
+    The same result always gives the same text, but for the date (``SOURCE_DATE_EPOCH``).
 
     Parameters
     ----------
@@ -95,4 +99,7 @@ def report(
         glossary(diagnosed=False),
         setting.origin(evidence),
     ]
-    return page(comparison_summary(result, setting), sections)
+    return page(
+        comparison_summary(result, setting),
+        [replace(section, folded=section.name not in OPEN) for section in sections],
+    )

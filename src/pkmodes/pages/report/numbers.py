@@ -16,6 +16,7 @@ from pkmodes.pages.report.formatting import (
     number,
     plural,
     pointer,
+    read_in,
     three_digits,
     uncertain_cell,
     unit_cell,
@@ -77,15 +78,16 @@ def fitted_value_tables(result: Diagnosis, setting: ReportSetting) -> list[Table
             if any(parameter.name == value.name for parameter in effect.parameters):
                 role, at = "cause", ("effects", i, "parameters", parameter_key(value))
                 after, sigma, saved = (pointer(*at, name) for name in ("value", "sigma", "saved_sigma"))
+        unit, scale = read_in(value.unit, value.declared, value.value)
         rows.append(
             [
                 Cell.named(setting.words(value.name), clean(value.name.removeprefix("effects."))),
                 Cell(f"{role}, at a bound" if value.at_bound else role),
-                figures(value.declared, 6, before),
-                uncertain_cell(value.value, value.saved_sigma, after, saved, fit=value.sigma),
-                figures(value.sigma, 2, sigma),
-                unit_cell(value.unit),
-                figures(prior, 2),
+                figures(value.declared, 6, before, scale=scale),
+                uncertain_cell(value.value, value.saved_sigma, after, saved, scale=scale, fit=value.sigma),
+                figures(value.sigma, 2, sigma, scale=scale),
+                unit_cell(unit),
+                figures(prior, 2, scale=scale),
                 number((value.value - value.declared) / prior if prior else None, "+.1f"),
             ]
         )
@@ -117,15 +119,17 @@ def pulls(result: Diagnosis, setting: ReportSetting) -> list[Picture]:
     figure = scores.pulls(corrected, setting.words)
     if figure is None:
         return []
-    count = plural(sum(v.prior_sigma is not None for v in corrected), "value")
+    total = sum(bool(v.prior_sigma) for v in corrected)
+    count = plural(total, "value")
+    which = f" (the {scores.MOST} that moved most of {total})" if total > scores.MOST else ""
     return [
         Picture.of(
             figure,
             "Movement of the uncertain values",
             f"{count} with a prior, and how far each moved.",
-            "How far the fit moved each uncertain value, in standard deviations of its prior. Beyond 3 the "
-            "declared value or its sigma is wrong, or the value makes up for a cause; a bar as wide as the "
-            "shaded prior means that the data say nothing about it.",
+            f"How far the fit moved each uncertain value{which}, in standard deviations of its prior; the bars are "
+            "the standard deviations of the table. Beyond 3 the declared value or its sigma is wrong, or the value "
+            "makes up for a cause; a bar as wide as the shaded prior means that the data say nothing about it.",
         )
     ]
 
@@ -138,9 +142,13 @@ def correlations(result: Diagnosis) -> list[Picture]:
     places = [k for k, value in enumerate(result.corrected) if value in kept]
     rates = correlation[np.ix_(places, places)] if places else correlation
     figure, parts = dependence.matrix(kept, rates), dependence.ellipses(kept, rates)
-    pairs = len(dependence.notable(kept, rates))
+    pairs, drawn = len(dependence.notable(kept, rates)), dependence.drawn_pairs(kept, rates)
+    alike = (
+        "" if len(drawn) == pairs else "Pairs of one kind, such as two legs, are in the table above alone. "
+    )
     if figure is None:
         return []
+    shown = f" (the first {dependence.MOST} of {len(kept)})" if len(kept) > dependence.MOST else ""
     strong = (
         f"{plural(pairs, 'pair')} with a correlation of {dependence.NOTABLE:.2f} or more"
         if pairs
@@ -151,22 +159,25 @@ def correlations(result: Diagnosis) -> list[Picture]:
             figure,
             "Correlation of the fitted values",
             f"Correlation of each pair of the fitted values. {strong}.",
-            "Correlation of the fitted values, by the fit and the priors. Near +1 or \u22121 the data "
+            f"Correlation of the fitted values{shown}, by the fit and the priors. Near +1 or \u22121 the data "
             "determine a combination of two values far better than either: a better value of one then moves the "
             f"other. {strong}.",
         )
     ]
     if parts is not None:
-        which = f" (the {dependence.PAIRS} strongest of {pairs})" if pairs > dependence.PAIRS else ""
+        which = (
+            f" (the {dependence.PAIRS} strongest of {len(drawn)})" if len(drawn) > dependence.PAIRS else ""
+        )
+        count = min(len(drawn), dependence.PAIRS)
         pictures.append(
             Picture.of(
                 parts,
                 "Error ellipses",
-                f"Ellipses of 68 and 95 % about the fitted values of {plural(min(pairs, dependence.PAIRS), 'pair')}.",
+                f"Ellipses of 68 and 95 % about the fitted values of {plural(count, 'pair')}.",
                 f"Error ellipses of pairs with a strong correlation{which}: deviations from the fitted values, in "
-                "per cent of these. The true pair is within an ellipse with the probability that it names, if errors "
-                "are normal and nothing else is missing: the standard deviations are those of the fit alone. A "
-                "cross, if there is one, is the declared pair.",
+                f"per cent of these, or in the unit of a value near 0. {alike}The true pair is within an ellipse "
+                "with the probability that it names, if errors are normal and nothing else is missing: the standard "
+                "deviations are those of the fit alone. A cross, if there is one, is the declared pair.",
             )
         )
     return pictures

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
+from datetime import UTC, datetime
 from functools import cache
 from importlib.resources import files
 from typing import TYPE_CHECKING
 
+from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.core.base.version import VERSION
 from pkmodes.core.support.extras import require
 from pkmodes.core.support.page_policy import with_policy
@@ -16,6 +19,8 @@ if TYPE_CHECKING:
     from jinja2 import Environment
 
 TEMPLATES, PAGE, STYLE, BROWSER = "templates", "page.html.j2", "style.css", "browser"
+#: Variable of the environment with the time of reproducible files (reproducible-builds.org).
+EPOCH = "SOURCE_DATE_EPOCH"
 #: Program that pages with folded sections need.
 FOLDING = "fold"
 
@@ -46,6 +51,7 @@ def page(summary: Summary, sections: Sequence[Section]) -> str:
         for name in names
     ]
     html = template.render(
+        date=date_of_page(),
         summary=summary,
         sections=list(sections),
         style=style,
@@ -53,6 +59,21 @@ def page(summary: Summary, sections: Sequence[Section]) -> str:
         version=VERSION,
     )
     return with_policy(html)
+
+
+def date_of_page() -> str:
+    """Return the date of a page, as in ISO 8601: that of ``SOURCE_DATE_EPOCH`` where it is set, else today's.
+
+    Raises PkmodesError if it is not a number of seconds since 1970.
+    """
+    epoch = os.environ.get(EPOCH)
+    if epoch is None:
+        return datetime.now().astimezone().date().isoformat()
+    try:
+        return datetime.fromtimestamp(int(epoch), UTC).date().isoformat()
+    except (ValueError, OverflowError, OSError):
+        problem = f"expected whole seconds since 1970, found {shown(epoch)}"
+        raise PkmodesError(problem, EPOCH, "unset it, or give such a number") from None
 
 
 @cache

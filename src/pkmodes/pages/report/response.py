@@ -27,6 +27,7 @@ from pkmodes.pages.report.formatting import (
     number,
     plural,
     pointer,
+    sentence,
     shortened,
     three_digits,
     uncertain_cell,
@@ -157,6 +158,7 @@ def _notes(robot: Robot, drawn: DrawnChannels) -> Iterator[str]:
     """Yield notes on the responses."""
     if not robot.dissipates:
         yield UNDAMPED_NOTE
+    yield from (sentence(clean(note)) for note in drawn.notes)
     if drawn.prescribed:
         verb = "is" if len(drawn.prescribed) == 1 else "are"
         yield f"{clean(', '.join(drawn.prescribed))} {verb} left out: the motion is prescribed."

@@ -15,7 +15,7 @@ from pkmodes.core.robot.units import DISPLAY_UNITS
 from pkmodes.core.support.page_policy import with_policy
 from pkmodes.pages.view.interpolation import SLIDER_STEPS
 from pkmodes.pages.view.measured_data import measured_sentence, measured_table, numbers_table
-from pkmodes.pages.view.page_data import platform_directions, scene_data, script_json
+from pkmodes.pages.view.page_data import data_element, platform_directions, scene_data
 from pkmodes.pages.view.scene import AMPLITUDE, Scene
 from pkmodes.pages.view.still import still_svg
 from pkmodes_description import Named
@@ -120,7 +120,7 @@ def fragment(scene: Scene, name: str = "robot") -> str:
         HTML.
     """
     prefix = escape(name)
-    data = script_json(scene_data(scene))
+    data = data_element(scene_data(scene))
     return f"""<section class="pkview" aria-label="{escape(scene.robot)} in three dimensions">
 <div class="pkview-frame">
 <div class="pkview-stage">
@@ -145,7 +145,7 @@ def fragment(scene: Scene, name: str = "robot") -> str:
 <noscript><p>The moving picture needs JavaScript; the table is that of one pose.</p></noscript>
 {_mode_table(scene, prefix)}
 {measured_table(scene, prefix)}
-<script type="application/json">{data}</script>
+{data}
 </section>
 """
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import zlib
+from base64 import b64encode
 from typing import Any
 
 import numpy as np
@@ -18,6 +20,8 @@ Array = NDArray[np.float64]
 #: Decimals of positions [m], of displacements and rotations per metre of the largest displacement, of shares, and of
 #: interpolation errors.
 POSITION_DECIMALS, MOTION_DECIMALS, SHARE_DECIMALS, ERROR_DECIMALS = 5, 4, 4, 5
+#: Most characters of JSON that a page holds as they are; deflated, they are a third.
+MAX_PLAIN_CHARACTERS = 1_000_000
 
 
 def scene_data(scene: Scene) -> dict[str, Any]:
@@ -83,6 +87,15 @@ def scene_data(scene: Scene) -> dict[str, Any]:
 def platform_directions(scene: Scene) -> Array:
     """Return the unit vectors of the platform's motion, (N, m, components); zero where it does not move."""
     return unit_vectors(scene.platform_shapes, scene.lengths)
+
+
+def data_element(data: dict[str, Any]) -> str:
+    """Return the script element with the data of a view: plain JSON, or deflated where that is large."""
+    text = script_json(data)
+    if len(text) <= MAX_PLAIN_CHARACTERS:
+        return f'<script type="application/json">{text}</script>'
+    deflated = b64encode(zlib.compress(text.encode("utf-8"), 9)).decode("ascii")
+    return f'<script type="application/x-deflated-json">{deflated}</script>'
 
 
 def script_json(data: dict[str, Any]) -> str:

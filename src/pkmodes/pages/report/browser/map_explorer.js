@@ -12,6 +12,12 @@ class MapExplorer extends MapPicture {
     const { map } = this, middle = map.sizes.map((size) => Math.floor(size / 2));
     middle.fill(0, 0, map.first); // the first robot of a sweep
     if (data.list) middle[map.first] = 0;
+    data.components.forEach((c, k) => { // in the section of the figures
+      const at = data.section ? data.section.at[c.name] : undefined, axis = map.axisOf[k];
+      if (at === undefined || axis < 0) return;
+      const away = data.axes[axis].values.map((value) => Math.abs(value - at));
+      middle[axis] = away.indexOf(Math.min(...away));
+    });
     this.place = this.nearest(middle);
     if (this.place >= 0) this.at = map.put(middle, this.place);
     this.listen();
@@ -53,7 +59,6 @@ class MapExplorer extends MapPicture {
     new ResizeObserver(() => {
       if (!canvas.clientWidth || canvas.clientWidth === width) return;
       width = canvas.clientWidth;
-      this.turn();
       this.draw();
     }).observe(canvas);
   }
@@ -63,6 +68,7 @@ class MapExplorer extends MapPicture {
     if (place < 0) return;
     this.place = place;
     this.at = this.map.put(this.at, place);
+    this.wanted = null;
     this.refresh();
     this.say();
     document.dispatchEvent(new CustomEvent("pkmodes-pose", { detail: { pose: this.map.pose(place) } }));
@@ -75,16 +81,19 @@ class MapExplorer extends MapPicture {
     if (place < 0) return;
     this.place = place;
     this.at = map.put(this.at, place);
+    this.wanted = null;
     this.refresh();
   }
 
+  // What the other sliders were set to is kept: they return to it where a pose can be evaluated there again.
   slide(axis, value) {
-    const wanted = this.at.slice();
+    const wanted = (this.wanted || this.at).slice();
     wanted[axis] = value;
     if (axis < this.map.first) { // another robot: at the same place if it can be evaluated
       this.at = wanted;
       this.place = this.nearest(wanted);
       if (this.place >= 0) this.at = this.map.put(wanted, this.place);
+      this.wanted = wanted;
       this.refresh();
       this.say();
       return;
@@ -96,6 +105,7 @@ class MapExplorer extends MapPicture {
       return;
     }
     this.go(place);
+    this.wanted = wanted;
     if (this.map.place(wanted) !== place) this.find("status").textContent += " Moved to the nearest pose that can be evaluated.";
   }
 

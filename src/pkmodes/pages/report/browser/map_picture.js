@@ -1,8 +1,5 @@
 // The picture of a map: which components it shows, what is where, and which pose is under the pointer.
 
-// Width below which the longer component stands upright [px].
-const NARROW = 480;
-
 function extent(values) {
   return values.reduce(([low, high], value) => [Math.min(low, value), Math.max(high, value)], [Infinity, -Infinity]);
 }
@@ -31,12 +28,14 @@ class MapPicture {
     this.turn();
   }
 
-  // On a narrow screen the longer of two components of one unit stands upright.
+  // As in the figures of the page: in their plane as they draw it, in others the clearly longer component upright.
   turn() {
     const { data, shown } = this;
-    if (!this.flat || data.components[shown[0]].unit !== data.components[shown[1]].unit) return;
-    const [a, b] = shown.map((k) => this.span(k)), narrow = this.chart.canvas.clientWidth < NARROW;
-    if (narrow ? a > 1.3 * b : shown[0] > shown[1]) shown.reverse();
+    if (!this.flat) return;
+    shown.sort((a, b) => a - b);
+    const [a, b] = shown.map((k) => data.components[k]), sides = data.section ? data.section.sides : [];
+    const drawn = sides.includes(a.name) && sides.includes(b.name);
+    if (drawn ? sides[0] === b.name : a.unit === b.unit && this.span(shown[0]) > data.longer * this.span(shown[1])) shown.reverse();
   }
 
   // Extent of a component [SI].

@@ -136,6 +136,15 @@ class Stage {
     this.dirty = true;
   }
 
+  // Shares of the height of the picture that its caption covers at the top, and scale and buttons at the bottom.
+  covered() {
+    const canvas = this.renderer.domElement, box = canvas.getBoundingClientRect(), frame = canvas.parentElement;
+    if (!box.height) return [0, 0];
+    const ends = (part) => frame.querySelector(part)?.getBoundingClientRect(), share = (part) => Math.min(Math.max(part, 0) / box.height, 0.4);
+    const [title, legend] = [ends(".pkview-title"), ends(".pkview-legend")];
+    return [title ? share(title.bottom - box.top) : 0, legend ? share(box.bottom - legend.top) : 0];
+  }
+
   // Place the camera in a direction so that everything fits into the picture, as large as possible.
   frame(from) {
     const right = this.vertical.clone().cross(from).normalize(), up = from.clone().cross(right);
@@ -154,17 +163,19 @@ class Stage {
     take(this.data.points[this.data.chosen], 1);
     if (this.data.workspace) take(this.data.workspace.vertices, 0.75); // its edge may lie outside the picture
     let distance = Math.max(this.data.size, ...room.map((r, k) => (most[k] - least[k]) / (2 * r)));
-    const depth = centre.dot(from), edge = 0.98 * slope * this.camera.aspect;
+    const depth = centre.dot(from), edge = 0.98 * slope * this.camera.aspect, [top, bottom] = this.covered();
+    const above = (1 - 2 * top) * slope, below = (1 - 2 * bottom) * slope, shift = Math.max(0.06, top - bottom);
     for (let i = 0; i < 20; i++) {
       const aim = new T.Vector3();
       [right, up].forEach((axis, k) => aim.addScaledVector(axis, (most[k] + least[k]) / 2));
-      aim.addScaledVector(up, 0.06 * slope * distance); // the title is above
+      aim.addScaledVector(up, shift * slope * distance); // the title is above
       this.camera.position.copy(aim).addScaledVector(from, distance);
       this.controls.target.copy(aim).addScaledVector(from, depth);
-      // Labels keep their size: step back until they fit beside the robot.
+      // Labels keep their size: step back until they fit beside the robot, and below the caption.
       const cut = this.labels.children.some((label) => {
         const seen = label.position.clone().sub(this.camera.position);
-        return Math.abs(seen.dot(right) / seen.dot(from)) + label.scale.x / 2 > edge;
+        const wide = Math.abs(seen.dot(right) / seen.dot(from)), high = seen.dot(up) / -seen.dot(from);
+        return wide + label.scale.x / 2 > edge || high + label.scale.y / 2 > above || label.scale.y / 2 - high > below;
       });
       if (!cut) return;
       distance *= 1.03;
@@ -252,14 +263,15 @@ class Stage {
 
   // Move labels that would cover each other aside in the picture; one that finds no room near its place is left out.
   arrange() {
-    const { elements: m } = this.camera.projectionMatrix, placed = [];
+    const { elements: m } = this.camera.projectionMatrix, placed = [], [top, bottom] = this.covered();
+    const inside = (y, high) => y + high / 2 < 1 - 2 * top && y - high / 2 > 2 * bottom - 1; // the caption stays legible
     const order = [...this.labels.children].sort((a, b) => b.importance - a.importance);
     this.camera.updateMatrixWorld();
     for (const label of order) {
       const { x, y } = label.position.clone().project(this.camera);
       const [wide, high] = [label.scale.x * m[0], label.scale.y * m[5]];
       const beside = (one, u, v) => Math.abs(one.x - u) > (one.wide + wide) / 2 || Math.abs(one.y - v) > high;
-      const free = ([u, v]) => placed.every((one) => beside(one, x + u * wide, y + v * high));
+      const free = ([u, v]) => inside(y + v * high, high) && placed.every((one) => beside(one, x + u * wide, y + v * high));
       const shift = SHIFTS.find(free);
       label.visible = shift !== undefined;
       if (!label.visible) continue;

@@ -4,9 +4,9 @@
 const PAPER = [1600, 620];
 
 class Viewer {
-  constructor(root) {
+  constructor(root, text) {
     this.root = root;
-    this.data = JSON.parse(root.querySelector("script[type='application/json']").textContent);
+    this.data = JSON.parse(text);
     this.states = new States(this.data);
     this.state = this.states.evaluated(this.data.chosen);
     this.panel = new Panel(root, this.data);
@@ -126,12 +126,14 @@ class Viewer {
     this.draw();
   }
 
-  // The place of the sliders, or the nearest one that the robot can reach with the slider that moved.
+  // The place of the sliders, or the nearest one that the robot can reach with the slider that moved.  What the other
+  // sliders were set to is kept: they return to it where the robot can reach it again.
   slide(moved) {
-    const { panel, states } = this, axis = panel.all("level").indexOf(moved), wanted = this.state.place.slice();
+    const { panel, states } = this, axis = panel.all("level").indexOf(moved), wanted = (this.wanted || this.state.place).slice();
     wanted[axis] = Number(moved.value) / FINE;
     const place = states.nearest(wanted, axis);
     this.choose(states.at(place), this.mode);
+    this.wanted = wanted;
     const { varied } = this.data, status = panel.find("status");
     if (place[axis] !== wanted[axis]) status.textContent += varied ? " With that value the robot cannot be at the pose." : " No pose that was computed is reachable there.";
     else if (place !== wanted) status.textContent += varied ? " Moved to the nearest values with which the robot can be at the pose." : " Moved to the nearest pose that the robot can reach.";
@@ -160,6 +162,7 @@ class Viewer {
   }
 
   choose(state, mode) {
+    if (state !== this.state) this.wanted = null;
     this.state = state;
     this.mode = mode;
     this.panel.pose(state);
@@ -237,7 +240,20 @@ function span(values) {
   return Math.max(...values) - Math.min(...values) || 1;
 }
 
-document.querySelectorAll(".pkview:not([data-started])").forEach((root) => {
+// The text of a zlib stream in base 64.
+async function inflatedText(text) {
+  const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"))).text();
+}
+
+document.querySelectorAll(".pkview:not([data-started])").forEach(async (root) => {
   root.dataset.started = "";
-  root.viewer = new Viewer(root);
+  const plain = root.querySelector("script[type='application/json']");
+  let text;
+  try {
+    text = plain ? plain.textContent : await inflatedText(root.querySelector("script[type='application/x-deflated-json']").textContent);
+  } catch {
+    return; // an old browser: the still stays
+  }
+  root.viewer = new Viewer(root, text);
 });

@@ -1,0 +1,67 @@
+"""A path through the workspace: straight lines from pose to pose, and how far each pose is along it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.base.errors import PoseError
+from pkmodes.core.mechanism.registry import Mechanism
+from pkmodes.core.robot.units import DISPLAY_UNITS
+from pkmodes.machine.maps.poses import Poses
+
+Array = NDArray[np.float64]
+#: Poses along a path, besides its corners.
+COUNT = 101
+
+
+@dataclass(frozen=True, eq=False)
+class PosePath:
+    """Poses along a path.
+
+    - poses: one after the other
+    - distance: of each from the beginning, (N,), in `unit`
+    - corners: where the path turns, and its ends, (K,), likewise
+    - unit: as in figures, such as mm
+    """
+
+    poses: Poses
+    distance: Array
+    corners: Array
+    unit: str
+
+    @classmethod
+    def through(cls, mechanism: Mechanism, corners: Sequence[Sequence[float]]) -> PosePath:
+        """Return a path through poses, at equal distances and at the corners.
+
+        Distances are those of the platform's centre; of a path that only turns, of its angles.
+
+        - corners: components in SI units, (K, d)
+
+        Raises PoseError if there are fewer than two, or two that follow each other are equal.
+        """
+        if len(corners) < 2:
+            names = ",".join(component.name for component in mechanism.pose).upper()
+            problem = f"expected at least two poses, found {len(corners)}"
+            raise PoseError(problem, "--path", f'write --path "{names};{names}"')
+        points = np.asarray(corners, dtype=float)
+        units = [component.unit for component in mechanism.pose]
+        moves = np.array([unit == units[0] for unit in units])
+        if not np.ptp(points[:, moves], axis=0).any():
+            moves = ~moves
+        steps = np.linalg.norm(np.diff(points[:, moves], axis=0), axis=1)
+        if not moves.any() or not steps.all():
+            raise PoseError(
+                "two poses of the path that follow each other are equal", "--path", "leave one out"
+            )
+        ends = np.concatenate([[0.0], np.cumsum(steps)])
+        at = np.unique(np.concatenate([np.linspace(0.0, ends[-1], COUNT), ends]))
+        at = at[np.concatenate([[True], np.diff(at) > 1e-9 * ends[-1]])]
+        table = np.stack([np.interp(at, ends, points[:, k]) for k in range(points.shape[1])], axis=1)
+        unit, factor = DISPLAY_UNITS.get(units[int(np.argmax(moves))], (units[int(np.argmax(moves))], 1.0))
+        labels = tuple(f"{factor * distance:.6g} {unit}" for distance in at)
+        components = tuple(component.name for component in mechanism.pose)
+        return cls(Poses(table, components, labels), factor * at, factor * ends, unit)
