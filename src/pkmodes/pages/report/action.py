@@ -22,7 +22,17 @@ from pkmodes.loop.diagnosis.verdict.stability_words import same, stable
 from pkmodes.loop.diagnosis.verdict.terms import DECLARED, Beyond, TermClass
 from pkmodes.loop.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.pages.report.blocks import Cell, Facts
-from pkmodes.pages.report.formatting import clean, label, named, number, plural, pointer, sentence, unit
+from pkmodes.pages.report.formatting import (
+    clean,
+    hertz,
+    label,
+    named,
+    number,
+    plural,
+    pointer,
+    sentence,
+    unit,
+)
 from pkmodes.pages.report.setting import ReportSetting
 from pkmodes.pages.report.stability import CHANGES
 
@@ -60,7 +70,7 @@ MOST = 6
 
 def action(result: Diagnosis, setting: ReportSetting) -> Facts:
     """Return what to inspect, its effect in hertz, how certain that is, and what to measure next."""
-    effect = _effect(result, setting)
+    effect = _effect(result)
     return Facts(
         [
             *_inspect(result, setting),
@@ -114,45 +124,48 @@ def _beyond(result: Diagnosis) -> TermClass | None:
     return result.beyond.found if result.beyond is not None and not result.effects else None
 
 
-def _effect(result: Diagnosis, setting: ReportSetting) -> list[Cell]:
-    """Return the effect of the causes on the frequencies at the measured poses; empty without causes.
+def _effect(result: Diagnosis) -> list[Cell]:
+    """Return the effect of the causes on the measured modes, and the largest with the refitted values; else empty.
 
-    Modes are matched by rank; where a cause adds modes, such as those of a moving frame, by frequency.
+    The effect is that of the causes at the values of the last model, whose modes with and without them are matched by
+    rank, or by frequency where a cause adds modes, such as those of a moving frame.  The frequencies are those of the
+    table of all measured modes: as declared, and with the causes.
     """
     stages = result.stages
     if stages is None or stages.after is None or stages.without is None:
         return []
-    count = int(stages.after.mode.max(initial=1))
     spectra = zip(stages.after.spectrum, stages.without, strict=True)
-    pairs = [_alike(after, without) for after, without in spectra]
-    changes = [
-        (float(stages.after.spectrum[i, k] - stages.without[i, n]), i, k, n)
-        for i, pose_pairs in enumerate(pairs)
-        for k, n in pose_pairs
-        if k < count
-    ]
+    partners = [dict(_alike(after, without)) for after, without in spectra]
+    index = {pose: k for k, pose in enumerate(dict.fromkeys(row.pose for row in result.rows))}
+    changes = []
+    for i, row in enumerate(result.rows):
+        at, k = index[row.pose], int(stages.after.mode[i]) - 1
+        if row.before is not None and k in partners[at] and not row.outlier:
+            changes.append((stages.after.spectrum[at, k] - stages.without[at, partners[at][k]], i))
     if not changes:
         return []
-    sizes = [change for change, *_ in changes]
-    largest, at, mode, partner = max(changes, key=lambda entry: abs(entry[0]))
-    labels = [*dict.fromkeys(row.pose for row in result.rows)]
-    new = [f for k, f in enumerate(stages.after.spectrum[at, :count]) if k not in dict(pairs[at])]
+    sizes = [change for change, _ in changes]
+    largest, i = max(changes, key=lambda entry: abs(entry[0]))
+    row, at = result.rows[i], index[result.rows[i].pose]
+    count = int(stages.after.mode.max(initial=1))
+    new = [f for k, f in enumerate(stages.after.spectrum[at, :count]) if k not in partners[at]]
     verb = "lower" if max(sizes) <= 0.0 else "raise" if min(sizes) >= 0.0 else "change"
     who = f"they {verb}" if len(result.effects) > 1 else f"it {verb}s"
-    place = "setup" if setting.robot is None else "pose"
-    before, now = (
-        rounded(float(f), abs(largest)).columns[0]
-        for f in (stages.without[at, partner], stages.after.spectrum[at, mode])
-    )
+    refitted = any(value.after != value.before for value in result.refitted)
+    total = ". With the refitted values, mode" if refitted else ": mode"
     are = "another is" if len(new) == 1 else "others are"
     new_modes = f"; {are} new there, at {joined([f'{f:.4g}' for f in new])} Hz" if new else ""
     return [
         Cell(
-            f"In the model {who} the natural frequencies at the {plural(len(labels), f'measured {place}')} by up to "
-            f"{plain(abs(largest), 2)} Hz: that of mode {mode + 1} at"
+            f"In the model {who} the frequencies of the {plural(len(changes), 'measured mode')} by up to "
+            f"{plain(abs(largest), 2)} Hz{total} {stages.after.mode[i]} at"
         ),
-        label(labels[at]),
-        Cell(f"from {before} to {now} Hz{new_modes}."),
+        label(row.pose),
+        Cell("goes from"),
+        hertz(row.before, pointer("rows", i, "before_hz")),
+        Cell("Hz as declared to"),
+        hertz(row.after, pointer("rows", i, "after_hz")),
+        Cell(f"Hz{new_modes}."),
     ]
 
 
