@@ -2,7 +2,8 @@
 
 Measured shapes may be at any of the model's channels, blank where not measured, with any scale and sign (Allemang,
 Sound and Vibration 37(8), 2003).  Modes whose frequencies nearly agree may mix: a measured shape is then compared
-with the subspace that they span.  Two shapes of a model are compared with its mass matrix.
+with the subspace that they span.  Two shapes of a model are compared with its mass matrix.  Shapes with components in
+metres and in radians are compared in one unit: times `channel_weights`, or with rotations times a length.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
 
 #: Modes whose measured components differ by less than this fraction are indistinguishable.
 ALIKE = 1e-6
@@ -40,17 +42,17 @@ def motion_weights(moves: Array) -> Array:
     return np.asarray(np.where(moves > 0.0, 1.0 / np.where(moves > 0.0, moves, 1.0), 0.0))
 
 
-def mac(shapes: Array, model: Array, measured: NDArray[np.bool_]) -> Array:
+def mac(shapes: Array | Complex, model: Array | Complex, measured: NDArray[np.bool_]) -> Array:
     """Return the MAC of each shape with each mode, at the measured components; NaN if there are fewer than two.
 
-    - shapes, model: times `channel_weights`, (..., r, C) and (..., m, C)
+    - shapes, model: in one unit, such as times `channel_weights`, (..., r, C) and (..., m, C)
     - measured: (..., r, C)
 
     Returns (..., r, m).
     """
-    lengths = (shapes**2).sum(axis=-1)
-    sizes = measured.astype(float) @ np.swapaxes(model**2, -1, -2)
-    along = (shapes @ np.swapaxes(model, -1, -2)) ** 2
+    lengths = (np.abs(shapes) ** 2).sum(axis=-1)
+    sizes = measured.astype(float) @ np.swapaxes(np.abs(model) ** 2, -1, -2)
+    along = np.abs(shapes @ np.swapaxes(model, -1, -2).conj()) ** 2
     comparable = (measured.sum(axis=-1) >= 2) & (lengths > 0.0)
     with np.errstate(invalid="ignore", divide="ignore"):
         likeness = along / (np.where(sizes > 0.0, sizes, 1.0) * lengths[..., None])

@@ -98,7 +98,7 @@ def _may_be_one(first: Mapping[int, ModeEstimate], second: Mapping[int, ModeEsti
     """Return whether groups of different visits share sensors or references, and their shapes agree."""
     return not first.keys() & second.keys() and all(
         (a.shape.keys() & b.shape.keys() or a.participation.keys() & b.participation.keys())
-        and mac(a.shape, b.shape) >= ALIKE
+        and mac(a.shape, b.shape, a.lengths) >= ALIKE
         for a in first.values()
         for b in second.values()
     )
@@ -164,5 +164,5 @@ def _width(mode: ModeEstimate) -> float:
 
 def _apart(first: ModeEstimate, second: ModeEstimate) -> float:
     difference = abs(np.log(first.frequency / second.frequency)) / max(_width(first), _width(second))
-    unlike = (1.0 - mac(first.shape, second.shape)) / (1.0 - ALIKE)
+    unlike = (1.0 - mac(first.shape, second.shape, first.lengths)) / (1.0 - ALIKE)
     return float(max(difference, unlike, np.hypot(difference, unlike) / np.sqrt(2.0)))

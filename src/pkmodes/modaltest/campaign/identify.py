@@ -20,7 +20,7 @@ from pkmodes.modaltest.campaign.kinds import KINDS
 from pkmodes.modaltest.campaign.levels import level_messages, with_half
 from pkmodes.modaltest.campaign.measuring import MeasuredRecord, measured
 from pkmodes.modaltest.campaign.missing import refuse_missing
-from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate
+from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate, in_metres
 from pkmodes.modaltest.campaign.results import Identification, IdentifiedMode, Parts, RecordResult
 from pkmodes.modaltest.campaign.revisits import revisited
 from pkmodes.modaltest.campaign.sensors import Transducer
@@ -151,13 +151,14 @@ def _row(
         sigma_damping=damping if damping > LEAST * mode.damping else np.nan,
         shape={name: value.real for name, value in turned.items()},
         sigma_shape=sigma * by_channel.growth if len(shape) > 1 else np.nan,
-        complexity=collinearity(np.array(list(shape.values()))) if shape else np.nan,
+        complexity=collinearity(np.array(list(in_metres(shape, mode.lengths).values()))) if shape else np.nan,
         found_in=mode.found_in,
         files=len(mode.files),
         edited=edit,
         complex_shape=turned,
         blank=by_channel.blank,
         uncertain=by_channel.uncertain,
+        lengths=mode.lengths,
     )
 
 

@@ -114,7 +114,9 @@ def _read_setups(
 
 def _find(path: Path, record: Record, setup: str, kind: RecordKind, campaign: Campaign) -> FileModes:
     """Return the modes of a file, by the keys of its sensors and forces, which are unique over all setups."""
-    file_modes = kind.find(path, record, setup, campaign)
+    file_modes = kind.find(path, record, setup, campaign).changed(
+        lambda mode: replace(mode, lengths=campaign.lengths)
+    )
     if kind.by_channel:
         return file_modes
     places = {**campaign.forces_in(setup), **campaign.sensors_in(setup)}
@@ -209,6 +211,7 @@ def _together(
         return setups
     runs = {
         f"{record.pose}, file {i} of each setup": partial(
+            _roved,
             roving,
             {
                 name: RovingPoint(path, files[name][path].modes, change.factors[name])
@@ -239,6 +242,16 @@ def _together(
         places=[files for setup in setups.values() for files in setup.places],
     )
     return {"": merged}
+
+
+def _roved(
+    roving: Callable[[Mapping[str, RovingPoint], Record, Campaign], FileModes],
+    points: Mapping[str, RovingPoint],
+    record: Record,
+    campaign: Campaign,
+) -> FileModes:
+    """Return the modes of a roving hammer, fitted together."""
+    return roving(points, record, campaign).changed(lambda mode: replace(mode, lengths=campaign.lengths))
 
 
 def _averaged_record(

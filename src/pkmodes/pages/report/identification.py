@@ -25,6 +25,8 @@ from pkmodes.pages.report.tables import table
 PLACES = 8
 #: MAC between two modes above which the sensors hardly tell them apart.
 ALIKE = 0.8
+#: Share of the model orders below which a mode that was found in them is weak.
+FEW = 0.25
 #: Relative standard deviation of a damping ratio above which the page mentions it.
 UNCERTAIN = 0.5
 
@@ -144,6 +146,13 @@ def _attention(identified: Identification) -> list[tuple[str, list[str]]]:
         (
             f"Complex shapes (modal phase collinearity below {COMPLEX:g}):",
             _modes_with(identified, lambda mode, _: mode.complexity < COMPLEX),
+        ),
+        (
+            f"Weak modes, found in fewer than {100.0 * FEW:g} % of the model orders:",
+            _modes_with(
+                identified,
+                lambda mode, _: mode.found_in is not None and mode.found_in[0] < FEW * mode.found_in[1],
+            ),
         ),
         (
             "Found in only some of the files:",
