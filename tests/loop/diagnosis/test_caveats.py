@@ -107,12 +107,14 @@ def test_the_sigma_that_may_be_relied_on_comes_first_and_the_reason_why_with_it(
     found = replace(result, corrected=(payload,))
     (value,) = found.effects[0].parameters
     assert believed(value, found.corrected).sigma == pytest.approx(np.hypot(0.01, 0.04))
-    why = "+- 0.010 by the fit alone; the rest is what an unseen belt_mass could have done"
+    why = "the standard deviation is 0.010 by the fit alone, and larger by what an unseen belt_mass could have done"
     assert why_larger(value, found.corrected) == why
     assert "payload.mass = 0.300 +- 0.041 kg" in str(found)
-    summary = read(report(found, data=data)).by_id("summary").text
+    page = read(report(found, data=data))
+    summary = page.by_id("summary").text
     assert "0.300 \u00b1 0.041" in summary
-    assert why in summary
+    assert "0.010" not in summary  # the head has one standard deviation of it
+    assert f"effects.payload.mass: {why}." in page.by_id("causes").text
     assert why_larger(value, result.corrected) == ""
     assert "0.300 +- 0.010 kg" in str(result)
     assert found.as_json()["effects"][0]["parameters"]["mass"]["sigma"] == 0.01  # type: ignore[index]

@@ -11,17 +11,20 @@ from itertools import permutations
 import numpy as np
 
 from pkmodes.core.base.drives import FREE
-from pkmodes.core.base.numbers import plain, rounded
+from pkmodes.core.base.numbers import plain, rounded, times
 from pkmodes.core.support.motors import motors_in_words
 from pkmodes.core.support.ordering import joined
 from pkmodes.loop.diagnosis.posterior.document import NOTHING_MISSING, OUTSIDE
 from pkmodes.loop.diagnosis.problem import Array
+from pkmodes.loop.diagnosis.verdict import caveats
 from pkmodes.loop.diagnosis.verdict.findings import saved_as
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
+from pkmodes.loop.diagnosis.verdict.rows import Error
 from pkmodes.loop.diagnosis.verdict.stability_words import same, stable
 from pkmodes.loop.diagnosis.verdict.terms import DECLARED, Beyond, TermClass
-from pkmodes.loop.diagnosis.verdict.verdicts import VERDICTS
+from pkmodes.loop.diagnosis.verdict.verdicts import ADEQUATE, VERDICTS
 from pkmodes.pages.report.blocks import Cell, Facts
+from pkmodes.pages.report.contrast import contrast
 from pkmodes.pages.report.formatting import (
     clean,
     hertz,
@@ -62,6 +65,12 @@ WHERE_ELSE = {
 #: Wording of a probability, by its lower bound: 96, 80 and 52 % of the most probable explanations were right
 #: (docs/reference/results.md).
 LIKELY = ((0.9, "very likely that"), (0.7, "likely that"), (0.0, "doubtful whether"))
+#: Probability below which a claim is doubtful.
+DOUBTFUL = LIKELY[1][0]
+#: Chi-square per degree of freedom below which the stated errors are far larger than the residual: twice as large.
+TOO_SMALL = 0.25
+#: Factor on the standard deviation of a size from which what makes it larger is worth measuring.
+WORTH_KNOWING = 2.0
 #: Probabilities above this are not distinguished.
 SUREST = 0.99
 #: Most places to inspect that are listed: one for each leg of a machine with six.
@@ -100,14 +109,20 @@ def _inspect(result: Diagnosis, setting: ReportSetting) -> Iterator[Entry]:
             yield "or", [Cell(f"{plural(len(places) - MOST, 'further place')}: see the explanations below.")]
     if not causes:
         also = f"; but {clean(result.headline)}" if result.headline else ""
-        yield "inspect", [Cell(sentence(f"{VERDICTS[result.verdict].inspect}{also}"))]
+        unseen = caveats.unseen(result.undetectable, any(limit.value for limit in result.limits.values()))
+        rest = f" {sentence(clean(unseen))}" if unseen and result.verdict == ADEQUATE.word else ""
+        yield "inspect", [Cell(sentence(f"{VERDICTS[result.verdict].inspect}{also}") + rest)]
 
 
 def _where(name: str, result: Diagnosis, setting: ReportSetting) -> str:
     """Return where to look for a cause; its sentence if no advice is listed."""
+    _, colon, advice = WHERE.get(name, "").partition(": ")
     if name in result.alone:
-        joint_change, (_, colon, advice) = result.alone[name], WHERE.get(name, "").partition(": ")
+        joint_change = result.alone[name]
         return f"{joint_change.joint.words}, which is {joint_change.compared}{colon}{advice}"
+    parts = [contrast(effect, setting) for effect in result.effects if effect.name == name]
+    if parts and parts[0] is not None:
+        return f"{parts[0].part}, which is {parts[0].compared}{colon}{advice}"
     if name in WHERE:
         return WHERE[name]
     if (term_class := _beyond(result)) and term_class.forms.get(name, DECLARED) not in ("", DECLARED):
@@ -226,8 +241,9 @@ def _sure(result: Diagnosis) -> list[Cell]:
     ]
     saved = saved_as(values[0], result.corrected) if len(values) == 1 else None
     if saved is not None and saved.value != saved.declared:
-        part = plain(100.0 * saved.saved_sigma / abs(saved.value - saved.declared), 2)
-        sentences.append(f"its size is known to within {part} % (one standard deviation)")
+        part = saved.saved_sigma / abs(saved.value - saved.declared)
+        error = None if any(not same(result, entry) for entry in result.stability) else result.after
+        sentences += [known] if (known := _size_known(part, error)) else []
     if result.settled and result.stability and not stable(result):
         changed = [entry.change for entry in result.stability if not same(result, entry)]
         words = joined([CHANGES.get(change, change) for change in changed], "or")
@@ -248,6 +264,19 @@ def _sure(result: Diagnosis) -> list[Cell]:
     return [Cell(text.replace(" %", "\u00a0%"), plain=text)]
 
 
+def _size_known(part: float, error: Error | None) -> str:
+    """Return how well the size of a cause is known, as a part of it; empty where other errors give another verdict.
+
+    - error: of the model with the cause: with a residual far below the stated errors, these are wrong
+    """
+    if error is None:
+        return ""
+    known = f"its size is known to within {plain(100.0 * part, 2)} % (one standard deviation"
+    if error.chi2_per_dof < TOO_SMALL:
+        return f"{known} by the stated errors, which are far larger than the residual)"
+    return f"{known})"
+
+
 def _sure_of_terms(beyond: Beyond, term_class: TermClass) -> Iterator[str]:
     """Yield how certain a claim beyond the catalogue is."""
     several = len(term_class.finding.members) > 1
@@ -263,8 +292,14 @@ def _sure_of_terms(beyond: Beyond, term_class: TermClass) -> Iterator[str]:
             (parameter.declared for parameter in term_class.corrected if parameter.name == value.name), 0.0
         )
         if value.value != declared:
-            part = plain(100.0 * value.sigma / abs(value.value - declared), 2)
-            yield f"its size is known to within {part} % (one standard deviation)"
+            part = value.sigma / abs(value.value - declared)
+            yield _size_known(part, term_class.errors[term_class.finding.name])
+
+
+def doubt(result: Diagnosis) -> str:
+    """Return the probability of a claim that is doubtful, in per cent; empty where none is."""
+    p, _ = _probability(result)
+    return _percent(p) if result.effects and p is not None and p < DOUBTFUL else ""
 
 
 def _probability(result: Diagnosis) -> tuple[float | None, bool]:
@@ -307,6 +342,8 @@ def _explanation(name: str, result: Diagnosis) -> str:
 def _next(result: Diagnosis, setting: ReportSetting) -> list[Cell]:
     """Return the measurement that is expected to separate the explanations best, or why none is proposed."""
     proposed = result.next_measurement
+    if proposed is None and (confounder := _confounder(result)):
+        return [Cell(sentence(clean(confounder)))]
     if proposed is None:
         return [Cell(f"No next measurement is proposed: {clean(result.next_measurement_reason)}.")]
     at, text, cells = "next_measurement", "At", list[Cell]()
@@ -327,3 +364,27 @@ def _next(result: Diagnosis, setting: ReportSetting) -> list[Cell]:
     load = [Cell("Set"), setting.load(proposed.load)] if proposed.load else []
     sigmas = number(proposed.sigmas, ".0f", pointer(at, "sigmas"))
     return [*cells, Cell(f"{text} {contrast}"), sigmas, Cell(f"standard deviations.{caveat}"), *load]
+
+
+def _confounder(result: Diagnosis) -> str:
+    """Return what would make the size of a cause far better known: what the data do not show; empty for nothing."""
+    values = [saved_as(value, result.corrected) for effect in result.effects for value in effect.parameters]
+    if any(len(effect.members) > 1 or effect.relative() for effect in result.effects):
+        return ""
+    worst = max(
+        (value for value in values if value is not None and value.unseen is not None),
+        key=lambda value: value.saved_sigma / value.sigma,
+        default=None,
+    )
+    if worst is None or worst.unseen is None or worst.saved_sigma < WORTH_KNOWING * worst.sigma:
+        return ""
+    factor, unseen = times(worst.saved_sigma / worst.sigma), worst.unseen
+    if unseen.default:
+        what = f"declare {unseen.default.removeprefix('a ').partition(' of ')[0]}"
+    else:
+        path = unseen.candidate.removeprefix("parameter:")
+        what = f"measure {path} itself" if path != unseen.candidate else f"rule out {path}"
+    return (
+        f"to know the size better, {what}, which could have changed it unseen in these data: because of that, the "
+        f"standard deviation of {worst.name.removeprefix('effects.')} is {factor} as large as that of the fit"
+    )

@@ -5,7 +5,8 @@ from __future__ import annotations
 from pkmodes.core.support.ordering import joined
 from pkmodes.loop.diagnosis.verdict.findings import Stability
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
-from pkmodes.loop.diagnosis.verdict.stability_words import DOUBLED, HALVED, WIDENED, meaning, stable
+from pkmodes.loop.diagnosis.verdict.stability_words import DOUBLED, HALVED, WIDENED, meaning
+from pkmodes.loop.diagnosis.verdict.stability_words import same as equal
 from pkmodes.loop.diagnosis.verdict.verdicts import ADEQUATE, EFFECT_FOUND, INSUFFICIENT_DATA, UNEXPLAINED
 
 #: The changes of the stability test, in words.
@@ -16,8 +17,7 @@ NOTHING = "nothing explains the residual"
 def stability_sentence(result: Diagnosis) -> str:
     """Return what the changes of the stability test find; empty where nothing was tested.
 
-    It begins with "stable" where `stability_words.stable` allows it, and where a term was found, with what it is
-    about.
+    It begins with "stable" where no change gives another verdict, and where a term was found, with what it is about.
     """
     if not result.stability or result.verdict == INSUFFICIENT_DATA.word:
         return ""
@@ -34,7 +34,8 @@ def stability_sentence(result: Diagnosis) -> str:
         also = "also " if len(outcomes) == 1 and " " not in outcome else ""
         parts.append(f"{outcome} {also}with {words}{f' ({why})' if why else ''}")
     of = "the catalogue alone, " if result.beyond is not None and result.beyond.found is not None else ""
-    return f"{of}{'stable' if stable(result) else 'stability'}: {'; '.join(parts)}"
+    unchanged = all(equal(result, entry) for entry in result.stability)
+    return f"{of}{'stable' if unchanged else 'stability'}: {'; '.join(parts)}"
 
 
 def _outcome(result: Diagnosis, entry: Stability, claimed: set[str]) -> str:

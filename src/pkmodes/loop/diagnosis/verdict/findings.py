@@ -171,7 +171,9 @@ def why_larger(value: Value, corrected: Sequence[Corrected]) -> str:
     unseen, parts = saved.unseen, []
     if saved.widened:
         fit = rounded(value.value, value.sigma).columns[1]
-        parts.append(f"+- {fit} by the fit alone; the rest is what {unseen.done} could have done")
+        parts.append(
+            f"the standard deviation is {fit} by the fit alone, and larger by what {unseen.done} could have done"
+        )
     if unseen.unbounded:
         parts.append(left_out(unseen))
     return "; ".join(parts)

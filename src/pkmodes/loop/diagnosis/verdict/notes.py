@@ -24,9 +24,9 @@ from pkmodes.loop.diagnosis.verdict.unevaluated import unevaluated
 #: Measured modes below this part of the lowest frequency of the declared model are not modes of it; smallest number
 #: of setups with such modes that is reported.
 CLEARLY_BELOW, FEWEST_SETUPS = 0.7, 2
-#: Stated errors that are wrong by more than this factor are reported; as too large only if the probability of such a
-#: small residual is below the second number.
-MISSTATED, SO_SMALL = 3.0, 1e-4
+#: Stated errors that are too small by more than the first factor are reported, and those that are too large by more
+#: than the second, but only if the probability of such a small residual is below the third number.
+TOO_SMALL, TOO_LARGE, SO_SMALL = 3.0, 2.0, 1e-4
 
 
 def notes(store: FitStore, fit: Fit, adequate: bool) -> list[str]:
@@ -79,10 +79,10 @@ def _stated_errors(store: FitStore, fit: Fit, adequate: bool) -> Iterator[str]:
     if degrees < 1.0:
         return
     ratio = (squares / degrees) ** 0.5
-    if ratio < 1.0 / MISSTATED and stats.chi2.cdf(squares, degrees) < SO_SMALL:
+    if ratio < 1.0 / TOO_LARGE and stats.chi2.cdf(squares, degrees) < SO_SMALL:
         factor = times(1.0 / ratio) if ratio > 1e-6 else "far"
         yield f"the stated errors of the frequencies are {factor} too large: the residual scatters much less"
-    elif adequate and ratio > MISSTATED:
+    elif adequate and ratio > TOO_SMALL:
         yield f"the stated errors of the frequencies are {times(ratio)} too small"
 
 
