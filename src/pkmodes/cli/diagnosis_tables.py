@@ -98,7 +98,7 @@ def _class(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected]) 
         also = f" (implausible: {reason})" if reason else ""
         assumed = f", for {text}" if (text := effect.member(member).assumed) else ""
         terminal.line(f"{values}{mean}{assumed}{also}", "    " if place else "  ")
-    remarks = ["+- by the fit alone"]
+    remarks = ["each +- is that of the fit alone"]
     for value in effect.parameters:
         saved = saved_as(value, corrected)
         if saved is None or saved.unseen is None:

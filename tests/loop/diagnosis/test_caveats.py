@@ -107,7 +107,10 @@ def test_the_sigma_that_may_be_relied_on_comes_first_and_the_reason_why_with_it(
     found = replace(result, corrected=(payload,))
     (value,) = found.effects[0].parameters
     assert believed(value, found.corrected).sigma == pytest.approx(np.hypot(0.01, 0.04))
-    why = "the standard deviation is 0.010 by the fit alone, and larger by what an unseen belt_mass could have done"
+    why = (
+        "the standard deviation is 0.010 by the fit alone, and larger by what an unseen belt_mass could have done to "
+        "the value"
+    )
     assert why_larger(value, found.corrected) == why
     assert "payload.mass = 0.300 +- 0.041 kg" in str(found)
     page = read(report(found, data=data))

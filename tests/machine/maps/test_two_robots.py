@@ -166,7 +166,8 @@ def test_what_leads_is_the_largest_difference_of_a_mode_that_keeps_its_partner()
     said = exchanging([kept, small, exchanged, unlike])
     assert said.startswith("modes 3 and 4 cannot be compared: the partner is another one at more than 10 %")
     assert (
-        largest_difference([exchanged]) == "No mode of the first robot is one mode of the second throughout"
+        largest_difference([exchanged])
+        == "No mode of the first robot corresponds to the same mode of the second at all poses"
     )
     assert exchanging([exchanged]).endswith("so that its quantiles mix motions")
     assert largest_difference([change(1, 4.9e-5, 0.0, 1.0)]) == "No frequency changes"
@@ -186,5 +187,7 @@ def test_the_terminal_leads_with_what_can_be_compared(capsys: pytest.CaptureFixt
     assert all(mode["exchanged"] > 0.1 for mode in found["modes"])
     assert run(["compare", str(PUBLISHED), second, *grid]) == 0
     said = " ".join(capsys.readouterr().out.split("\n  ")[0].split())
-    assert said.endswith(", motors free: No mode of the first robot is one mode of the second throughout")
+    assert said.endswith(
+        ", motors free: No mode of the first robot corresponds to the same mode of the second at all poses"
+    )
     assert found["notes"][0].startswith("modes 1, 2, 3, 4, 5 and 6 cannot be compared")

@@ -176,7 +176,7 @@ def largest_difference(modes: Sequence[ModeChange]) -> str:
     """Return the largest difference of a mode that can be compared, as a sentence without a stop."""
     comparable = [mode for mode in modes if mode.comparable]
     if not comparable:
-        return "No mode of the first robot is one mode of the second throughout"
+        return "No mode of the first robot corresponds to the same mode of the second at all poses"
     of = "" if len(comparable) == len(modes) else " of the modes that can be compared"
     largest = max(comparable, key=lambda mode: abs(mode.median or 0.0))
     if abs(largest.median or 0.0) < NOTHING:

@@ -76,16 +76,16 @@ def _summary(identified: Identification, campaign: Campaign) -> Summary:
         max(("scatter", "fit", "repeatability"), key=lambda part: getattr(mode.parts, part)) for mode in modes
     ]
     dominant = max(names, key=largest.count)
-    share = "all of them" if largest.count(dominant) == len(modes) else f"{largest.count(dominant)} of them"
+    leading = largest.count(dominant)
+    share = "every mode" if leading == len(modes) else f"{leading} of {plural(len(modes), 'mode')}"
     messages = sum(len(result.messages) for result in identified.records)
     reason = (
-        f"From {plural(files, 'file')}. The largest part of the standard deviation of the frequency is, for {share}, "
-        f"{names[dominant]}."
+        f"From {plural(files, 'file')}. The largest part of a frequency's standard deviation is {names[dominant]} in "
+        f"{share}."
     )
     if messages:
-        reason += (
-            f" {plural(messages, 'message')} {'is' if messages == 1 else 'are'} listed with the records."
-        )
+        what = "a message" if messages == 1 else plural(messages, "message")
+        reason += f" The sections of the records have {what} to read."
     subject = "Structure" if campaign.model is None else campaign.model.robot.name
     return Summary(
         subject=shortened(subject),
@@ -112,7 +112,10 @@ def _facts(identified: Identification, modes: Sequence[IdentifiedMode]) -> list[
             Cell(per_cent(float(np.median(relative))), float(np.median(relative))),
         ),
         ("largest \u03c3 of a frequency", Cell(per_cent(float(relative.max())), float(relative.max()))),
-        ("of which repeatability", Cell(per_cent(identified.repeatability), identified.repeatability, at)),
+        (
+            "repeatability, a part of every \u03c3",
+            Cell(per_cent(identified.repeatability), identified.repeatability, at),
+        ),
     ]
     if damped.size:
         middle = float(np.median(damped))

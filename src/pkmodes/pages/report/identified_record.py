@@ -193,9 +193,11 @@ def _stabilisation(
         others = "other file" if inspection.others == 1 else plural(inspection.others, "other file")
         rest = f" The {others} of {whole} {'is' if inspection.others == 1 else 'are'} not drawn."
     lines = ["lines with a number are the modes of the record, as in the table"]
-    lines += ["dash-dotted ones those added"] if any(mode.edited for mode in result.modes) else []
-    lines += ["dashed ones those struck out"] if result.struck else []
-    lines += ["dotted ones tones"] if marked.tones else []
+    lines += (
+        ["dash-dotted lines are modes that were added"] if any(mode.edited for mode in result.modes) else []
+    )
+    lines += ["dashed lines are modes that were struck out"] if result.struck else []
+    lines += ["dotted lines are tones"] if marked.tones else []
     poles = plural(sum(map(len, inspection.stabilisation.poles)), "pole")
     orders = plural(len(inspection.stabilisation.orders), "model order")
     return Picture.of(

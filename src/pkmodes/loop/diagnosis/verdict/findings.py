@@ -172,7 +172,8 @@ def why_larger(value: Value, corrected: Sequence[Corrected]) -> str:
     if saved.widened:
         fit = rounded(value.value, value.sigma).columns[1]
         parts.append(
-            f"the standard deviation is {fit} by the fit alone, and larger by what {unseen.done} could have done"
+            f"the standard deviation is {fit} by the fit alone, and larger by what {unseen.done} could have "
+            "done to the value"
         )
     if unseen.unbounded:
         parts.append(left_out(unseen))
@@ -181,7 +182,7 @@ def why_larger(value: Value, corrected: Sequence[Corrected]) -> str:
 
 def left_out(unseen: Unseen) -> str:
     """Return what a standard deviation omits: the effect of a candidate without a limit."""
-    return f"not included is what an unseen {unseen.unbounded} could have done, which these data do not bound"
+    return f"it does not include what an unseen {unseen.unbounded} could have done, which these data do not bound"
 
 
 @dataclass(frozen=True)
