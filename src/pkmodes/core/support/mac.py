@@ -8,6 +8,8 @@ metres and in radians are compared in one unit: times `channel_weights`, or with
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -23,6 +25,26 @@ def normalised(shapes: Array) -> Array:
     values = np.where(np.isfinite(shapes), shapes, 0.0)
     largest = np.abs(values).max(axis=-1, initial=0.0, keepdims=True)
     return np.asarray(values / np.where(largest > 0.0, largest, 1.0))
+
+
+def rotation_weights(channels: Sequence[str], shapes: Array) -> Array:
+    """Return the factors by which measured shapes are in one unit where no length of the machine is known, (C,).
+
+    The rotations of a platform are made as large as its displacements, in the median over all shapes, so that their
+    unit does not matter.  All factors are 1 where the shapes do not have both.
+
+    - channels: names, ``p_x`` for a displacement of a platform and ``r_x`` for a rotation
+    - shapes: (R, C), NaN where not measured
+    """
+    moves, turns = (
+        np.array([name.startswith(kind) for name in channels], dtype=bool) for kind in ("p_", "r_")
+    )
+    weights = np.ones(len(channels))
+    moved, turned = (np.sqrt(np.nansum(shapes[:, kind] ** 2, axis=1)) for kind in (moves, turns))
+    both = (moved > 0.0) & (turned > 0.0)
+    if both.any():
+        weights[turns] = np.median(moved[both] / turned[both])
+    return weights
 
 
 def channel_weights(model: Array, moves: Array) -> Array:

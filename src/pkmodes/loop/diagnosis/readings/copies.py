@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from pkmodes.core.base.numbers import plain
-from pkmodes.core.support.mac import mac
+from pkmodes.core.support.mac import mac, rotation_weights
 from pkmodes.loop.diagnosis.criteria import ReadingCriteria
 from pkmodes.loop.diagnosis.match.stage import MatchStage
 from pkmodes.loop.diagnosis.problem import Array
@@ -81,6 +81,7 @@ def all_alike(data: Measurements, same: float) -> tuple[str, ...]:
             continue
         largest = np.abs(shared).max(axis=1, keepdims=True)  # shapes have any scale
         shared = shared / np.where(largest > 0.0, largest, 1.0)
+        shared *= rotation_weights([data.channels[k] for k in np.flatnonzero(common)], shared)
         if mac(shared, shared, np.ones(shared.shape, dtype=bool)).min() > same:
             labels.append(label)
     return tuple(labels)
