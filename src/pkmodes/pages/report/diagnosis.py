@@ -208,12 +208,12 @@ def _class_sizes(effect: Finding, i: int, setting: ReportSetting) -> list[tuple[
     part = contrast(effect, setting)
     for name in effect.members:
         if name == effect.name and part is not None:
-            keys = ("effects", i, "relative", key(part.value))
+            at = pointer("effects", i, "relative", key(part.value))
             cell = uncertain_cell(
                 part.value.value,
                 part.value.sigma,
-                pointer(*keys, "value"),
-                pointer(*keys, "sigma"),
+                at + pointer("value"),
+                at + pointer("sigma"),
                 scale=100.0,
             )
             start = "either" if not facts else "or"

@@ -20,6 +20,7 @@ from pkmodes.pages.report.formatting import (
     plural,
     pointer,
     prose,
+    sentence,
     three_digits,
     uncertain_cell,
     unit,
@@ -67,7 +68,7 @@ def causes(result: Diagnosis | Damping, setting: ReportSetting, *top: str) -> li
         if not several:  # why its standard deviations are larger than those of the fit
             reasons = {value.name: why_larger(value, result.corrected) for value in effect.parameters}
             blocks += [
-                Paragraph(prose(f"{setting.words(name) or clean(name)}: {why}."))
+                Paragraph(prose(sentence(f"{setting.words(name) or clean(name)}: {why}")))
                 for name, why in reasons.items()
                 if why
             ]
