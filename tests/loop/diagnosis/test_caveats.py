@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -71,12 +72,15 @@ def test_the_reason_of_a_decision_is_followed_by_its_caveats_each_once() -> None
     assert caveats.Caveats().appended_to("why") == "why"
 
 
-def measured(n: float) -> Diagnosis:
-    """The diagnosis of a structure whose uncertain value is n sigma from the declared one."""
+def measured(n: float, error: float = 1.0) -> Diagnosis:
+    """The diagnosis of a structure whose uncertain value is n sigma from the declared one.
+
+    - error: of the frequencies, in stated standard deviations
+    """
     rng = np.random.default_rng(7)
     along, other = 10.0 * rng.standard_normal((2, 6, 4))
     model = of_signatures({"n": along, "a": other, "nothing": 0.0 * other}, 6, 4, known={"n": {"sigma": 1.0}})
-    return diagnose(model, with_changes(model, n * along + rng.standard_normal((6, 4))), holdout=())
+    return diagnose(model, with_changes(model, n * along + error * rng.standard_normal((6, 4))), holdout=())
 
 
 def test_the_residual_of_the_declared_model_is_noise_only_where_it_is() -> None:
@@ -91,6 +95,18 @@ def test_the_residual_of_the_declared_model_is_noise_only_where_it_is() -> None:
     assert (
         " (+2.0 sigma); these data cannot show nothing, nor other causes below their limits" in refit.reason
     )
+
+
+@pytest.mark.parametrize(("error", "factor"), [(0.4, 2.5), (0.7, None)])
+def test_stated_errors_two_to_three_times_too_large_are_noted(error: float, factor: float | None) -> None:
+    notes = [
+        note for note in measured(0.0, error).notes if note.startswith("the stated errors of the frequencies")
+    ]
+    assert len(notes) == (factor is not None)
+    for note in notes:
+        match = re.search(r"are ([\d.]+) times too large: the residual scatters much less$", note)
+        assert match is not None
+        assert float(match[1]) == pytest.approx(factor, rel=0.3)
 
 
 def test_a_value_three_sigma_from_its_declaration_is_in_reason_and_headline() -> None:
