@@ -81,7 +81,7 @@ def test_the_table_of_a_cause_has_the_numbers_of_the_json(
     value = f"({cause[1]} +- {cause[2]})e-4"
     assert of_cause == ["gearbox_compliance.compliance", "0", value, of_cause[3], "rad/(N*m)"]
     assert float(of_cause[3]) == pytest.approx(compliance["sigma"], rel=0.05)
-    assert any(line.startswith("stable: the same cause with ") for line in lines)
+    assert any(line.startswith("stability: the same cause with ") for line in lines)
 
 
 @pytest.mark.usefixtures("no_drawing")

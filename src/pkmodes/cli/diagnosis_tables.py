@@ -100,7 +100,7 @@ def _show_class(terminal: Terminal, effect: Finding, corrected: Sequence[Correct
         implausible = f" (implausible: {reason})" if reason else ""
         assumed = f", for {text}" if (text := effect.member(member).assumed) else ""
         terminal.line(f"{values}{relative_note}{assumed}{implausible}", "    " if index else "  ")
-    remarks = ["+- by the fit alone"]
+    remarks = ["each +- is that of the fit alone"]
     for value in effect.parameters:
         saved_value = saved_as(value, corrected)
         if saved_value is None or saved_value.unseen is None:

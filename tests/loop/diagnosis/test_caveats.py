@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -76,12 +77,15 @@ def test_the_reason_of_a_decision_is_followed_by_its_caveats_each_once() -> None
     assert caveats.Caveats().appended_to("why") == "why"
 
 
-def measured(n: float) -> Diagnosis:
-    """The diagnosis of a structure whose uncertain value is n sigma from the declared one."""
+def measured(n: float, error: float = 1.0) -> Diagnosis:
+    """The diagnosis of a structure whose uncertain value is n sigma from the declared one.
+
+    - error: of the frequencies, in stated standard deviations
+    """
     rng = np.random.default_rng(7)
     along, other = 10.0 * rng.standard_normal((2, 6, 4))
     model = of_signatures({"n": along, "a": other, "nothing": 0.0 * other}, 6, 4, known={"n": {"sigma": 1.0}})
-    return diagnose(model, with_changes(model, n * along + rng.standard_normal((6, 4))), holdout=())
+    return diagnose(model, with_changes(model, n * along + error * rng.standard_normal((6, 4))), holdout=())
 
 
 def test_the_residual_of_the_declared_model_is_noise_only_where_it_is() -> None:
@@ -98,6 +102,18 @@ def test_the_residual_of_the_declared_model_is_noise_only_where_it_is() -> None:
     )
 
 
+@pytest.mark.parametrize(("error", "factor"), [(0.4, 2.5), (0.7, None)])
+def test_stated_errors_two_to_three_times_too_large_are_noted(error: float, factor: float | None) -> None:
+    notes = [
+        note for note in measured(0.0, error).notes if note.startswith("the stated errors of the frequencies")
+    ]
+    assert len(notes) == (factor is not None)
+    for note in notes:
+        match = re.search(r"are ([\d.]+) times too large: the residual scatters much less$", note)
+        assert match is not None
+        assert float(match[1]) == pytest.approx(factor, rel=0.3)
+
+
 def test_a_value_three_sigma_from_its_declaration_is_in_reason_and_headline() -> None:
     found = measured(3.4)
     assert found.verdict == "adequate"
@@ -112,12 +128,17 @@ def test_the_sigma_that_may_be_relied_on_comes_first_and_the_reason_why_with_it(
     found = replace(result, corrected=(payload,))
     (value,) = found.effects[0].parameters
     assert with_saved_sigma(value, found.corrected).sigma == pytest.approx(np.hypot(0.01, 0.04))
-    why = "+- 0.010 by the fit alone; the rest is what an unseen belt_mass could have done"
+    why = (
+        "the standard deviation is 0.010 by the fit alone, and larger by what an unseen belt_mass could have "
+        "done to the value"
+    )
     assert explain_saved_sigma(value, found.corrected) == why
     assert "payload.mass = 0.300 +- 0.041 kg" in str(found)
-    summary = read(report(found, data=data)).by_id("summary").text
+    page = read(report(found, data=data))
+    summary = page.by_id("summary").text
     assert "0.300 \u00b1 0.041" in summary
-    assert why in summary
+    assert "0.010" not in summary  # the head has one standard deviation of it
+    assert f"effects.payload.mass: {why}." in page.by_id("causes").text
     assert explain_saved_sigma(value, result.corrected) == ""
     assert "0.300 +- 0.010 kg" in str(result)
     assert found.as_json()["effects"][0]["parameters"]["mass"]["sigma"] == 0.01  # type: ignore[index]

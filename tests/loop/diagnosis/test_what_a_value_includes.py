@@ -59,7 +59,9 @@ def test_a_candidate_without_a_limit_is_named_and_not_counted(robot: Path) -> No
         assert abs(value.value - truth) < 2.0 * value.saved_sigma
         assert value.unseen is not None
         assert value.unseen.unbounded
-        expected = f"not included is what an unseen {value.unseen.unbounded} could have done, which these data do not"
+        expected = (
+            f"it does not include what an unseen {value.unseen.unbounded} could have done, which these data "
+        )
         assert expected in explain_saved_sigma(value, found.corrected)
     saved = robot.parent / "saved.toml"
     updating.save_robot(declared, found, saved)
@@ -78,7 +80,7 @@ def test_the_command_shows_the_value_that_was_found(robot: Path) -> None:
     value, sigma = map(float, line.split()[2::2][:2])
     assert value == pytest.approx(-0.08, abs=0.02)
     assert 0.05 < sigma < 0.3
-    assert "not included is what an unseen" in " ".join(out.split())
+    assert "it does not include what an unseen" in " ".join(out.split())
 
 
 def test_a_standard_deviation_is_at_most_what_is_plausible() -> None:

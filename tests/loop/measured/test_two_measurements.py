@@ -134,3 +134,18 @@ def test_options_of_robots_are_refused_and_a_structure_needs_none(
     assert "1 of 1 mode changed: 50 Hz at P by +6 % (21 sigma)" in " ".join(capsys.readouterr().out.split())
     assert run(["compare", "a.csv", "b.csv", "--grid", "x=0"]) == 2
     assert "does not apply to two measurement files" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("unit", [1.0, 180.0 / np.pi])
+def test_rotations_in_any_unit_do_not_make_different_modes_alike(unit: float) -> None:
+    """Sway and tilt of a platform in metres and radians: as (1, 1) and (1, -1), which have nothing in common."""
+    shapes = np.array([[1.0, 10.0], [1.0, -10.0]]) * [1.0, unit]
+
+    def of(frequencies: list[float], rows: np.ndarray) -> Measurements:
+        named = dict(zip(("p_x", "r_y"), rows.T, strict=True))
+        return Measurements.from_rows(["A", "A"], frequencies, [0.1, 0.1], shapes=named)
+
+    found = compare_measurements(of([50.0, 60.0], shapes), of([50.2, 60.3], shapes[::-1]))
+    assert [pair.mac for pair in found.pairs] == pytest.approx([0.0, 0.0], abs=1e-12)
+    same = compare_measurements(of([50.0, 60.0], shapes), of([50.2, 60.3], shapes))
+    assert [pair.mac for pair in same.pairs] == pytest.approx([1.0, 1.0])

@@ -215,9 +215,9 @@ def test_shapes_of_any_scale_and_phase_have_one_mean() -> None:
 
 def test_the_modal_assurance_criterion_counts_common_components() -> None:
     one = {"a": 1.0 + 0j, "b": 1.0 + 0j, "c": 5.0 + 0j}
-    assert mac(one, {"a": 2j, "b": 2j}) == pytest.approx(1.0)
-    assert mac(one, {"a": 1 + 0j, "b": -1 + 0j}) == pytest.approx(0.0)
-    assert mac(one, {"a": 7 + 0j}) == 1.0
+    assert mac(one, {"a": 2j, "b": 2j}, {}) == pytest.approx(1.0)
+    assert mac(one, {"a": 1 + 0j, "b": -1 + 0j}, {}) == pytest.approx(0.0)
+    assert mac(one, {"a": 7 + 0j}, {}) == 1.0
 
 
 def test_sensors_in_oblique_directions_give_the_platform_by_least_squares() -> None:

@@ -18,8 +18,10 @@ from pkmodes import read_robot, updating
 from pkmodes.loop.diagnosis import Diagnosis
 from pkmodes.loop.diagnosis.posterior.document import ClassProbability, PairProbability, Probabilities
 from pkmodes.loop.diagnosis.verdict.findings import Finding
+from pkmodes.pages.plots.evidence import PlottedEvidence
 from pkmodes.pages.report.action import LIKELY, _alike, action
 from pkmodes.pages.report.formatting import sentence
+from pkmodes.pages.report.mode_table import mode_table
 from pkmodes.pages.report.setting import ReportSetting
 from studies import tables
 
@@ -45,24 +47,41 @@ def probable(p: float, *members: str) -> Probabilities:
     return Probabilities(0.0, 1.0 - p, (ClassProbability(members, p),), ())
 
 
-def test_the_effect_is_the_difference_of_two_robots(shared: Shared) -> None:
-    """The machine as diagnosed, and the same with stiff gearboxes, at the measured poses."""
+def test_the_effect_is_the_difference_of_two_robots_and_begins_as_declared(shared: Shared) -> None:
+    """The machine as diagnosed, the same with stiff gearboxes, and the robot file as it is."""
     result = example(shared, "closed_loop")
     robot = read_robot(EXAMPLES / "closed_loop" / "robot.toml")
     data = updating.read(EXAMPLES / "closed_loop" / "measured.csv", robot=robot)
     values = {value.name: value.value for value in result.corrected}
-    compliant = pkmodes.load(robot.source).with_values(values)
-    stiff = pkmodes.load(robot.source).with_values(
+    declared = pkmodes.load(robot.source)
+    compliant = declared.with_values(values)
+    stiff = declared.with_values(
         {name: value for name, value in values.items() if not name.startswith("effects.")}
     )
-    before, after = (model.modes(data.points).frequencies[:, 3:9] for model in (stiff, compliant))
-    change = after - before
-    at, mode = np.unravel_index(np.abs(change).argmax(), change.shape)
-    assert (change < 0.0).all()
+    models = (declared, stiff, compliant)
+    before, without, after = (model.modes(data.points).frequencies[:, 3:9] for model in models)
+    partner = np.abs(np.log(after[data.pose] / data.frequency[:, None])).argmin(axis=1)
+    changes = (after - without)[data.pose, partner]
+    row = int(np.abs(changes).argmax())
+    at, mode = data.pose[row], partner[row]
+    assert (changes < 0.0).all()
     assert said(result, robot)["effect"] == (
-        f"In the model it lowers the natural frequencies at the 9 measured poses by up to {-change.min():.1f} Hz: "
-        f"that of mode {mode + 1} at {data.labels[at]} from {before[at, mode]:.1f} to {after[at, mode]:.1f} Hz."
+        f"In the model it lowers the frequencies of the {len(data.frequency)} measured modes by up to "
+        f"{-changes.min():.1f} Hz. With the refitted values, mode {mode + 1} at {data.labels[at]} goes from "
+        f"{before[at, mode]:.3f} Hz as declared to {after[at, mode]:.3f} Hz."
     )
+
+
+def test_the_numbers_of_the_effect_stand_in_the_table_of_measured_modes(tmp_path: Path) -> None:
+    """As cells with the place of the exact number in the JSON."""
+    result, robot, data = diagnosed("effect_found", tmp_path)
+    setting = ReportSetting("", robot, data, (), None)
+    shown = dict(action(result, setting).entries)["effect"]
+    numbers = {cell.at: cell.text for cell in shown if cell.at}
+    rows = mode_table(result, PlottedEvidence.of(result, data), setting).rows
+    in_table = {cell.at: cell.text for cells in rows for cell in cells}
+    assert [at.rpartition("/")[2] for at in numbers] == ["before_hz", "after_hz"]
+    assert numbers == {at: in_table[at] for at in numbers}
 
 
 def test_modes_that_a_cause_brings_are_no_change_of_others() -> None:

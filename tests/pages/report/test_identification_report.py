@@ -17,7 +17,7 @@ from helpers.pages.page_reading import Element, at, powers, read, shown
 from helpers.pages.report_examples import HOSTILE
 from modaltest.campaign.structures import Frame, accelerations, write_frf
 from pkmodes.cli import run
-from pkmodes.pages.report.identification import lowest_coherence
+from pkmodes.pages.report.identification import _attention, lowest_coherence
 
 F = np.arange(10.0, 220.0, 0.5)
 HEAD = 'format = 1\nchannels = ["u1", "u2", "u3"]\nband = ["20 Hz", "200 Hz"]\ntones = ["50 Hz"]\n'
@@ -145,6 +145,30 @@ def test_the_headline_counts_what_the_notes_list(page: Path) -> None:
     listed = [len(re.findall(r"\bP\d\b", note)) for note in notes]
     assert any(count > 1 for count in listed)
     assert f", {sum(listed)} points to check" in summary.text
+
+
+def test_a_mode_that_few_model_orders_have_is_a_point_to_check() -> None:
+    """Fewer than a quarter of them; a mode that was not sought in orders is none."""
+    orders = [(0, 20), (4, 20), (5, 20), (20, 20), None]
+    modes = [
+        SimpleNamespace(
+            frequency=100.0 + k, found_in=found_in, edited=None, complexity=1.0, files=2, complex_shape={},
+            sigma_damping=1e-4, damping=1e-2, lengths={},
+        )
+        for k, found_in in enumerate(orders)
+    ]  # fmt: skip
+    repeat = SimpleNamespace(files=("a", "b"))
+    result = SimpleNamespace(
+        record=SimpleNamespace(pose="P1"),
+        modes=modes,
+        left_out=(),
+        struck=(),
+        repeats=[repeat],
+        is_left_out=False,
+    )
+    assert _attention(SimpleNamespace(records=[result])) == [
+        ("Weak modes, found in fewer than 25 % of the model orders:", ["P1 (100 Hz)", "P1 (101 Hz)"])
+    ]
 
 
 def test_each_kind_of_record_has_its_figures(page: Path) -> None:

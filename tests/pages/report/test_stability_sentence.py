@@ -41,8 +41,8 @@ def said(verdict: str, *entries: tuple[str, str]) -> str:
         (
             "effect_found",
             (NOTHING, SAME, SAME),
-            "stable: the same cause with sigma doubled and priors twice as wide; nothing explains the residual with "
-            "sigma halved (usual where the stated sigma is right)",
+            "stability: the same cause with sigma doubled and priors twice as wide; nothing explains the residual "
+            "with sigma halved (usual where the stated sigma is right)",
         ),
         (
             "effect_found",

@@ -2,15 +2,19 @@
 
 Measured shapes may be at any of the model's channels, blank where not measured, with any scale and sign (Allemang,
 Sound and Vibration 37(8), 2003).  Modes whose frequencies nearly agree may mix: a measured shape is then compared
-with the subspace that they span.  Two shapes of a model are compared with its mass matrix.
+with the subspace that they span.  Two shapes of a model are compared with its mass matrix.  Shapes with components in
+metres and in radians are compared in one unit: times `channel_weights`, or with rotations times a length.
 """
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
 
 #: Modes whose measured components differ by less than this fraction are indistinguishable.
 INDEPENDENCE_TOLERANCE = 1e-6
@@ -21,6 +25,26 @@ def normalised(shapes: Array) -> Array:
     values = np.where(np.isfinite(shapes), shapes, 0.0)
     largest = np.abs(values).max(axis=-1, initial=0.0, keepdims=True)
     return np.asarray(values / np.where(largest > 0.0, largest, 1.0))
+
+
+def rotation_weights(channels: Sequence[str], shapes: Array) -> Array:
+    """Return the factors by which measured shapes are in one unit where no length of the machine is known, (C,).
+
+    The rotations of a platform are made as large as its displacements, in the median over all shapes, so that their
+    unit does not matter.  All factors are 1 where the shapes do not have both.
+
+    - channels: names, ``p_x`` for a displacement of a platform and ``r_x`` for a rotation
+    - shapes: (R, C), NaN where not measured
+    """
+    moves, turns = (
+        np.array([name.startswith(kind) for name in channels], dtype=bool) for kind in ("p_", "r_")
+    )
+    weights = np.ones(len(channels))
+    moved, turned = (np.sqrt(np.nansum(shapes[:, kind] ** 2, axis=1)) for kind in (moves, turns))
+    both = (moved > 0.0) & (turned > 0.0)
+    if both.any():
+        weights[turns] = np.median(moved[both] / turned[both])
+    return weights
 
 
 def channel_weights(model: Array, motion: Array) -> Array:
@@ -40,17 +64,17 @@ def motion_weights(motion: Array) -> Array:
     return np.asarray(np.where(motion > 0.0, 1.0 / np.where(motion > 0.0, motion, 1.0), 0.0))
 
 
-def mac(shapes: Array, model: Array, measured: NDArray[np.bool_]) -> Array:
+def mac(shapes: Array | Complex, model: Array | Complex, measured: NDArray[np.bool_]) -> Array:
     """Return the MAC of each shape with each mode, at the measured components; NaN if there are fewer than two.
 
-    - shapes, model: times `channel_weights`, (..., r, C) and (..., m, C)
+    - shapes, model: in one unit, such as times `channel_weights`, (..., r, C) and (..., m, C)
     - measured: (..., r, C)
 
     Returns (..., r, m).
     """
-    norms = (shapes**2).sum(axis=-1)
-    mode_norms = measured.astype(float) @ np.swapaxes(model**2, -1, -2)
-    projections = (shapes @ np.swapaxes(model, -1, -2)) ** 2
+    norms = (np.abs(shapes) ** 2).sum(axis=-1)
+    mode_norms = measured.astype(float) @ np.swapaxes(np.abs(model) ** 2, -1, -2)
+    projections = np.abs(shapes @ np.swapaxes(model, -1, -2).conj()) ** 2
     comparable = (measured.sum(axis=-1) >= 2) & (norms > 0.0)
     with np.errstate(invalid="ignore", divide="ignore"):
         values = projections / (np.where(mode_norms > 0.0, mode_norms, 1.0) * norms[..., None])

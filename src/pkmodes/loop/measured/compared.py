@@ -11,7 +11,7 @@ from scipy.optimize import linear_sum_assignment
 from scipy.special import chdtrc
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.core.support.mac import mac, normalised
+from pkmodes.core.support.mac import mac, normalised, rotation_weights
 from pkmodes.loop.measured.comparison import Changed, MeasurementsCompared, ModePair
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.measured.shape_changes import (
@@ -279,6 +279,8 @@ def _mac_matrix(
         return macs
     a = first.shapes[rows][:, [first.channels.index(name) for name in common]]
     b = second.shapes[second_rows][:, [second.channels.index(name) for name in common]]
+    weights = rotation_weights(common, np.vstack([a, b]))
+    a, b = a * weights, b * weights
     for j, shape in enumerate(b):
         shared = np.isfinite(a) & np.isfinite(shape)
         first_shapes = normalised(np.where(shared, a, np.nan))

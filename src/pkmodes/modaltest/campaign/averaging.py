@@ -95,6 +95,7 @@ def _mean_mode(modes: Sequence[ModeEstimate], shape: dict[str, complex]) -> Mode
         shift=largest_shift([mode.shift for mode in modes]),
         participation=participation,
         sigma_size=max((sigma for sigma in (fit_sigma, size_sigma) if np.isfinite(sigma)), default=np.nan),
+        lengths=modes[0].lengths,
     )
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from os import PathLike, fspath
 from pathlib import Path
 
@@ -41,6 +42,8 @@ from pkmodes.modaltest.identification.requested_modes import NO_EDITS, Requested
 
 #: Value of `repeatability` other than a share: estimate it from poses that were measured twice.
 REVISITS = "revisits"
+#: Unit of the components of shapes that are angles.
+ANGLE = "rad"
 #: Kind of record with frequency response functions.
 FRF_KIND = "frf"
 
@@ -123,6 +126,22 @@ class Campaign:
     def platform(self) -> Platform:
         """The axes along and about which the platform moves."""
         return _platform(self.model)
+
+    @cached_property
+    def lengths(self) -> Mapping[str, float]:
+        """What makes metres of the components of shapes that are angles, by channel and by key of the sensor.
+
+        It is the characteristic length of the platform; empty where none turns.
+        """
+        if self.model is None or not self.platform.rotations:
+            return {}
+        angles = [name for name, unit in self.channels.items() if unit == ANGLE]
+        angles += [
+            sensor.key
+            for sensor in self.sensors
+            if (sensor.mount.angular if sensor.mount else any(name in angles for name in sensor.weights))
+        ]
+        return dict.fromkeys(angles, self.model.characteristic_length)
 
     def sensors_in(self, setup: str) -> dict[str, MotionSensor]:
         """Return the sensors that apply to a setup, by name."""

@@ -100,7 +100,7 @@ def _may_be_same(first: Mapping[int, ModeEstimate], second: Mapping[int, ModeEst
     """Return whether groups of different visits share sensors or references, and their shapes agree."""
     return not first.keys() & second.keys() and all(
         (a.shape.keys() & b.shape.keys() or a.participation.keys() & b.participation.keys())
-        and mac(a.shape, b.shape) >= MIN_MAC
+        and mac(a.shape, b.shape, a.lengths) >= MIN_MAC
         for a in first.values()
         for b in second.values()
     )
@@ -168,7 +168,7 @@ def _mode_distance(first: ModeEstimate, second: ModeEstimate) -> float:
     frequency_difference = abs(np.log(first.frequency / second.frequency)) / max(
         _width(first), _width(second)
     )
-    shape_difference = (1.0 - mac(first.shape, second.shape)) / (1.0 - MIN_MAC)
+    shape_difference = (1.0 - mac(first.shape, second.shape, first.lengths)) / (1.0 - MIN_MAC)
     return float(
         max(
             frequency_difference,

@@ -20,7 +20,7 @@ from pkmodes.modaltest.campaign.kinds import KINDS
 from pkmodes.modaltest.campaign.levels import add_half_spread, level_messages
 from pkmodes.modaltest.campaign.measuring import MeasuredRecord, measure_record
 from pkmodes.modaltest.campaign.missing import refuse_missing
-from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate
+from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate, in_metres
 from pkmodes.modaltest.campaign.results import Identification, IdentifiedMode, Parts, RecordResult
 from pkmodes.modaltest.campaign.revisits import estimate_repeatability
 from pkmodes.modaltest.campaign.sensors import Transducer
@@ -155,13 +155,14 @@ def _row(
         sigma_damping=damping if damping > MIN_DAMPING_SIGMA * mode.damping else np.nan,
         shape={name: value.real for name, value in rotated.items()},
         sigma_shape=sigma * by_channel.growth if len(shape) > 1 else np.nan,
-        complexity=collinearity(np.array(list(shape.values()))) if shape else np.nan,
+        complexity=collinearity(np.array(list(in_metres(shape, mode.lengths).values()))) if shape else np.nan,
         found_in=mode.found_in,
         files=len(mode.files),
         edited=edit,
         complex_shape=rotated,
         blank=by_channel.blank,
         uncertain=by_channel.uncertain,
+        lengths=mode.lengths,
     )
 
 

@@ -111,6 +111,7 @@ def _join_mode(
         ),
         shift_between_files=largest_shift([mode.shift_between_files for mode in members]),
         files=tuple(sorted(i for mode in members for i in mode.files)),
+        lengths=members[0].lengths,
     )
     return joint, len(linked) < len(unlinked)
 

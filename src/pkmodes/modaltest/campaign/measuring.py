@@ -118,7 +118,9 @@ def _read_setups(
 
 def _find_modes(path: Path, record: Record, setup: str, kind: RecordKind, campaign: Campaign) -> FileModes:
     """Return the modes of a file, by the keys of its sensors and forces, which are unique over all setups."""
-    file_modes = kind.find_modes(path, record, setup, campaign)
+    file_modes = kind.find_modes(path, record, setup, campaign).map_modes(
+        lambda mode: replace(mode, lengths=campaign.lengths)
+    )
     if kind.by_channel:
         return file_modes
     transducers = {**campaign.forces_in(setup), **campaign.sensors_in(setup)}
@@ -217,6 +219,7 @@ def _merge_roving_setups(
         return setups
     readers = {
         f"{record.pose}, file {i} of each setup": partial(
+            _fit_roving_together,
             fit_roving,
             {
                 name: RovingPoint(path, files[name][path].modes, change.factors[name])
@@ -251,6 +254,18 @@ def _merge_roving_setups(
         presence=[files for setup in setups.values() for files in setup.presence],
     )
     return {"": merged}
+
+
+def _fit_roving_together(
+    fit_roving: Callable[[Mapping[str, RovingPoint], Record, Campaign], FileModes],
+    points: Mapping[str, RovingPoint],
+    record: Record,
+    campaign: Campaign,
+) -> FileModes:
+    """Return the modes of a roving hammer, fitted together."""
+    return fit_roving(points, record, campaign).map_modes(
+        lambda mode: replace(mode, lengths=campaign.lengths)
+    )
 
 
 def _average_record(

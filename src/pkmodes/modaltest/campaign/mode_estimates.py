@@ -42,6 +42,7 @@ class ModeEstimate:
       it badly
     - shift_between_files: how the frequency changes with the level of the files
     - files: indices of those over which it is the mean; empty for a mode of one file
+    - lengths: what makes metres of the components of the shape that are angles, see `Campaign.lengths`
     """
 
     frequency: float
@@ -62,10 +63,13 @@ class ModeEstimate:
     variance: float = np.nan
     shift_between_files: LevelShift | None = None
     files: tuple[int, ...] = ()
+    lengths: Mapping[str, float] = field(default_factory=dict)
 
 
-def mac(first: Mapping[str, complex], second: Mapping[str, complex]) -> float:
+def mac(first: Mapping[str, complex], second: Mapping[str, complex], lengths: Mapping[str, float]) -> float:
     """Return the modal assurance criterion over the components common to both shapes; 1 for fewer than two.
+
+    - lengths: what makes metres of the components that are angles
 
     Notes
     -----
@@ -74,7 +78,13 @@ def mac(first: Mapping[str, complex], second: Mapping[str, complex]) -> float:
     common = [name for name in first if name in second]
     if len(common) < 2:
         return 1.0
+    first, second = in_metres(first, lengths), in_metres(second, lengths)
     return complex_mac(*(np.array([shape[name] for name in common]) for shape in (first, second)))
+
+
+def in_metres(shape: Mapping[str, complex], lengths: Mapping[str, float]) -> dict[str, complex]:
+    """Return a shape whose components are all lengths; `lengths` are the factors of those that are angles."""
+    return {name: value * lengths.get(name, 1.0) for name, value in shape.items()}
 
 
 def check_shape(shape: Mapping[str, complex], where: str) -> None:

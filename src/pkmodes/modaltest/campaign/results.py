@@ -13,6 +13,7 @@ from pkmodes.core.support.documents import Count, Document, Probability, Size
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.modaltest.campaign.campaign import Record
 from pkmodes.modaltest.campaign.inspection import Inspection, Repeats
+from pkmodes.modaltest.campaign.mode_estimates import in_metres
 
 
 class Parts(Document, frozen=True):
@@ -62,6 +63,7 @@ class IdentifiedMode:
     - edited: "added" if the user added it
     - complex_shape: the shape before its imaginary part was left out
     - blank, uncertain: components of a turning platform that are left out: see `ChannelShape`
+    - lengths: what makes metres of the components that are angles
     """
 
     frequency: float
@@ -77,6 +79,12 @@ class IdentifiedMode:
     complex_shape: Mapping[str, complex] = field(default_factory=dict)
     blank: tuple[str, ...] = ()
     uncertain: tuple[str, ...] = ()
+    lengths: Mapping[str, float] = field(default_factory=dict)
+
+    @property
+    def shape_in_metres(self) -> dict[str, complex]:
+        """The shape before its imaginary part was left out, angles times the characteristic length."""
+        return in_metres(self.complex_shape, self.lengths)
 
     @property
     def sigma(self) -> float:

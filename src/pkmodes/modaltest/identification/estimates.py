@@ -15,6 +15,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.support.mac import mac
+
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
@@ -110,8 +112,10 @@ def complex_mac(first: Complex, second: Complex) -> float:
     ----------
     Allemang and Brown, Proceedings of the 1st International Modal Analysis Conference, 1982.
     """
-    size = np.vdot(first, first).real * np.vdot(second, second).real
-    return float(abs(np.vdot(first, second)) ** 2 / size) if size > 0.0 else 0.0
+    if len(first) == 1:  # a shape of one component is like any other
+        return float(bool(first[0] and second[0]))
+    likeness = float(mac(first[None], second[None], np.ones((1, len(first)), dtype=bool)).item())
+    return likeness if np.isfinite(likeness) else 0.0
 
 
 def collinearity(shape: Complex) -> float:

@@ -11,18 +11,31 @@ from itertools import permutations
 import numpy as np
 
 from pkmodes.core.base.drives import FREE
-from pkmodes.core.base.numbers import plain, round_to_sigma
+from pkmodes.core.base.numbers import format_factor, plain, round_to_sigma
 from pkmodes.core.support.motors import motors_in_words
 from pkmodes.core.support.ordering import joined
 from pkmodes.loop.diagnosis.posterior.document import NOTHING_MISSING, OUTSIDE
 from pkmodes.loop.diagnosis.problem import Array
+from pkmodes.loop.diagnosis.verdict import caveats
 from pkmodes.loop.diagnosis.verdict.findings import saved_as
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
+from pkmodes.loop.diagnosis.verdict.rows import Error
 from pkmodes.loop.diagnosis.verdict.stability_words import is_stable, same_verdict
 from pkmodes.loop.diagnosis.verdict.terms import DECLARED, Beyond, TermClass
-from pkmodes.loop.diagnosis.verdict.verdicts import VERDICTS
+from pkmodes.loop.diagnosis.verdict.verdicts import ADEQUATE, VERDICTS
 from pkmodes.pages.report.blocks import Cell, Facts
-from pkmodes.pages.report.formatting import clean, label, named, number, plural, pointer, sentence, unit
+from pkmodes.pages.report.contrast import contrast
+from pkmodes.pages.report.formatting import (
+    clean,
+    hertz,
+    label,
+    named,
+    number,
+    plural,
+    pointer,
+    sentence,
+    unit,
+)
 from pkmodes.pages.report.setting import ReportSetting
 from pkmodes.pages.report.stability import CHANGES
 
@@ -52,6 +65,12 @@ WHERE_ELSE = {
 #: Wording of a probability, by its lower bound: 96, 80 and 52 % of the most probable explanations were right
 #: (docs/reference/results.md).
 LIKELY = ((0.9, "very likely that"), (0.7, "likely that"), (0.0, "doubtful whether"))
+#: Probability below which a claim is doubtful.
+DOUBTFUL = LIKELY[1][0]
+#: Chi-square per degree of freedom below which the stated errors are far larger than the residual: twice as large.
+TOO_SMALL = 0.25
+#: Factor on the standard deviation of a size from which what makes it larger is worth measuring.
+WORTH_KNOWING = 2.0
 #: Probabilities above this are not distinguished.
 SUREST = 0.99
 #: Most places to inspect that are listed: one for each leg of a machine with six.
@@ -60,7 +79,7 @@ MOST = 6
 
 def action(result: Diagnosis, setting: ReportSetting) -> Facts:
     """Return what to inspect, its effect in hertz, how certain that is, and what to measure next."""
-    effect = _effect(result, setting)
+    effect = _effect(result)
     return Facts(
         [
             *_inspect(result, setting),
@@ -90,14 +109,22 @@ def _inspect(result: Diagnosis, setting: ReportSetting) -> Iterator[Entry]:
             yield "or", [Cell(f"{plural(len(places) - MOST, 'further place')}: see the explanations below.")]
     if not causes:
         also = f"; but {clean(result.headline)}" if result.headline else ""
-        yield "inspect", [Cell(sentence(f"{VERDICTS[result.verdict].inspect}{also}"))]
+        unseen = caveats.undetectable_in_words(
+            result.undetectable, any(limit.value for limit in result.limits.values())
+        )
+        rest = f" {sentence(clean(unseen))}" if unseen and result.verdict == ADEQUATE.word else ""
+        yield "inspect", [Cell(sentence(f"{VERDICTS[result.verdict].inspect}{also}") + rest)]
 
 
 def _where(name: str, result: Diagnosis, setting: ReportSetting) -> str:
     """Return where to look for a cause; its sentence if no advice is listed."""
+    _, colon, advice = WHERE.get(name, "").partition(": ")
     if name in result.alone:
-        joint_change, (_, colon, advice) = result.alone[name], WHERE.get(name, "").partition(": ")
+        joint_change = result.alone[name]
         return f"{joint_change.joint.words}, which is {joint_change.comparison}{colon}{advice}"
+    parts = [contrast(effect, setting) for effect in result.effects if effect.name == name]
+    if parts and parts[0] is not None:
+        return f"{parts[0].part}, which is {parts[0].compared}{colon}{advice}"
     if name in WHERE:
         return WHERE[name]
     if (term_class := _beyond(result)) and term_class.forms.get(name, DECLARED) not in ("", DECLARED):
@@ -114,45 +141,48 @@ def _beyond(result: Diagnosis) -> TermClass | None:
     return result.beyond.found if result.beyond is not None and not result.effects else None
 
 
-def _effect(result: Diagnosis, setting: ReportSetting) -> list[Cell]:
-    """Return the effect of the causes on the frequencies at the measured poses; empty without causes.
+def _effect(result: Diagnosis) -> list[Cell]:
+    """Return the effect of the causes on the measured modes, and the largest with the refitted values; else empty.
 
-    Modes are matched by rank; where a cause adds modes, such as those of a moving frame, by frequency.
+    The effect is that of the causes at the values of the last model, whose modes with and without them are matched by
+    rank, or by frequency where a cause adds modes, such as those of a moving frame.  The frequencies are those of the
+    table of all measured modes: as declared, and with the causes.
     """
     stages = result.stages
     if stages is None or stages.after is None or stages.without is None:
         return []
-    count = int(stages.after.mode.max(initial=1))
     spectra = zip(stages.after.spectrum, stages.without, strict=True)
-    pairs = [_alike(after, without) for after, without in spectra]
-    changes = [
-        (float(stages.after.spectrum[i, k] - stages.without[i, n]), i, k, n)
-        for i, pose_pairs in enumerate(pairs)
-        for k, n in pose_pairs
-        if k < count
-    ]
+    partners = [dict(_alike(after, without)) for after, without in spectra]
+    index = {pose: k for k, pose in enumerate(dict.fromkeys(row.pose for row in result.rows))}
+    changes = []
+    for i, row in enumerate(result.rows):
+        at, k = index[row.pose], int(stages.after.mode[i]) - 1
+        if row.before is not None and k in partners[at] and not row.outlier:
+            changes.append((stages.after.spectrum[at, k] - stages.without[at, partners[at][k]], i))
     if not changes:
         return []
-    sizes = [change for change, *_ in changes]
-    largest, at, mode, partner = max(changes, key=lambda entry: abs(entry[0]))
-    labels = [*dict.fromkeys(row.pose for row in result.rows)]
-    new = [f for k, f in enumerate(stages.after.spectrum[at, :count]) if k not in dict(pairs[at])]
+    sizes = [change for change, _ in changes]
+    largest, i = max(changes, key=lambda entry: abs(entry[0]))
+    row, at = result.rows[i], index[result.rows[i].pose]
+    count = int(stages.after.mode.max(initial=1))
+    new = [f for k, f in enumerate(stages.after.spectrum[at, :count]) if k not in partners[at]]
     verb = "lower" if max(sizes) <= 0.0 else "raise" if min(sizes) >= 0.0 else "change"
     who = f"they {verb}" if len(result.effects) > 1 else f"it {verb}s"
-    place = "setup" if setting.robot is None else "pose"
-    before, now = (
-        round_to_sigma(float(f), abs(largest)).columns[0]
-        for f in (stages.without[at, partner], stages.after.spectrum[at, mode])
-    )
+    refitted = any(value.after != value.before for value in result.refitted)
+    total = ". With the refitted values, mode" if refitted else ": mode"
     are = "another is" if len(new) == 1 else "others are"
     new_modes = f"; {are} new there, at {joined([f'{f:.4g}' for f in new])} Hz" if new else ""
     return [
         Cell(
-            f"In the model {who} the natural frequencies at the {plural(len(labels), f'measured {place}')} by up to "
-            f"{plain(abs(largest), 2)} Hz: that of mode {mode + 1} at"
+            f"In the model {who} the frequencies of the {plural(len(changes), 'measured mode')} by up to "
+            f"{plain(abs(largest), 2)} Hz{total} {stages.after.mode[i]} at"
         ),
-        label(labels[at]),
-        Cell(f"from {before} to {now} Hz{new_modes}."),
+        label(row.pose),
+        Cell("goes from"),
+        hertz(row.before, pointer("rows", i, "before_hz")),
+        Cell("Hz as declared to"),
+        hertz(row.after, pointer("rows", i, "after_hz")),
+        Cell(f"Hz{new_modes}."),
     ]
 
 
@@ -214,8 +244,9 @@ def _sure(result: Diagnosis) -> list[Cell]:
     ]
     saved = saved_as(values[0], result.corrected) if len(values) == 1 else None
     if saved is not None and saved.value != saved.declared:
-        part = plain(100.0 * saved.saved_sigma / abs(saved.value - saved.declared), 2)
-        sentences.append(f"its size is known to within {part} % (one standard deviation)")
+        part = saved.saved_sigma / abs(saved.value - saved.declared)
+        error = None if any(not same_verdict(result, entry) for entry in result.stability) else result.after
+        sentences += [known] if (known := _size_known(part, error)) else []
     if result.settled and result.stability and not is_stable(result):
         changed = [entry.change for entry in result.stability if not same_verdict(result, entry)]
         words = joined([CHANGES.get(change, change) for change in changed], "or")
@@ -236,6 +267,19 @@ def _sure(result: Diagnosis) -> list[Cell]:
     return [Cell(text.replace(" %", "\u00a0%"), plain=text)]
 
 
+def _size_known(part: float, error: Error | None) -> str:
+    """Return how well the size of a cause is known, as a part of it; empty where other errors give another verdict.
+
+    - error: of the model with the cause: with a residual far below the stated errors, these are wrong
+    """
+    if error is None:
+        return ""
+    known = f"its size is known to within {plain(100.0 * part, 2)} % (one standard deviation"
+    if error.chi2_per_dof < TOO_SMALL:
+        return f"{known} by the stated errors, which are far larger than the residual)"
+    return f"{known})"
+
+
 def _sure_of_terms(beyond: Beyond, term_class: TermClass) -> Iterator[str]:
     """Yield how certain a claim beyond the catalogue is."""
     several = len(term_class.finding.members) > 1
@@ -251,8 +295,14 @@ def _sure_of_terms(beyond: Beyond, term_class: TermClass) -> Iterator[str]:
             (parameter.declared for parameter in term_class.corrected if parameter.name == value.name), 0.0
         )
         if value.value != declared:
-            part = plain(100.0 * value.sigma / abs(value.value - declared), 2)
-            yield f"its size is known to within {part} % (one standard deviation)"
+            part = value.sigma / abs(value.value - declared)
+            yield _size_known(part, term_class.errors[term_class.finding.name])
+
+
+def doubt(result: Diagnosis) -> str:
+    """Return the probability of a claim that is doubtful, in per cent; empty where none is."""
+    p, _ = _probability(result)
+    return _percent(p) if result.effects and p is not None and p < DOUBTFUL else ""
 
 
 def _probability(result: Diagnosis) -> tuple[float | None, bool]:
@@ -295,6 +345,8 @@ def _explanation(name: str, result: Diagnosis) -> str:
 def _next(result: Diagnosis, setting: ReportSetting) -> list[Cell]:
     """Return the measurement that is expected to separate the explanations best, or why none is proposed."""
     proposed = result.next_measurement
+    if proposed is None and (confounder := _confounder(result)):
+        return [Cell(sentence(clean(confounder)))]
     if proposed is None:
         return [Cell(f"No next measurement is proposed: {clean(result.next_measurement_reason)}.")]
     at, text, cells = "next_measurement", "At", list[Cell]()
@@ -315,3 +367,27 @@ def _next(result: Diagnosis, setting: ReportSetting) -> list[Cell]:
     load = [Cell("Set"), setting.load(proposed.load)] if proposed.load else []
     sigmas = number(proposed.sigmas, ".0f", pointer(at, "sigmas"))
     return [*cells, Cell(f"{text} {contrast}"), sigmas, Cell(f"standard deviations.{caveat}"), *load]
+
+
+def _confounder(result: Diagnosis) -> str:
+    """Return what would make the size of a cause far better known: what the data do not show; empty for nothing."""
+    values = [saved_as(value, result.corrected) for effect in result.effects for value in effect.parameters]
+    if any(len(effect.members) > 1 or effect.relative() for effect in result.effects):
+        return ""
+    worst = max(
+        (value for value in values if value is not None and value.unseen is not None),
+        key=lambda value: value.saved_sigma / value.sigma,
+        default=None,
+    )
+    if worst is None or worst.unseen is None or worst.saved_sigma < WORTH_KNOWING * worst.sigma:
+        return ""
+    factor, unseen = format_factor(worst.saved_sigma / worst.sigma), worst.unseen
+    if unseen.default:
+        what = f"declare {unseen.default.removeprefix('a ').partition(' of ')[0]}"
+    else:
+        path = unseen.candidate.removeprefix("parameter:")
+        what = f"measure {path} itself" if path != unseen.candidate else f"rule out {path}"
+    return (
+        f"to know the size better, {what}, which could have changed it unseen in these data: because of that, the "
+        f"standard deviation of {worst.name.removeprefix('effects.')} is {factor} as large as that of the fit"
+    )

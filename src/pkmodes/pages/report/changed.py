@@ -11,9 +11,10 @@ from pkmodes.loop.diagnosis.states.result import Change
 from pkmodes.loop.diagnosis.states.words import reword
 from pkmodes.loop.diagnosis.verdict.findings import Corrected, Value
 from pkmodes.loop.diagnosis.verdict.rows import Row
+from pkmodes.loop.diagnosis.verdict.verdicts import AMBIGUOUS
 from pkmodes.pages.plots.evidence import PlottedEvidence
 from pkmodes.pages.report import explanations, figures, numbers
-from pkmodes.pages.report.action import action
+from pkmodes.pages.report.action import action, doubt
 from pkmodes.pages.report.beyond import beyond
 from pkmodes.pages.report.blocks import Cell, Column, Facts, Paragraph, Section, Summary, Table
 from pkmodes.pages.report.formatting import (
@@ -66,7 +67,8 @@ def change_headline(result: Change, setting: ReportSetting) -> str:
         )
     if not result.explained:
         return clean(f"Something changed since {trusted}, and the data do not tell what")
-    return clean(f"Changed since {trusted}: {_best(result, setting)}")
+    changed = f"hanged since {trusted}: {_best(result, setting)}"
+    return clean(f"Doubtful ({share}): c{changed}" if (share := doubt(result)) else f"C{changed}")
 
 
 def _best(result: Change, setting: ReportSetting) -> str:
@@ -124,7 +126,7 @@ def changes_summary(result: Change, setting: ReportSetting) -> Summary:
         verdict="" if result.by_state or term is not None else result.verdict,
         headline=change_headline(result, setting).replace(" +- ", " \u00b1 "),
         reason=prose(sentence(result.reason)),
-        tone=TONES[result.changed],
+        tone=AMBIGUOUS.colour if doubt(result) else TONES[result.changed],
         notes=[prose(sentence(note)) for note in result.notes],
         action=None if result.by_state else what_to_do(result, setting),
         facts=[(name, cell) for name, cell in facts if cell.value is not None],

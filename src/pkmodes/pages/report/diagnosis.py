@@ -3,21 +3,24 @@
 from __future__ import annotations
 
 import difflib
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
 from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.base.numbers import format_signed
 from pkmodes.core.robot.robot import Robot
 from pkmodes.loop.diagnosis.verdict import naming
-from pkmodes.loop.diagnosis.verdict.findings import Finding, explain_saved_sigma, with_saved_sigma
+from pkmodes.loop.diagnosis.verdict.findings import Finding, with_saved_sigma
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis, parameter_key
-from pkmodes.loop.diagnosis.verdict.verdicts import VERDICTS
+from pkmodes.loop.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, VERDICTS, Colour
 from pkmodes.loop.updating.corrected_robot import corrected_robot
 from pkmodes.pages.plots.evidence import PlottedEvidence
 from pkmodes.pages.report import explanations, figures, numbers
-from pkmodes.pages.report.action import action
+from pkmodes.pages.report.action import action, doubt
 from pkmodes.pages.report.beyond import beyond
 from pkmodes.pages.report.blocks import Block, Cell, Difference, Paragraph, Section, Summary
+from pkmodes.pages.report.contrast import contrast
 from pkmodes.pages.report.damping import damping
 from pkmodes.pages.report.formatting import (
     clean,
@@ -38,6 +41,8 @@ from pkmodes.pages.report.sections import glossary, view_section
 from pkmodes.pages.report.setting import ReportSetting
 from pkmodes.pages.report.stability import stability_sentence
 
+#: Relative change of a refitted value from which an adequate model is reported with it.
+FAR = 0.2
 #: Sections that are unfolded when the page opens.
 OPEN = ("errors", "causes", "beyond", "place", "modes")
 #: Most values listed in the header for the members of a class; those of a single cause are all listed.
@@ -87,13 +92,6 @@ def diagnosis_page(result: Diagnosis, evidence: PlottedEvidence, setting: Report
 
 
 def _summary(result: Diagnosis, setting: ReportSetting) -> Summary:
-    larger = "".join(  # why the standard deviations of the causes are larger than those of the fit
-        f" {parameter_key(value)}: {why}."
-        for effect in result.effects
-        if len(effect.members) == 1 and not effect.relative()
-        for value in effect.parameters
-        if (why := explain_saved_sigma(value, result.corrected))
-    )
     notes = [*result.notes]
     if result.damping.measured:  # which changes neither the verdict nor the headline
         notes.append(f"the verdict is that of frequencies and shapes; {result.damping.reason}")
@@ -101,9 +99,9 @@ def _summary(result: Diagnosis, setting: ReportSetting) -> Summary:
         subject=setting.title(row.drives for row in result.rows),
         kind="Diagnosis",
         verdict=result.verdict,
-        headline=verdict_headline(result),
-        reason=prose(sentence(result.reason) + larger),
-        tone=VERDICTS[result.verdict].colour,
+        headline=verdict_headline(result, setting),
+        reason=prose(sentence(result.reason)),
+        tone=_colour(result),
         notes=[prose(sentence(note)) for note in notes],
         action=action(result, setting),
         facts=[(name, cell) for name, cell in _facts(result, setting) if cell.value is not None],
@@ -111,8 +109,23 @@ def _summary(result: Diagnosis, setting: ReportSetting) -> Summary:
     )
 
 
-def verdict_headline(result: Diagnosis) -> str:
-    """Return the verdict as a sentence, with the causes and what matters of the refitted values."""
+def _colour(result: Diagnosis) -> Colour:
+    """Return the colour of the heading: that of the verdict, or of doubt."""
+    doubtful = doubt(result) or (
+        result.verdict == ADEQUATE.word and (result.headline or [*_refitted_far(result)])
+    )
+    return AMBIGUOUS.colour if doubtful else VERDICTS[result.verdict].colour
+
+
+def _refitted_far(result: Diagnosis) -> Iterator[tuple[str, float]]:
+    """Yield the uncertain values that the fit changed by a large part, with that part."""
+    for name, value in ((value.name, value) for value in result.refitted):
+        if value.before and abs(change := value.after / value.before - 1.0) >= FAR:
+            yield name, change
+
+
+def verdict_headline(result: Diagnosis, setting: ReportSetting | None = None) -> str:
+    """Return the verdict as a sentence, with its doubt, the causes and what matters of the refitted values."""
     if (
         result.beyond is not None
         and not result.effects
@@ -123,7 +136,17 @@ def verdict_headline(result: Diagnosis) -> str:
     verdict = VERDICTS[result.verdict].sentence.format(
         causes=causes, s="s" if len(result.effects) > 1 else ""
     )
-    return f"{verdict}; {clean(result.headline)}" if result.headline else verdict
+    if share := doubt(result):
+        verdict = f"Doubtful ({share}): {verdict[0].lower()}{verdict[1:]}"
+    also = [part.sentence for effect in result.effects if (part := contrast(effect, setting)) is not None]
+    also += [clean(result.headline)] if result.headline else []
+    if result.verdict == ADEQUATE.word:
+        also += [
+            f"{clean(name.removeprefix('effects.'))} was refitted by {format_signed(100.0 * change)} %"
+            for name, change in _refitted_far(result)
+            if name.removeprefix("effects.") not in result.headline
+        ]
+    return "; ".join([verdict, *also])
 
 
 def _facts(result: Diagnosis, setting: ReportSetting) -> list[tuple[str, Cell]]:
@@ -155,7 +178,7 @@ def _facts(result: Diagnosis, setting: ReportSetting) -> list[tuple[str, Cell]]:
 
 
 def _sizes(result: Diagnosis, i: int, setting: ReportSetting) -> list[tuple[str, Cell]]:
-    """Return the values of a cause, with reliable standard deviations."""
+    """Return the values of a cause, with reliable standard deviations; of a single joint, only its change."""
     effect = result.effects[i]
     facts, relative = list[tuple[str, Cell]](), effect.relative()
     if effect.alone is not None:
@@ -169,6 +192,7 @@ def _sizes(result: Diagnosis, i: int, setting: ReportSetting) -> list[tuple[str,
                 cell,
             )
         )
+        return facts
     for value in relative or effect.parameters:
         keys = ("effects", i, "relative" if relative else "parameters", parameter_key(value))
         sigma = pointer(*keys, "sigma" if relative else "saved_sigma")
@@ -184,9 +208,25 @@ def _sizes(result: Diagnosis, i: int, setting: ReportSetting) -> list[tuple[str,
 
 
 def _class_sizes(effect: Finding, i: int, setting: ReportSetting) -> list[tuple[str, Cell]]:
-    """Return the value of each member of a class; only the number of members if there are too many."""
+    """Return the value of each member of a class; only the number of members if there are too many.
+
+    Where only the ratio of two parts is known, the part that is lower is the value.
+    """
     facts: list[tuple[str, Cell]] = []
+    part = contrast(effect, setting)
     for name in effect.members:
+        if name == effect.name and part is not None:
+            at = pointer("effects", i, "relative", parameter_key(part.value))
+            cell = uncertain_cell(
+                part.value.value,
+                part.value.sigma,
+                at + pointer("value"),
+                at + pointer("sigma"),
+                scale=100.0,
+            )
+            start = "either" if not facts else "or"
+            facts.append((f"{start}: {part.quantity} of {part.part} relative to the mean [%]", cell))
+            continue
         start = "either" if not facts else "or"
         also = ", implausible" if effect.member(name).implausible else ""
         for value in effect.alternatives[name]:

@@ -6,10 +6,11 @@ from collections.abc import Mapping, Sequence
 
 from pkmodes.core.support.ordering import listed
 from pkmodes.loop.diagnosis.verdict import naming
-from pkmodes.loop.diagnosis.verdict.findings import Corrected, Finding, with_saved_sigma
+from pkmodes.loop.diagnosis.verdict.findings import Corrected, Finding, explain_saved_sigma, with_saved_sigma
 from pkmodes.loop.diagnosis.verdict.result import Damping, Diagnosis, parameter_key
 from pkmodes.pages.plots import scores
 from pkmodes.pages.report.blocks import Block, Cell, Column, Facts, Listing, Paragraph, Picture, Table
+from pkmodes.pages.report.contrast import contrast
 from pkmodes.pages.report.formatting import (
     NOTHING,
     clean,
@@ -19,6 +20,7 @@ from pkmodes.pages.report.formatting import (
     plural,
     pointer,
     prose,
+    sentence,
     three_digits,
     uncertain_cell,
     unit,
@@ -51,6 +53,8 @@ def causes(result: Diagnosis | Damping, setting: ReportSetting, *top: str) -> li
         if effect.sentence or several:
             names = ", ".join(map(clean, effect.members))
             entries.append(("Names" if several else "Name", [Cell(names)]))
+        if (part := contrast(effect, setting)) is not None:
+            entries.append(("Which", [Cell(part.sentence)]))
         at = pointer(*top, "effects", i)
         entries.append(("p-value", [p_value(effect.p_value, at + pointer("p_value"))]))
         if effect.alone is not None:
@@ -61,6 +65,15 @@ def causes(result: Diagnosis | Damping, setting: ReportSetting, *top: str) -> li
             entries.append((f"{clean(joint_change.joint.words)} alone", [value, Cell(f"% {term}".rstrip())]))
         blocks += [Facts(entries), *_relative(effect, at, setting)]
         blocks.append(_members(effect, result.corrected, at, setting, sentences))
+        if not several:  # why its standard deviations are larger than those of the fit
+            reasons = {
+                value.name: explain_saved_sigma(value, result.corrected) for value in effect.parameters
+            }
+            blocks += [
+                Paragraph(prose(sentence(f"{setting.words(name) or clean(name)}: {why}")))
+                for name, why in reasons.items()
+                if why
+            ]
         if several:
             blocks.append(
                 Paragraph(

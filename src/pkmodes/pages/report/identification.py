@@ -26,6 +26,8 @@ from pkmodes.pages.report.tables import table
 PLACES = 8
 #: MAC between two modes above which the sensors hardly tell them apart.
 ALIKE = 0.8
+#: Share of the model orders below which a mode that was found in them is weak.
+FEW = 0.25
 #: Relative standard deviation of a damping ratio above which the page mentions it.
 UNCERTAIN = 0.5
 
@@ -75,16 +77,16 @@ def _summary(identified: Identification, campaign: Campaign) -> Summary:
         max(("scatter", "fit", "repeatability"), key=lambda part: getattr(mode.parts, part)) for mode in modes
     ]
     dominant = max(names, key=largest.count)
-    share = "all of them" if largest.count(dominant) == len(modes) else f"{largest.count(dominant)} of them"
+    leading = largest.count(dominant)
+    share = "every mode" if leading == len(modes) else f"{leading} of {plural(len(modes), 'mode')}"
     messages = sum(len(result.messages) for result in identified.records)
     reason = (
-        f"From {plural(files, 'file')}. The largest part of the standard deviation of the frequency is, for {share}, "
-        f"{names[dominant]}."
+        f"From {plural(files, 'file')}. The largest part of a frequency's standard deviation is {names[dominant]} in "
+        f"{share}."
     )
     if messages:
-        reason += (
-            f" {plural(messages, 'message')} {'is' if messages == 1 else 'are'} listed with the records."
-        )
+        what = "a message" if messages == 1 else plural(messages, "message")
+        reason += f" The sections of the records have {what} to read."
     subject = "Structure" if campaign.model is None else campaign.model.robot.name
     return Summary(
         subject=shortened(subject),
@@ -111,7 +113,10 @@ def _facts(identified: Identification, modes: Sequence[IdentifiedMode]) -> list[
             Cell(per_cent(float(np.median(relative))), float(np.median(relative))),
         ),
         ("largest \u03c3 of a frequency", Cell(per_cent(float(relative.max())), float(relative.max()))),
-        ("of which repeatability", Cell(per_cent(identified.repeatability), identified.repeatability, at)),
+        (
+            "repeatability, a part of every \u03c3",
+            Cell(per_cent(identified.repeatability), identified.repeatability, at),
+        ),
     ]
     if damped.size:
         middle = float(np.median(damped))
@@ -145,6 +150,13 @@ def _attention(identified: Identification) -> list[tuple[str, list[str]]]:
         (
             f"Complex shapes (modal phase collinearity below {MIN_COLLINEARITY:g}):",
             _modes_with(identified, lambda mode, _: mode.complexity < MIN_COLLINEARITY),
+        ),
+        (
+            f"Weak modes, found in fewer than {100.0 * FEW:g} % of the model orders:",
+            _modes_with(
+                identified,
+                lambda mode, _: mode.found_in is not None and mode.found_in[0] < FEW * mode.found_in[1],
+            ),
         ),
         (
             "Found in only some of the files:",

@@ -193,9 +193,11 @@ def _stabilisation(
         others = "other file" if inspection.others == 1 else plural(inspection.others, "other file")
         rest = f" The {others} of {whole} {'is' if inspection.others == 1 else 'are'} not drawn."
     lines = ["lines with a number are the modes of the record, as in the table"]
-    lines += ["dash-dotted ones those added"] if any(mode.edited for mode in result.modes) else []
-    lines += ["dashed ones those struck out"] if result.struck else []
-    lines += ["dotted ones tones"] if marked.tones else []
+    lines += (
+        ["dash-dotted lines are modes that were added"] if any(mode.edited for mode in result.modes) else []
+    )
+    lines += ["dashed lines are modes that were struck out"] if result.struck else []
+    lines += ["dotted lines are tones"] if marked.tones else []
     poles = plural(sum(map(len, inspection.stabilisation.poles)), "pole")
     orders = plural(len(inspection.stabilisation.orders), "model order")
     return Picture.of(
@@ -246,16 +248,18 @@ def _shapes(result: RecordResult) -> list[Block]:
                 "autoMAC",
                 f"Modal assurance criterion between {plural(len(macs), 'mode')}; {plural(alike, 'pair')} above 0.5.",
                 "autoMAC: how alike the shapes of the record's modes are, 1 for the same shape. A light cell beside "
-                "the diagonal means that the sensors hardly tell two modes apart.",
+                "the diagonal means that the sensors hardly tell two modes apart."
+                f"{lengths_note(result.modes)}",
             )
         )
     drawn = sorted(
         sorted(shaped, key=lambda entry: entry[1].complexity)[:MOST_SHAPES], key=lambda entry: entry[0]
     )
-    titles = [(f"{k}: {mode.complexity:.2f}", mode.complex_shape) for k, mode in drawn]
+    titles = [(f"{k}: {mode.complexity:.2f}", mode.shape_in_metres) for k, mode in drawn]
     which = (
         "" if len(drawn) == len(shaped) else f" The {len(drawn)} least collinear of {len(shaped)} are drawn."
     )
+    which += lengths_note(result.modes)
     lowest = min(shaped, key=lambda entry: entry[1].complexity)
     blocks.append(
         Picture.of(
@@ -277,8 +281,18 @@ def auto_macs(modes: Sequence[IdentifiedMode]) -> np.ndarray[Any, np.dtype[np.fl
     for i, first in enumerate(modes):
         for k, second in enumerate(modes):
             if len(first.complex_shape.keys() & second.complex_shape.keys()) > 1:
-                macs[i, k] = mac(first.complex_shape, second.complex_shape)
+                macs[i, k] = mac(first.complex_shape, second.complex_shape, first.lengths)
     return macs
+
+
+def lengths_note(modes: Sequence[IdentifiedMode]) -> str:
+    """Return what makes metres of the rotations in shapes; empty where they have none."""
+    lengths = [mode.lengths[name] for mode in modes for name in mode.complex_shape if name in mode.lengths]
+    return (
+        f" Rotations are times L = {lengths[0]:.4g} m, the characteristic length of the platform."
+        if lengths
+        else ""
+    )
 
 
 def _repeats(result: RecordResult) -> list[Block]:

@@ -14,6 +14,7 @@ from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes.pages.plots.evidence import PlottedEvidence
 from pkmodes.pages.plots.places import COLOURS, Marked, places
 from pkmodes.pages.report.blocks import Block, Picture
+from pkmodes.pages.report.contrast import contrast
 from pkmodes.pages.report.formatting import clean, plural
 from pkmodes.pages.report.setting import ReportSetting
 from pkmodes.pages.view import scene
@@ -27,38 +28,55 @@ VALUE = "parameter:"
 AXES = ("x", "y", "z")
 
 
-def named_terms(result: Diagnosis) -> list[tuple[str, str]]:
-    """Return the terms that remain, and the joint that a claimed cause singles out, with their words."""
+def named_terms(result: Diagnosis, setting: ReportSetting) -> list[tuple[str, str]]:
+    """Return the terms that remain, and the parts that claimed causes single out, with their words."""
     joints = [effect.alone.joint for effect in result.effects if effect.alone is not None]
+    parts = [
+        (part.term, part.part) for effect in result.effects if (part := contrast(effect, setting)) is not None
+    ]
     values = [
-        (name, effect.member(name).words)
+        (name, effect.member(name).words if isinstance(result, Change) else _value(name, setting))
         for effect in result.effects
         for name in effect.members
-        if isinstance(result, Change) and name.startswith(VALUE)
+        if name.startswith(VALUE)
     ]
     groups = () if result.beyond is None else result.beyond.classes
     members = [(name, group.finding.member(name).words) for group in groups for name in group.forms]
-    return [*((joint.term, joint.words) for joint in joints), *values, *members]
+    return [*((joint.term, joint.words) for joint in joints), *parts, *values, *members]
+
+
+def _value(name: str, setting: ReportSetting) -> str:
+    """Return the words of a declared value; its path where the robot does not describe it."""
+    path = name.removeprefix(VALUE)
+    return setting.words(path) or clean(path)
 
 
 def marked_elements(result: Diagnosis, robot: Robot) -> frozenset[int]:
     """Return the elements of a machine's drawing that show these places."""
-    return frozenset(i for mark in _marks(result, robot)[:MOST] for i in mark.elements)
+    setting = ReportSetting("", robot, None, (), None)
+    return frozenset(i for mark in _marks(result, setting)[:MOST] for i in mark.elements)
 
 
-def _marks(result: Diagnosis, robot: Robot) -> list[Marked]:
-    """Return the marked elements of all places that the drawing of the machine shows."""
-    elements = robot.mechanism.drawing.elements
-    marks = [marked(name, words, elements) for name, words in named_terms(result)]
-    return [mark for mark in marks if mark is not None]
+def _marks(result: Diagnosis, setting: ReportSetting) -> list[Marked]:
+    """Return the marked elements of all places that the drawing of the machine shows, each place once."""
+    if setting.robot is None:
+        return []
+    elements, marks = setting.robot.mechanism.drawing.elements, dict[tuple[object, ...], Marked]()
+    for name, words in named_terms(result, setting):
+        if (mark := marked(name, words, elements)) is not None:
+            marks.setdefault((mark.elements, mark.along), mark)
+    return [*marks.values()]
 
 
 def picture(result: Diagnosis, evidence: PlottedEvidence, setting: ReportSetting) -> list[Block]:
     """Return a picture of the machine with these places in colour; empty if it shows none of them."""
     if setting.robot is None:
         return []
-    marks, model = _marks(result, setting.robot), Model(setting.robot)
-    if not marks:
+    marks, model = _marks(result, setting), Model(setting.robot)
+    points = evidence.points
+    if not points.shape[1] and setting.data is not None:  # all measured at 0
+        points = np.zeros((len(evidence.labels), len(setting.robot.mechanism.pose)))
+    if not marks or not points.shape[1]:
         return []
     marks, omitted = marks[:MOST], max(len(marks) - MOST, 0)
     others = (
@@ -66,16 +84,16 @@ def picture(result: Diagnosis, evidence: PlottedEvidence, setting: ReportSetting
         if omitted
         else ""
     )
-    valid = np.flatnonzero(model.check(evidence.points).valid)
+    valid = np.flatnonzero(model.check(points).valid)
     if not len(valid):
         return []
-    middle = evidence.points[valid].mean(axis=0)
-    chosen = valid[np.linalg.norm(evidence.points[valid] - middle, axis=1).argmin()]
+    middle = points[valid].mean(axis=0)
+    chosen = valid[np.linalg.norm(points[valid] - middle, axis=1).argmin()]
     words = "; ".join(mark.name for mark in marks)
     title, at = "Where it is", f"the machine at {evidence.place} {clean(evidence.labels[chosen])}"
     return [
         Picture.of(
-            places(scene(model, evidence.points[chosen]), marks),
+            places(scene(model, points[chosen]), marks),
             title,
             f"{at}, with these bodies in colour: {words}.{others}",
             f"{title}: {at}. An arrow shows the direction in which something acts.{others}",

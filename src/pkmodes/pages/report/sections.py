@@ -56,7 +56,7 @@ def view_section(view: str | None) -> list[Section]:
     if view is None:
         return []
     blocks: list[Block] = [
-        Paragraph("The machine in its modes: it moves on screen, and a still of it is printed."),
+        Paragraph("The machine in its modes. It moves on a screen; a printed page has a still picture."),
         Foreign(view),
     ]
     return [Section("view", "In three dimensions", blocks)]

@@ -9,8 +9,8 @@ from pkmodes.loop.diagnosis.verdict.stability_words import (
     DOUBLED,
     HALVED,
     WIDENED,
-    is_stable,
     reason_of_change,
+    same_verdict,
 )
 from pkmodes.loop.diagnosis.verdict.verdicts import ADEQUATE, EFFECT_FOUND, INSUFFICIENT_DATA, UNEXPLAINED
 
@@ -22,8 +22,7 @@ NOTHING = "nothing explains the residual"
 def stability_sentence(result: Diagnosis) -> str:
     """Return what the changes of the stability test find; empty where nothing was tested.
 
-    It begins with "stable" where `stability_words.is_stable` allows it, and where a term was found, with what it
-    is about.
+    It begins with "stable" where no change gives another verdict, and where a term was found, with what it is about.
     """
     if not result.stability or result.verdict == INSUFFICIENT_DATA.word:
         return ""
@@ -40,7 +39,8 @@ def stability_sentence(result: Diagnosis) -> str:
         also = "also " if len(outcomes) == 1 and " " not in outcome else ""
         parts.append(f"{outcome} {also}with {words}{f' ({why})' if why else ''}")
     of = "the catalogue alone, " if result.beyond is not None and result.beyond.found is not None else ""
-    return f"{of}{'stable' if is_stable(result) else 'stability'}: {'; '.join(parts)}"
+    unchanged = all(same_verdict(result, entry) for entry in result.stability)
+    return f"{of}{'stable' if unchanged else 'stability'}: {'; '.join(parts)}"
 
 
 def _outcome(result: Diagnosis, entry: Stability, claimed: set[str]) -> str:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from pkmodes.core.base.numbers import plain
-from pkmodes.core.support.mac import mac
+from pkmodes.core.support.mac import mac, rotation_weights
 from pkmodes.loop.diagnosis.criteria import ReadingCriteria
 from pkmodes.loop.diagnosis.match.stage import MatchStage
 from pkmodes.loop.diagnosis.problem import Array
@@ -52,8 +52,9 @@ def poses_at_one_position(stage: MatchStage, criteria: ReadingCriteria) -> Itera
             largest = _largest_difference(stage, criteria.same_place, first, second)
             if largest:
                 yield (
-                    f"poses {data.labels[first]} and {data.labels[second]} are at the same position, but their "
-                    f"frequencies differ by up to {plain(100 * largest, 2)} %: is one of them somewhere else?"
+                    f"poses {data.labels[first]} and {data.labels[second]} are at the same position, but "
+                    f"their frequencies differ by up to {plain(100 * largest, 2)} %: is one of them somewhere "
+                    "else?"
                 )
 
 
@@ -82,6 +83,7 @@ def setups_with_equal_shapes(data: Measurements, min_mac: float) -> tuple[str, .
             continue
         largest = np.abs(compared).max(axis=1, keepdims=True)  # shapes have any scale
         compared = compared / np.where(largest > 0.0, largest, 1.0)
+        compared *= rotation_weights([data.channels[k] for k in np.flatnonzero(common)], compared)
         if mac(compared, compared, np.ones(compared.shape, dtype=bool)).min() > min_mac:
             labels.append(label)
     return tuple(labels)

@@ -171,7 +171,10 @@ def explain_saved_sigma(value: Value, corrected: Sequence[Corrected]) -> str:
     unseen, parts = saved.unseen, []
     if saved.widened:
         fit_sigma = round_to_sigma(value.value, value.sigma).columns[1]
-        parts.append(f"+- {fit_sigma} by the fit alone; the rest is what {unseen.agent} could have done")
+        parts.append(
+            f"the standard deviation is {fit_sigma} by the fit alone, and larger by what {unseen.agent} could "
+            "have done to the value"
+        )
     if unseen.unbounded:
         parts.append(omission_in_words(unseen))
     return "; ".join(parts)
@@ -179,7 +182,7 @@ def explain_saved_sigma(value: Value, corrected: Sequence[Corrected]) -> str:
 
 def omission_in_words(unseen: Unseen) -> str:
     """Return what a standard deviation omits: the effect of a candidate without a limit."""
-    return f"not included is what an unseen {unseen.unbounded} could have done, which these data do not bound"
+    return f"it does not include what an unseen {unseen.unbounded} could have done, which these data do not bound"
 
 
 @dataclass(frozen=True)

@@ -24,9 +24,9 @@ from pkmodes.loop.diagnosis.verdict.unevaluated import unevaluated
 #: Measured modes below this part of the lowest frequency of the declared model are not modes of it; smallest number
 #: of setups with such modes that is reported.
 MAX_FREQUENCY_RATIO, MIN_SETUPS = 0.7, 2
-#: Stated errors that are wrong by more than this factor are reported; as too large only if the probability of such a
-#: small residual is below the second number.
-MAX_ERROR_FACTOR, MAX_P_OF_SMALL_RESIDUAL = 3.0, 1e-4
+#: Stated errors that are too small by more than the first factor are reported, and those that are too large by more
+#: than the second, but only if the probability of such a small residual is below the third number.
+MAX_TOO_SMALL, MAX_TOO_LARGE, MAX_P_OF_SMALL_RESIDUAL = 3.0, 2.0, 1e-4
 
 
 def notes(store: FitStore, fit: Fit, adequate: bool) -> list[str]:
@@ -81,10 +81,10 @@ def _stated_errors(store: FitStore, fit: Fit, adequate: bool) -> Iterator[str]:
     if degrees < 1.0:
         return
     ratio = (squares / degrees) ** 0.5
-    if ratio < 1.0 / MAX_ERROR_FACTOR and stats.chi2.cdf(squares, degrees) < MAX_P_OF_SMALL_RESIDUAL:
+    if ratio < 1.0 / MAX_TOO_LARGE and stats.chi2.cdf(squares, degrees) < MAX_P_OF_SMALL_RESIDUAL:
         factor = format_factor(1.0 / ratio) if ratio > 1e-6 else "far"
         yield f"the stated errors of the frequencies are {factor} too large: the residual scatters much less"
-    elif adequate and ratio > MAX_ERROR_FACTOR:
+    elif adequate and ratio > MAX_TOO_SMALL:
         yield f"the stated errors of the frequencies are {format_factor(ratio)} too small"
 
 
