@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from pkmodes.modaltest.campaign.campaign import Campaign, read_campaign
-from pkmodes.modaltest.campaign.grouping import grouped
+from pkmodes.modaltest.campaign.grouping import group_modes
 from pkmodes.modaltest.campaign.identify import _row
 from pkmodes.modaltest.campaign.mode_estimates import ModeEstimate, mac
 from pkmodes.modaltest.campaign.results import IdentifiedMode
@@ -37,8 +37,8 @@ def test_the_criterion_is_that_of_metres() -> None:
     assert mac(first, second, {"r_y": 0.1}) == pytest.approx(0.0, abs=1e-12)
     assert mac(first, second, {}) == pytest.approx((99 / 101) ** 2)
     modes = [[ModeEstimate(50.0, shape=shape, lengths={"r_y": 0.1})] for shape in (first, second)]
-    assert len(grouped(modes)) == 2
-    assert len(grouped([[replace(mode, lengths={}) for mode in file] for file in modes])) == 1
+    assert len(group_modes(modes)) == 2
+    assert len(group_modes([[replace(mode, lengths={}) for mode in file] for file in modes])) == 1
 
 
 def rows(campaign: Campaign) -> list[IdentifiedMode]:

@@ -47,7 +47,7 @@ def test_changes_of_the_lines_change_poles_and_shapes_as_their_derivatives_say()
 
     of = modes_of_order(subspace(correlations([lines], PART, references, lags), 20, 2), 2)
     i = int(np.argmin(np.abs(PART.pole(of.values).imag / (2 * np.pi) - 22.0)))
-    inside = lines.within(PART)
+    inside = lines.select(PART)
     dvalue, dshape = _line_contributions(inside, PART, references, 1, of, i)
     row = int(np.argmin(np.abs(inside.frequencies - f[k])))
     h = 1e-3

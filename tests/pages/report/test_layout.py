@@ -67,8 +67,8 @@ def test_a_large_view_is_packed_and_moves_all_the_same(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     shown = scene(pkmodes.load("robots/linear-delta-2022.toml"), [0.6, 0.02, -0.245])
-    plain, file = page_data.as_data(shown), tmp_path / "view.html"
-    monkeypatch.setattr(page_data, "PLAIN", 100)
+    plain, file = page_data.scene_data(shown), tmp_path / "view.html"
+    monkeypatch.setattr(page_data, "MAX_PLAIN_CHARACTERS", 100)
     file.write_text(view_page(shown), encoding="utf-8")
     assert '<script type="application/json">' not in file.read_text(encoding="utf-8")
     with opened(file) as browser:
