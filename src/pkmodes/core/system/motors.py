@@ -7,7 +7,7 @@ follows the wind-up, theta = -psi.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache, cached_property, lru_cache
 from typing import Any, NamedTuple, overload
 
@@ -190,6 +190,26 @@ def motor_springs_among(mechanism: Mechanism, names: Iterable[str]) -> tuple[str
     """Return which of some names are effects that mount motors on springs."""
     grounding = [name for name in names if name in mechanism.effects and mechanism.effects[name].grounds]
     return tuple(name for name in grounding if f"{name}." in _without_influence(mechanism).effects)
+
+
+class MotorEffects(NamedTuple):
+    """Names of effects: those that mount motors on springs, and joints between motors and what they drive.
+
+    Where motors are held, the springs have no influence, and the joints act like motors that give way.
+    """
+
+    springs: tuple[str, ...]
+    joints: tuple[str, ...]
+
+
+def motor_effects_among(mechanism: Mechanism, names: Sequence[str]) -> MotorEffects:
+    """Return which of some names are effects by which motors, or what joins them to the machine, give way."""
+    extended = mechanism.extended
+    motion = Generated(extended, sample_parameters(mechanism), extended.Effects()).motor_motion()
+    moved = {extended.COORDINATES[i] for i in np.flatnonzero(np.any(motion, axis=0))}
+    of_effects = {name: {q.name for q in effect.coordinates} for name, effect in mechanism.effects.items()}
+    joints = tuple(name for name in names if not moved.isdisjoint(of_effects.get(name, ())))
+    return MotorEffects(motor_springs_among(mechanism, names), joints)
 
 
 def motor_motion(system: Evaluation) -> Array:

@@ -338,6 +338,27 @@ class Driven(Protocol):
         """
 
 
+class MotorCandidates(Protocol):
+    """Names of candidates: motors on springs, and joints between motors and what they drive."""
+
+    @property
+    def springs(self) -> tuple[str, ...]:
+        """Those without influence in setups with held motors."""
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        """Those that act in setups with held motors like motors that give way."""
+
+
+@runtime_checkable
+class WithMotorCandidates(Protocol):
+    """A structure whose motors may give way."""
+
+    @property
+    def motor_effects(self) -> MotorCandidates:
+        """The candidates by which they do."""
+
+
 @dataclass(frozen=True)
 class Loss:
     """Something that dissipates: damping ratios are linear in its parameter, and frequencies do not depend on it.

@@ -19,7 +19,7 @@ from pkmodes.core.robot.usable import SingularAngle, singular_angle_text
 from pkmodes.core.robot.usable_poses import bounding_box, within_limits
 from pkmodes.core.support.motors import motors_give_way
 from pkmodes.core.system.evaluation import ExtendedSystem
-from pkmodes.core.system.motors import motor_springs_among
+from pkmodes.core.system.motors import motor_effects_among, motor_springs_among
 from pkmodes.loop.diagnosis.problem import Batch, Candidate, Loss, Parameter, Prediction, Sensor
 from pkmodes.loop.sensitivity.locked import locked_joints
 from pkmodes.loop.sensitivity.matrices import POSE
@@ -82,6 +82,7 @@ class RobotStructure:
         self.candidates: tuple[Candidate, ...] = tuple(candidates)
         self.losses: tuple[Loss, ...] = tuple(losses)
         self._mechanism = robot.mechanism
+        self.motor_effects = motor_effects_among(self._mechanism, [c.name for c in self.candidates])
         units = channels(self._mechanism)
         self.channels, self.channel_units = tuple(units), tuple(units.values())
         self.shifts = tuple(
@@ -112,8 +113,8 @@ class RobotStructure:
 
     def at(self, points: Array, loads: LoadCases | None = None) -> RobotStructure:
         """Return the same robot at other poses, as declared, or with load cases."""
-        arguments = self.parameters, self.candidates, self._path_of
-        return type(self)(self.robot, points, *arguments, loads, self.losses)
+        suspects = self.parameters, self.candidates, self._path_of
+        return type(self)(self.robot, points, *suspects, loads, self.losses)
 
     def extended(
         self,
@@ -140,9 +141,8 @@ class RobotStructure:
 
     def may_be_held(self, causes: Collection[str]) -> bool:
         """Return whether a measurement with held motors may be proposed: motors that give way only if some were."""
-        if any(self.loads.cases[c].drives == HELD for c in set(self.loads.case_index.tolist())):
-            return True
-        return not (motors_give_way(self.robot) or motor_springs_among(self._mechanism, causes))
+        held = any(self.loads.cases[c].drives == HELD for c in set(self.loads.case_index.tolist()))
+        return held or not (motors_give_way(self.robot) or motor_springs_among(self._mechanism, causes))
 
     def loaded(self) -> list[tuple[dict[str, float], RobotStructure]]:
         """Return payloads (values by path), each with the robot at its poses under it."""

@@ -12,6 +12,7 @@ from collections.abc import Collection, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.system.motors import MotorEffects
 from pkmodes.loop.diagnosis.problem import Batch, Candidate, Parameter, Prediction, Sensor
 from pkmodes.loop.updating.predictions import Motions, concatenate_predictions, join_modes
 from pkmodes.loop.updating.robot_structure import RobotStructure
@@ -75,6 +76,11 @@ class RobotWithTerms:
     def drives(self) -> str:
         """What the motors do, at most of the poses."""
         return self.robot.drives
+
+    @property
+    def motor_effects(self) -> MotorEffects:
+        """Candidates by which the motors, or what joins them to the machine, give way."""
+        return self.robot.motor_effects
 
     @property
     def surroundings(self) -> str:

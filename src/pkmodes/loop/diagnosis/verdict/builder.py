@@ -31,7 +31,7 @@ from pkmodes.loop.diagnosis.verdict.explanations import NamedFits
 from pkmodes.loop.diagnosis.verdict.findings import Corrected, Examined, Finding, Refitted
 from pkmodes.loop.diagnosis.verdict.limits import CandidateLimits
 from pkmodes.loop.diagnosis.verdict.next_measurement import next_measurement
-from pkmodes.loop.diagnosis.verdict.notes import low_modes, notes
+from pkmodes.loop.diagnosis.verdict.notes import low_modes, motors_that_give_way, notes
 from pkmodes.loop.diagnosis.verdict.possible import usual_size
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis, Stages
 from pkmodes.loop.diagnosis.verdict.rows import Error
@@ -148,7 +148,7 @@ class DiagnosisBuilder:
             not_separated=not_separated,
             candidates=examined_candidates,
             alone=evidence.single_joints if findings or remaining else {},
-            notes=tuple(self._notes(evidence, decision, models)),
+            notes=tuple(self._notes(evidence, decision, models, findings)),
             stability=tuple(trial.stability for trial in evidence.trials),
             probabilities=explanation_probabilities,
         )
@@ -205,7 +205,11 @@ class DiagnosisBuilder:
         return candidate_limits, max_deviations, examined_candidates
 
     def _notes(
-        self, evidence: Evidence, decision: Decision[Evidence, Answer], models: _Models
+        self,
+        evidence: Evidence,
+        decision: Decision[Evidence, Answer],
+        models: _Models,
+        findings: Sequence[Finding],
     ) -> Iterator[str]:
         """Yield the notes on the result of a search: on the data, on the fit, and on what the result leaves out."""
         verdict = decision.verdict
@@ -221,6 +225,9 @@ class DiagnosisBuilder:
             yield from evidence.held_out.notes
         if verdict is UNEXPLAINED and not decided_by_reading:
             yield from low_modes(models.declared[0])
+        if verdict is not ADEQUATE and not decided_by_reading:
+            claimed = {name for finding in findings for name in finding.members}
+            yield from motors_that_give_way(self.fitter, claimed)
         yield from models.notes
         yield from evidence.claim.left_out
         assert models.refit is not None

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
 
 import numpy as np
 from scipy import stats
 
-from pkmodes.core.base.drives import motors_text
+from pkmodes.core.base.drives import HELD, motors_text
 from pkmodes.core.base.numbers import format_factor, format_signed, plain
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.match.stage import MatchStage
-from pkmodes.loop.diagnosis.problem import reached_bounds
+from pkmodes.loop.diagnosis.problem import WithMotorCandidates, reached_bounds
 from pkmodes.loop.diagnosis.readings.copies import setups_with_equal_shapes
 from pkmodes.loop.diagnosis.search.unmeasured import never_measured
 from pkmodes.loop.diagnosis.verdict.naming import number_in_words
@@ -44,6 +44,23 @@ def notes(store: FitStore, fit: Fit, adequate: bool) -> list[str]:
         *_unmeasured(fitter, fit),
         *unevaluated(store, fit),
     ]
+
+
+def motors_that_give_way(fitter: Fitter, claimed: Set[str]) -> Iterator[str]:
+    """Yield how to test for motors that give way, where all motors were held and this could not be a cause.
+
+    - claimed: names of the causes claimed, with those that act alike; empty if none is claimed.  A cause is
+      questioned only if motors that give way act like it.
+    """
+    structure = fitter.structure
+    if not isinstance(structure, WithMotorCandidates) or {*fitter.data.drives} != {HELD}:
+        return
+    springs, joints = structure.motor_effects.springs, structure.motor_effects.joints
+    if springs and (not claimed or not claimed.isdisjoint(joints)):
+        yield (
+            f"with held motors {' or '.join(springs)} is no candidate: if the motors give way, as steppers do, "
+            'diagnose with free ones (--drives free, drives="free")'
+        )
 
 
 def _shapes(store: FitStore, fit: Fit) -> Iterator[str]:
