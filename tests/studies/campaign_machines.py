@@ -12,7 +12,7 @@ import numpy as np
 
 from pkmodes_rig import ROBOTS as DELTAS
 from pkmodes_rig import drawn_values
-from pkmodes_rig.robots import with_effects
+from pkmodes_rig.robots import with_effects, with_free_motors
 from pkmodes_rig.signals.campaigns import Paper
 from pkmodes_rig.signals.integration import responses
 from pkmodes_rig.signals.modal_tests import STEP, Direction, Flaws, ModalTest
@@ -187,11 +187,7 @@ def _axes(robot: str) -> int:
 
 
 def _text(robot: str) -> str:
-    return (
-        with_effects(robot, {})
-        if robot in DELTAS
-        else (ROBOTS / KINDS[robot].file).read_text(encoding="utf-8")
-    )
+    return with_effects(robot, {}) if robot in DELTAS else with_free_motors(ROBOTS / KINDS[robot].file)
 
 
 def _machine(case: CampaignCase, rng: np.random.Generator) -> Machine:

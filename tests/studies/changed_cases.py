@@ -18,6 +18,7 @@ from pkmodes.core.robot.robot import Robot
 from pkmodes_rig import Identified, TrueModes, drawn_values
 from pkmodes_rig.one_place import Fault
 from pkmodes_rig.one_place.changes import Change, change_drawn, deviating
+from pkmodes_rig.robots import with_free_motors
 from studies.clear_cases import LEVER
 from studies.one_place_cases import (
     CLEAR,
@@ -199,7 +200,7 @@ def written_to(case: PairCase, folder: Path) -> Pair:
 def robot_text(machine: str) -> str:
     """Return the text of the file that declares a machine."""
     if machine in PRINTERS:
-        return (ROBOTS / EVERY[machine].file).read_text(encoding="utf-8")
+        return with_free_motors(ROBOTS / EVERY[machine].file)
     return text_of(machine)
 
 

@@ -131,7 +131,9 @@ class PlaceCase:
 @cache
 def declared(machine: str) -> Robot:
     """Return the declared robot."""
-    return read_robot(ROBOTS / EVERY[machine].file) if machine in PRINTERS else robot_of(machine)
+    if machine not in PRINTERS:
+        return robot_of(machine)
+    return replace(read_robot(ROBOTS / EVERY[machine].file), drives="free")
 
 
 class UnreachedError(Exception):

@@ -8,7 +8,7 @@ from __future__ import annotations
 import tempfile
 import tomllib
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
 from typing import TypeVar
@@ -201,7 +201,7 @@ class Specimen:
 def robot_of(machine: str) -> Robot:
     """Return the declared robot."""
     if machine not in DELTAS and not MACHINES[machine].uncertain:
-        return read_robot(ROBOTS / MACHINES[machine].file)
+        return replace(read_robot(ROBOTS / MACHINES[machine].file), drives="free")
     return robot_from_document(tomllib.loads(text_of(machine)), machine)
 
 

@@ -25,7 +25,13 @@ ROBOTS = sorted(PUBLISHED.parent.glob("*.toml"))
 def document_of_robot(robot: pkmodes.Robot) -> dict[str, object]:
     """The document that declares a robot."""
     return document_of(
-        robot.mechanism, robot.name, raw_values(robot), robot.usable, robot.report, robot.covariance
+        robot.mechanism,
+        robot.name,
+        raw_values(robot),
+        robot.usable,
+        robot.report,
+        robot.covariance,
+        robot.drives,
     )
 
 
@@ -49,6 +55,7 @@ def document_with(robot: pkmodes.Robot, path: str, raw: object) -> dict[str, obj
         robot.usable,
         robot.report,
         robot.covariance,
+        robot.drives,
     )
 
 
