@@ -149,7 +149,7 @@ def test_processes_that_need_a_library_at_once_build_it_once(fresh: Path, tmp_pa
     program = (
         "import sys; from pathlib import Path; from pkmodes.core.compiled import build, loader; import pkmodes\n"
         "build.FLAGS = ('-std=gnu11', '-O0', '-fPIC'); build.WIDTHS = {build.machine(): {2: ()}}\n"
-        "loader.SHIPPED = Path('nowhere')\n"
+        "loader.INSTALLED_LIBRARIES = Path('nowhere')\n"
         f"print(pkmodes.load({str(ROBOT)!r}).modes({POSE}, backend='compiled').backend)"
     )
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path), "CC": str(counting)}

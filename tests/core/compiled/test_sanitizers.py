@@ -22,7 +22,7 @@ build.WIDTHS = {build.machine(): {2: ()}}
 link = build._run
 build._run = lambda command, folder: link(
     [*command, "-fsanitize=address,undefined"] if "-shared" in command else command, folder)
-loader.SHIPPED = loader.SHIPPED / "none"
+loader.INSTALLED_LIBRARIES = loader.INSTALLED_LIBRARIES / "none"
 from helpers.robots.lane_samples import NAMES, SIX_LEGGED, case, results
 for name in (*NAMES, *SIX_LEGGED):
     for effects in ("none", "clamps with belt mass", "everything"):

@@ -1,14 +1,16 @@
 """The numbers in the summary of a page, each with its place in the JSON: none may be of the page's own making.
 
-A number is that of a JSON value if it equals the value, or the value in another unit, to half of its last digit.  Two
-more kinds are allowed: the difference of two values of the JSON that the same sentence gives, and how many entries a
-list of the JSON has.
+A number is that of a JSON value if it equals the value, or the value in another unit, to half of its last digit, or
+stands in a sentence of the JSON.  Three more kinds are allowed: the difference of two values of the JSON that the
+same sentence gives, the share that one of them is of a value of the JSON, and how many entries a list of the JSON
+has, or all lists of that name.  Two numbers that are equal by chance are not told apart.
 """
 
 from __future__ import annotations
 
 import itertools
 import re
+from collections import Counter
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
@@ -52,6 +54,8 @@ def numbers_in(sentence: str) -> list[Number]:
         exponent = int("".join("-0123456789"[RAISED.index(c)] for c in power)) if power else 0
         size = float(re.sub(r"\D", "", whole) + (decimals or "")) * 10.0**exponent
         half = 0.5 * 10.0 ** (exponent - max(len(decimals or "") - 1, 0))
+        if size >= 1000.0 and not decimals:  # limits are rounded down to whole hundreds
+            half = 10.0 ** (len(whole) - len(whole.rstrip("0")))
         numbers.append(Number(found.group(), -size if found.group()[0] in "-\u2212" else size, half))
     return numbers
 
@@ -66,6 +70,8 @@ def sentences(page: Element) -> list[str]:
 def pointers(sentence: str, content: Any) -> dict[str, list[str]]:
     """Return the places in the JSON of each number of a sentence; no place for one that has none."""
     values = list(leaves(content))
+    for text in (v for _, v in values if isinstance(v, str) and len(v) >= 60):
+        sentence = re.sub(re.escape(text.rstrip(".")), " ", sentence, flags=re.IGNORECASE)
     # Labels and names of the JSON are no numbers: P4, k_2, model.csv.
     for label in sorted(
         {v for _, v in values if isinstance(v, str) and v in sentence and len(v) < 60}, key=len
@@ -75,6 +81,11 @@ def pointers(sentence: str, content: Any) -> dict[str, list[str]]:
     numeric = [
         (pointer, float(v)) for pointer, v in values if isinstance(v, int | float) and not isinstance(v, bool)
     ]
+    totals = Counter[str]()
+    for pointer, value in numeric:
+        if pointer.endswith("/length"):
+            totals[re.sub(r"/\d+(?=/)", "/*", pointer)] += int(value)
+    numeric += [(pointer, float(total)) for pointer, total in totals.items()]
     places: dict[str, list[str]] = {}
     found = numbers_in(sentence)
     for number in found:
@@ -86,6 +97,9 @@ def pointers(sentence: str, content: Any) -> dict[str, list[str]]:
     for number in found:
         if not places[number.text]:
             with_places = [other for other in found if places[other.text]]
+            for other, (pointer, value) in itertools.product(with_places, numeric):  # a share of a count
+                if value > 0.0 and abs(100.0 * other.value / value - number.value) <= 1.001 * number.half:
+                    places[number.text] = [f"{other.text} of {pointer}"]
             for first, second in itertools.combinations(with_places, 2):
                 tolerance = first.half + second.half + number.half
                 for value in (

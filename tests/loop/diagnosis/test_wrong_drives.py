@@ -16,9 +16,10 @@ from helpers.commands.printed_tables import printed_table
 from pkmodes import updating
 from pkmodes.loop.diagnosis import Diagnosis
 from pkmodes_rig import MISTAKES
+from pkmodes_rig.robots import with_free_motors
 from studies.mechanism_cases import MechanismCase, measured
 from studies.motors import OTHER_DRIVES
-from studies.specimens import Specimen, measurements_of, robot_of
+from studies.specimens import ROBOTS, Specimen, measurements_of, robot_of
 
 MACHINES = ("rotary_delta", "corexy")
 SIZES = {
@@ -135,7 +136,8 @@ def test_the_commands_take_the_word(tmp_path: Path, capsys: pytest.CaptureFixtur
     from pkmodes.cli import run
 
     specimen = Specimen("corexy", drives="held")
-    path, robot = tmp_path / "modes.csv", Path(__file__).parents[3] / "robots" / "corexy-printer.toml"
+    path, robot = tmp_path / "modes.csv", tmp_path / "robot.toml"
+    robot.write_text(with_free_motors(ROBOTS / "corexy-printer.toml"), encoding="utf-8")
     path.write_text(text_of(specimen).replace("# drives: held\n", ""), encoding="utf-8")
     assert run(["compare", str(robot), str(path), "--drives", "held"]) == 0
     assert "corexy-printer, motors held: " in " ".join(capsys.readouterr().out.split())

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.poses import evaluate_margin
@@ -108,6 +109,11 @@ def drawn_poses(
     has_limits = len(limits) == len(mechanism.independent)
     if has_limits and (generated.has("direct_kinematics") or names == mechanism.independent):
         low, high = limits.T
+        if not (low <= high).all():
+            problem = (
+                f"the sample robot of {mechanism.name} has a travel whose lower end is above its upper end"
+            )
+            raise PkmodesError(problem, "description.json: sample", "restore the file, or generate it again")
         q = rng.uniform(low, high, size=(count, len(low)))
         if names == mechanism.independent:
             return q
