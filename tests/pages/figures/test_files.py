@@ -38,7 +38,8 @@ PLANES = {
 #: What the printer's figures say instead of a picture; belt.width and belt.specific_stiffness are one parameter.
 SAME = {
     "workspace": "The condition number of the platform Jacobian is 1 at every pose.",
-    "dominant": "At every pose each frequency changes most with belt.specific_stiffness, belt.width, of 7 parameters.",
+    "dominant": "At every pose each frequency changes most with belt.specific_stiffness, belt.width, of 7 "
+    "parameters.",
 }
 
 
