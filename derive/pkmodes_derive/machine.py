@@ -573,11 +573,9 @@ class Machine:
         return self._frame_vector(lambda c: c.position)
 
     def _frame_vector(self, component_of: Callable[[Coordinate], Symbol]) -> tuple[Expr, ...]:
-        sums = {
-            axis: Add(*map(component_of, coordinates))
-            for axis, coordinates in zip(self.directions, self.frame, strict=True)
-        }
-        return tuple(sums.get(axis, Integer(0)) for axis in AXES)
+        sums = [Add(*map(component_of, coordinates)) for coordinates in self.frame]
+        by_axis = dict(zip(self.directions, sums, strict=True))
+        return tuple(by_axis.get(axis, Integer(0)) for axis in AXES)
 
     @property
     def carries(self) -> Carrier:

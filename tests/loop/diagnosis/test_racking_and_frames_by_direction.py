@@ -14,6 +14,7 @@ from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.robot.robot import Robot
 from pkmodes.loop.updating.candidates import suspects
 from pkmodes_rig import corexy, drawn_values, identified, written
+from pkmodes_rig.robots import with_free_motors
 from studies.clear_cases import ClearCase, run
 from studies.specimens import KINDS, ROBOTS, SIGMA, measurements_of
 
@@ -23,7 +24,7 @@ BAND = (2.0, 202.0)
 
 def printer(folder: Path, tables: str = "") -> Robot:
     """Return the printer whose file gives the moment of inertia of the beam."""
-    text = (ROBOTS / "corexy-printer.toml").read_text(encoding="utf-8")
+    text = with_free_motors(ROBOTS / "corexy-printer.toml")
     text = text.replace("[gantry] ", "[gantry]\ninertia = 0.0093\n#") + tables
     (folder / "robot.toml").write_text(text, encoding="utf-8")
     return pkmodes.read_robot(folder / "robot.toml")

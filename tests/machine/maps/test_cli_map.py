@@ -30,7 +30,7 @@ LINE = "x=0.3:0.8:11,y=0,z=-0.245"
 
 def test_the_table_says_where_each_mode_is_lowest_and_highest() -> None:
     out = printed("map", ROBOT, "--grid", LINE)
-    assert out.startswith("linear-delta-2022: The lowest frequency of vibration lies between ")
+    assert out.startswith("linear-delta-2022, motors free: The lowest frequency of vibration lies between ")
     assert "  Mapped with motors free: x 300 to 800 mm (11 values), y 0 mm, z -245 mm.\n" in out
     assert "  poses: 11\n  can be evaluated: 11 (100 %)\n" in out
     x = np.linspace(0.3, 0.8, 11)
@@ -51,7 +51,9 @@ def test_the_table_says_where_each_mode_is_lowest_and_highest() -> None:
 def test_one_pose_has_frequencies_and_no_quantiles() -> None:
     out = printed("map", ROBOT, "--grid", "x=0.6,y=0.03,z=-0.245")
     frequencies = [f"{f:.3f}" for f in pkmodes.load(PUBLISHED).frequencies([0.6, 0.03, -0.245])[3:]]
-    assert out.startswith(f"linear-delta-2022: The lowest frequency of vibration is {frequencies[0]} Hz\n")
+    assert out.startswith(
+        f"linear-delta-2022, motors free: The lowest frequency of vibration is {frequencies[0]} Hz\n"
+    )
     assert "  Mapped with motors free: x 600 mm, y 30 mm, z -245 mm.\n" in out
     assert "Frequencies at the pose.\n" in out
     assert printed_table(out, "mode", "f [Hz]") == [[str(k), f] for k, f in enumerate(frequencies, 1)]

@@ -66,7 +66,7 @@ class OnSprings:
         file, self.stiffness = MACHINES[mechanism]
         self.model = pkmodes.load(ROBOTS / file).with_values({STIFFNESS: self.stiffness})
         self.pose = POSES[mechanism]
-        names, modes = self.model.coordinates, self.model.modes(self.pose)
+        names, modes = self.model.coordinates, self.model.modes(self.pose, drives="free")
         self.M, self.K = modes.mass_matrix, modes.stiffness_matrix
         self.motors = [names.index("theta_1"), names.index("theta_2")]
         tool, belts = range(len(self.pose)), self.K.copy()
@@ -116,7 +116,7 @@ def shaped_ramp(shaper: Shaper | None, along: np.ndarray) -> Callable[[float], n
 
 def test_the_amplitudes_are_those_of_the_springs_whose_ends_follow_a_step(machine: OnSprings) -> None:
     time = np.linspace(0.0, 0.2, 1500)
-    modes = machine.model.modes(machine.pose)
+    modes = machine.model.modes(machine.pose, drives="free")
     for d, along in enumerate(np.eye(len(machine.pose))):
         rings = machine.amplitudes(time, machine.deviation(time, shaped_ramp(None, along)))
         wanted = modes.vibration_amplitudes[:, d]

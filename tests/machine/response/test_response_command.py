@@ -226,7 +226,7 @@ def test_one_frequency_has_magnitude_and_phase(robot: str) -> None:
         POINT, [37.0], ["motor_1", "force_x"], ["p_x", {"nozzle": [1.0, 1.0, 0.0]}, "x_2"], drives="held"
     )
     assert "Magnitude and phase at 37 Hz, for exp(+i omega t)." in out
-    assert out.startswith("linear-delta-2022: At 37 Hz p_x responds most to motor_1\n")
+    assert out.startswith("linear-delta-2022, motors held: At 37 Hz p_x responds most to motor_1\n")
     assert "  frequency: 37 Hz\n" in out
     rows = printed_table(out, "channel", "unit", "magnitude", "phase [deg]")
     assert len(rows) == 6

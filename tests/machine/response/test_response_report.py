@@ -227,5 +227,5 @@ def test_a_hostile_name_of_the_robot_is_shown_as_text(tmp_path: Path) -> None:
     robot.write_text(text, encoding="utf-8")
     page = made(tmp_path, robot, "0.6,0,-0.245", "force_x", "p_x")
     (heading,) = page.all("h1")
-    assert heading.text.strip() == name
+    assert heading.text.strip() == f"{name}, motors held"
     assert page.all("img") == []

@@ -15,8 +15,6 @@ def motors_in_words(
 ) -> str:
     """Return what the motors of a robot do, in words: motors free, held, or on their servo stiffness.
 
-    Where a robot file puts motors on springs, held ones are said to be without them.
-
     - drives: as for `pkmodes.Model.modes`.  A machine that is switched on has free motors with the effect of its
       position loop; they turn against it.
     - causes: effects that the robot has beside those of its file
@@ -24,10 +22,7 @@ def motors_in_words(
     words = motors_text([drives] if isinstance(drives, str) else drives)
     mechanism = robot.mechanism
     for name in (*springs_on_motors(mechanism, robot.effects), *motor_springs_among(mechanism, causes)):
-        spring = name.replace("_", " ")
-        if words == motors_text([HELD]):
-            return f"{words}, not on their {spring}"
-        return words.replace(FREE, f"on their {spring}")
+        return words.replace(FREE, f"on their {name.replace('_', ' ')}")
     return words
 
 
@@ -39,13 +34,13 @@ def motors_give_way(robot: Declaration) -> bool:
 def drives_in_use(robot: Declaration, drives: str | None = None) -> str:
     """Return what the motors do in a machine that follows commands: as requested, else as the robot file has them.
 
-    - drives: "free" or "held"; by default "held" if the robot file says so, else "free" for motors that give way and
-      turn against their springs, and "held" for others
+    - drives: "free" or "held"; by default motors that give way turn against their springs, "free", and others are
+      held
 
     Raises PkmodesError if it is neither word, or motors that nothing holds are to be free: they follow no command.
     """
     if drives is None:
-        return FREE if robot.drives == FREE and motors_give_way(robot) else HELD
+        return FREE if motors_give_way(robot) else HELD
     if checked_drives(drives) == FREE and not motors_give_way(robot):
         problem = (
             "motors that turn freely follow no command, and the robot file has no spring that holds them"
