@@ -41,7 +41,7 @@ def test_every_command_is_listed_once_with_a_whole_sentence(
 #: Of commands that take a moment: the beginning of what each example prints.
 EXAMPLES = {
     "modes": ["linear-delta-2022 at "],
-    "sensitivities": ["linear-delta-2022, motors free: Of the chosen quantities, mode 3 depends most on "],
+    "sensitivities": ["linear-delta-2022, motors free: Of the chosen quantities, mode 3 depends most on"],
     "compare": ["workshop-delta, motors free: ", "first:  linear-delta-2022 "],
     "diagnose": ["workshop-delta: effect_found"],
 }

@@ -343,7 +343,9 @@ def test_the_command_says_which_constants_only_the_measurements_have(
         f"{data.labels[i]},{data.points[i][0]},{data.points[i][1]},{f},{sigma},{data.set_values[i][0]}"
         for i, f, sigma in zip(data.pose, data.frequency, data.sigma, strict=True)
     ]
-    (tmp_path / "modes.csv").write_text("\n".join([f"pose,x,y,frequency,sigma,set:{TENSION}", *rows]))
+    (tmp_path / "modes.csv").write_text(
+        "\n".join(["# drives: free", f"pose,x,y,frequency,sigma,set:{TENSION}", *rows])
+    )
     saved = tmp_path / "corrected.toml"
     arguments = [
         COREXY,

@@ -357,10 +357,11 @@ def test_what_is_the_same_everywhere_is_a_sentence(plane: Plane) -> None:
     )
     assert (
         maps.directions(planar)
-        == "In each mode the platform moves in almost the same direction at every pose."
+        == "In each mode the direction of motion of the platform is almost the same at every pose."
     )
     assert (
-        maps.components(planar) == "In each mode the platform moves by almost the same amount at every pose."
+        maps.components(planar)
+        == "In each mode the motion of the platform has almost the same size at every pose."
     )
     assert workspace(planar, None) == ("The condition number of the platform Jacobian is 1 at every pose.")
     assert neighbouring_mac(planar, np.full((5, 3, 2), 0.9994)) == (

@@ -11,8 +11,8 @@ from msgspec import Meta
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
-from pkmodes.core.base.drives import Drives
-from pkmodes.core.base.errors import PkmodesError, PoseError
+from pkmodes.core.base.drives import FREE, Drives
+from pkmodes.core.base.errors import PoseError
 from pkmodes.core.model import Model
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.support.documents import Count, Document, Number, Probability
@@ -148,11 +148,17 @@ def compare_robots(first: Model, second: Model, poses: Array, drives: str | None
 
     Parameters, and errors raised, are those of `compare_frequencies`.
     """
+    used_alike = drives is not None or first.robot.drives == second.robot.drives
     drives = _drives_of_both(first.robot, second.robot, drives)
     declared = differences(first.robot, second.robot)
     changes = compare_frequencies(first, second, poses, drives)
     modes = mode_changes(changes)
     notes = [sentence] if (sentence := incomparable_modes_sentence(modes)) else []
+    if not used_alike:
+        notes.append(
+            f"the motors are {first.robot.drives} in the first robot file and {second.robot.drives} in the second: "
+            "both are compared with free ones; --drives held compares both held"
+        )
     surplus = changes.second_modes - changes.modes
     if surplus:
         richer = "second" if surplus > 0 else "first"
@@ -214,10 +220,10 @@ def compare_frequencies(
     modes with a MAC below `MIN_PAIR_MAC` are none.
 
     - poses: where a robot cannot be evaluated, it is left out, (N, d)
-    - drives: as for `pkmodes.Model.modes`; by default as both robot files say
+    - drives: as for `pkmodes.Model.modes`; by default as both robot files say, free where these differ
 
     Raises PoseError if there is no pose that both can reach.
-    Raises PkmodesError if their mechanisms differ, or they are used with different drives and `drives` is not given.
+    Raises PkmodesError if their mechanisms differ.
     """
     check_one_mechanism(first.robot, second.robot)
     drives = _drives_of_both(first.robot, second.robot, drives)
@@ -241,10 +247,9 @@ def compare_frequencies(
 
 
 def _drives_of_both(first: Robot, second: Robot, drives: str | None) -> str:
-    """Return what the motors of both do: as requested, else as both robot files say."""
+    """Return what the motors of both do: as requested, else as both robot files say; free where these differ."""
     if drives is None and first.drives != second.drives:
-        problem = f"the motors are {first.drives} in the first robot file and {second.drives} in the second"
-        raise PkmodesError(problem, "drives", "choose drives for both (--drives free, or --drives held)")
+        return FREE
     return first.resolve_drives(drives)
 
 
