@@ -55,7 +55,10 @@ def test_figures_says_which_picture_it_draws_and_erases_it(
 ) -> None:
     monkeypatch.setattr("pkmodes.pages.figures.files.image_bytes", drawn)
     with redirect_stderr(Terminal()) as terminal:
-        assert run(["figures", PRINTER, "--out", str(tmp_path / "out"), "--grid", PLANE]) == 0
+        assert (
+            run(["figures", PRINTER, "--out", str(tmp_path / "out"), "--grid", PLANE, "--drives", "free"])
+            == 0
+        )
     printed, received = capsys.readouterr().out, terminal.getvalue()
     assert "loading ... " in received
     assert "of 7: " in received

@@ -91,7 +91,7 @@ def test_pictures_replace_only_pictures_of_their_kind(
     assert answer(*command, "--overwrite").code == 0
     written = file.read_bytes()
     assert written != MINE.encode()
-    assert answer(*command, "--drives", "held").code == 0, "those of another run"
+    assert answer(*command, "--drives", "free").code == 0, "those of another run"
     assert file.read_bytes() != written
 
 

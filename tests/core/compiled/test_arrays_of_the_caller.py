@@ -7,6 +7,7 @@ import pytest
 
 import pkmodes
 from helpers.generated.libraries import POSE, ROBOT, ROOT
+from helpers.robots.one_of_each import load_free
 from pkmodes import PkmodesError
 from pkmodes.core.solve import batch
 
@@ -14,7 +15,7 @@ pytestmark = pytest.mark.compiler
 
 
 def test_out_is_filled_in_place_whatever_its_strides() -> None:
-    model = pkmodes.load(ROBOT)
+    model = load_free(ROBOT)
     poses = np.random.default_rng(1).uniform(0.01, 0.29, (40, 2))
     wide = np.full((40, 8), -1.0)
     model.modes(poses, out={"frequencies": wide[:, ::2]}, backend="compiled")
@@ -25,7 +26,7 @@ def test_out_is_filled_in_place_whatever_its_strides() -> None:
 
 
 def test_a_refused_batch_leaves_the_callers_array_alone() -> None:
-    model = pkmodes.load(ROBOT)
+    model = load_free(ROBOT)
     out = np.full((2, 4), -1.0)
     with pytest.raises(pkmodes.PoseError, match="pose 1 at"):
         model.frequencies([POSE, [9.0, 0.0]], out=out, backend="compiled")

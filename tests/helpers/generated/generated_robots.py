@@ -12,6 +12,7 @@ from types import ModuleType
 import numpy as np
 
 import pkmodes
+from pkmodes_rig.robots import with_free_motors
 from helpers.generated.compiled import COMPILER, FLAGS
 from pkmodes.codegen.generation import generate
 
@@ -87,7 +88,7 @@ class Robot:
         """Write the file, generate, and compile."""
         name, effects, _ = CASES[case]
         file = folder / name
-        file.write_text((ROBOTS / name).read_text(encoding="utf-8") + effects, encoding="utf-8")
+        file.write_text(with_free_motors(ROBOTS / name) + effects, encoding="utf-8")
         written = [path.name for path in generate(file, folder / "out")]
         (folder / "written.txt").write_text("\n".join(written), encoding="utf-8")
         source = folder / "out" / f"{file.stem.replace('-', '_')}.c"

@@ -23,7 +23,7 @@ def found(
 ) -> dict[str, float]:
     """The probabilities by name, the most probable first, where these fits were tried."""
     some = [fit(), *map(fit, "abcdrs"), fit("b", "a"), fit("a", "c")] if tried is None else tried
-    store: Any = SimpleNamespace(tried=lambda: some, criterion=lambda one: one.criterion)
+    store: Any = SimpleNamespace(all_fits=lambda: some, criterion=lambda one: one.criterion)
     named = [[("+".join(cause.name for cause in one.causes), one) for one in group] for group in left]
     return {one.name: one.probability for one in explanations(store, said, named)}
 
@@ -59,7 +59,7 @@ def test_members_that_were_not_fitted_predict_nothing() -> None:
 
 def test_the_best_fit_of_an_explanation_predicts() -> None:
     some = [fit(), fit("a", criterion=5.0), best := fit("a", criterion=3.0), fit("a", criterion=4.0)]
-    store: Any = SimpleNamespace(tried=lambda: some, criterion=lambda one: one.criterion)
+    store: Any = SimpleNamespace(all_fits=lambda: some, criterion=lambda one: one.criterion)
     (one,) = explanations(store, said(0.0, 0.1, (("a", 0.9),)), [])
     assert one.fit is best
 

@@ -85,7 +85,7 @@ def test_a_robot_and_its_measurements_are_checked_once(
 ) -> None:
     robot, data = pkmodes.read_robot(PUBLISHED), read(tmp_path, f"{HEADER}\n{ROW}\n")
     visits: list[str] = []
-    for name in ("load_cases", "check_reachable", "check_measurements"):
+    for name in ("load_cases_of", "check_reachable", "check_measurements"):
         check = getattr(measured_robot, name)
 
         def counted(*given: object, check=check, name=name) -> object:
@@ -94,11 +94,11 @@ def test_a_robot_and_its_measurements_are_checked_once(
 
         monkeypatch.setattr(measured_robot, name, counted)
     updating.compare(robot, data)
-    assert visits == ["check_measurements", "load_cases", "check_reachable"]
+    assert visits == ["check_measurements", "load_cases_of", "check_reachable"]
     measured = MeasuredRobot.of(robot, data)
     assert (measured.robot, measured.data) == (robot, data)
     structures = [measured.structure(), measured.structure(candidates=())]
-    assert visits == 2 * ["check_measurements", "load_cases", "check_reachable"]
+    assert visits == 2 * ["check_measurements", "load_cases_of", "check_reachable"]
     assert all(one.points is not None and len(one.points) == len(data.points) for one in structures)
 
 

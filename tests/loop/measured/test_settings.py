@@ -192,7 +192,7 @@ def test_the_commands_show_what_is_set(
         f"{HEADER},{PAYLOAD}\nA,0.1,0.1,120,1,\nA,0.1,0.1,150,1,\nB,0.1,0.1,100,1,0.2\nB,0.1,0.1,120,1,0.2\n"
     )
     read(tmp_path, text, robot)
-    files = [str(ROBOTS / "corexy-printer.toml"), str(tmp_path / "modes.csv")]
+    files = [str(ROBOTS / "corexy-printer.toml"), str(tmp_path / "modes.csv"), "--drives", "free"]
     assert run(["compare", *files, "--json", "-"]) == 0
     rows = json.loads(capsys.readouterr().out)["rows"]
     assert [row.get("set") for row in rows] == [None, None, *[{PAYLOAD[4:]: 0.2}] * 2]

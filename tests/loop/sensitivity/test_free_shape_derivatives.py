@@ -18,7 +18,7 @@ def test_modes_that_nothing_holds_do_not_overflow() -> None:
             ((1.0 - eigenvalues[..., None]) * inertia)[:, None],
             (shapes * inertia).sum(axis=-1)[:, None],
         ),
-        locked=(),
+        locked_paths=(),
         free=np.arange(3),
         size=3,
         system=SimpleNamespace(massless=np.zeros(3, dtype=bool), to_model_coordinates=np.asarray),

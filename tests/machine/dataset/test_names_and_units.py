@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.robots.one_of_each import load_free
 from pkmodes.core.solve.fields import FIELDS
 from pkmodes.machine.dataset.table import table_of, write_table
 from pkmodes.machine.dataset.variables import EVENT_FLAGS
@@ -48,7 +49,7 @@ def test_a_linear_drive_has_a_force_and_mixed_coordinates_have_no_common_unit() 
 
 def test_columns_of_a_table_are_in_the_order_of_a_person_who_reads_it() -> None:
     """First where and which mode, then numbers of the mode and of the pose, then their components."""
-    model = pkmodes.load(ROBOTS / "corexy-printer.toml")
+    model = load_free("corexy-printer.toml")
     line = {"x": np.linspace(0.1, 0.2, 3), "y": 0.1}
     table = table_of(model.map(line, shapes=True, tracked=True))
     coordinates = list(model.coordinates)

@@ -9,6 +9,7 @@ import pytest
 import xarray
 
 import pkmodes
+from helpers.robots.one_of_each import load_free
 
 ROBOTS = Path(__file__).parents[3] / "robots"
 POSES = [[0.6, 0.0, -0.245], [0.5, 0.05, -0.245], [0.0, 0.0, -0.245]]
@@ -16,7 +17,7 @@ POSES = [[0.6, 0.0, -0.245], [0.5, 0.05, -0.245], [0.0, 0.0, -0.245]]
 
 @pytest.mark.parametrize("robot", ["linear-delta-2022", "clavel-delta", "corexy-printer"])
 def test_variables_and_attributes_are_those_of_a_map_of_the_same_poses(robot: str) -> None:
-    model = pkmodes.load(ROBOTS / f"{robot}.toml")
+    model = load_free(f"{robot}.toml")
     poses = {
         "clavel-delta": [[0.0, 0.05, -0.7], [2.0, 0.0, -0.7]],
         "corexy-printer": [[0.1, 0.2], [0.2, 9.0]],

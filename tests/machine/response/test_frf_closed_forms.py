@@ -9,12 +9,12 @@ import pkmodes
 from helpers.references.motors_by_hand import followers
 from helpers.references.response_in_40_digits import ports, size_of
 from helpers.robots.damped_robots import DAMPED, DAMPING
-from helpers.robots.one_of_each import FILES, POSES, ROBOTS, model_of
+from helpers.robots.one_of_each import FILES, POSES, load_free, model_of
 
 
 def two_masses(**values: float) -> tuple[pkmodes.Model, np.ndarray]:
     """A CoreXY whose belts are alike at a pose, where motions along x and y are apart."""
-    model = pkmodes.load(ROBOTS / FILES["corexy"])
+    model = load_free(FILES["corexy"])
     lengths = {"belt_path.1.lengths.1": 0.45, "belt_path.1.lengths.2": 0.75}
     alike = {"belt_path.2.lengths.1": 0.65, "belt_path.2.lengths.2": 0.55}
     given = {path.replace("__", "."): value for path, value in values.items()}

@@ -48,6 +48,7 @@ def written(folder: Path, *figures: Picture) -> Path:
 
 def saved(browser: Any, form: str, folder: Path, number: int = 0) -> Path:
     """Press a button of a figure, and return the file that the browser saves."""
+    browser.page.evaluate("document.querySelectorAll('details').forEach(fold => { fold.open = true; })")
     with browser.page.expect_download() as waiting:
         browser.page.locator(".save").nth(number).locator("button", has_text=form).click()
     target = folder / waiting.value.suggested_filename

@@ -154,4 +154,4 @@ def test_with_held_motors_the_springs_hold_their_energy_and_the_page_says_so() -
     text = page(shown)
     assert "; motors held</p>" in text
     assert "What rings with motors held:" in text
-    assert "; motors free</p>" in page(scene(model, [0.1, 0.12]))
+    assert "; motors free</p>" in page(scene(model, [0.1, 0.12], drives="free"))

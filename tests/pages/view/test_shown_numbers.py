@@ -14,6 +14,7 @@ from scipy.spatial.transform import Rotation
 
 import pkmodes
 from helpers.pages.browser import Opened, opened
+from helpers.robots.one_of_each import load_free
 from pkmodes.machine.maps.workspace import box_of
 from pkmodes.pages.view import page, poses_around, scene
 from pkmodes.pages.view.interpolation import mean_frequency
@@ -27,7 +28,7 @@ POSES = {"linear-delta-2022": [0.6, 0.0, -0.245], "corexy-printer": [0.1, 0.2]}
 def pages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     folder = tmp_path_factory.mktemp("pages")
     for name, pose in POSES.items():
-        text = page(poses_around(pkmodes.load(ROBOTS / f"{name}.toml"), pose))
+        text = page(poses_around(load_free(f"{name}.toml"), pose))
         (folder / f"{name}.html").write_text(text, encoding="utf-8")
     return {name: folder / f"{name}.html" for name in POSES}
 
