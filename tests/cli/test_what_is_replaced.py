@@ -76,10 +76,10 @@ def test_a_page_whose_name_nobody_gave_replaces_only_another_such_page(here: Pat
 def test_pictures_replace_only_pictures_of_their_kind(
     here: Path, monkeypatch: pytest.MonkeyPatch, form: str
 ) -> None:
-    monkeypatch.setattr("pkmodes.pages.figures.files.PICTURES", PICTURES[:1])
-    monkeypatch.setattr(import_module("pkmodes.pages.figures.pictures"), "PICTURES", PICTURES[:1])
+    monkeypatch.setattr("pkmodes.pages.figures.files.PICTURES", PICTURES[1:2])
+    monkeypatch.setattr(import_module("pkmodes.pages.figures.pictures"), "PICTURES", PICTURES[1:2])
     command, folder = ("figures", PRINTER, *GRID, "--out", "pictures", "--format", form), here / "pictures"
-    file = folder / f"{PICTURES[0].name}.{form}"
+    file = folder / f"{PICTURES[1].name}.{form}"
     folder.mkdir()
     file.write_text(MINE)
     error = refused(*command)

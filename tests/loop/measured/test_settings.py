@@ -211,8 +211,8 @@ def test_the_commands_show_what_is_set(
     assert "effects.payload.mass = 0.2 kg (poses B, C)" in capsys.readouterr().out
     read(tmp_path, text, robot)
     # As predicted by the robot with that payload.
-    alone = Model(robot.with_values({PAYLOAD[4:]: 0.2})).frequencies([0.1, 0.1])[2:]
-    found = updating.compare(robot, updating.read(tmp_path / "modes.csv", robot=robot))
+    alone = Model(robot.with_values({PAYLOAD[4:]: 0.2})).frequencies([0.1, 0.1], drives="free")[2:]
+    found = updating.compare(robot, updating.read(tmp_path / "modes.csv", robot=robot, drives="free"))
     assert [row.predicted for row in found.rows[2:]] == pytest.approx(alone.tolist(), rel=1e-12)
     other = read(tmp_path, text.replace(f",{PAYLOAD}", "").replace(",\n", "\n").replace(",0.2", ""), robot)
     assert all(not row.load for row in updating.compare(robot, other).rows)

@@ -30,7 +30,7 @@ LINE = "x=0.3:0.8:11,y=0,z=-0.245"
 
 def test_the_table_says_where_each_mode_is_lowest_and_highest() -> None:
     out = printed("map", ROBOT, "--grid", LINE)
-    assert out.startswith("linear-delta-2022, motors free: The lowest frequency of vibration lies between ")
+    assert out.startswith("linear-delta-2022, motors free: The lowest frequency of vibration lies between")
     assert "  Mapped with motors free: x 300 to 800 mm (11 values), y 0 mm, z -245 mm.\n" in out
     assert "  poses: 11\n  can be evaluated: 11 (100 %)\n" in out
     x = np.linspace(0.3, 0.8, 11)

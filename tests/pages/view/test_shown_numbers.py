@@ -159,7 +159,7 @@ def test_readouts_of_sliders_stay_inside_the_panel(pages: dict[str, Path]) -> No
 
 
 def test_without_a_program_the_table_is_that_of_the_pose_shown_first(pages: dict[str, Path]) -> None:
-    model = pkmodes.load(ROBOTS / "corexy-printer.toml")
+    model = load_free("corexy-printer.toml")
     modes = model.modes(POSES["corexy-printer"])
     units = modes.platform_shapes / np.linalg.norm(modes.platform_shapes, axis=-1, keepdims=True)
     with opened(pages["corexy-printer"], motion="reduce", java_script_enabled=False) as found:
@@ -167,7 +167,7 @@ def test_without_a_program_the_table_is_that_of_the_pose_shown_first(pages: dict
         cells = {row[0]: row[1:] for row in rows}
         assert cells["Frequency"] == [f"{value:.2f} Hz" for value in modes.frequencies[2:]]
         for k, name in enumerate("xy"):
-            assert [float(cell) for cell in cells[f"Platform along {name}"]] == pytest.approx(
+            assert [float(cell) for cell in cells[f"Tool head along {name}"]] == pytest.approx(
                 units[2:, k].tolist(), abs=0.0051
             )
         listed = [one.split() for one in found.page.locator(".pkview-modes label").all_inner_texts()]

@@ -116,6 +116,7 @@ def scene_of(models: Sequence[Model], poses: Array, chosen: int = 0, *, drives: 
         robot=model.robot.name,
         title=mechanism.title,
         moving_body=mechanism.moving_body(),
+        moving_bodies=mechanism.moving_bodies,
         pose=mechanism.pose,
         directions=mechanism.directions,
         platform=mechanism.platform,

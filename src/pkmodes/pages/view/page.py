@@ -201,6 +201,8 @@ def _title(scene: Scene) -> str:
     direction_text = ", ".join(
         f"{component} {round(move, 2) + 0.0:.2f}".replace("-", "\u2212") for component, move in moves
     )
+    body = scene.moving_body[0].upper() + scene.moving_body[1:]
+    verb = "move" if len(set(scene.moving_bodies)) > 1 else "moves"
     further_lines = f"<p>Model {escape(scene.what)}</p>" if scene.what else ""
     if scene.varied:
         further_lines += '<p>Thin lines: as declared<span data-part="declared"></span></p>'
@@ -211,7 +213,7 @@ def _title(scene: Scene) -> str:
     return (
         f'<div class="pkview-title"><h2 data-part="title">{name}: {scene.frequencies[pose, mode]:.2f} Hz</h2>'
         f'<p><span data-part="held">{energy_text}</span></p>'
-        f'<p>Platform moves along <span data-part="along">{direction_text}</span></p>{further_lines}</div>'
+        f'<p>{escape(body)} {verb} along <span data-part="along">{direction_text}</span></p>{further_lines}</div>'
     )
 
 
@@ -287,7 +289,8 @@ def _mode_table(scene: Scene, prefix: str) -> str:
             for m in modes
         )
         motion = component if component.startswith("about") else f"along {component}"
-        rows.append(f'<tr><th scope="row">Platform {escape(motion)}</th>{cells}</tr>')
+        body = scene.moving_bodies[k] if k < len(scene.moving_bodies) else "platform"
+        rows.append(f'<tr><th scope="row">{escape(f"{body} {motion}".capitalize())}</th>{cells}</tr>')
     for k, spring in enumerate(scene.springs):
         cells = ""
         for m in modes:

@@ -64,6 +64,8 @@ class Scene:
         Unit vector against gravity.
     moving_body : str
         What moves with the pose, such as "tool head".
+    moving_bodies : tuple of str
+        What moves along each of the directions; empty where it is the platform.
     drives : {"free", "held"}
         What the motors do.
     chosen : int
@@ -123,6 +125,7 @@ class Scene:
     rigid_modes: int
     vertical: Array
     moving_body: str = "platform"
+    moving_bodies: tuple[str, ...] = ()
     drives: str = FREE
     chosen: int = 0
     levels: tuple[Array, ...] | None = None
