@@ -53,7 +53,8 @@ def read(path, rate, sensors, band):
 
 for each in json.loads(sys.argv[1]):
     if not (child := os.fork()):  # each file in a process whose memory has nothing left of others
-        signal.alarm(20)
+        resource.setrlimit(resource.RLIMIT_CPU, (60, 60))  # what computes without end
+        signal.alarm(240)  # what waits without end; other programs may use the processor meanwhile
         read(*each)
         os._exit(0)
     if os.waitpid(child, 0)[1]:
