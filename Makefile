@@ -37,7 +37,7 @@ demo: first-act $(VENV)/.demo  ## the loop: a cause found, corrected code, signa
 	    'Another machine was tapped with a hammer: its signals become modes with standard deviations, and these a cause.'
 	$(PKMODES) identify $(CAMPAIGN)/campaign.toml --out build/modes.csv --report build/identification.html
 	$(PKMODES) diagnose $(CAMPAIGN)/robot.toml build/modes.csv --save-robot build/corrected.toml \
-	    --report build/diagnosis.html
+	    --campaign $(CAMPAIGN)/campaign.toml --report build/diagnosis.html
 	$(PKMODES) diagnose build/corrected.toml build/modes.csv
 	@$(ACT) '4. The tables of the paper' \
 	    'The values that the paper declares miss its printed frequencies; those identified from its tables give every digit.'

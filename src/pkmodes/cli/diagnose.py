@@ -23,6 +23,7 @@ from pkmodes.cli.options import (
 )
 from pkmodes.cli.reporting import page_of, report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
+from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.base.numbers import plain
 from pkmodes.core.robot.reading import read_robot
 from pkmodes.core.support.ordering import listed
@@ -73,6 +74,13 @@ MAX_WIDENED_NAMED = 3
 )
 @report_option
 @click.option(
+    "--campaign",
+    metavar="FILE.toml",
+    type=PATH,
+    help="Campaign that the modes were identified from: the report shows its frequency responses over those of the "
+    "robot before and after the correction.",
+)
+@click.option(
     "--no-beyond",
     "no_beyond",
     is_flag=True,
@@ -114,6 +122,7 @@ def diagnose(
     save_to: Path | None,
     effect_to: Path | None,
     report_to: Path | None,
+    campaign: Path | None,
     no_beyond: bool,
     fail_on: str | None,
     priors: tuple[str, ...],
@@ -134,7 +143,11 @@ def diagnose(
     check_file_order(robot, modes, "pkmodes diagnose")
     save_target = Target("--save-robot", save_to, "the corrected robot")
     effect_target = Target("--save-effect", effect_to, "the effect")
-    check_targets(json_file, [robot, modes], save_target, effect_target, report_target(report_to))
+    if campaign is not None and report_to is None:
+        problem = "--campaign is for the report, which is not written"
+        raise PkmodesError(problem, "--campaign", "add --report FILE.html, or leave --campaign out")
+    inputs = [robot, modes, *([] if campaign is None else [campaign])]
+    check_targets(json_file, inputs, save_target, effect_target, report_target(report_to))
     candidate_names = None if candidates is None else split_names(candidates, "--candidates")
     held_out = (
         None if holdout is None else [] if holdout.strip() == "none" else split_names(holdout, "--holdout")
@@ -151,6 +164,10 @@ def diagnose(
     )
     usable_limits = dict(parse_usable(text, "--usable", "write --usable z=40mm,300mm") for text in usable)
     declared_robot = read_robot(robot)
+    if campaign is not None:
+        from pkmodes.modaltest.campaign.campaign import read_campaign
+
+        read_campaign(campaign)  # its mistakes are reported before anything is computed
     data = updating.read(
         modes,
         parse_band_option(band),
@@ -159,7 +176,9 @@ def diagnose(
         priors=prior_sigmas,
         usable=usable_limits,
     )
-    sources = sources_of(report_to, {"robot file": robot, "measurement file": modes})
+    sources = sources_of(
+        report_to, {"robot file": robot, "measurement file": modes, "campaign file": campaign}
+    )
     options = errors_name_options("candidates", "holdout", "usable", priors="--prior")
     with progress_lines("diagnose") as progress, options:
         result = updating.diagnose(
@@ -190,7 +209,7 @@ def diagnose(
             f"\nwrote {file}; next: pkmodes generate ROBOT.toml --effect {shell_path(file)} --out DIR"
         ],
     )
-    report = report_file(report_to, lambda: page_of(result, declared_robot, data, sources))
+    report = report_file(report_to, lambda: page_of(result, declared_robot, data, sources, campaign))
     try:
         deliver(
             json_file,

@@ -46,10 +46,14 @@ def report_file(report: Path | None, page: Callable[[], str]) -> ResultFile:
 
 
 def page_of(
-    result: Diagnosis | Comparison, robot: Robot, data: Measurements, sources: Sequence[Source]
+    result: Diagnosis | Comparison,
+    robot: Robot,
+    data: Measurements,
+    sources: Sequence[Source],
+    campaign: Path | None = None,
 ) -> str:
-    """Return the page of a diagnosis or comparison."""
+    """Return the page of a diagnosis or comparison, with measured responses of a campaign."""
     from pkmodes.pages.report import report, view_of_result
 
     view = view_of_result(result, robot, data)
-    return report(result, robot=robot, data=data, sources=sources, view=view)
+    return report(result, robot=robot, data=data, sources=sources, view=view, campaign=campaign)

@@ -35,6 +35,8 @@ class Paper:
     angles : frozenset of str
         Channels in rad.
     averages_stated : bool
+    force : tuple of float
+        Direction in which the first force acts on the platform; none if it is not stated.
     """
 
     band: tuple[float, float]
@@ -45,6 +47,7 @@ class Paper:
     format: str = "universal"
     angles: frozenset[str] = frozenset()
     averages_stated: bool = True
+    force: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -139,6 +142,8 @@ def _text(poses: np.ndarray, repeats: int, tests: Sequence[ModalTest], paper: Pa
         unit = "rad/s^2" if sensor.channel in paper.angles else "m/s^2"
         lines += ["", "[[sensor]]", f'name = "{style.sensor(i)}"', f'channel = "{sensor.channel}"']
         lines.append(f'unit = "{unit}"')
+    if paper.force:
+        lines += ["", "[[force]]", f'name = "{style.force(0)}"', f"direction = {list(paper.force)}", "fixed = true"]
     for i, (pose, test) in enumerate(zip(poses, tests, strict=True)):
         files = ", ".join(f'"{_name(i, k, style.suffix)}"' for k in range(repeats))
         lines += ["", "[[record]]", f'pose = "P{i + 1}"', f"at = {_at(paper.components, pose)}"]

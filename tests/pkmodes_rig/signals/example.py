@@ -69,7 +69,7 @@ def write(folder: Path) -> Made:
         REPEATS,
         Wander(approach=0.001, warming=0.0005),
         [tapped] * 4 + [shaken] * 2,
-        Paper((15.0, 180.0), ("x", "y", "z"), "held", tones=(50.0,)),
+        Paper((15.0, 180.0), ("x", "y", "z"), "held", tones=(50.0,), force=tuple(hammer.values())),
         rng,
     )
 

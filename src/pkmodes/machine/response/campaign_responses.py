@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from os import PathLike, fspath
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,6 +36,40 @@ MOST = 8
 ACTING = {"p_": "force_", "r_": "moment_"}
 
 
+@dataclass(frozen=True, eq=False)
+class RecordResponse:
+    """Accelerances of a record at F frequencies.
+
+    - frequencies: (F,) [Hz]
+    - channels: by ``OUTPUT/FORCE``, with the campaign's names of forces, each (F,)
+    - excitations: of each force, the weights of the model's inputs that it is
+    """
+
+    frequencies: Array
+    channels: dict[str, Complex]
+    excitations: dict[str, Mapping[str, float]]
+
+
+def record_response(campaign: Campaign, record: Record) -> RecordResponse:
+    """Read the accelerances of a record whose forces the campaign places; repeats are averaged.
+
+    Raises PkmodesError if the campaign places none of its forces, or none of its sensors is along a channel.
+    Raises MeasurementError if one of its files is faulty.
+    """
+    unplaced, excitations = set[str](), dict[str, Mapping[str, float]]()
+
+    def functions() -> Iterator[tuple[str, Array, Complex]]:
+        for output, excitation, f, values in _functions(campaign, record, (), unplaced):
+            if excitations.setdefault(excitation.name, excitation.weights) == excitation.weights:
+                yield f"{output}/{excitation.name}", f, values
+
+    averages = _averaged(functions())
+    if averages is None:
+        remedy = "add [[force]] with its name in the files, its channel or direction, and fixed = true"
+        raise _nothing_to_draw(unplaced, f"{campaign.source}: {record.pose}", remedy)
+    return RecordResponse(*averages, excitations)
+
+
 def campaign_response(
     path: str | PathLike[str], point: Sequence[float], quantity: str, inputs: Sequence[str] = ()
 ) -> MeasuredResponse:
@@ -51,35 +87,55 @@ def campaign_response(
     """
     source, campaign = fspath(path), read_campaign(path)
     records = _records_at(campaign, point, source)
-    f: Array | None = None
-    sums: dict[str, Complex] = {}
-    counts: dict[str, int] = {}
     unplaced, assumed = set[str](), dict[str, str]()
-    for record in records:
-        for name, frequencies, values in _functions(campaign, record, inputs, unplaced, assumed):
-            f = frequencies if f is None else f
-            if len(frequencies) != len(f) or not np.allclose(frequencies, f, rtol=1e-9):
-                continue  # of another resolution: its lines are not those of the first
-            sums[name] = sums.get(name, np.zeros(len(f), complex)) + values
-            counts[name] = counts.get(name, 0) + 1
-    if f is None:
-        names = listed(sorted(map(shown, unplaced)), MOST)
-        problem = f"the campaign does not say where the force {names} acts"
-        if not unplaced:
-            problem = "expected a sensor along a channel of the robot, found none"
-        raise PkmodesError(
-            problem, source, "ask for the input in which it acts alone, such as --inputs force_x"
-        )
-    kept = f > 0.0
-    omega = 2j * np.pi * f[kept]
-    channels = {
-        name: (total / counts[name])[kept] / omega ** INTEGRALS[quantity] for name, total in sums.items()
-    }
+
+    def functions() -> Iterator[tuple[str, Array, Complex]]:
+        for record in records:
+            for output, excitation, f, values in _functions(campaign, record, inputs, unplaced):
+                port = _single(excitation.weights)
+                if port is None:
+                    unplaced.add(excitation.name)
+                    continue
+                if excitation.is_assumed:
+                    assumed[excitation.name] = port[0]
+                yield f"{output}/{port[0]}", f, port[1] * values
+
+    averages = _averaged(functions())
+    if averages is None:
+        remedy = "ask for the input in which it acts alone, such as --inputs force_x"
+        raise _nothing_to_draw(unplaced, source, remedy)
+    frequencies, averaged_channels = averages
+    omega = 2j * np.pi * frequencies
+    channels = {name: values / omega ** INTEGRALS[quantity] for name, values in averaged_channels.items()}
     notes = [
         f"{source} does not say where the force {shown(name)} acts: it is taken as {into} at the platform's centre"
         for name, into in sorted(assumed.items())
     ]
-    return MeasuredResponse(source, f[kept], channels, {"drives": records[0].drives}, tuple(notes))
+    return MeasuredResponse(source, frequencies, channels, {"drives": records[0].drives}, tuple(notes))
+
+
+def _averaged(functions: Iterable[tuple[str, Array, Complex]]) -> tuple[Array, dict[str, Complex]] | None:
+    """Return the frequencies above 0 [Hz], (F,), and the mean of the functions of each channel, each (F,)."""
+    f: Array | None = None
+    values_by_name = dict[str, list[Complex]]()
+    for name, frequencies, values in functions:
+        f = frequencies if f is None else f
+        if len(frequencies) == len(f) and np.allclose(
+            frequencies, f, rtol=1e-9
+        ):  # else of another resolution
+            values_by_name.setdefault(name, []).append(values)
+    if f is None:
+        return None
+    positive = f > 0.0
+    return f[positive], {name: np.mean(values, axis=0)[positive] for name, values in values_by_name.items()}
+
+
+def _nothing_to_draw(unplaced: Collection[str], where: str, remedy: str) -> PkmodesError:
+    if not unplaced:
+        remedy = "give a sensor along a channel of the robot, or enough of them to solve for its motion"
+        return PkmodesError("expected a sensor along a channel of the robot, found none", where, remedy)
+    names = listed(sorted(map(shown, unplaced)), MOST)
+    return PkmodesError(f"the campaign does not say where the force {names} acts", where, remedy)
 
 
 def _records_at(campaign: Campaign, point: Sequence[float], source: str) -> list[Record]:
@@ -108,36 +164,45 @@ def _records_at(campaign: Campaign, point: Sequence[float], source: str) -> list
     return found
 
 
-def _functions(
-    campaign: Campaign, record: Record, inputs: Sequence[str], unplaced: set[str], assumed: dict[str, str]
-) -> Iterator[tuple[str, Array, Complex]]:
-    """Yield the functions of a record, accelerations per force: ``OUTPUT/INPUT``, frequencies and values, each (F,).
+class _Excitation(NamedTuple):
+    """A force of the files.
 
-    - unplaced, assumed: take the names of forces of which the campaign does not say where they act: those left out,
-      and those taken as an input
+    - weights: of the model's inputs that it is
+    - is_assumed: whether the campaign does not say where it acts
+    """
+
+    name: str
+    weights: Mapping[str, float]
+    is_assumed: bool
+
+
+def _functions(
+    campaign: Campaign, record: Record, inputs: Sequence[str], unplaced: set[str]
+) -> Iterator[tuple[str, _Excitation, Array, Complex]]:
+    """Yield the functions of a record, accelerations per force: output, force, frequencies and values, each (F,).
+
+    - unplaced: takes the names of forces that are left out, as the campaign does not say where they act
     """
     rotation = campaign.platform.rotation(record.point)
     for setup, paths in record.independent_setups.items():
-        sensors, forces = campaign.sensors_in(setup), campaign.forces_in(setup)
+        sensors, forces = campaign.sensors_in(setup), campaign.all_forces_in(setup)
         for path in paths:
             f, values, rows, columns, roves = _read(path, record, setup, campaign)
             if roves:  # the places of the functions are those of the forces
                 values, rows, columns = values.transpose(0, 2, 1), columns, rows
             places = [sensors.get(name) for name in rows]
             for r, column in enumerate(columns or ("",)):
-                into = _acting(column, sensors, forces, inputs, rotation)
-                if into is None:
+                excitation = _excitation(column, sensors, forces, inputs, rotation)
+                if excitation is None:
                     unplaced.add(column)
                     continue
-                if not _places(column, sensors, forces):
-                    assumed[column] = into[0]
                 measured = [
                     (place, values[:, s, r])
                     for s, place in enumerate(places)
                     if place is not None and np.isfinite(values[:, s, r]).all()
                 ]
                 for output, motion in _channels(measured, rotation):
-                    yield f"{output}/{into[0]}", f, into[1] * motion
+                    yield output, excitation, f, motion
 
 
 def _read(
@@ -169,19 +234,19 @@ def _channels(
         yield from zip(channels, motions, strict=True)
         return
     for place, values in measured:
-        port = _port(place, rotation)
+        port = _single(place.rotated(rotation).weights)
         if port is not None:
             yield port[0], values * port[1]
 
 
-def _acting(
+def _excitation(
     name: str,
     sensors: Mapping[str, Transducer],
     forces: Mapping[str, Transducer],
     inputs: Sequence[str],
     rotation: Array,
-) -> tuple[str, float] | None:
-    """Return the input of the model in which a force acts, and its sign; None where the campaign does not say.
+) -> _Excitation | None:
+    """Return where a force acts, in inputs of the model; None where the campaign does not say.
 
     Without a [[force]] of that name, it acts where the sensor of that name measures, at the driving point; else it is
     the only force among the inputs of the model.
@@ -190,13 +255,16 @@ def _acting(
     if not places:
         pushing = [into for into in inputs if into.startswith(tuple(ACTING.values()))]
         against = bool(NEGATIVE.fullmatch(name))  # a hammer blow along a negative direction
-        return (pushing[0], -1.0 if against else 1.0) if len(pushing) == 1 else None
-    port = _port(places[0], rotation)
-    if port is None:
-        return None
-    channel, sign = port
-    beginning = next((one for one in ACTING if channel.startswith(one)), None)
-    return (channel if beginning is None else ACTING[beginning] + channel[len(beginning) :]), sign
+        return _Excitation(name, {pushing[0]: -1.0 if against else 1.0}, True) if len(pushing) == 1 else None
+    weights = {
+        next(
+            (into + channel[len(start) :] for start, into in ACTING.items() if channel.startswith(start)),
+            channel,
+        ): weight
+        for channel, weight in places[0].rotated(rotation).weights.items()
+        if weight
+    }
+    return _Excitation(name, weights, False) if weights else None
 
 
 def _places(
@@ -212,13 +280,10 @@ def _places(
     return [*forces.values()] if not places and name in NAMELESS and len(forces) == 1 else places
 
 
-def _port(place: Transducer | None, rotation: Array) -> tuple[str, float] | None:
-    """Return the channel along which a transducer stands, and its sign; None where it is along several."""
-    if place is None:
+def _single(weights: Mapping[str, float]) -> tuple[str, float] | None:
+    """Return the channel or input along which a transducer stands, and its sign; None where it is along several."""
+    if not any(weights.values()):
         return None
-    weights = {name: weight for name, weight in place.rotated(rotation).weights.items() if weight}
-    if not weights:
-        return None
-    channel = max(weights, key=lambda name: abs(weights[name]))
-    aside = max((abs(weight) for name, weight in weights.items() if name != channel), default=0.0)
-    return (channel, float(np.sign(weights[channel]))) if aside <= ASIDE * abs(weights[channel]) else None
+    name = max(weights, key=lambda name: abs(weights[name]))
+    aside = max((abs(weight) for other, weight in weights.items() if other != name), default=0.0)
+    return (name, float(np.sign(weights[name]))) if aside <= ASIDE * abs(weights[name]) else None

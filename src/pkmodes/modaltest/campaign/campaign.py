@@ -32,6 +32,7 @@ from pkmodes.modaltest.campaign.description import (
 from pkmodes.modaltest.campaign.mounts import Platform
 from pkmodes.modaltest.campaign.sensors import (
     NO_CHANNEL,
+    Force,
     MotionSensor,
     Transducer,
     check_forces,
@@ -105,6 +106,7 @@ class Campaign:
       angles, and have none
     - repeatability: relative standard deviation of a frequency when a pose is approached again; None to estimate it
     - tones: of mains, fans and motors [Hz]: these and their multiples are not modes
+    - forces: points of a roving hammer, and the places of fixed forces
     - edits: what the user decides about the modes of records, by their labels
     - report: fields of the head of its report, which prevail over those of the robot
     - signs_of_file: whether the sign in the name of a degree of freedom is that of the direction
@@ -116,7 +118,7 @@ class Campaign:
     repeatability: float | None
     tones: tuple[float, ...]
     sensors: tuple[MotionSensor, ...]
-    forces: tuple[Transducer, ...]
+    forces: tuple[Force, ...]
     records: tuple[Record, ...]
     edits: Mapping[str, RequestedModes]
     report: Mapping[str, str] = field(default_factory=dict)
@@ -148,7 +150,11 @@ class Campaign:
         return {sensor.name: sensor for sensor in self.sensors if sensor.setup in (None, setup)}
 
     def forces_in(self, setup: str) -> dict[str, Transducer]:
-        """Return the forces that apply to a setup, by name."""
+        """Return the points of a roving hammer that apply to a setup, by name: the places of shapes."""
+        return {name: force for name, force in self.all_forces_in(setup).items() if not force.fixed}
+
+    def all_forces_in(self, setup: str) -> dict[str, Force]:
+        """Return the forces that apply to a setup, by name, fixed ones included."""
         return {force.name: force for force in self.forces if force.setup in (None, setup)}
 
     def edits_of(self, record: Record) -> RequestedModes:

@@ -59,13 +59,14 @@ class SensorTable(CampaignPart, frozen=True):
 
 
 class ForceTable(CampaignPart, frozen=True):
-    """``[[force]]``: where a reference of the files acts."""
+    """``[[force]]``: where a reference of the files acts: a point of a roving hammer, or one that is `fixed`."""
 
     name: str
     channel: str | None = None
     direction: list[float] | None = None
     at: list[str | int | float] | None = None
     setup: str | None = None
+    fixed: bool = False
 
 
 class RecordTable(CampaignPart, frozen=True):

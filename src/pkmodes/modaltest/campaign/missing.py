@@ -68,11 +68,14 @@ def missing_messages(pose: str, setups: Sequence[Sequence[tuple[Path, Presence]]
 
 def unnamed_messages(pose: str, files: Sequence[FileModes], campaign: Campaign) -> list[str]:
     """Return a message about references that no force names, if a hammer may have roved over them."""
-    names = list(dict.fromkeys(name for file in files for name in file.unnamed))
+    fixed_names = {without_sign(force.name) for force in campaign.forces if force.fixed}
+    all_names = dict.fromkeys(name for file in files for name in file.unnamed)
+    names = [name for name in all_names if without_sign(name) not in fixed_names]
     sensors = {sensor.name for sensor in campaign.sensors} & {
         name for file in files for name in file.names_in_file or ()
     }
-    if not names or not (campaign.forces or len(names) > len(sensors)):
+    roves = any(not force.fixed for force in campaign.forces)
+    if not names or not (roves or len(names) > len(sensors)):
         return []
     return [
         f"{pose}: no [[force]] names the references {', '.join(names)}: their shapes have the places of the sensors "

@@ -70,6 +70,16 @@ class MotionSensor(Transducer):
     motion: Motion | None
 
 
+@dataclass(frozen=True)
+class Force(Transducer):
+    """A force.
+
+    - fixed: whether it stays at its place, which then gives no component of a shape; else a hammer roves
+    """
+
+    fixed: bool
+
+
 def check_sensors(
     tables: Sequence[SensorTable],
     channel_units: Mapping[str, str],
@@ -108,12 +118,14 @@ def check_forces(
     platform: Platform,
     setups: Collection[str],
     source: str,
-) -> tuple[Transducer, ...]:
+) -> tuple[Force, ...]:
     """Check the forces of a campaign: see `check_sensors`."""
-    forces = [
-        _transducer(table, channel_units, platform, setups, f"{source}: force.{i}")
-        for i, table in enumerate(tables, start=1)
-    ]
+    forces = []
+    for i, table in enumerate(tables, start=1):
+        transducer = _transducer(table, channel_units, platform, setups, f"{source}: force.{i}")
+        forces.append(
+            Force(transducer.name, transducer.setup, transducer.weights, table.fixed, mount=transducer.mount)
+        )
     _check_names(forces, f"{source}: force")
     return tuple(forces)
 

@@ -55,7 +55,8 @@ def responses(
         groups = sheet.groups(len(names), columns, height, rows=(2.2, 1.0), share_x=True)
         has_legend = False
         for k, (name, (above, below)) in enumerate(zip(names, groups, strict=True)):
-            curves: list[tuple[Array, Array, dict[str, Any]]] = [(frequencies, model[name], MODEL)]
+            style = MODEL if before is None else {**MODEL, "label": "after"}
+            curves: list[tuple[Array, Array, dict[str, Any]]] = [(frequencies, model[name], style)]
             if before is not None and name in before:
                 curves.append((frequencies, before[name], BEFORE))
             if measured is not None and name in measured[1]:

@@ -51,8 +51,13 @@ MOST = 6
 NO_END = "\\ No newline at end of file"
 
 
-def diagnosis_page(result: Diagnosis, evidence: PlottedEvidence, setting: ReportSetting) -> str:
-    """Return the report of a diagnosis as HTML."""
+def diagnosis_page(
+    result: Diagnosis, evidence: PlottedEvidence, setting: ReportSetting, measured_responses: list[Block]
+) -> str:
+    """Return the report of a diagnosis as HTML.
+
+    - measured_responses: pictures of measured frequency responses, if there are any
+    """
     causes = explanations.causes(result, setting)
     title = (
         "Remaining explanations" if result.survivors else "Cause" + ("s" if len(result.effects) > 1 else "")
@@ -76,6 +81,7 @@ def diagnosis_page(result: Diagnosis, evidence: PlottedEvidence, setting: Report
         *([Section("beyond", "Beyond the catalogue", terms)] if (terms := beyond(result, setting)) else []),
         *([Section("place", "Where it is", where)] if (where := picture(result, evidence, setting)) else []),
         *figures.sections(evidence),
+        *([Section("responses", "Frequency responses", measured_responses)] if measured_responses else []),
         *([Section("damping", "Damping", ratios)] if (ratios := damping(result, setting)) else []),
         Section("candidates", "Candidates", explanations.candidate_blocks(result)),
         Section("values", "Values before and after", fitted),

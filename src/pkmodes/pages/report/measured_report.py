@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from os import PathLike
 
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.core.model import Model
@@ -16,9 +17,11 @@ from pkmodes.loop.diagnosis.states.result import Change
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.updating.declared_spread import declared_spread
+from pkmodes.modaltest.campaign.campaign import read_campaign
 from pkmodes.pages.plots.evidence import PlottedEvidence
 from pkmodes.pages.report import figures
-from pkmodes.pages.report.blocks import Section
+from pkmodes.pages.report.blocks import Block, Section
+from pkmodes.pages.report.campaign_responses import measured_responses
 from pkmodes.pages.report.changed import change_page
 from pkmodes.pages.report.comparison import by_mode, comparison_summary
 from pkmodes.pages.report.diagnosis import diagnosis_page
@@ -40,6 +43,7 @@ def report(
     title: str | None = None,
     sources: Sequence[Source] | None = None,
     view: str | None = None,
+    campaign: str | PathLike[str] | None = None,
 ) -> str:
     """Return the report of a diagnosis, of what changed, or of a comparison.
 
@@ -59,6 +63,9 @@ def report(
         The input files, by default those that the robot and the measurements were read from.
     view : str, optional
         HTML of a view in three dimensions, from `view_of_result`; by default there is none.
+    campaign : path-like, optional
+        The campaign file that the measurements were identified from: the page of a diagnosis then shows its frequency
+        responses over those of the robot before and after the correction.
 
     Returns
     -------
@@ -70,7 +77,10 @@ def report(
     MissingExtraError
         If the libraries of the extra ``report`` are not installed.
     PkmodesError
-        If the result is of another kind, or the measurements are not those of the result.
+        If the result is of another kind, the measurements are not those of the result, or the campaign has no
+        frequency response functions at their poses, or does not say where its forces act.
+    MeasurementError
+        If the campaign or one of its files is faulty.
     """
     need_report()
     if not isinstance(result, Diagnosis | Comparison):
@@ -91,7 +101,10 @@ def report(
     if isinstance(result, Change):
         return change_page(result, evidence, setting)
     if isinstance(result, Diagnosis):
-        return diagnosis_page(result, evidence, setting)
+        curves: list[Block] = []
+        if campaign is not None and declared is not None:
+            curves = measured_responses(result, declared, read_campaign(campaign))
+        return diagnosis_page(result, evidence, setting, curves)
     sections = [
         *figures.sections(evidence),
         *view_section(setting.view),
