@@ -106,7 +106,6 @@ class Campaign:
       angles, and have none
     - repeatability: relative standard deviation of a frequency when a pose is approached again; None to estimate it
     - tones: of mains, fans and motors [Hz]: these and their multiples are not modes
-    - forces: points of a roving hammer, and the places of fixed forces
     - edits: what the user decides about the modes of records, by their labels
     - report: fields of the head of its report, which prevail over those of the robot
     - signs_of_file: whether the sign in the name of a degree of freedom is that of the direction
