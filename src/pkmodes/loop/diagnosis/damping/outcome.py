@@ -317,7 +317,7 @@ def _test_of_loss(
     - explains: whether it is claimed, in the class of a claim, or remains as an explanation
     """
     c, suspect = fitter.criteria, fitter.losses[loss]
-    # Its standard deviation beside the fit, in the linear model; infinite where it is invisible.
+    # Standard deviation of the loss beside the fit, in the linear model; infinite where the loss is invisible.
     rows = fitter.observations
     weighted = rows.coefficients / ((rows.ratios(final.values) + rows.ratio_floor) * rows.sigma)[:, None]
     signature, fitted = weighted[:, loss], weighted[:, [j for j in final.free if j != loss]]

@@ -142,19 +142,15 @@ def coincidence(
     scaled_changes = changes * (np.sqrt(size) / np.maximum(np.linalg.norm(changes, axis=0), 1e-300))
     is_explained = np.zeros(changes.shape[1], dtype=bool)
     for causes in combinations(directions, len(final.causes)):
-        is_explained |= _gain(scaled_changes, causes) >= gain
+        (axes, sign), *others = causes
+        if not others and sign:
+            projections = axes[:, 0] @ scaled_changes
+            removed_squares = np.where(projections > 0.0, projections**2, 0.0)
+        else:
+            basis = axes if not others else orthonormal(np.hstack([axes for axes, _ in causes]))
+            removed_squares = ((basis.T @ scaled_changes) ** 2).sum(axis=0)
+        is_explained |= removed_squares >= gain
     return float(is_explained.mean())
-
-
-def _gain(residuals: Array, causes: Directions) -> Array:
-    """Return the squares that causes remove from residuals (D, n), at best."""
-    (axes, sign), *others = causes
-    if not others and sign:
-        projections = axes[:, 0] @ residuals
-        return np.where(projections > 0.0, projections**2, 0.0)
-    basis = axes if not others else orthonormal(np.hstack([axes for axes, _ in causes]))
-    gain: Array = ((basis.T @ residuals) ** 2).sum(axis=0)
-    return gain
 
 
 def arbitrary_draws(fitter: Fitter, fit: Fit, count: int, rng: np.random.Generator) -> Array:
