@@ -85,7 +85,8 @@ def round_to_sigma(value: float, sigma: float, fit: float | None = None) -> Roun
         if fit is not None and 0.0 < fit < sigma
         else sigma_last_place
     )
-    exponent = max(_exponent(value, _significant_digits(value, last_place)), sigma_last_place + 1)
+    value_digits = math.floor(math.log10(abs(value))) - last_place + 1 if value else 1
+    exponent = max(_exponent(value, value_digits), sigma_last_place + 1)
     power = _power_to_write(exponent, last_place)
     if power - last_place > MAX_DECIMALS:
         return Rounded(plain(value, MAX_DECIMALS), plain(sigma, 2))
@@ -147,11 +148,6 @@ def _power_to_write(exponent: int, last_place: int) -> int:
 def _exponent(value: float, digits: int) -> int:
     """Return the power of ten of a number rounded to some significant digits; a very small one for 0."""
     return int(f"{value:.{max(digits, 1) - 1}e}".partition("e")[2]) if value else -(10**6)
-
-
-def _significant_digits(value: float, place: int) -> int:
-    """Return the number of significant digits of a value down to a decimal place."""
-    return math.floor(math.log10(abs(value))) - place + 1 if value else 1
 
 
 def _scaled(value: float, power: int) -> float:

@@ -95,11 +95,7 @@ def _repeated_groups(eigenvalues: Array, rigid: int) -> Iterator[tuple[int, slic
     close = np.diff(eigenvalues, axis=1) <= EQUAL_TOLERANCE * np.abs(eigenvalues[:, 1:])
     close[:, :rigid] = False
     for pose in np.flatnonzero(close.any(axis=1)):
-        for group in _groups(close[pose]):
-            yield int(pose), group
-
-
-def _groups(close: NDArray[np.bool_]) -> list[slice]:
-    """Return the groups of modes that are close to the next one, (m - 1,)."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], close, [False]]).astype(int)))
-    return [slice(int(first), int(last) + 1) for first, last in edges.reshape(-1, 2)]
+        # Runs of modes that are close to the next one.
+        edges = np.flatnonzero(np.diff(np.concatenate([[False], close[pose], [False]]).astype(int)))
+        for first, last in edges.reshape(-1, 2):
+            yield int(pose), slice(int(first), int(last) + 1)

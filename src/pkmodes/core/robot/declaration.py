@@ -13,7 +13,7 @@ from pkmodes.core.base.drives import FREE, checked_drives
 from pkmodes.core.mechanism import registry
 from pkmodes.core.mechanism.described import DAMPING_RATIO, Mechanism
 from pkmodes.core.robot.covariance import Covariance
-from pkmodes.core.robot.layout import QUANTITY_KINDS, Item, effect_parameters, items
+from pkmodes.core.robot.layout import QUANTITY_KINDS, effect_parameters, items
 from pkmodes.core.robot.units import Quantity
 from pkmodes.core.robot.usable import Bound
 
@@ -152,17 +152,18 @@ class Declaration:
         """Every declared value by dotted path, in SI units: quantities, and choices such as a direction."""
         values: dict[str, object] = {path: quantity.value for path, quantity in self.quantities.items()}
         for item in items(self.mechanism):
-            if item.key.kind not in QUANTITY_KINDS:
-                values[item.path] = self._chosen(item)
+            if item.key.kind in QUANTITY_KINDS:
+                continue
+            value = np.asarray(getattr(self.parameters, item.key.field))[item.index]
+            if item.key.kind == "choice":
+                values[item.path] = int(value)
+            elif item.key.kind == "one_of":
+                values[item.path] = item.key.choices[int(np.argmax(value))]
+            elif item.key.kind == "direction":
+                values[item.path] = value.tolist()
+            else:
+                values[item.path] = [int(sign) for sign in value]
         return values
-
-    def _chosen(self, item: Item) -> object:
-        value = np.asarray(getattr(self.parameters, item.key.field))[item.index]
-        if item.key.kind == "choice":
-            return int(value)
-        if item.key.kind == "one_of":
-            return item.key.choices[int(np.argmax(value))]
-        return value.tolist() if item.key.kind == "direction" else [int(sign) for sign in value]
 
 
 def changeable_units(robot: Declaration) -> dict[str, str]:

@@ -7,7 +7,6 @@ The value of a group is that of the first pair or vector, and the others change 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -69,33 +68,26 @@ def elements_at_value(robot: Declaration, group: ParameterGroup, value: float) -
     elements: dict[str, float] = {}
     for item, vector in zip(group_items(robot.mechanism, group), vectors, strict=True):
         if group.kind == "span":
-            changed = _with_span_changed(vector, value - (vectors[0][1] - vectors[0][0]))
+            (low, high), change = vector, value - (vectors[0][1] - vectors[0][0])
+            ends = low - change / 2.0, high + change / 2.0
+            # Rounding must not turn a limit of 0 into 1e-17 m.
+            changed = [0.0 if abs(end) < 1e-12 * (high - low) else end for end in ends]
         else:
-            changed = _with_length_changed(vector, value - math.hypot(*vectors[0]), item, robot.source)
+            length, change = math.hypot(*vector), value - math.hypot(*vectors[0])
+            if length == 0.0 or length + change <= 0.0:
+                name, unit = item.key.name, item.numbers[0].unit
+                reason = "it is 0" if length == 0.0 else f"it would become {length + change:g} {unit}"
+                raise PkmodesError(
+                    f"the radius of {name} {(item.entry or 0) + 1} cannot be changed along its direction: "
+                    f"{reason}",
+                    f"{robot.source}: {item.path}",
+                    f"correct the elements of the {name} instead",
+                )
+            changed = [element * ((length + change) / length) for element in vector]
         for number, before, after in zip(item.numbers, vector, changed, strict=True):
             if group.kind == "span" or before != 0.0:
                 elements[number.path] = after
     return elements
-
-
-def _with_span_changed(pair: Sequence[float], change: float) -> list[float]:
-    low, high = pair
-    changed = (low - change / 2.0, high + change / 2.0)
-    # Rounding must not turn a limit of 0 into 1e-17 m.
-    return [0.0 if abs(value) < 1e-12 * (high - low) else value for value in changed]
-
-
-def _with_length_changed(vector: Sequence[float], change: float, item: Item, source: str) -> list[float]:
-    before = math.hypot(*vector)
-    if before == 0.0 or before + change <= 0.0:
-        name, unit = item.key.name, item.numbers[0].unit
-        reason = "it is 0" if before == 0.0 else f"it would become {before + change:g} {unit}"
-        raise PkmodesError(
-            f"the radius of {name} {(item.entry or 0) + 1} cannot be changed along its direction: {reason}",
-            f"{source}: {item.path}",
-            f"correct the elements of the {name} instead",
-        )
-    return [element * ((before + change) / before) for element in vector]
 
 
 def _vectors(robot: Declaration, group: ParameterGroup) -> Array:

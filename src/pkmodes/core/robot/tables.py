@@ -170,33 +170,29 @@ class Tables:
     ) -> dict[str, Quantity]:
         """Read the table of an effect; `declared` are values that other tables of the file give, by path."""
         names = [parameter.name for parameter in effect.parameters]
-        table = self._with_components(effect, table)
-        for key in table:
+        numbers: dict[str, Any] = {}
+        for key, entry in table.items():
+            # A vector, such as ``offset``, stands for the parameters of its components, such as ``offset_x``.
+            components = [name for name in names if name in (f"{key}_{axis}" for axis in XYZ)]
+            if not components or key in names:
+                numbers[key] = entry
+            elif not isinstance(entry, list) or len(entry) != len(components):
+                path = f"{EFFECTS}.{effect.name}.{key}"
+                problem = f"expected a list of {len(components)} lengths, found {shown(entry)}"
+                self.problem(path, problem, f"write {key} = [{', '.join(XYZ[: len(components)])}]")
+            else:
+                numbers |= dict(zip(components, entry, strict=True))
+        for key in numbers:
             if key not in names:
                 place = f"{EFFECTS}.{effect.name}"
                 self.problem(place, f"unknown parameter {shown(key)}", nearest_name(key, names))
 
         def read(parameter: EffectParameter, path: str) -> Quantity | None:
             return self._read_value(
-                table[parameter.name], path, partial(read_effect_parameter, parameter=parameter)
+                numbers[parameter.name], path, partial(read_effect_parameter, parameter=parameter)
             )
 
-        return read_effect_parameters(effect, table, read, declared, self.problem)
-
-    def _with_components(self, effect: Effect, table: Mapping[str, Any]) -> dict[str, Any]:
-        """Write a vector, such as ``offset``, as the parameters of its components, such as ``offset_x``."""
-        expanded: dict[str, Any] = {}
-        for key, entry in table.items():
-            components = [p.name for p in effect.parameters if p.name in (f"{key}_{axis}" for axis in XYZ)]
-            if not components or any(p.name == key for p in effect.parameters):
-                expanded[key] = entry
-            elif not isinstance(entry, list) or len(entry) != len(components):
-                path = f"{EFFECTS}.{effect.name}.{key}"
-                problem = f"expected a list of {len(components)} lengths, found {shown(entry)}"
-                self.problem(path, problem, f"write {key} = [{', '.join(XYZ[: len(components)])}]")
-            else:
-                expanded |= dict(zip(components, entry, strict=True))
-        return expanded
+        return read_effect_parameters(effect, numbers, read, declared, self.problem)
 
     def _read_required(self, document: Mapping[str, Any], key: str, read: Callable[[Any], T]) -> T | None:
         if key in document:

@@ -58,33 +58,19 @@ def chosen_fields(fields: FieldNames, out: OutArrays, available: tuple[str, ...]
             "expected at least one field, found none", "fields", f"known: {', '.join(available)}"
         )
     for name, array in (out or {}).items():
-        _check_out(name, array, requested)
+        where = f"out: {name}"
+        if name not in requested:
+            raise PkmodesError("the field is not requested", where, "add it to fields, or remove it from out")
+        if not isinstance(array, np.ndarray):
+            raise PkmodesError(
+                f"expected an ndarray, found {shown(type(array).__name__)}", where, "use numpy.empty"
+            )
+        if not array.flags.writeable:
+            raise PkmodesError("the array is read-only", where, "give a writable array")
     for (a, first), (b, second) in itertools.combinations((out or {}).items(), 2):
         if np.may_share_memory(first, second) and np.shares_memory(first, second):
             raise PkmodesError(f"{a} and {b} share memory", "out", "give a separate array for each field")
     return tuple(name for name in available if name in requested)
-
-
-def _check_out(name: str, array: object, requested: list[str]) -> None:
-    where = f"out: {name}"
-    if name not in requested:
-        raise PkmodesError("the field is not requested", where, "add it to fields, or remove it from out")
-    if not isinstance(array, np.ndarray):
-        raise PkmodesError(
-            f"expected an ndarray, found {shown(type(array).__name__)}", where, "use numpy.empty"
-        )
-    if not array.flags.writeable:
-        raise PkmodesError("the array is read-only", where, "give a writable array")
-
-
-def _check_fits(name: str, array: Array, shape: tuple[int, ...], dtype: np.dtype[Any]) -> None:
-    if array.dtype != dtype or array.shape != shape:
-        raise PkmodesError(
-            f"expected an array of shape {shape} and type {dtype}, "
-            f"found shape {array.shape} and type {array.dtype}",
-            f"out: {name}",
-            f"use numpy.empty({shape}, {dtype})",
-        )
 
 
 class FieldArrays:
@@ -129,7 +115,13 @@ class FieldArrays:
         if array is None:
             array = filled = np.empty(shape, dtype)
         else:
-            _check_fits(name, array, shape, np.dtype(dtype))
+            if array.dtype != np.dtype(dtype) or array.shape != shape:
+                raise PkmodesError(
+                    f"expected an array of shape {shape} and type {np.dtype(dtype)}, "
+                    f"found shape {array.shape} and type {array.dtype}",
+                    f"out: {name}",
+                    f"use numpy.empty({shape}, {np.dtype(dtype)})",
+                )
             filled = array
             if self._deferred or not array.flags.c_contiguous:
                 filled = np.empty(shape, dtype)

@@ -59,7 +59,26 @@ def checked_modes(state: RobotAtPoses) -> tuple[Array, Array]:
         raise PoseError(
             "the mass matrix is not positive definite", state.source, "give every moving body a mass"
         ) from None
-    _check(eigenvalues, shapes, state)
+    if not np.isfinite(eigenvalues).all():
+        raise PoseError("the eigenvalues are not finite", state.source, "check the robot's magnitudes")
+    system = state.system
+    if not len(eigenvalues):
+        return eigenvalues, shapes
+    if system.held_motions:
+        refuse_unresolved(state, eigenvalues, shapes)
+        return eigenvalues, shapes
+    lowest, highest = eigenvalues[:, system.rigid_modes], eigenvalues[:, -1]
+    stiff = has_stiff_joint(eigenvalues, system.base_count, system.rigid_modes)
+    if stiff.any():
+        highest = np.where(
+            stiff,
+            base_eigenvalue_scale(state.mass_matrix, state.stiffness_matrix, system.base_count),
+            highest,
+        )
+    lost = np.abs(lowest) < MIN_RESOLVED_RATIO * highest
+    if lost.any() and (system.base_count < len(system.coordinates) or _loses_everywhere(system)):
+        index = int(np.argmax(lost))
+        raise lost_in_rounding(state, lowest[index], highest[index])
     return eigenvalues, shapes
 
 
@@ -75,30 +94,6 @@ def modes_of(state: RobotAtPoses) -> tuple[Array, Array]:
     )
     solve_held(state, eigenvalues, shapes)
     return eigenvalues, shapes
-
-
-def _check(eigenvalues: Array, shapes: Array, state: RobotAtPoses) -> None:
-    """Reject eigenvalues that are not finite, or whose digits are lost."""
-    if not np.isfinite(eigenvalues).all():
-        raise PoseError("the eigenvalues are not finite", state.source, "check the robot's magnitudes")
-    system = state.system
-    if not len(eigenvalues):
-        return
-    if system.held_motions:
-        refuse_unresolved(state, eigenvalues, shapes)
-        return
-    lowest, highest = eigenvalues[:, system.rigid_modes], eigenvalues[:, -1]
-    stiff = has_stiff_joint(eigenvalues, system.base_count, system.rigid_modes)
-    if stiff.any():
-        highest = np.where(
-            stiff,
-            base_eigenvalue_scale(state.mass_matrix, state.stiffness_matrix, system.base_count),
-            highest,
-        )
-    lost = np.abs(lowest) < MIN_RESOLVED_RATIO * highest
-    if lost.any() and (system.base_count < len(system.coordinates) or _loses_everywhere(system)):
-        index = int(np.argmax(lost))
-        raise lost_in_rounding(state, lowest[index], highest[index])
 
 
 def _loses_everywhere(system: Evaluation) -> bool:

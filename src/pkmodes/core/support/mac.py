@@ -81,6 +81,19 @@ def mac(shapes: Array | Complex, model: Array | Complex, measured: NDArray[np.bo
     return np.where(comparable[..., None], values, np.nan)
 
 
+def mac_of_each(first: Array, second: Array) -> Array:
+    """Return the MAC of measured shapes with others, (m, r); NaN where they share fewer than two components.
+
+    - first, second: in one unit, NaN where not measured, (m, C) and (r, C)
+    """
+    macs = np.full((len(first), len(second)), np.nan)
+    for k, shape in enumerate(second):
+        shared = np.isfinite(first) & np.isfinite(shape)
+        shapes = normalised(np.where(shared, first, np.nan))
+        macs[:, k] = mac(shapes, normalised(shape)[None, :], shared)[:, 0]
+    return macs
+
+
 def explained_difference(shapes: Array, errors: Array, sigmas: float) -> Array:
     """Return what the errors of measured shapes explain of one minus their MAC with their own modes, (...).
 

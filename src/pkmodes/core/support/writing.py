@@ -102,7 +102,7 @@ def _write(
         ready()
         if len(staged) > 1:  # a single one is in place, or it is not
             for temporary, target in staged:
-                backups[temporary] = _backup_path(target)
+                backups[temporary] = target.with_name(_hidden_prefix(target) + secrets.token_hex(8))
                 _back_up(target, backups[temporary])
         for temporary, target in staged:
             temporary.replace(target)
@@ -143,7 +143,13 @@ def _write_temporary(target: Path, text: str | bytes) -> Path:
     try:
         with os.fdopen(descriptor, "wb") as file:
             file.write(_encoded(text))
-        temporary.chmod(_permissions(target))
+        if target.exists():
+            permissions = target.stat().st_mode & 0o777
+        else:  # those of an ordinary new file: temporary files are private
+            mask = os.umask(0)
+            os.umask(mask)
+            permissions = 0o666 & ~mask
+        temporary.chmod(permissions)
     except BaseException:
         temporary.unlink(missing_ok=True)
         raise
@@ -176,20 +182,6 @@ def _undo(temporary: Path, target: Path, backup: Path | None) -> None:
         backup.unlink(missing_ok=True)
 
 
-def _backup_path(target: Path) -> Path:
-    """Return a name next to a file that nothing else has."""
-    return target.with_name(_hidden_prefix(target) + secrets.token_hex(8))
-
-
 def _hidden_prefix(target: Path) -> str:
     """Return how names next to a file begin: short, because a file system limits the bytes of a name."""
     return f".{target.name[:40]}."
-
-
-def _permissions(target: Path) -> int:
-    """Return the permissions of the existing file, or those of an ordinary new file (temporary files are private)."""
-    if target.exists():
-        return target.stat().st_mode & 0o777
-    mask = os.umask(0)
-    os.umask(mask)
-    return 0o666 & ~mask

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache, cached_property, lru_cache
-from typing import Any, NamedTuple, overload
+from typing import NamedTuple, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -161,14 +161,12 @@ def _without_influence(mechanism: Mechanism) -> _Inert:
     ineffective = {field for field, outcomes in influences.items() if outcomes == {False}}
     inertias = {key.field for key in field_keys(mechanism) if key.dimension in INERTIAS}
     effects = [
-        name for name, effect in mechanism.effects.items() if _has_no_influence(name, effect, ineffective)
+        name
+        for name, effect in mechanism.effects.items()
+        if not effect.coordinates
+        and all(f"{name}_{parameter.name}" in ineffective for parameter in effect.parameters)
     ]
     return _Inert(tuple(sorted(inertias & ineffective)), tuple(f"{name}." for name in effects))
-
-
-def _has_no_influence(name: str, effect: Any, ineffective: set[str]) -> bool:
-    fields = [f"{name}_{parameter.name}" for parameter in effect.parameters]
-    return not effect.coordinates and all(field in ineffective for field in fields)
 
 
 def springs_on_motors(mechanism: Mechanism, effects: Mapping[str, float]) -> tuple[str, ...]:

@@ -64,26 +64,23 @@ def _joints(
             stiffness[joint], rates[joint] = (
                 values[joint] for values in extended.joint_stiffness(effects_of_joint)
             )
+    # A joint of stiffness 0 is released by an effect that is present: its first parameter is not zero.
+    effect_values = dict(effects)
+    present = {
+        coordinate.name
+        for effect in mechanism.effects.values()
+        if effect_values.get(f"{effect.name}.{effect.parameters[0].name}", 0.0) != 0.0
+        for coordinate in effect.coordinates
+    }
+    is_present = np.array([name in present for name in extended.COORDINATES[base_count:]], dtype=bool)
     is_released = np.isfinite(stiffness)  # a joint without compliance is infinitely stiff: locked
-    is_released &= (stiffness != 0.0) | _held_by_effects(mechanism, dict(effects))
+    is_released &= (stiffness != 0.0) | is_present
     free = np.concatenate([np.arange(base_count), base_count + np.flatnonzero(is_released)])
     joints = np.concatenate([np.zeros(base_count), np.where(is_released, stiffness, 0.0)])
     joint_rates = np.concatenate([np.zeros(base_count), np.where(is_released, rates, 0.0)])
     for array in (free, joints, joint_rates):
         array.flags.writeable = False
     return free, joints, joint_rates, tuple(extended.COORDINATES[i] for i in free)
-
-
-def _held_by_effects(mechanism: Mechanism, effects: Mapping[str, float]) -> NDArray[np.bool_]:
-    """Return which released coordinates belong to an effect that is present: its first parameter is not zero."""
-    coordinates_held = {
-        coordinate.name
-        for effect in mechanism.effects.values()
-        if effects.get(f"{effect.name}.{effect.parameters[0].name}", 0.0) != 0.0
-        for coordinate in effect.coordinates
-    }
-    coordinates = mechanism.extended.COORDINATES[len(mechanism.coordinates) :]
-    return np.array([name in coordinates_held for name in coordinates], dtype=bool)
 
 
 @cache

@@ -11,7 +11,7 @@ from scipy.optimize import linear_sum_assignment
 from scipy.special import chdtrc
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.core.support.mac import mac, normalised, rotation_weights
+from pkmodes.core.support.mac import mac_of_each, rotation_weights
 from pkmodes.loop.measured.comparison import Changed, MeasurementsCompared, ModePair
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.measured.shape_changes import (
@@ -274,18 +274,12 @@ def _mac_matrix(
 ) -> Array:
     """Return the MAC between all rows of both, NaN where they share fewer than two components."""
     common = [name for name in first.channels if name in second.channels]
-    macs = np.full((len(rows), len(second_rows)), np.nan)
     if len(common) < 2:
-        return macs
+        return np.full((len(rows), len(second_rows)), np.nan)
     a = first.shapes[rows][:, [first.channels.index(name) for name in common]]
     b = second.shapes[second_rows][:, [second.channels.index(name) for name in common]]
     weights = rotation_weights(common, np.vstack([a, b]))
-    a, b = a * weights, b * weights
-    for j, shape in enumerate(b):
-        shared = np.isfinite(a) & np.isfinite(shape)
-        first_shapes = normalised(np.where(shared, a, np.nan))
-        macs[:, j] = mac(first_shapes, normalised(shape)[None, :], shared)[:, 0]
-    return macs
+    return mac_of_each(a * weights, b * weights)
 
 
 def _unpaired_lines(data: Measurements, paired: list[int]) -> list[int]:

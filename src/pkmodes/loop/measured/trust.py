@@ -55,15 +55,11 @@ def cautions_of(
         cautions.append("close_modes")
     if mac is not None and mac < MIN_MAC:
         cautions.append("low_mac")
-    if differs and shape is not None and shape.p_value is not None and not _shape_changed(shape):
-        cautions.append("same_shape")
+    if differs and shape is not None and shape.p_value is not None:
+        places = [*shape.components, *shape.curvatures]
+        if not (shape.p_value <= LEVEL or any(place.differs for place in places)):
+            cautions.append("same_shape")
     return cautions
-
-
-def _shape_changed(shape: ShapeChange) -> bool:
-    """Return whether a shape changed, as a whole or at a place."""
-    places = [*shape.components, *shape.curvatures]
-    return (shape.p_value is not None and shape.p_value <= LEVEL) or any(place.differs for place in places)
 
 
 def notes_on_shapes(pairs: Sequence[ModePair], energies: Sequence[StrainEnergyChange]) -> list[str]:

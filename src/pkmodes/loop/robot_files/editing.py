@@ -88,8 +88,23 @@ class TomlText:
             new = tomlkit.inline_table()
             new[str(key)] = tomlkit.value(raw)
             parent[str(path[-1])] = new
-        else:
-            self._add_table(parent, str(path[-1]), str(key), raw)
+            return
+        # After the last line of the parent, before the blank lines and comments of the next table.
+        last = parent
+        while last.value.body and isinstance(last.value.body[-1][1], Table):
+            last = last.value.body[-1][1]
+        body = last.value.body
+        trailing_comments = _pop_trailing_comments(body)
+        # Comments up to the first blank line belong to the lines before them.
+        is_blank = [isinstance(item, Whitespace) for _, item in trailing_comments]
+        if any(is_blank):
+            body.extend(trailing_comments[: is_blank.index(True)])
+            trailing_comments = trailing_comments[is_blank.index(True) :]
+        new_table = tomlkit.table()
+        new_table[str(key)] = tomlkit.value(raw)
+        parent.append(str(path[-1]), new_table)
+        new_table.trivia.indent = self._newline
+        new_table.value.body.extend(trailing_comments)
 
     def append_table(
         self, name: str, values: dict[str, str], comment: str, *, repeated: bool = False
@@ -149,24 +164,6 @@ class TomlText:
         trailing_comments = _pop_trailing_comments(body)
         table[key] = tomlkit.value(raw)
         body.extend(trailing_comments)
-
-    def _add_table(self, parent: Any, name: str, key: str, raw: str) -> None:
-        """Add a table after the last line of its parent, before the blank lines and comments of the next table."""
-        last = parent
-        while last.value.body and isinstance(last.value.body[-1][1], Table):
-            last = last.value.body[-1][1]
-        body = last.value.body
-        trailing_comments = _pop_trailing_comments(body)
-        # Comments up to the first blank line belong to the lines before them.
-        is_blank = [isinstance(item, Whitespace) for _, item in trailing_comments]
-        if any(is_blank):
-            body.extend(trailing_comments[: is_blank.index(True)])
-            trailing_comments = trailing_comments[is_blank.index(True) :]
-        new = tomlkit.table()
-        new[key] = tomlkit.value(raw)
-        parent.append(name, new)
-        new.trivia.indent = self._newline
-        new.value.body.extend(trailing_comments)
 
 
 def _pop_trailing_comments(body: list[Any]) -> list[Any]:

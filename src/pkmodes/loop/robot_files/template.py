@@ -83,7 +83,12 @@ def template(mechanism: Mechanism, commands: Sequence[str] = ()) -> str:
             *(f"#   {command}" for command in commands),
         ]
     lines += ["", f"format = {FORMAT}", f"name = {_toml(document['name'])}"]
-    lines += [f"mechanism = {_toml(mechanism.name)}", *_motor_state_lines(mechanism, document)]
+    lines += [f"mechanism = {_toml(mechanism.name)}"]
+    if STATE_OF_MOTORS not in [table.name for table in mechanism.tables]:
+        drives = document.get(STATE_OF_MOTORS)
+        servo_text = SERVO_TEXT if SERVO_STIFFNESS in mechanism.effects else ""
+        lines += ["", *_comment_lines(MOTORS_TEXT + servo_text)]
+        lines += [f"{'' if drives else '#'}{STATE_OF_MOTORS} = {_toml(drives or FREE)}"]
     lines += ["", *_key_lines(GRAVITY, GRAVITY.name, document)]
     for table in mechanism.tables:
         lines += (
@@ -96,14 +101,6 @@ def template(mechanism: Mechanism, commands: Sequence[str] = ()) -> str:
     for effect in mechanism.effects.values():
         lines += _effect_lines(mechanism, effect, document.get(EFFECTS, {}))
     return "\n".join(lines) + "\n"
-
-
-def _motor_state_lines(mechanism: Mechanism, document: Mapping[str, Any]) -> Iterator[str]:
-    """Yield the key that says how the machine is used, without one if the mechanism has a table of its name."""
-    if STATE_OF_MOTORS not in [table.name for table in mechanism.tables]:
-        yield from ("", *_comment_lines(MOTORS_TEXT + SERVO_TEXT * (SERVO_STIFFNESS in mechanism.effects)))
-        drives = document.get(STATE_OF_MOTORS)
-        yield f"{'' if drives else '#'}{STATE_OF_MOTORS} = {_toml(drives or FREE)}"
 
 
 def example_document(mechanism: Mechanism) -> dict[str, Any]:
@@ -282,29 +279,25 @@ def _common_lines(mechanism: Mechanism, document: Mapping[str, Any]) -> Iterator
     """Yield the optional tables of every robot file, without one whose name the mechanism uses for its own."""
     descriptions = LIMIT_TEXTS | {component.name: component.description for component in mechanism.pose}
     limits = [f"{line}  # {descriptions[name]}" for name, line in limit_examples(mechanism).items()]
-    tables: dict[str, tuple[str, Iterable[str]]] = {
-        f"[{USABLE}]": (USABLE_TEXT, limits),
-        f"[{REPORT}]": (REPORT_TEXT, (f'{name} = "..."' for name in TITLES)),
-        f"[[{COVARIANCE}]]": (COVARIANCE_TEXT, _covariance_lines(mechanism, document)),
-    }
-    for head, (description, lines) in tables.items():
-        if head.strip("[]") not in [table.name for table in mechanism.tables]:
-            yield from ("", f"#{head}  # {description}", *(f"#{line}" for line in lines))
-
-
-def _covariance_lines(mechanism: Mechanism, document: Mapping[str, Any]) -> list[str]:
-    """Return the table of the first two values that have a standard deviation."""
     sigmas: dict[str, Any] = {}
     for item in items(mechanism):
         raw = _value_in(document, item)
         if isinstance(raw, Mapping) and raw.get("sigma"):
             sigmas[item.path] = raw["sigma"]
-    paths = list(sigmas)[:2]
-    return [
-        f"{PATHS} = {_toml(paths)}",
-        f"{CORRELATION} = {_toml(np.eye(len(paths), dtype=int).tolist())}",
-        f"{SIGMA} = {_toml([sigmas[path] for path in paths])}  # by default those of the values",
+    correlated_paths = list(sigmas)[:2]
+    correlations = [
+        f"{PATHS} = {_toml(correlated_paths)}",
+        f"{CORRELATION} = {_toml(np.eye(len(correlated_paths), dtype=int).tolist())}",
+        f"{SIGMA} = {_toml([sigmas[path] for path in correlated_paths])}  # by default those of the values",
     ]
+    tables: dict[str, tuple[str, Iterable[str]]] = {
+        f"[{USABLE}]": (USABLE_TEXT, limits),
+        f"[{REPORT}]": (REPORT_TEXT, (f'{name} = "..."' for name in TITLES)),
+        f"[[{COVARIANCE}]]": (COVARIANCE_TEXT, correlations),
+    }
+    for head, (description, lines) in tables.items():
+        if head.strip("[]") not in [table.name for table in mechanism.tables]:
+            yield from ("", f"#{head}  # {description}", *(f"#{line}" for line in lines))
 
 
 def _comment_lines(text: str, indent: str = "# ") -> list[str]:

@@ -126,8 +126,14 @@ def rates_job(
         codes = solver.rates(robot_at_poses, {**written, EIGENVALUES: eigenvalues}, terms, threads)
         for start in range(0, len(codes), CHUNK):
             chunk = slice(start, start + CHUNK)
-            is_coincident = _coincident_modes(eigenvalues[chunk], system, close, "eigenvalues" in requested)
-            codes[chunk][(codes[chunk] == 0) & is_coincident] = UNSOLVED
+            values = eigenvalues[chunk]
+            sizes = rounding_scale(values, system.base_count, system.rigid_modes, system.loose_motions)
+            coincident = ~are_separate(values, close, sizes)
+            if "eigenvalues" not in requested:
+                # Those of frequencies that are zero to rounding are NaN, whatever the group.
+                is_nonzero = np.abs(values) > ROUNDING * sizes
+                coincident &= is_nonzero[:, 1:] | is_nonzero[:, :-1]
+            codes[chunk][(codes[chunk] == 0) & coincident.any(axis=1)] = UNSOLVED
         return codes
 
     tail = (len(terms.first) - 1, modes)
@@ -139,18 +145,6 @@ def rates_job(
         checks_poses=True,
         refusable=may_be_refused(system),
     )
-
-
-def _coincident_modes(
-    eigenvalues: Array, system: Evaluation, close: float, include_zero: bool
-) -> NDArray[np.bool_]:
-    """Return where modes form a group; with `include_zero` also of those whose frequency is zero to rounding."""
-    sizes = rounding_scale(eigenvalues, system.base_count, system.rigid_modes, system.loose_motions)
-    coincident = ~are_separate(eigenvalues, close, sizes)
-    if not include_zero:
-        is_nonzero = np.abs(eigenvalues) > ROUNDING * sizes
-        coincident &= is_nonzero[:, 1:] | is_nonzero[:, :-1]
-    return np.asarray(coincident.any(axis=1))
 
 
 class CompiledDerivatives(MatrixDerivatives):

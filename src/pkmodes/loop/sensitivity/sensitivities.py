@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, ClassVar, NamedTuple
@@ -123,7 +123,20 @@ class ResolvedPaths:
     def __init__(
         self, robot: Robot, parameters: Sequence[str | ParameterPath] | None, drives: str = FREE
     ) -> None:
-        self.robot, self.paths, self.drives = robot, _chosen_paths(robot, parameters), drives
+        if parameters is None or is_all(parameters):
+            mechanism = robot.mechanism
+            # A zero vector has no direction along which its radius could change; it was not requested by name.
+            excluded = {
+                group.path
+                for group in mechanism.parameter_groups
+                if group.kind == "radius" and not getattr(robot.parameters, group.field).any(axis=1).all()
+            }
+            dissipating = mechanism.effects.keys() - mechanism.conservative_effects.keys()
+            excluded |= {path for path in effect_parameters(mechanism) if path.split(".")[1] in dissipating}
+            requested = [path for path in paths(robot) if path not in excluded]
+        else:
+            requested = checked_list(parameters, "parameter paths", "parameters", '"platform.mass"')
+        self.robot, self.paths, self.drives = robot, resolve_all(robot, requested), drives
         self.names = tuple(path.path for path in self.paths)
         self.units = tuple(path.unit for path in self.paths)
         self.values = np.array([path.value for path in self.paths])
@@ -229,15 +242,14 @@ def sensitivities_at(
     requested = chosen_fields(fields, out, Sensitivities.FIELDS)
     limit = float(close)
     if solver.differentiates and set(requested) <= RATES.keys():
-        job = rates_job(
-            solver,
-            system,
-            robot.source,
-            resolved.terms,
-            limit,
-            requested,
-            lambda p: _in_parts(lambda part: _fields_at(resolved, part, limit, requested, solvers), p),
-        )
+
+        def by_numpy(points: Array) -> dict[str, Array]:
+            starts = range(0, len(points), POSES_PER_PART)
+            parts = [points[start : start + POSES_PER_PART] for start in starts]
+            fields_of_parts = [_fields_at(resolved, part, limit, requested, solvers) for part in parts]
+            return {name: np.concatenate([part[name] for part in fields_of_parts]) for name in requested}
+
+        job = rates_job(solver, system, robot.source, resolved.terms, limit, requested, by_numpy)
         checked, arrays = run_job(job, robot, model.max_condition, poses, on_error, out, thread_count)
     else:
         checked = model.checked(poses, on_error)
@@ -275,28 +287,6 @@ def _resolve_parameters(
         last = model.kept[ResolvedPaths] = key, ResolvedPaths(model.robot, parameters, drives)
     resolved: ResolvedPaths = last[1]
     return resolved
-
-
-def _in_parts(evaluate: Callable[[Array], Mapping[str, Array]], p: Array) -> dict[str, Array]:
-    """Evaluate fields at many poses."""
-    parts = [evaluate(p[start : start + POSES_PER_PART]) for start in range(0, len(p), POSES_PER_PART)]
-    return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
-
-
-def _chosen_paths(robot: Robot, parameters: Sequence[str | ParameterPath] | None) -> list[ParameterPath]:
-    if parameters is None or is_all(parameters):
-        mechanism = robot.mechanism
-        # A zero vector has no direction along which its radius could change; it was not requested by name.
-        excluded = {
-            group.path
-            for group in mechanism.parameter_groups
-            if group.kind == "radius" and not getattr(robot.parameters, group.field).any(axis=1).all()
-        }
-        dissipating = mechanism.effects.keys() - mechanism.conservative_effects.keys()
-        excluded |= {path for path in effect_parameters(mechanism) if path.split(".")[1] in dissipating}
-        return resolve_all(robot, [path for path in paths(robot) if path not in excluded])
-    requested = checked_list(parameters, "parameter paths", "parameters", '"platform.mass"')
-    return resolve_all(robot, requested)
 
 
 def _fields_at(

@@ -43,7 +43,28 @@ def compare(robot: Robot | Model, data: Measurements) -> Comparison:
         If a pose cannot be reached, or a set value is refused.
     """
     measured = MeasuredRobot.of(robot, data)
-    return _with_damping(diagnosis.compare(measured.structure(candidates=()), measured.data), measured)
+    result = diagnosis.compare(measured.structure(candidates=()), measured.data)
+    data, loads, rows = measured.data, measured.loads, list(result.rows)
+    with_damping = np.flatnonzero(~np.isnan(data.damping))
+    for c, case in enumerate(loads.cases):
+        case_rows = [int(i) for i in with_damping if loads.case_index[data.pose[i]] == c]
+        if not case_rows:
+            continue
+        model, setups = Model(case.robot), sorted({int(data.pose[i]) for i in case_rows})
+        modes = model.modes(data.points[setups], drives=case.drives, fields=["damping_ratios"])
+        # Partners count the most rigid modes that any setup has.
+        ratios, missing_rigid_modes = modes.damping_ratios, result.rigid - modes.rigid_modes
+        for i in case_rows:
+            partner = rows[i].partner
+            rows[i] = structs.replace(
+                rows[i],
+                damping=float(data.damping[i]),
+                sigma_damping=float(data.damping_sigma[i]),
+                predicted_damping=None
+                if partner is None
+                else float(ratios[setups.index(int(data.pose[i])), partner - 1 - missing_rigid_modes]),
+            )
+    return replace(result, rows=tuple(rows))
 
 
 @one_blas_thread()
@@ -147,31 +168,3 @@ def update(
     """
     measured = MeasuredRobot.of(robot, data)
     return diagnosis.update(measured.structure(candidates=()), measured.data, parameters, holdout=holdout)
-
-
-def _with_damping(result: Comparison, measured: MeasuredRobot) -> Comparison:
-    """Return a comparison whose rows have the measured damping ratios, and those of their partners in the model."""
-    data, loads = measured.data, measured.loads
-    with_damping = np.flatnonzero(~np.isnan(data.damping))
-    if not len(with_damping):
-        return result
-    rows = list(result.rows)
-    for c, case in enumerate(loads.cases):
-        case_rows = [int(i) for i in with_damping if loads.case_index[data.pose[i]] == c]
-        if not case_rows:
-            continue
-        model, setups = Model(case.robot), sorted({int(data.pose[i]) for i in case_rows})
-        modes = model.modes(data.points[setups], drives=case.drives, fields=["damping_ratios"])
-        # Partners count the most rigid modes that any setup has.
-        ratios, missing_rigid_modes = modes.damping_ratios, result.rigid - modes.rigid_modes
-        for i in case_rows:
-            partner = rows[i].partner
-            rows[i] = structs.replace(
-                rows[i],
-                damping=float(data.damping[i]),
-                sigma_damping=float(data.damping_sigma[i]),
-                predicted_damping=None
-                if partner is None
-                else float(ratios[setups.index(int(data.pose[i])), partner - 1 - missing_rigid_modes]),
-            )
-    return replace(result, rows=tuple(rows))

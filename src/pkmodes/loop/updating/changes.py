@@ -97,7 +97,12 @@ def changed(
     trusted_state = TrustedState.of(
         names[0], _with_parameters(first.structure(candidates=()), deviations), trusted
     )
-    baseline = _robot_of_trusted_state(first.robot, trusted_state.values)
+    values = trusted_state.values
+    # No value of the baseline is uncertain: any may have changed.
+    uncertain = {path for path, quantity in first.robot.quantities.items() if quantity.sigma}
+    without_sigma = {path: {"sigma": None} for path in uncertain - values.keys()}
+    fitted = {path: {"value": values[path], "sigma": None} for path in uncertain & values.keys()}
+    baseline = first.robot.with_values({**without_sigma, **fitted})
     changes = {}
     for name, data in zip(names[1:], campaigns, strict=True):
         measured = MeasuredRobot.of(baseline, data).where_usable()
@@ -106,12 +111,10 @@ def changed(
         measured_structure = _with_parameters(measured.structure(candidates, priors), deviations)
         # Values of the trusted state that are in no candidate.
         in_candidates = {p.name for p in measured_structure.parameters}
-        missing_paths = {
-            path: resolve(baseline, path) for path in trusted_state.values if path not in in_candidates
-        }
+        missing_paths = {path: resolve(baseline, path) for path in values if path not in in_candidates}
         parameters = [Parameter(name, path.value, path.unit) for name, path in missing_paths.items()]
         structure = with_known_values(
-            _with_parameters(measured_structure, (parameters, missing_paths)), trusted_state.values
+            _with_parameters(measured_structure, (parameters, missing_paths)), values
         )
         diagnose_change = partial(
             trusted_state.diagnose_change,
@@ -210,14 +213,6 @@ def _named_campaigns(
             problem = f"two states are called {shown(name)}"
             raise MeasurementError(problem, data[i].source, "give each state another name")
     return [first, *names], data
-
-
-def _robot_of_trusted_state(robot: Robot, values: Mapping[str, float]) -> Robot:
-    """Return a robot with the values of the trusted state, none of which is uncertain: any may have changed."""
-    uncertain = {path for path, quantity in robot.quantities.items() if quantity.sigma}
-    without_sigma = {path: {"sigma": None} for path in uncertain - values.keys()}
-    fitted = {path: {"value": values[path], "sigma": None} for path in uncertain & values.keys()}
-    return robot.with_values({**without_sigma, **fitted})
 
 
 def _with_daily_variation(structure: RobotStructure) -> RobotStructure:

@@ -39,7 +39,34 @@ def losses_of(robot: Robot, chosen: Sequence[str] | None = None) -> tuple[Loss, 
     Raises PkmodesError if a chosen loss has a sigma, so that it is not a candidate.
     """
     names = None if chosen is None else set(chosen)
-    losses = [_common_ratio(robot, names), *_dissipating_effects(robot, names)]
+    losses, priors = [_common_ratio(robot, names)], priors_of(robot)
+    for effect in robot.mechanism.effects.values():
+        if not effect.dissipates:
+            continue
+        (parameter,) = effect.fitted
+        path = f"{EFFECTS}.{effect.name}.{parameter.name}"
+        quantity = robot.quantities.get(path)
+        sigma = None if quantity is None else quantity.sigma
+        if names is not None and effect.name in names:
+            refuse_declared(f"the effect {effect.name}", [sigma])
+        suspected = names is None or bool({effect.name, "effects"} & names)
+        upper, prior = 1.0 if parameter.unit == "1" else np.inf, priors.get(path, Prior())
+        losses.append(
+            Loss(
+                Parameter(
+                    path,
+                    0.0 if quantity is None else quantity.value,
+                    parameter.unit.replace(" ", "*"),
+                    prior.sigma,
+                    0.0,
+                    upper,
+                    correlated=prior.correlated,
+                ),
+                effect.name if suspected and sigma is None else "",
+                effect.sentence,
+                quantity is not None,
+            )
+        )
     return tuple(losses) if any(loss.candidate and loss.claimable for loss in losses) else ()
 
 
@@ -80,39 +107,6 @@ def _common_ratio(robot: Robot, names: set[str] | None) -> Loss:
         effect=False,
         claimable=declared or requested,
     )
-
-
-def _dissipating_effects(robot: Robot, names: set[str] | None) -> list[Loss]:
-    """Return the dissipating effects of the catalogue."""
-    losses, priors = [], priors_of(robot)
-    for effect in robot.mechanism.effects.values():
-        if not effect.dissipates:
-            continue
-        (parameter,) = effect.fitted
-        path = f"{EFFECTS}.{effect.name}.{parameter.name}"
-        quantity = robot.quantities.get(path)
-        sigma = None if quantity is None else quantity.sigma
-        if names is not None and effect.name in names:
-            refuse_declared(f"the effect {effect.name}", [sigma])
-        suspected = names is None or bool({effect.name, "effects"} & names)
-        upper, prior = 1.0 if parameter.unit == "1" else np.inf, priors.get(path, Prior())
-        losses.append(
-            Loss(
-                Parameter(
-                    path,
-                    0.0 if quantity is None else quantity.value,
-                    parameter.unit.replace(" ", "*"),
-                    prior.sigma,
-                    0.0,
-                    upper,
-                    correlated=prior.correlated,
-                ),
-                effect.name if suspected and sigma is None else "",
-                effect.sentence,
-                quantity is not None,
-            )
-        )
-    return losses
 
 
 def rates_of_losses(solved: SolvedRobots, losses: Sequence[Loss]) -> Array:

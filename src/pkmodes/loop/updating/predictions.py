@@ -226,8 +226,14 @@ def _channel_rates(
     if platform_rates is not None:
         rates[..., -components:, :] += np.moveaxis(platform_rates, 1, -1)
         return rates
-    for robot, robot_paths, part in _group_equal_robots(solved, paths):
-        for t, path in enumerate(robot_paths):
+    pose_count = len(solved.points) // len(solved.robots)
+    equal_robots: dict[tuple[int, int], list[int]] = {}
+    for b, robot in enumerate(solved.robots):
+        equal_robots.setdefault((id(robot), id(paths[b])), []).append(b)
+    for members in equal_robots.values():
+        robot = solved.robots[members[0]]
+        part = np.concatenate([np.arange(b * pose_count, (b + 1) * pose_count) for b in members])
+        for t, path in enumerate(paths[members[0]]):
             # The Jacobian of the platform also changes with the geometry and the pose.
             if any(field in geometry or field == POSE for field, _ in path.weights):
                 numbers = robot.parameters, ExtendedSystem.of(robot).effects
@@ -238,24 +244,6 @@ def _channel_rates(
                 rate = (stepped.imag / COMPLEX_STEP)[..., derivatives.free]
                 rates[part, :, -components:, t] += solved.shapes[part] @ np.swapaxes(rate, -1, -2)
     return rates
-
-
-def _group_equal_robots(
-    solved: SolvedRobots, paths: Sequence[tuple[ParameterPath, ...]]
-) -> list[tuple[Robot, tuple[ParameterPath, ...], Index]]:
-    """Group equal robots with equal paths, with the indices of all their poses."""
-    count = len(solved.points) // len(solved.robots)
-    groups: dict[tuple[int, int], list[int]] = {}
-    for b, robot in enumerate(solved.robots):
-        groups.setdefault((id(robot), id(paths[b])), []).append(b)
-    return [
-        (
-            solved.robots[members[0]],
-            paths[members[0]],
-            np.concatenate([np.arange(b * count, (b + 1) * count) for b in members]),
-        )
-        for members in groups.values()
-    ]
 
 
 def stepped_along(

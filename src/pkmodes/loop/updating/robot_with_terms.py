@@ -137,7 +137,9 @@ class RobotWithTerms:
         for site, modes in self._modes_of_sites(values, present):
             if modes is not None:
                 rates = TermRates(site, modes, present)
-                prediction = rates.of_robot(self._robot_motions(values, robot_indices, site), shape_rates)
+                case = int(self.robot.loads.case_index[site.setups[0]])
+                (motions,) = self.robot.motions_of(robot_values, robot_indices, site.setups, [case])
+                prediction = rates.of_robot(motions, shape_rates)
                 term_prediction = self._term_prediction(rates, values, term_indices, shape_rates)
                 parts.append(
                     (site.setups, _in_requested_order(prediction, term_prediction, by, self._robot_count))
@@ -261,11 +263,6 @@ class RobotWithTerms:
             robot_prediction.shapes,
             robot_prediction.rigid,
         )
-
-    def _robot_motions(self, values: Array, by: Sequence[int], site: Site) -> Motions:
-        case = int(self.robot.loads.case_index[site.setups[0]])
-        (motions,) = self.robot.motions_of(values[: self._robot_count], by, site.setups, [case])
-        return motions
 
     # The robot and one term ----------------------------------------------------------------------------------
 

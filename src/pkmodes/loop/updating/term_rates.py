@@ -123,16 +123,26 @@ class TermRates:
             motion = None
             if path.weights and changes_along(term, site.system, path):
                 stepped = Surroundings(site.system, site.points, path)
-                change = self._in_free_coordinates(change_of(term, values, stepped).rates())
-                of_M, of_K = of_M + change.M, of_K + change.K
+                of_term = self._in_free_coordinates(change_of(term, values, stepped).rates())
+                of_M, of_K = of_M + of_term.M, of_K + of_term.K
                 platform_rates = np.imag(platform_with(term, stepped)) / COMPLEX_STEP
                 motion = self._motions @ np.swapaxes(platform_rates, -1, -2)
             rates = self._rates_of_change(of_M, of_K)._replace(motion=motion)
             if t in derivatives.locked_paths:
-                locked = derivatives.locked_joints
-                rates = self._with_locked_joints(
-                    rates, locked.joints, locked.weights[derivatives.locked_paths.index(t)]
+                # Each locked joint deflects under its force.
+                joints = derivatives.locked_joints.joints
+                weights = derivatives.locked_joints.weights[derivatives.locked_paths.index(t)]
+                force, change, norm = released_changes(
+                    (matrices.M, matrices.K),
+                    matrices.free,
+                    joints,
+                    weights[None],
+                    self.modes.eigenvalues,
+                    self.modes.shapes,
                 )
+                deflection = np.zeros_like(self._motions)
+                deflection[..., joints] -= weights * force
+                rates = _Rates(rates.change + change[:, 0], rates.norm + norm[:, 0], motion, deflection)
             yield rates
 
     def _with_parameter(self, placed_term: PlacedTerm, k: int, values: Array) -> _Rates:
@@ -164,16 +174,6 @@ class TermRates:
         inertia = shapes @ dM
         change = shapes @ dK - eigenvalues[..., None] * inertia
         return _Rates(change, np.einsum("nmi,nmi->nm", inertia, shapes))
-
-    def _with_locked_joints(self, rates: _Rates, joints: Index, weights: Array) -> _Rates:
-        """Return rates with those of compliances of locked joints, (r,): each deflects under its force."""
-        modes, matrices = self.modes, self.modes.matrices
-        force, change, norm = released_changes(
-            (matrices.M, matrices.K), matrices.free, joints, weights[None], modes.eigenvalues, modes.shapes
-        )
-        deflection = np.zeros_like(self._motions) if rates.deflection is None else rates.deflection
-        deflection[..., joints] -= weights * force
-        return _Rates(rates.change + change[:, 0], rates.norm + norm[:, 0], rates.motion, deflection)
 
     def _shape_rates(self, change: Array, rates: Sequence[_Rates]) -> Array:
         """Return the derivatives of the channels, (N, m, C, T)."""

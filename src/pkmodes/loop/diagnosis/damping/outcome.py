@@ -271,7 +271,13 @@ def _limit_of(fitter: LossFitter, fits: Sequence[LossFit], loss: int) -> Limit:
 
 
 def _profile_limit(fitter: LossFitter, fit: LossFit, loss: int) -> float | None:
-    fitter = _with_errors_of_residual(fitter, fit)
+    ratio, rows = fit.chi2 / max(fit.degrees, 1), fitter.observations
+    if not (fit.p_value > fitter.criteria.gate.surely or ratio <= 1.0):
+        # Errors as large as the residual, which is more than noise.
+        scale = float(np.sqrt(ratio))
+        fitter = fitter.with_observations(
+            replace(rows, stated_sigma=scale * rows.stated_sigma, unstated_sigma=scale * rows.unstated_sigma)
+        )
     other_causes = tuple(j for j in fit.causes if j != loss)
     declared = float(fitter.declared[loss])
     best = fitter.fit((*other_causes, loss))
@@ -302,18 +308,6 @@ def _profile_limit(fitter: LossFitter, fit: LossFit, loss: int) -> float | None:
     return max(highest - declared, declared - lowest)
 
 
-def _with_errors_of_residual(fitter: LossFitter, fit: LossFit) -> LossFitter:
-    """Return a fitter with errors as large as the residual of a fit, where that is more than noise."""
-    ratio = fit.chi2 / max(fit.degrees, 1)
-    if fit.p_value > fitter.criteria.gate.surely or ratio <= 1.0:
-        return fitter
-    scale = float(np.sqrt(ratio))
-    rows = fitter.observations
-    return fitter.with_observations(
-        replace(rows, stated_sigma=scale * rows.stated_sigma, unstated_sigma=scale * rows.unstated_sigma)
-    )
-
-
 def _test_of_loss(
     fitter: LossFitter, final: LossFit, loss: int, p_value: float, *, is_bounded: bool, explains: bool
 ) -> Examined:
@@ -323,20 +317,16 @@ def _test_of_loss(
     - explains: whether it is claimed, in the class of a claim, or remains as an explanation
     """
     c, suspect = fitter.criteria, fitter.losses[loss]
-    sigma = _linear_sigma(fitter, final, loss)
+    # Standard deviation of the loss beside the fit, in the linear model; infinite where the loss is invisible.
+    rows = fitter.observations
+    weighted = rows.coefficients / ((rows.ratios(final.values) + rows.ratio_floor) * rows.sigma)[:, None]
+    signature, fitted = weighted[:, loss], weighted[:, [j for j in final.free if j != loss]]
+    remainder = signature - fitted @ np.linalg.lstsq(fitted, signature)[0] if fitted.shape[1] else signature
+    norm = float(np.linalg.norm(remainder))
+    sigma = 1.0 / norm if norm > 1e-6 * float(np.linalg.norm(signature)) > 0.0 else np.inf
     size = c.claim.seen * sigma
     detectable = explains or is_bounded or p_value <= c.gate.surely
     if not (is_bounded or explains) or not np.isfinite(size) or size > suspect.parameter.upper:
         return Examined(suspect.candidate, p_value, (), detectable, suspect.sentence)
     visible = Value(suspect.parameter.name, float(size), float(sigma), suspect.parameter.unit)
     return Examined(suspect.candidate, p_value, (visible,), detectable, suspect.sentence)
-
-
-def _linear_sigma(fitter: LossFitter, fit: LossFit, loss: int) -> float:
-    """Return the standard deviation that a loss would have beside a fit, in the linear model; inf if invisible."""
-    rows = fitter.observations
-    weighted = rows.coefficients / ((rows.ratios(fit.values) + rows.ratio_floor) * rows.sigma)[:, None]
-    signature, fitted = weighted[:, loss], weighted[:, [j for j in fit.free if j != loss]]
-    remainder = signature - fitted @ np.linalg.lstsq(fitted, signature)[0] if fitted.shape[1] else signature
-    size = float(np.linalg.norm(remainder))
-    return 1.0 / size if size > 1e-6 * float(np.linalg.norm(signature)) > 0.0 else np.inf

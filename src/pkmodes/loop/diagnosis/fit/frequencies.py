@@ -49,20 +49,17 @@ class FrequencyRows:
         return np.where(used, self.pairer.differences(prediction, pairing), 0.0)[:, None]
 
     def rates(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> Array:
-        """Return the derivatives of ln f with respect to the requested parameters, (R, 1, T)."""
-        rates = _averaged_rates(prediction)[self.pairer.pose, np.maximum(pairing.partner, 0)]
+        """Return the derivatives of ln f with respect to the requested parameters, (R, 1, T).
+
+        Repeated modes, whose derivatives are not defined, have the mean of their group.
+        """
+        rates_of_modes, eigenvalues = np.array(prediction.log_rates), prediction.eigenvalues
+        is_repeated = np.diff(eigenvalues, axis=1) <= REPEATED_GAP * np.abs(eigenvalues[:, 1:])
+        for setup in np.flatnonzero(is_repeated.any(axis=1)):
+            group = np.concatenate([[0], np.cumsum(~is_repeated[setup])])
+            for k in np.flatnonzero(np.bincount(group) > 1):
+                members = group == k
+                if np.isfinite(rates_of_modes[setup, members]).all():  # rigid modes have none at 0 Hz
+                    rates_of_modes[setup, members] = rates_of_modes[setup, members].mean(axis=0)
+        rates = rates_of_modes[self.pairer.pose, np.maximum(pairing.partner, 0)]
         return np.where(((pairing.partner >= 0) & used)[:, None], rates, 0.0)[:, None]
-
-
-def _averaged_rates(prediction: Prediction) -> Array:
-    """Return the derivatives of ln f; repeated modes, whose derivatives are not defined, get the group's mean."""
-    rates = np.array(prediction.log_rates)
-    eigenvalues = prediction.eigenvalues
-    is_repeated = np.diff(eigenvalues, axis=1) <= REPEATED_GAP * np.abs(eigenvalues[:, 1:])
-    for setup in np.flatnonzero(is_repeated.any(axis=1)):
-        group = np.concatenate([[0], np.cumsum(~is_repeated[setup])])
-        for k in np.flatnonzero(np.bincount(group) > 1):
-            members = group == k
-            if np.isfinite(rates[setup, members]).all():  # rigid modes have none at 0 Hz
-                rates[setup, members] = rates[setup, members].mean(axis=0)
-    return rates

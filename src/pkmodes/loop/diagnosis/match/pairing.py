@@ -92,7 +92,11 @@ class Pairer:
     ) -> None:
         self._criteria = criteria or Criteria()
         self._log, self.pose = FREQUENCY.transformed(data), data.pose
-        self.columns = _channel_indices(data, channels)
+        for name in data.channels:
+            if name not in channels:
+                problem = f"the model has no channel {shown(name)} for the measured shapes"
+                raise PkmodesError(problem, data.source, f"channels are: {', '.join(channels)}")
+        self.columns = np.array([channels.index(name) for name in data.channels], dtype=np.intp)
         setups = len(data.labels)
         self.motion = np.zeros((setups, len(self.columns)))
         if reference is not None and len(self.columns):
@@ -332,12 +336,3 @@ def _reorder_close_modes(partner: Index, measured: Array, close: NDArray[np.bool
     ordered = np.empty_like(partner)
     np.put_along_axis(ordered, np.lexsort((measured, row_group), axis=-1), np.sort(partner, axis=1), axis=1)
     return ordered
-
-
-def _channel_indices(data: Measurements, channels: tuple[str, ...]) -> Index:
-    """Return the indices of the measured channels among the model's."""
-    for name in data.channels:
-        if name not in channels:
-            problem = f"the model has no channel {shown(name)} for the measured shapes"
-            raise PkmodesError(problem, data.source, f"channels are: {', '.join(channels)}")
-    return np.array([channels.index(name) for name in data.channels], dtype=np.intp)

@@ -127,9 +127,11 @@ def _best_sizes(
 ) -> Generator[list[Array], list[float], list[float]]:
     """Return the sizes of the best local minima on a grid, refined around them."""
     sums = dict(zip(sizes.tolist(), (yield [values_at(size * unit) for size in sizes]), strict=True))
-    centres = [
-        size for size in _minima(sums)[:MAX_VALLEYS] if sums[size] <= MAX_COST_RATIO * min(sums.values())
-    ]
+    ordered = sorted(sums)
+    costs = [np.inf, *(sums[size] for size in ordered), np.inf]
+    minima = [size for i, size in enumerate(ordered, start=1) if costs[i] <= min(costs[i - 1], costs[i + 1])]
+    minima.sort(key=lambda size: sums[size])
+    centres = [size for size in minima[:MAX_VALLEYS] if sums[size] <= MAX_COST_RATIO * min(sums.values())]
     for _ in range(HALVINGS):
         ordered = sorted(sums)
         positions = [ordered.index(centre) for centre in centres]
@@ -145,11 +147,3 @@ def _best_sizes(
         windows = [ordered[max(ordered.index(centre) - 1, 0) :][:3] for centre in centres]
         centres = [min(neighbours, key=lambda size: sums[size]) for neighbours in windows]
     return centres
-
-
-def _minima(sums: dict[float, float]) -> list[float]:
-    """Return the sizes with smaller sums of squares than their neighbours, best first."""
-    sizes = sorted(sums)
-    costs = [np.inf, *(sums[size] for size in sizes), np.inf]
-    minima = [size for i, size in enumerate(sizes, start=1) if costs[i] <= min(costs[i - 1], costs[i + 1])]
-    return sorted(minima, key=lambda size: sums[size])

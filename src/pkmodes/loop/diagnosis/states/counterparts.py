@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
-from pkmodes.core.support.mac import mac, normalised
+from pkmodes.core.support.mac import mac_of_each
 from pkmodes.loop.diagnosis.criteria import PairingCriteria
 from pkmodes.loop.diagnosis.problem import Array
 from pkmodes.loop.measured.measurements import Measurements
@@ -88,7 +88,7 @@ def pair_with_expected(
     - weights: factors by which the channels are comparable, (C,)
     """
     log_difference = np.abs(FREQUENCY.transformed(later)[rows][None, :] - expected.log_frequencies[:, None])
-    shape_difference = 1.0 - _mac_of_each(expected.shapes * weights, later.shapes[rows] * weights)
+    shape_difference = 1.0 - mac_of_each(expected.shapes * weights, later.shapes[rows] * weights)
     groups = close_groups(expected.log_frequencies, expected.sigma, criteria)
     for group in np.unique(groups):
         in_group = groups == group
@@ -119,13 +119,3 @@ def common_channels(trusted: Measurements, later: Measurements) -> tuple[list[in
     """Return the channels that both have, as places in each."""
     names = [name for name in trusted.channels if name in later.channels]
     return [trusted.channels.index(name) for name in names], [later.channels.index(name) for name in names]
-
-
-def _mac_of_each(first: Array, second: Array) -> Array:
-    """Return the MAC of each shape (m, C) with each of others (r, C); NaN with fewer than two common components."""
-    macs = np.full((len(first), len(second)), np.nan)
-    for k, shape in enumerate(second):
-        is_common = np.isfinite(first) & np.isfinite(shape)
-        compared_shapes = normalised(np.where(is_common, first, np.nan))
-        macs[:, k] = mac(compared_shapes, normalised(shape)[None, :], is_common)[:, 0]
-    return macs

@@ -142,19 +142,15 @@ def coincidence(
     scaled_changes = changes * (np.sqrt(size) / np.maximum(np.linalg.norm(changes, axis=0), 1e-300))
     is_explained = np.zeros(changes.shape[1], dtype=bool)
     for causes in combinations(directions, len(final.causes)):
-        is_explained |= _gain(scaled_changes, causes) >= gain
+        (axes, sign), *others = causes
+        if not others and sign:
+            projections = axes[:, 0] @ scaled_changes
+            removed_squares = np.where(projections > 0.0, projections**2, 0.0)
+        else:
+            basis = axes if not others else orthonormal(np.hstack([axes for axes, _ in causes]))
+            removed_squares = ((basis.T @ scaled_changes) ** 2).sum(axis=0)
+        is_explained |= removed_squares >= gain
     return float(is_explained.mean())
-
-
-def _gain(residuals: Array, causes: Directions) -> Array:
-    """Return the squares that causes remove from residuals (D, n), at best."""
-    (axes, sign), *others = causes
-    if not others and sign:
-        projections = axes[:, 0] @ residuals
-        return np.where(projections > 0.0, projections**2, 0.0)
-    basis = axes if not others else orthonormal(np.hstack([axes for axes, _ in causes]))
-    gain: Array = ((basis.T @ residuals) ** 2).sum(axis=0)
-    return gain
 
 
 def arbitrary_draws(fitter: Fitter, fit: Fit, count: int, rng: np.random.Generator) -> Array:
@@ -184,22 +180,13 @@ def modal_changes(fitter: Fitter, fit: Fit) -> Array:
     used = fitter.used_rows(fit.hypothesis)
     # Modes far above the measured ones do not contribute to their shapes.
     modes = int(fit.pairing.partner.max(initial=0)) + 1 + MODES_ABOVE
-    changed_modes = _with_modal_rates(fit.prediction, modes, fitter.criteria.pairing.mixed)
-    observations = fitter.observations
-    return np.asarray(
-        observations.rates(changed_modes, fit.pairing, used) / observations.noise.stated_sigma[:, None]
-    )
-
-
-def _with_modal_rates(prediction: Prediction, modes: int, min_gap: float) -> Prediction:
-    """Return the lowest modes with their derivatives with respect to relative changes of modal stiffness and mass."""
-    eigenvalues, shapes = prediction.eigenvalues[:, :modes], prediction.shapes[:, :modes]
+    eigenvalues, shapes = fit.prediction.eigenvalues[:, :modes], fit.prediction.shapes[:, :modes]
     mode_count = eigenvalues.shape[1]
     i, j = np.triu_indices(mode_count)
     magnitudes = np.abs(eigenvalues)
     gap = eigenvalues[:, i] - eigenvalues[:, j]
     # Nearly coincident modes rotate into each other under any change; they are compared as one subspace.
-    min_gaps = 2.0 * min_gap * np.maximum(magnitudes[:, i], magnitudes[:, j])
+    min_gaps = 2.0 * fitter.criteria.pairing.mixed * np.maximum(magnitudes[:, i], magnitudes[:, j])
     gap = np.where(gap >= 0.0, 1.0, -1.0) * np.maximum(np.abs(gap), np.maximum(min_gaps, 1e-300))
     mean = np.sqrt(magnitudes[:, i] * magnitudes[:, j])
     rates = np.zeros((len(eigenvalues), mode_count, 2, len(i)))
@@ -210,10 +197,14 @@ def _with_modal_rates(prediction: Prediction, modes: int, min_gap: float) -> Pre
         for a, b, sign in ((i[t], j[t], 1.0), (j[t], i[t], -1.0)):
             shape_rates[:, a, :, 0, t] = sign * (mean / gap)[:, t, None] * shapes[:, b]
             shape_rates[:, a, :, 1, t] = -sign * (magnitudes[:, a] / gap[:, t])[:, None] * shapes[:, b]
-    return Prediction(
+    changed_modes = Prediction(
         eigenvalues,
         rates.reshape(len(eigenvalues), mode_count, -1),
         shapes,
-        prediction.rigid,
+        fit.prediction.rigid,
         shape_rates.reshape(*shapes.shape, -1),
+    )
+    observations = fitter.observations
+    return np.asarray(
+        observations.rates(changed_modes, fit.pairing, used) / observations.noise.stated_sigma[:, None]
     )
