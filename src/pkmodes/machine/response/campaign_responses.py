@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from os import PathLike, fspath
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -120,7 +119,15 @@ def _functions(
     for setup, paths in record.independent_setups.items():
         sensors, forces = campaign.sensors_in(setup), campaign.forces_in(setup)
         for path in paths:
-            f, values, rows, columns, roves = _read(path, record, setup, campaign)
+            if record.kind == FRF_KIND:
+                read = read_responses(path, record, setup, campaign).responses
+                f, values, rows, columns = read.frequencies, read.values, read.names, read.references
+                roves = read.is_roving
+            else:
+                modes = impact_modes(path, record, setup, campaign)
+                assert modes.fit is not None
+                f, values = modes.fit.estimate.frequencies, modes.fit.estimate.measured
+                rows, columns, roves = modes.fit.responses, modes.fit.references, bool(modes.forces)
             if roves:  # the places of the functions are those of the forces
                 values, rows, columns = values.transpose(0, 2, 1), columns, rows
             places = [sensors.get(name) for name in rows]
@@ -138,20 +145,6 @@ def _functions(
                 ]
                 for output, motion in _channels(measured, rotation):
                     yield f"{output}/{into[0]}", f, into[1] * motion
-
-
-def _read(
-    path: Path, record: Record, setup: str, campaign: Campaign
-) -> tuple[Array, Complex, tuple[str, ...], tuple[str, ...], bool]:
-    """Return the functions of a file: frequencies (F,), values (F, S, R), both names, and whether the force roved."""
-    if record.kind == FRF_KIND:
-        read = read_responses(path, record, setup, campaign).responses
-        return read.frequencies, read.values, read.names, read.references, read.is_roving
-    modes = impact_modes(path, record, setup, campaign)
-    assert modes.fit is not None
-    estimate = modes.fit.estimate
-    names = tuple(modes.fit.responses), tuple(modes.fit.references)
-    return estimate.frequencies, estimate.measured, *names, bool(modes.forces)
 
 
 def _channels(
