@@ -42,7 +42,16 @@ def show_diagnosis(robot: Robot, result: Diagnosis) -> None:
     _show_explained(terminal, result)
     terminal.show(*errors(result))
     _show_beyond(terminal, result, setting)
-    _show_damping(terminal, result, setting)
+    damping = result.damping
+    if damping.measured:  # with a verdict that is independent of the one above
+        terminal.line()
+        terminal.line(f"damping: {damping.verdict}")
+        terminal.line(damping.reason, "  ")
+        _show_explained(terminal, damping)
+        terminal.show(*factors(result), *refitted(damping, setting))
+        for note in damping.notes:
+            terminal.line()
+            terminal.line(f"note on the damping: {note}")
     count = sum(not (row.held_out or row.outlier) for row in result.rows)
     terminal.line()
     motors = motors_in_words(robot, [row.drives for row in result.rows])
@@ -151,21 +160,6 @@ def _show_values(terminal: Terminal, effect: Finding, corrected: Sequence[Correc
         reasons = dict.fromkeys(explain_saved_sigma(value, corrected) for value in effect.parameters)
         for reason in filter(None, reasons):
             terminal.line(reason, "    ")
-
-
-def _show_damping(terminal: Terminal, result: Diagnosis, setting: ReportSetting) -> None:
-    """Print the verdict on damping, which is independent of the verdict above."""
-    damping = result.damping
-    if not damping.measured:
-        return
-    terminal.line()
-    terminal.line(f"damping: {damping.verdict}")
-    terminal.line(damping.reason, "  ")
-    _show_explained(terminal, damping)
-    terminal.show(*factors(result), *refitted(damping, setting))
-    for note in damping.notes:
-        terminal.line()
-        terminal.line(f"note on the damping: {note}")
 
 
 def _show_remarks(terminal: Terminal, result: Diagnosis) -> None:

@@ -44,7 +44,17 @@ def shaper_document(model: Model, choice: Choice, spectrum: MeasuredSpectrum | N
         unshaped=_unshaped(choice),
         shapers=_candidates(choice),
         recommended=choice.recommended,
-        axes=[_axis(axis, part) for axis, part in choice.by_axis.items()],
+        axes=[
+            AxisDocument(
+                axis=axis,
+                modes=part.ringing.modes,
+                unshaped=_unshaped(part),
+                shapers=_candidates(part),
+                recommended=part.recommended,
+                schedule=None if part.schedule is None else _schedule(part, part.schedule),
+            )
+            for axis, part in choice.by_axis.items()
+        ],
         spectrum=spectrum_part,
         firmware=current_lines(choice),
         firmware_versions=lines_by_version(choice),
@@ -69,17 +79,6 @@ def _candidates(choice: Choice) -> list[CandidateDocument]:
         )
         for candidate in choice.candidates
     ]
-
-
-def _axis(axis: str, choice: Choice) -> AxisDocument:
-    return AxisDocument(
-        axis=axis,
-        modes=choice.ringing.modes,
-        unshaped=_unshaped(choice),
-        shapers=_candidates(choice),
-        recommended=choice.recommended,
-        schedule=None if choice.schedule is None else _schedule(choice, choice.schedule),
-    )
 
 
 def _schedule(choice: Choice, schedule: Schedule) -> ScheduleDocument:

@@ -63,8 +63,16 @@ def check_targets(json_file: str | None, inputs: Sequence[Path | None], *other_t
                 raise OutputError(f"{target.label} would replace its own input", where, "choose another file")
             labels_by_path[resolved_path] = target.label
     for target in other_targets:
-        if target.file is not None and target.endings:
-            _check_ending(target, Path(target.file))
+        if target.file is None or not target.endings:
+            continue
+        path = Path(target.file)
+        is_device = path.exists() and not path.is_file()  # a pipe or a device may have any name
+        alternative_endings = (".htm",) if ".html" in target.endings else ()
+        if not is_device and path.suffix.lower() not in (*alternative_endings, *target.endings):
+            problem = f"expected a name that ends in {' or '.join(target.endings)}, found {shown(path.name)}"
+            shown_name = target.file if isinstance(target.file, Path) else shown(target.file)
+            remedy = f"write {shell_path(path.with_suffix(target.endings[0]))}"
+            raise OutputError(problem, f"{target.option} {shown_name}", remedy)
 
 
 def _check_place(file: str, option: str) -> None:
@@ -80,17 +88,3 @@ def _check_place(file: str, option: str) -> None:
         )
     if not path.parent.is_dir():
         raise OutputError(f"{path.parent} is not a folder", where, "choose another place")
-
-
-def _check_ending(target: Target, path: Path) -> None:
-    """Reject a name whose ending does not fit the contents; a pipe or a device may have any name."""
-    is_device = path.exists() and not path.is_file()
-    alternative_endings = (".htm",) if ".html" in target.endings else ()
-    if not is_device and path.suffix.lower() not in (*alternative_endings, *target.endings):
-        problem = f"expected a name that ends in {' or '.join(target.endings)}, found {shown(path.name)}"
-        shown_name = target.file if isinstance(target.file, Path) else shown(target.file)
-        raise OutputError(
-            problem,
-            f"{target.option} {shown_name}",
-            f"write {shell_path(path.with_suffix(target.endings[0]))}",
-        )

@@ -8,6 +8,7 @@ import re
 import subprocess
 import sys
 from collections.abc import Iterator
+from contextlib import suppress
 
 import click
 
@@ -62,7 +63,14 @@ def version_facts() -> Iterator[tuple[str, str]]:
             text = f"{library.width} poses at once{vectors}, {library.path}"
         yield f"compiled {name}", text
     compiler = build.compiler()
-    yield "C compiler", "none" if compiler is None else f"{' '.join(compiler)}{_version_of(compiler)}"
+    version_text = ""
+    if compiler is not None:
+        with suppress(OSError, subprocess.TimeoutExpired):
+            version_text = subprocess.run(
+                [*compiler, "--version"], capture_output=True, timeout=60, check=False, text=True
+            ).stdout
+    first_line = f", {version_text.splitlines()[0]}" if version_text else ""
+    yield "C compiler", "none" if compiler is None else f"{' '.join(compiler)}{first_line}"
     try:
         yield "compiled libraries are kept in", str(loader.cache_folder())
     except loader.NoLibraryError as error:
@@ -87,14 +95,3 @@ def _libraries() -> Iterator[tuple[str, str]]:
         f"{name} {version}" for name, version in extras.items() if version and name not in core
     ]
     yield "of the extras", ", ".join(installed_extras) or "none"
-
-
-def _version_of(compiler: tuple[str, ...]) -> str:
-    """Return the first line of a compiler's version text."""
-    try:
-        output = subprocess.run(
-            [*compiler, "--version"], capture_output=True, timeout=60, check=False, text=True
-        ).stdout
-    except (OSError, subprocess.TimeoutExpired):
-        return ""
-    return f", {output.splitlines()[0]}" if output else ""

@@ -68,16 +68,22 @@ def variables(
     - conditions: from `pkmodes.core.solve.fields.conditions_of`
     - tracked: whether modes are tracked
     """
-    shapes = SHAPES in conditions
-    field_variables = [
-        (field, _variable(field, mechanism, normal, shapes)) for field in map_fields(conditions)
-    ]
-    return (
-        *(variable for field, variable in field_variables if field.only != SHAPES),
-        *POSE_VARIABLES,
-        *(variable for field, variable in field_variables if field.only == SHAPES),
-        *(TRACKING_VARIABLES if tracked else ()),
-    )
+    of_all, of_shapes = list[DatasetVariable](), list[DatasetVariable]()
+    for field in map_fields(conditions):
+        comment = field.comment
+        if SHAPES in conditions and INDEPENDENT in field.dims:
+            comment = "NaN for coordinates that do not follow from the pose"
+        if mechanism.rotations and LINEAR in field.dims:
+            comment = f"{comment}; NaN for rotations"
+        text = field.text.format(
+            plane=" and ".join(name for name in mechanism.directions if name != normal),
+            normal=normal or "no other direction",
+            independent=mechanism.independent_are,
+            effort="force" if mechanism.drives[0].unit == "N" else "torque",
+        )
+        variable = DatasetVariable(field.variable, dims_of(field), field.units_of(mechanism), text, comment)
+        (of_shapes if field.only == SHAPES else of_all).append(variable)
+    return (*of_all, *POSE_VARIABLES, *of_shapes, *(TRACKING_VARIABLES if tracked else ()))
 
 
 def dims_of_poses(axis_count: int) -> tuple[str, ...]:
@@ -88,23 +94,3 @@ def dims_of_poses(axis_count: int) -> tuple[str, ...]:
 def dims_of(field: Field) -> tuple[str, ...]:
     """Return the axes of a field in a map, after those of the poses."""
     return tuple(MAP_AXES.get(dim, dim) for dim in field.dims)
-
-
-def _variable(field: Field, mechanism: Mechanism, normal: str | None, shapes: bool) -> DatasetVariable:
-    comment = field.comment
-    if shapes and INDEPENDENT in field.dims:
-        comment = "NaN for coordinates that do not follow from the pose"
-    if mechanism.rotations and LINEAR in field.dims:
-        comment = f"{comment}; NaN for rotations"
-    return DatasetVariable(
-        field.variable,
-        dims_of(field),
-        field.units_of(mechanism),
-        field.text.format(
-            plane=" and ".join(name for name in mechanism.directions if name != normal),
-            normal=normal or "no other direction",
-            independent=mechanism.independent_are,
-            effort="force" if mechanism.drives[0].unit == "N" else "torque",
-        ),
-        comment,
-    )

@@ -89,7 +89,17 @@ def track(
     their sign from there.
     """
     valid = arrays["code"][:] == 0
-    steps = _compare_neighbours(arrays["shape"], *_neighbours(shape, linked, valid), masses)
+    rows = np.arange(valid.size).reshape(shape)
+    firsts, seconds = [], []
+    for axis, is_linked in enumerate(linked):
+        aligned = np.moveaxis(rows, axis, 0)
+        following = aligned[1:]
+        preceding = aligned[:-1] if is_linked else aligned[:1]
+        firsts.append(np.broadcast_to(preceding, following.shape).ravel())
+        seconds.append(following.ravel())
+    first, second = np.concatenate(firsts), np.concatenate(seconds)
+    both_valid = valid[first] & valid[second]
+    steps = _compare_neighbours(arrays["shape"], first[both_valid], second[both_valid], masses)
     order, signs = _follow_modes(steps, valid, shape)
     # Events of a step belong to the tracked modes at both rows; a step that contradicts the numbering is uncertain.
     events = np.zeros_like(order)
@@ -101,24 +111,6 @@ def track(
         np.bitwise_or.at(events, (steps.first, first_number), event)
         np.bitwise_or.at(events, (steps.second, second_number), event)
     return Tracked(order, signs, events)
-
-
-def _neighbours(shape: tuple[int, ...], linked: tuple[bool, ...], valid: Array) -> tuple[Index, Index]:
-    """Return the rows of all pairs of valid neighbours."""
-    rows = np.arange(valid.size).reshape(shape)
-    pairs = []
-    for axis, is_linked in enumerate(linked):
-        aligned = np.moveaxis(rows, axis, 0)
-        following = aligned[1:]
-        pairs.append(
-            (
-                np.broadcast_to(aligned[:-1] if is_linked else aligned[:1], following.shape).ravel(),
-                following.ravel(),
-            )
-        )
-    first, second = (np.concatenate(part) for part in zip(*pairs, strict=True))
-    both_valid = valid[first] & valid[second]
-    return first[both_valid], second[both_valid]
 
 
 def _compare_neighbours(shapes: Array, first: Index, second: Index, masses: Masses) -> Steps:
@@ -145,7 +137,11 @@ def _compare_neighbours(shapes: Array, first: Index, second: Index, masses: Mass
         M = masses(first[chunk])
         product = phi @ M @ np.swapaxes(psi, 1, 2)
         mac = mass_weighted_mac(product, psi, M)
-        order = _pair_modes(mac)
+        # One to one, with the largest sum of MAC.
+        order: Index = mac.argmax(axis=2)
+        one_to_one = (np.sort(order, axis=1) == np.arange(modes)).all(axis=1)
+        for step in np.flatnonzero(~one_to_one):
+            order[step] = linear_sum_assignment(mac[step], maximize=True)[1]
         pair_mac = np.take_along_axis(mac, order[..., None], axis=2)[..., 0]
         negative = np.take_along_axis(product, order[..., None], axis=2)[..., 0] < 0.0
         steps.order[chunk] = order
@@ -153,16 +149,6 @@ def _compare_neighbours(shapes: Array, first: Index, second: Index, masses: Mass
         steps.quality[chunk] = pair_mac.min(axis=1)
         steps.events[chunk] = _step_events(mac, order, pair_mac)
     return steps
-
-
-def _pair_modes(mac: Array) -> Index:
-    """Return the one-to-one assignment with the largest sum of MAC, (steps, modes)."""
-    order: Index = mac.argmax(axis=2)
-    modes = mac.shape[1]
-    one_to_one = (np.sort(order, axis=1) == np.arange(modes)).all(axis=1)
-    for step in np.flatnonzero(~one_to_one):
-        order[step] = linear_sum_assignment(mac[step], maximize=True)[1]
-    return order
 
 
 def _step_events(mac: Array, order: Index, pair_mac: Array) -> Array:

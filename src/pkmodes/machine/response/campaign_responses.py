@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike, fspath
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -187,7 +186,15 @@ def _functions(
     for setup, paths in record.independent_setups.items():
         sensors, forces = campaign.sensors_in(setup), campaign.all_forces_in(setup)
         for path in paths:
-            f, values, rows, columns, roves = _read(path, record, setup, campaign)
+            if record.kind == FRF_KIND:
+                read = read_responses(path, record, setup, campaign).responses
+                f, values, rows, columns = read.frequencies, read.values, read.names, read.references
+                roves = read.is_roving
+            else:
+                modes = impact_modes(path, record, setup, campaign)
+                assert modes.fit is not None
+                f, values = modes.fit.estimate.frequencies, modes.fit.estimate.measured
+                rows, columns, roves = modes.fit.responses, modes.fit.references, bool(modes.forces)
             if roves:  # the places of the functions are those of the forces
                 values, rows, columns = values.transpose(0, 2, 1), columns, rows
             places = [sensors.get(name) for name in rows]
@@ -203,20 +210,6 @@ def _functions(
                 ]
                 for output, motion in _channels(measured, rotation):
                     yield output, excitation, f, motion
-
-
-def _read(
-    path: Path, record: Record, setup: str, campaign: Campaign
-) -> tuple[Array, Complex, tuple[str, ...], tuple[str, ...], bool]:
-    """Return the functions of a file: frequencies (F,), values (F, S, R), both names, and whether the force roved."""
-    if record.kind == FRF_KIND:
-        read = read_responses(path, record, setup, campaign).responses
-        return read.frequencies, read.values, read.names, read.references, read.is_roving
-    modes = impact_modes(path, record, setup, campaign)
-    assert modes.fit is not None
-    estimate = modes.fit.estimate
-    names = tuple(modes.fit.responses), tuple(modes.fit.references)
-    return estimate.frequencies, estimate.measured, *names, bool(modes.forces)
 
 
 def _channels(

@@ -61,22 +61,15 @@ class LinearisedRobot:
         self.kept, self.prescribed = np.eye(n), np.zeros((n, motors))
         if isinstance(system, MotorsHeld):
             self.kept, self.prescribed = system.kept_and_motor_motions()
-        self.eigenvalues, self.own_shapes = self._with_exact_rigid_modes()
-
-    def _with_exact_rigid_modes(self) -> tuple[Array, Array]:
-        """Return the modes, the rigid ones from an eigenproblem of their own.
-
-        Otherwise they have the rounding of the largest eigenvalue, which shows at low frequencies.
-        """
-        rigid, at = self.rigid, self._at
-        eigenvalues, shapes = at["eigenvalues"], at["shapes"]
-        if rigid:
-            eigenvalues, shapes = eigenvalues.copy(), shapes.copy()
-            R = shapes[:, :rigid]
-            M, K = (R @ matrix @ np.swapaxes(R, -1, -2) for matrix in (at[name] for name in MATRICES))
-            eigenvalues[:, :rigid], turned = generalised_eigh(M, K)
-            shapes[:, :rigid] = turned @ R
-        return eigenvalues, shapes
+        self.eigenvalues, self.own_shapes = self._at["eigenvalues"], self._at["shapes"]
+        if rigid := self.rigid:
+            # These are from an eigenproblem of their own: otherwise they have the rounding of the largest eigenvalue,
+            # which shows at low frequencies.
+            self.eigenvalues, self.own_shapes = self.eigenvalues.copy(), self.own_shapes.copy()
+            R = self.own_shapes[:, :rigid]
+            M, K = (R @ self._at[name] @ np.swapaxes(R, -1, -2) for name in MATRICES)
+            self.eigenvalues[:, :rigid], turned = generalised_eigh(M, K)
+            self.own_shapes[:, :rigid] = turned @ R
 
     @cached_property
     def matrices(self) -> tuple[Blocks, Blocks]:

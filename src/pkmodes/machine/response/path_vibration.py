@@ -129,31 +129,27 @@ class _Vibration:
             strain_free[:, [names.index(name) for name in linearised.system.coordinates]],
             linearised.motors @ strain_free,
         )
-        self.modes = shapes.shape[1]
-        self._drag = -shapes @ (viscous.solved @ solved_motion + viscous.prescribed @ motors)
-        self._set_state_matrices(linearised, step)
+        m = self.modes = shapes.shape[1]
+        drag = -shapes @ (viscous.solved @ solved_motion + viscous.prescribed @ motors)
+        # The states are modal displacements, modal velocities and the velocity of the command.
+        D, eigenvalues = linearised.damping.matrix.copy(), linearised.eigenvalues
+        limit = max(QUASI_STATIC_PHASE / step, QUASI_STATIC_FREQUENCY) ** 2
+        fast = eigenvalues > limit
+        D[fast[:, :, None] | fast[:, None, :]] = 0.0
+        size, i = 2 * m + drag.shape[-1], np.arange(m)
+        A = np.zeros((len(D), size, size))
+        A[:, i, m + i] = 1.0
+        A[:, m + i, i] = -np.minimum(eigenvalues, limit)
+        A[:, m : 2 * m, m : 2 * m] = -D
+        A[:, m + i, m + i] -= np.where(fast, 2.0 * np.sqrt(limit), 0.0)
+        A[:, m : 2 * m, 2 * m :] = drag
+        self._state_matrices = A
         self.kick = -(shapes @ (M.solved @ solved_motion + M.prescribed @ motors))[pose_index]
         self.platform = (linearised.platform @ linearised.kept @ np.swapaxes(shapes, -1, -2))[pose_index]
         behind, ahead = shapes[pose_index[:-1]], shapes[pose_index[1:]]
         inertia = M.solved[pose_index]
         self._displacement_transfer = ahead @ inertia[1:] @ np.swapaxes(behind, -1, -2)
         self._momentum_transfer = ahead @ inertia[:-1] @ np.swapaxes(behind, -1, -2)
-
-    def _set_state_matrices(self, linearised: LinearisedRobot, step: float) -> None:
-        """Set the matrices of the states: modal displacements, modal velocities and the velocity of the command."""
-        m, limit = self.modes, max(QUASI_STATIC_PHASE / step, QUASI_STATIC_FREQUENCY) ** 2
-        D, eigenvalues = linearised.damping.matrix.copy(), linearised.eigenvalues
-        fast = eigenvalues > limit
-        D[fast[:, :, None] | fast[:, None, :]] = 0.0
-        size = 2 * m + self._drag.shape[-1]
-        A = np.zeros((len(D), size, size))
-        i = np.arange(m)
-        A[:, i, m + i] = 1.0
-        A[:, m + i, i] = -np.minimum(eigenvalues, limit)
-        A[:, m : 2 * m, m : 2 * m] = -D
-        A[:, m + i, m + i] -= np.where(fast, 2.0 * np.sqrt(limit), 0.0)
-        A[:, m : 2 * m, 2 * m :] = self._drag
-        self._state_matrices = A
 
     def steps(self, duration: Array, velocity: Array) -> _Steps:
         """Return the steps between samples.

@@ -98,7 +98,14 @@ def poles(damping: ModalDamping) -> Complex:
     """Return the poles, (N, 2 m) [1/s]: ascending magnitude, of a pair the one with positive imaginary part first."""
     D = damping.matrix
     if np.count_nonzero(D) <= np.count_nonzero(np.diagonal(D, axis1=-2, axis2=-1)):  # it couples no modes
-        return _sorted(_of_single_modes(damping))
+        # The roots of s^2 + d s + lambda = 0 of each mode, without cancellation.
+        half = 0.5 * np.diagonal(D, axis1=-2, axis2=-1)
+        square = half**2 - damping.eigenvalues
+        root = np.sqrt(square.astype(complex))
+        first = -(half + root)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            of_real = np.where(first == 0.0, 0.0, damping.eigenvalues / first)
+        return _sorted(np.concatenate([first, np.where(square >= 0.0, of_real, root - half)], axis=1))
     values = np.linalg.eigvals(_first_order(damping)).astype(complex)
     for pose, parts in _apart(damping):
         values[pose] = np.concatenate([np.linalg.eigvals(_first_order(part))[0] for part in parts])
@@ -111,17 +118,6 @@ def ratios_of_poles(damping: ModalDamping) -> Array:
     for pose, parts in _apart(damping):
         ratios[pose] = np.concatenate([_ratios_of_poles(part)[0] for part in parts])
     return ratios
-
-
-def _of_single_modes(damping: ModalDamping) -> Complex:
-    """Return the roots of s^2 + d s + lambda = 0 of each mode, (N, 2 m), without cancellation."""
-    half = 0.5 * np.diagonal(damping.matrix, axis1=-2, axis2=-1)
-    square = half**2 - damping.eigenvalues
-    root = np.sqrt(square.astype(complex))
-    first = -(half + root)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        of_real = np.where(first == 0.0, 0.0, damping.eigenvalues / first)
-    return np.concatenate([first, np.where(square >= 0.0, of_real, root - half)], axis=1)
 
 
 def _apart(damping: ModalDamping) -> Iterator[tuple[int, list[ModalDamping]]]:

@@ -63,9 +63,12 @@ def strongest_resonance(
     damped = ratios > 0.0
     peaks = np.where(damped, f, f * (1.0 + BESIDE))
     width = np.maximum(WIDTHS * ratios, LEAST_WIDTH)
+    request, point = response.request, response.poses[response.one(index)]
+    linearised = LinearisedRobot(request.model, point[None], response.drives, AUTO)
+    places = np.stack([peaks, f * (1.0 - width), f * (1.0 + width)])
     sizes, below, above = (
-        np.abs(_responses_at(response, places, index))
-        for places in (peaks, f * (1.0 - width), f * (1.0 + width))
+        np.abs(responses(linearised, request.inputs, request.outputs, omega, response.quantity)[0])
+        for omega in 2.0 * np.pi * np.maximum(places, 0.0)
     )
     strongest: Resonance | None = None
     for o, output in enumerate(response.outputs):
@@ -89,13 +92,3 @@ def resonance_of(response: FrequencyResponse, drawn: DrawnChannels) -> Resonance
     names = [name for name in drawn.model if name in measured] or list(drawn.model)
     unit_of_first = drawn.units[names[0]]
     return strongest_resonance(response, [name for name in names if drawn.units[name] == unit_of_first])
-
-
-def _responses_at(response: FrequencyResponse, frequencies: Array, index: Index) -> NDArray[np.complex128]:
-    """Return the channels of a response at other frequencies [Hz], (F, outputs, inputs)."""
-    request = response.request
-    points = response.poses[response.one(index)][None]
-    linearised = LinearisedRobot(request.model, points, response.drives, AUTO)
-    omega = 2.0 * np.pi * np.maximum(frequencies, 0.0)
-    values = responses(linearised, request.inputs, request.outputs, omega, response.quantity)
-    return np.asarray(values[0], dtype=complex)

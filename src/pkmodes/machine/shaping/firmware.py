@@ -167,7 +167,17 @@ def change(
         return None  # its shaper is for all axes
     if named(kind, zeta):
         return f'M593 P"{REPRAPFIRMWARE[kind]}" F{f:.2f} S{zeta:.4f}'
-    return _impulses(shaper, whole=version == "reprapfirmware")
+    times = np.diff(shaper.delays)
+    if len(shaper.delays) > IMPULSES or (times < APART).any():
+        return None
+    # The impulses, or in older versions their partial sums and the times between them.
+    amplitudes, delays = (
+        (shaper.amplitudes, shaper.delays[1:])
+        if version == "reprapfirmware"
+        else (np.cumsum(shaper.amplitudes), times)
+    )
+    heights = ":".join(f"{a:.4f}" for a in amplitudes[:-1])
+    return f'M593 P"custom" H{heights} T{":".join(f"{t:.5f}" for t in delays)}'
 
 
 def ratio_in_use(version: str, kind: str, zeta: float) -> float:
@@ -218,15 +228,3 @@ def _marlin(kind: str, f: float, zeta: float, axes: str, *, by_axis: bool) -> st
     words += [f"{letter}{ratio}" for _, letter, _ in letters] if damped else []
     words += [f"{letter}{tolerance}" for _, _, letter in letters] if kind in TOLERANT else []
     return " ".join(words)
-
-
-def _impulses(shaper: Shaper, *, whole: bool) -> str | None:
-    """Return the command of RepRapFirmware with the impulses, or their partial sums and the times between them."""
-    times = np.diff(shaper.delays)
-    if len(shaper.delays) > IMPULSES or (times < APART).any():
-        return None
-    amplitudes, delays = (
-        (shaper.amplitudes, shaper.delays[1:]) if whole else (np.cumsum(shaper.amplitudes), times)
-    )
-    heights = ":".join(f"{a:.4f}" for a in amplitudes[:-1])
-    return f'M593 P"custom" H{heights} T{":".join(f"{t:.5f}" for t in delays)}'

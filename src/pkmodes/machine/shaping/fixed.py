@@ -46,7 +46,12 @@ def best_fixed(
     names, zeta = factor_names(kind), at.mean_ratio if zeta is None else zeta
     k, alike = len(names), len(set(names)) == 1
     version = None if k > 1 else version
-    chosen = _chosen(at.unshaped, MOST // at.frequencies.shape[1])
+    chosen, most = np.arange(len(at.unshaped)), MOST // at.frequencies.shape[1]
+    if len(chosen) > most:  # poses that the search considers: those that ring most, and some of the others
+        order = np.argsort(-at.unshaped)
+        strongest, rest = order[: most // 2], order[most // 2 :]
+        even = rest[np.linspace(0, len(rest) - 1, most - len(strongest)).astype(int)]
+        chosen = np.concatenate([strongest, even])
     modes, weights = (at.frequencies[chosen], at.damping_ratios[chosen]), at.weights[chosen]
 
     def worst(log_frequencies: Array) -> float:
@@ -78,16 +83,6 @@ def _fixed(kind: str, frequencies: Array, zeta: float, version: str | None) -> S
     if version is not None:
         return as_made(version, kind, float(frequencies[0]), zeta)
     return shaper(kind, frequencies if len(frequencies) > 1 else frequencies[0], zeta)
-
-
-def _chosen(unshaped: Array, count: int) -> NDArray[np.intp]:
-    """Return the poses that the search considers, at most `count`."""
-    if len(unshaped) <= count:
-        return np.arange(len(unshaped))
-    order = np.argsort(-unshaped)
-    strongest, rest = order[: count // 2], order[count // 2 :]
-    even = rest[np.linspace(0, len(rest) - 1, count - len(strongest)).astype(int)]
-    return np.concatenate([strongest, even])
 
 
 def _best_combinations(tables: list[Array], weights: Array, *, alike: bool) -> list[tuple[int, ...]]:

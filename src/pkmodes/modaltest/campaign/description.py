@@ -29,6 +29,14 @@ MAX_FILE_SIZE = 1_000_000
 UNKNOWN_KEY = re.compile(r"Object contains unknown field `(.*)`")
 MISSING_KEY = re.compile(r"Object missing required field `(.*)`")
 VALUE_TYPES = re.compile(r"`([a-z]+(?: \| [a-z]+)*)`")
+#: Its names of value types in plain words.
+PLAIN_TYPES = {
+    "str": "text",
+    "int": "an integer",
+    "float": "a number",
+    "array": "a list",
+    "object": "a table",
+}
 #: Values allowed for keys with few possible values.
 CHOICES = {"format": "1", "drives": '"free" or "held"', "signs": '"file"'}
 ERROR_PATH = re.compile(r"(.*) - at `\$(.*)`")
@@ -174,16 +182,15 @@ def campaign_tables(document: dict[str, Any], source: str) -> CampaignTable:
     key = path.rpartition(".")[2]
     if problem.startswith("Invalid enum value") and key in CHOICES:
         problem = f"expected {CHOICES[key]}, found {problem.removeprefix('Invalid enum value ')}"
-    problem = VALUE_TYPES.sub(lambda kinds: " or ".join(_plain_words(kinds[1])), problem)
+    problem = VALUE_TYPES.sub(
+        lambda types: " or ".join(
+            dict.fromkeys(PLAIN_TYPES.get(name, name) for name in types[1].split(" | ") if name != "null")
+        ),
+        problem,
+    )
     problem = problem.replace(", got ", ", found ").replace("`", '"').replace(" | ", " or ")
     remedy = "see docs/reference/campaign-file.md"
     raise MeasurementError(f"{problem[0].lower()}{problem[1:]}", where, remedy)
-
-
-def _plain_words(kinds: str) -> list[str]:
-    """Return msgspec's names of value types in plain words."""
-    words = {"str": "text", "int": "an integer", "float": "a number", "array": "a list", "object": "a table"}
-    return list(dict.fromkeys(words.get(kind, kind) for kind in kinds.split(" | ") if kind != "null"))
 
 
 def _refuse(what: str, where: str, remedy: str) -> NoReturn:

@@ -37,7 +37,16 @@ def join_setups(
     joined, moved_ranges = list[ModeEstimate](), list[tuple[float, float]]()
     for group in group_by_mode(list(setups.values())):
         members = [group[i] for i in sorted(group)]
-        frequency_range = _frequency_range(members, repeatability)
+        ordered = sorted(members, key=lambda mode: mode.frequency)
+        ends = ordered[0], ordered[-1]
+        low, high = (mode.frequency for mode in ends)
+        errors = [
+            (np.nan_to_num(mode.scatter) ** 2 + repeatability**2) * mode.frequency**2
+            + mode.sigma_frequency**2
+            for mode in ends
+        ]
+        # None if their errors explain the difference.
+        frequency_range = (low, high) if high - low > DIFFERENCE_SIGMAS * np.sqrt(sum(errors)) else None
         mode, unlinked = _join_mode(members, frequency_range)
         joined.append(mode)
         moved_ranges += [frequency_range] if frequency_range else []
@@ -54,18 +63,6 @@ def join_setups(
             f"warms up or settles, in the modes at {ranges} Hz: each is one row, with half the difference in sigma"
         )
     return joined
-
-
-def _frequency_range(members: Sequence[ModeEstimate], repeatability: float) -> tuple[float, float] | None:
-    """Return the lowest and the highest frequency of a mode [Hz], None if their errors explain the difference."""
-    ordered = sorted(members, key=lambda mode: mode.frequency)
-    low, high = ordered[0], ordered[-1]
-    errors = [
-        (np.nan_to_num(mode.scatter) ** 2 + repeatability**2) * mode.frequency**2 + mode.sigma_frequency**2
-        for mode in (low, high)
-    ]
-    differ = high.frequency - low.frequency > DIFFERENCE_SIGMAS * np.sqrt(sum(errors))
-    return (low.frequency, high.frequency) if differ else None
 
 
 def _join_mode(

@@ -49,7 +49,21 @@ def shifts_between_files(groups: Sequence[Mapping[int, ModeEstimate]]) -> list[L
     usable = [fit for fit in fits if fit is not None]
     freedom = sum(fit.freedom for fit in usable)
     pooled = sum(fit.squares for fit in usable) / max(freedom, 1)
-    return [None if fit is None else _shift(fit, pooled, freedom) for fit in fits]
+    shifts: list[LevelShift | None] = []
+    for fit in fits:
+        if fit is None:
+            shifts.append(None)
+            continue
+        high, low = math.exp(fit.fitted[fit.level.argmax()]), math.exp(fit.fitted[fit.level.argmin()])
+        prior_dof = min(PRIOR_DOF, freedom) if freedom > fit.freedom else 0.0
+        variance = (prior_dof * pooled + fit.squares) / (prior_dof + fit.freedom)
+        t = math.sqrt(
+            float(((fit.fitted - fit.fitted.mean()) ** 2).sum()) / max(variance, fit.fit_variance, 1e-300)
+        )
+        shift = LevelShift(high, low, math.exp(float(np.ptp(fit.level))))
+        significant = 2.0 * student.sf(t, prior_dof + fit.freedom) < FALSE_ALARM
+        shifts.append(shift if significant and shift.spread > MIN_CHANGE * low else None)
+    return shifts
 
 
 def _regression(modes: Sequence[ModeEstimate]) -> _Regression | None:
@@ -63,18 +77,6 @@ def _regression(modes: Sequence[ModeEstimate]) -> _Regression | None:
     fitted = constant + slope * (level - level.mean())
     fit_variance = float(np.mean([(mode.sigma_frequency / mode.frequency) ** 2 for mode in modes]))
     return _Regression(level, fitted, float(((f - fitted) ** 2).sum()), fit_variance)
-
-
-def _shift(fit: _Regression, pooled: float, freedom: int) -> LevelShift | None:
-    high, low = math.exp(fit.fitted[fit.level.argmax()]), math.exp(fit.fitted[fit.level.argmin()])
-    prior_dof = min(PRIOR_DOF, freedom) if freedom > fit.freedom else 0.0
-    variance = (prior_dof * pooled + fit.squares) / (prior_dof + fit.freedom)
-    t = math.sqrt(
-        float(((fit.fitted - fit.fitted.mean()) ** 2).sum()) / max(variance, fit.fit_variance, 1e-300)
-    )
-    shift = LevelShift(high, low, math.exp(float(np.ptp(fit.level))))
-    significant = 2.0 * student.sf(t, prior_dof + fit.freedom) < FALSE_ALARM
-    return shift if significant and shift.spread > MIN_CHANGE * low else None
 
 
 def largest_shift(shifts: Sequence[LevelShift | None]) -> LevelShift | None:

@@ -43,7 +43,10 @@ def find_silent_sensors(
         if rest.stop - rest.start == time.size:
             faulty.add(i)
             messages += dead_channel_messages([name], source)
-        elif any(_keeps_running(signal.values.real, rest) for signal in running):
+        elif any(
+            np.std((values := signal.values.real)[rest]) >= MIN_RUNNING_SHARE * np.std(values)
+            for signal in running
+        ):
             faulty.add(i)
             first, last = time[rest.start], time[rest.stop - 1]
             messages.append(
@@ -51,7 +54,3 @@ def find_silent_sensors(
                 "gives no shape component of it"
             )
     return faulty, messages
-
-
-def _keeps_running(values: Array, rest: slice) -> bool:
-    return bool(np.std(values[rest]) >= MIN_RUNNING_SHARE * np.std(values))

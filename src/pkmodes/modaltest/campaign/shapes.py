@@ -68,7 +68,13 @@ def combine_sensors(
     }
     if not platform_channels:
         return ChannelShape(values)
-    well_determined, growth = _well_determined(values, gains, shape, sigma)
+    largest_reading, well_determined = _largest_component(shape), values
+    error, size = sigma * largest_reading, _largest_component(values)
+    # Components whose errors are as large as the largest of them are left out, the least certain first.
+    while well_determined and error * (worst := max(gains[name] for name in well_determined)) >= size > 0.0:
+        well_determined = {name: value for name, value in well_determined.items() if gains[name] < worst}
+        size = _largest_component(well_determined)
+    growth = max(gains[name] for name in well_determined) * largest_reading / size if size > 0.0 else 1.0
     undetermined = tuple(name for name in order if name in platform_channels - values.keys())
     return ChannelShape(
         well_determined, growth, undetermined, tuple(name for name in values if name not in well_determined)
@@ -107,19 +113,6 @@ def _solve(
     return {channels[i]: complex(solution[i]) for i in determined}, {
         channels[i]: float(gains[i]) for i in determined
     }
-
-
-def _well_determined(
-    values: dict[str, complex], gains: Mapping[str, float], shape: Mapping[str, complex], sigma: float
-) -> tuple[dict[str, complex], float]:
-    """Return the components with errors below the largest of them, and the growth of their errors."""
-    error, size = sigma * _largest_component(shape), _largest_component(values)
-    while values and error * (worst := max(gains[name] for name in values)) >= size > 0.0:
-        values = {name: value for name, value in values.items() if gains[name] < worst}
-        size = _largest_component(values)
-    return values, max(gains[name] for name in values) * _largest_component(
-        shape
-    ) / size if size > 0.0 else 1.0
 
 
 def _largest_component(shape: Mapping[str, complex]) -> float:

@@ -69,7 +69,14 @@ def pole_clusters(by_order: Sequence[OrderPoles], low: float, high: float) -> li
     order_indices = np.repeat(np.arange(len(by_order)), [int(mask.sum()) for mask in usable])
     if not len(poles):
         return []
-    labels = _labels(poles, shapes, participations)
+    labels = np.ones(1, np.int32)
+    if len(poles) > 1:
+        half_widths = np.abs(poles.real)
+        relative_distance = np.abs(poles[:, None] - poles) / (half_widths[:, None] + half_widths)
+        distance = relative_distance + 1.0 - _mac_matrix(shapes) * _mac_matrix(participations)
+        np.fill_diagonal(distance, 0.0)
+        tree = linkage(squareform(0.5 * (distance + distance.T), checks=False), "average")
+        labels = np.asarray(fcluster(tree, MAX_CLUSTER_DISTANCE, "distance"), dtype=np.int32)
     clusters = []
     for label in range(1, int(labels.max()) + 1):
         members = np.flatnonzero(labels == label)
@@ -92,17 +99,6 @@ def usable_poles(poles: Complex, low: float, high: float) -> NDArray[np.bool_]:
 def count_orders(by_order: Sequence[OrderPoles], pole: complex) -> int:
     """Return the number of orders that have a pole within the half bandwidth of a mode."""
     return sum(bool((np.abs(model.poles - pole) < abs(pole.real)).any()) for model in by_order)
-
-
-def _labels(poles: Complex, shapes: Complex, participations: Complex) -> NDArray[np.int32]:
-    if len(poles) == 1:
-        return np.ones(1, np.int32)
-    half_widths = np.abs(poles.real)
-    relative_distance = np.abs(poles[:, None] - poles) / (half_widths[:, None] + half_widths)
-    distance = relative_distance + 1.0 - _mac_matrix(shapes) * _mac_matrix(participations)
-    np.fill_diagonal(distance, 0.0)
-    tree = linkage(squareform(0.5 * (distance + distance.T), checks=False), "average")
-    return np.asarray(fcluster(tree, MAX_CLUSTER_DISTANCE, "distance"), dtype=np.int32)
 
 
 def _mac_matrix(vectors: Complex) -> Array:

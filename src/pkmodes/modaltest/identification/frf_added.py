@@ -139,9 +139,22 @@ def _add_requested_mode(
 
 
 def _trial_fits(data: FrequencyLines, base: IdentifiedModes, target: float) -> Iterator[IdentifiedModes]:
-    """Yield the modes with one fitted near a frequency, the nearest first."""
+    """Yield the modes with one fitted near a frequency, the nearest first.
+
+    Fits start at the frequency, and where the residual stands out near it.
+    """
+    starts = [
+        2.0 * math.pi * target * complex(-ratio, math.sqrt(1.0 - ratio**2)) for ratio in STARTING_DAMPINGS
+    ]
+    is_near = np.abs(data.frequencies / target - 1.0) <= 2.0 * MAX_SHIFT
+    line_range = slice(*np.flatnonzero(is_near)[[0, -1]]) if is_near.any() else slice(0, 0)
+    if len(data.frequencies[line_range]) >= 3:
+        hidden_poles = find_hidden_poles(data, base.response(data.frequencies), _threshold(data, target))
+        starts += [
+            pole for pole in hidden_poles.tolist() if near_request(abs(pole) / (2.0 * math.pi), target)
+        ]
     trials: list[IdentifiedModes] = []
-    for pole in _starting_poles(data, base, target):
+    for pole in starts:
         trial = _add_fitted_mode(data, base, pole)
         new = trial.poles[-1]
         valid = _is_plausible(new) and near_request(float(trial.frequencies[-1]), target)
@@ -150,19 +163,6 @@ def _trial_fits(data: FrequencyLines, base: IdentifiedModes, target: float) -> I
         ):
             trials.append(trial)
     yield from sorted(trials, key=lambda trial: abs(abs(trial.poles[-1]) - 2.0 * math.pi * target))
-
-
-def _starting_poles(data: FrequencyLines, base: IdentifiedModes, target: float) -> list[complex]:
-    """Return starting poles of a fit: at the frequency, and where the residual stands out near it."""
-    starts = [
-        2.0 * math.pi * target * complex(-ratio, math.sqrt(1.0 - ratio**2)) for ratio in STARTING_DAMPINGS
-    ]
-    is_near = np.abs(data.frequencies / target - 1.0) <= 2.0 * MAX_SHIFT
-    line_range = slice(*np.flatnonzero(is_near)[[0, -1]]) if is_near.any() else slice(0, 0)
-    if len(data.frequencies[line_range]) < 3:
-        return starts
-    hidden_poles = find_hidden_poles(data, base.response(data.frequencies), _threshold(data, target)).tolist()
-    return starts + [pole for pole in hidden_poles if near_request(abs(pole) / (2.0 * math.pi), target)]
 
 
 def _add_fitted_mode(data: FrequencyLines, base: IdentifiedModes, pole: complex) -> IdentifiedModes:

@@ -89,11 +89,15 @@ def impact_estimate(
     impulse = variance = 0.0
     for i, start in enumerate(starts):
         piece = pulses[start : start + length]
-        contact = _contact_mask(piece, step)
-        if _is_double_hit(piece, step):
+        sigma = 1.4826 * float(np.median(np.abs(piece[len(piece) // 2 :])))  # of the noise of the force
+        strong = np.abs(piece) > max(0.01 * piece.max(), NOISE_SIGMAS * sigma)
+        width = max(round(0.3 * MAX_CONTACT_GAP / step), 2)
+        contact = np.convolve(strong, np.ones(2 * width + 1), "same") > 0.5  # with the flanks of the pulse
+        peak_samples = np.flatnonzero(piece > max(MAX_SECOND_PULSE * piece.max(), NOISE_SIGMAS * sigma))
+        if (np.diff(peak_samples) > max(round(MAX_CONTACT_GAP / step), 2)).any():  # the force comes back
             messages.append(f"blow {i + 1} at {plain(start * step, 3)} s is a double hit")
         impulse += float(piece[contact].sum())
-        variance += _noise_sigma(piece) ** 2 * float(contact.sum())
+        variance += sigma**2 * float(contact.sum())
         X[i] = np.fft.rfft(sign * np.where(contact, piece, 0.0))
         window_gain = np.exp(start * step / exponential) if exponential else 1.0
         Y[i] = np.fft.rfft(responses[start : start + length], axis=0) * window_gain
@@ -154,23 +158,3 @@ def _blow_starts(pulses: Array, step: float, hits: int) -> list[int]:
         quiet = np.flatnonzero(pulses[:peak] < 0.02 * pulses[peak])
         starts.append(max((int(quiet[-1]) if quiet.size else 0) - LEAD_SAMPLES, 0))
     return starts
-
-
-def _noise_sigma(piece: Array) -> float:
-    """Return the standard deviation of the force's noise, from its second half."""
-    return 1.4826 * float(np.median(np.abs(piece[len(piece) // 2 :])))
-
-
-def _contact_mask(piece: Array, step: float) -> NDArray[np.bool_]:
-    """Return where the force is more than noise, with its flanks."""
-    strong = np.abs(piece) > max(0.01 * piece.max(), NOISE_SIGMAS * _noise_sigma(piece))
-    width = max(round(0.3 * MAX_CONTACT_GAP / step), 2)
-    return np.asarray(np.convolve(strong, np.ones(2 * width + 1), "same") > 0.5)
-
-
-def _is_double_hit(piece: Array, step: float) -> bool:
-    """Return whether the force comes back after the contact."""
-    strong_samples = np.flatnonzero(
-        piece > max(MAX_SECOND_PULSE * piece.max(), NOISE_SIGMAS * _noise_sigma(piece))
-    )
-    return bool((np.diff(strong_samples) > max(round(MAX_CONTACT_GAP / step), 2)).any())

@@ -199,8 +199,16 @@ def _relative_remainder(remainder: Complex, reference: Complex, s: Complex, pole
 
 
 def _spurious_on_skirts(data: FrequencyLines, modes: IdentifiedModes) -> NDArray[np.bool_]:
-    """Return weak modes that are not much larger than the error of the strong ones at most peaks."""
-    size = _relative_sizes(data, modes)
+    """Return weak modes that are not much larger than the error of the strong ones at most peaks.
+
+    The size of a mode is that at the line nearest to it, relative to that of all others there.
+    """
+    measured, centres = data.measured, modes.poles.imag / (2.0 * math.pi)
+    nearest = np.abs(data.frequencies - centres[:, None]).argmin(axis=1)
+    s = 2j * math.pi * data.frequencies[nearest]
+    own_response = modes.residues[:, measured] / (s - modes.poles)[:, None]
+    other_sizes = np.linalg.norm(data.H[nearest][:, measured] - own_response, axis=1)
+    size = np.linalg.norm(own_response, axis=1) / np.maximum(other_sizes, 1e-300)
     strong = size >= STRONG_SHARE
     if strong.all() or strong.sum() < MIN_PEAKS:
         return np.zeros(len(size), bool)
@@ -210,16 +218,6 @@ def _spurious_on_skirts(data: FrequencyLines, modes: IdentifiedModes) -> NDArray
     # The lower median, which at least half of the peaks reach; 0 if too few are known.
     median = float(errors[(len(errors) - 1) // 2]) if len(errors) >= MIN_PEAKS else 0.0
     return np.asarray(~strong & (size < SPURIOUS_RATIO * median))
-
-
-def _relative_sizes(data: FrequencyLines, modes: IdentifiedModes) -> Array:
-    """Return the size of each mode at the line nearest to it, relative to that of all others there, (N,)."""
-    measured, centres = data.measured, modes.poles.imag / (2.0 * math.pi)
-    nearest = np.abs(data.frequencies - centres[:, None]).argmin(axis=1)
-    s = 2j * math.pi * data.frequencies[nearest]
-    own_response = modes.residues[:, measured] / (s - modes.poles)[:, None]
-    other_sizes = np.linalg.norm(data.H[nearest][:, measured] - own_response, axis=1)
-    return np.asarray(np.linalg.norm(own_response, axis=1) / np.maximum(other_sizes, 1e-300))
 
 
 def peak_errors(data: FrequencyLines, modes: IdentifiedModes) -> Array:

@@ -63,7 +63,10 @@ def group_overlapping(poles: Complex) -> list[NDArray[np.int64]]:
     order = np.argsort(poles.imag)
     grouped: list[list[int]] = []
     for i in order:
-        if grouped and any(_overlap(poles[i], poles[k]) for k in grouped[-1]):
+        if grouped and any(
+            abs(poles[i].imag - poles[k].imag) < OVERLAP * (abs(poles[i].real) + abs(poles[k].real))
+            for k in grouped[-1]
+        ):
             grouped[-1].append(int(i))
         else:
             grouped.append([int(i)])
@@ -85,10 +88,6 @@ def lines_around(frequencies: Array, poles: Complex) -> NDArray[np.int64]:
         first = max(int(line_indices[0]) - missing, 0)
         line_indices = np.arange(first, min(first + 2 * MIN_SIDE_LINES, len(frequencies)))
     return line_indices[:: max(1, len(line_indices) // MAX_WINDOW_LINES)]
-
-
-def _overlap(first: complex, second: complex) -> bool:
-    return abs(first.imag - second.imag) < OVERLAP * (abs(first.real) + abs(second.real))
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,12 +114,14 @@ def refine(
     for _ in range(MAX_SWEEPS):
         previous = modes
         fits, modes = _sweep(data, modes)
-        dropped = _invalid_fits(modes, fits, low, high)
+        # Fits that failed, or left the range of frequency or damping of a mode.
+        frequency, damping = modes.frequencies, -modes.poles.real / np.abs(modes.poles)
+        dropped = (frequency < low) | (frequency > high) | (damping <= 0.0) | (damping > HIGHEST_DAMPING)
+        for fitted in fits:
+            dropped[fitted.members] |= not np.isfinite(fitted.fit.cost)
         if not dropped.any():
             bounds = _uncertainties(data, modes, fits)
-            dropped = _weakest_mask(modes, bounds.strength, fits, threshold) | _weaker_copies(
-                modes, bounds.strength, fits
-            )
+            dropped = _redundant_mask(modes, bounds.strength, fits, threshold)
             has_settled = bool(
                 (np.abs(modes.poles - previous.poles) < SETTLED_CHANGE * np.abs(modes.poles.real)).all()
             )
@@ -254,47 +255,29 @@ def _uncertainties(data: FrequencyLines, modes: IdentifiedModes, fits: list[Grou
     for fitted in fits:
         channels = channel_covariance(fitted.window, fitted.fit, fitted.grid_index, correlation)
         if data.has_absolute_variance:
-            channels = _raise_variances(
-                channels, np.nan_to_num(data.variance[fitted.lines].mean(axis=0)).ravel()
-            )
+            # Variances are raised to at least those of the lines; correlations are kept.
+            variance = np.nan_to_num(data.variance[fitted.lines].mean(axis=0)).ravel()
+            own_variance = channels.diagonal().real
+            factor = np.sqrt(np.maximum(variance / np.maximum(own_variance, 1e-300), 1.0))
+            factor = np.where(own_variance > 0.0, factor, 1.0)
+            channels = channels * np.outer(factor, factor)
         bounds = uncertainty(fitted.window, fitted.fit, channels, fitted.grid_index, correlation)
         poles[fitted.members], shapes[fitted.members] = bounds.poles, bounds.shapes
         strength[fitted.members] = bounds.strength
     return Uncertainty(poles, shapes, strength)
 
 
-def _raise_variances(covariance: Complex, variance: Array) -> Complex:
-    """Return a covariance with variances raised to at least those given, keeping its correlations."""
-    own_variance = covariance.diagonal().real
-    factor = np.sqrt(np.maximum(variance / np.maximum(own_variance, 1e-300), 1.0))
-    factor = np.where(own_variance > 0.0, factor, 1.0)
-    return np.asarray(covariance * np.outer(factor, factor))
-
-
-def _invalid_fits(modes: IdentifiedModes, fits: list[GroupFit], low: float, high: float) -> NDArray[np.bool_]:
-    """Return which fits failed or left the range of frequency or damping of a mode."""
-    frequency = modes.frequencies
-    damping = -modes.poles.real / np.abs(modes.poles)
-    invalid = (frequency < low) | (frequency > high) | (damping <= 0.0) | (damping > HIGHEST_DAMPING)
-    for fitted in fits:
-        invalid[fitted.members] |= not np.isfinite(fitted.fit.cost)
-    return invalid
-
-
-def _weakest_mask(
+def _redundant_mask(
     modes: IdentifiedModes, strength: Array, fits: list[GroupFit], threshold: float
 ) -> NDArray[np.bool_]:
-    """Return the weakest mode of each group if it is not significant: without it, its neighbours become stronger."""
+    """Return the weaker ones of copies, and the weakest mode of each group if it is not significant.
+
+    Without that one, its neighbours become stronger.
+    """
     drop = np.zeros(len(modes.poles), bool)
     for fitted in fits:
         weakest = fitted.members[np.argmin(strength[fitted.members])]
         drop[weakest] = strength[weakest] < threshold
-    return drop
-
-
-def _weaker_copies(modes: IdentifiedModes, strength: Array, fits: list[GroupFit]) -> NDArray[np.bool_]:
-    drop = np.zeros(len(modes.poles), bool)
-    for fitted in fits:
         for a, i in enumerate(fitted.members):
             for k in fitted.members[:a]:
                 if are_copies(modes, i, k):

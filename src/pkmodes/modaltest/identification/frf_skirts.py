@@ -68,12 +68,24 @@ def find_tone_lines(data: FrequencyLines, modes: IdentifiedModes) -> list[ToneLi
         return lines
     # Modes that may have been fitted to one tone are taken together.
     for cluster in np.split(narrow, np.flatnonzero(np.diff(positions[narrow]) > MAX_CLUSTER_GAP) + 1):
-        surroundings, pole = _fit_single_pole(data, modes, cluster, step)
-        if len(surroundings[0]) < MIN_LINES:  # all lines around it are left out already
+        centre = float(modes.poles[cluster].imag.mean()) / (2.0 * math.pi)
+        is_near = np.abs(data.frequencies - centre) < SIDE_LINES * step
+        f, H = data.frequencies[is_near], subtract_other_modes(data, modes, cluster, is_near)
+        if len(f) < MIN_LINES:  # all lines around it are left out already
             lines.append(ToneLine(float(modes.frequencies[cluster[0]]), significant=False))
-        elif pole is not None and not _is_resonance(*surroundings, pole, step):
+            continue
+        pole = complex(modes.poles[cluster[0]])
+        if len(cluster) > 1:  # one pole that fits them all
+            variance = np.where(np.isfinite(H).all(axis=0), (np.abs(H) ** 2).mean(axis=0), np.inf)
+            window = make_window(f, H, 1.0 / variance, np.ones(len(f)))
+            strongest = cluster[np.argmax(np.linalg.norm(modes.residues[cluster], axis=(1, 2)))]
+            fit = polish(window, modes.poles[[strongest]], modes.participation[[strongest]])
+            if not np.isfinite(fit.cost):
+                continue
+            pole = complex(fit.poles[0])
+        if not _is_resonance(f, H, pole, step):
             frequency = pole.imag / (2.0 * math.pi)
-            lines.append(ToneLine(frequency, _exceeds_noise(*surroundings, frequency, step)))
+            lines.append(ToneLine(frequency, _exceeds_noise(f, H, frequency, step)))
     return lines
 
 
@@ -86,23 +98,6 @@ def distinct_tones(lines: Sequence[ToneLine], step: float) -> tuple[float, ...]:
         ):
             frequencies.append(line.frequency)
     return tuple(sorted(frequencies))
-
-
-def _fit_single_pole(
-    data: FrequencyLines, modes: IdentifiedModes, cluster: NDArray[np.int64], step: float
-) -> tuple[tuple[Array, Complex], complex | None]:
-    """Return the lines around a cluster without the other modes, and the one pole that fits them best."""
-    centre = float(modes.poles[cluster].imag.mean()) / (2.0 * math.pi)
-    is_near = np.abs(data.frequencies - centre) < SIDE_LINES * step
-    f = data.frequencies[is_near]
-    H = subtract_other_modes(data, modes, cluster, is_near)
-    if len(cluster) == 1 or len(f) < MIN_LINES:
-        return (f, H), complex(modes.poles[cluster[0]])
-    variance = np.where(np.isfinite(H).all(axis=0), (np.abs(H) ** 2).mean(axis=0), np.inf)
-    window = make_window(f, H, 1.0 / variance, np.ones(len(f)))
-    strongest = cluster[np.argmax(np.linalg.norm(modes.residues[cluster], axis=(1, 2)))]
-    fit = polish(window, modes.poles[[strongest]], modes.participation[[strongest]])
-    return (f, H), complex(fit.poles[0]) if np.isfinite(fit.cost) else None
 
 
 def _is_resonance(f: Array, H: Complex, pole: complex, step: float) -> bool:

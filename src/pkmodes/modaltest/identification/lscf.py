@@ -56,24 +56,19 @@ def lscf(frequencies: Array, H: Complex, weights: Array, orders: Sequence[int]) 
     ----------
     Peeters et al. 2004.
     """
-    S, R = H.shape[1:]
+    F, S, R = H.shape
     low, high = float(frequencies[0]), float(frequencies[-1])
     step = COVERED_SHARE / (high - low)
     max_order = max(orders)
-    sums = _power_sums(frequencies - low, step, H, weights, max_order)
-    return [_poles_of_order(sums, n, S, R, step, low) for n in orders]
-
-
-def _power_sums(shifted: Array, step: float, H: Complex, weights: Array, max_order: int) -> Complex:
-    """Return the sums over the lines of w^2 z^k (1, H_r, conj(H_q) H_r), (2 n + 1, S, 1 + R + R R), k from -n."""
-    F, S, R = H.shape
-    z = np.exp(2j * math.pi * step * shifted)
+    z = np.exp(2j * math.pi * step * (frequencies - low))
     positive_powers = z[:, None] ** np.arange(max_order + 1)
     powers = np.concatenate([positive_powers[:, :0:-1].conj(), positive_powers], axis=1)
     squares = weights[:, :, None] ** 2
     products = (H[..., :, None].conj() * H[..., None, :]).reshape(F, S, R * R)
     data = np.concatenate([squares, squares * H, squares * products], axis=2)
-    return np.asarray((powers.T @ data.reshape(F, -1)).reshape(2 * max_order + 1, S, -1))
+    # The sums over the lines of w^2 z^k (1, H_r, conj(H_q) H_r), (2 n + 1, S, 1 + R + R R), k from -n.
+    sums = (powers.T @ data.reshape(F, -1)).reshape(2 * max_order + 1, S, -1)
+    return [_poles_of_order(sums, n, S, R, step, low) for n in orders]
 
 
 def _poles_of_order(sums: Complex, n: int, S: int, R: int, step: float, low: float) -> OrderPoles:
@@ -96,7 +91,12 @@ def _poles_of_order(sums: Complex, n: int, S: int, R: int, step: float, low: flo
     for q in range(R):
         for r in range(R):
             M[:, q, :, r] += toeplitz_matrix(total[:, q * R + r])
-    A = _denominator(M.reshape(size, size), n, R)
+    normal = M.reshape(size, size)
+    block = normal[R:, R:].copy()
+    block[np.diag_indices(n * R)] += RIDGE * float(np.trace(normal).real) / size
+    coefficients = -np.linalg.solve(block, normal[R:, :R])
+    # The denominator that makes the sum of squares least, with A_0 = 1, (n + 1, R, R).
+    A = np.concatenate([np.eye(R, dtype=complex)[None], coefficients.reshape(n, R, R)])
     inverse, vectors = _roots(A)
     z = 1.0 / inverse
     angle = np.mod(np.angle(z) + math.pi * (1.0 - COVERED_SHARE), 2.0 * math.pi) - math.pi * (
@@ -111,14 +111,6 @@ def _poles_of_order(sums: Complex, n: int, S: int, R: int, step: float, low: flo
     shapes = np.einsum("por,pr->po", at_pole, vectors)
     left_vectors = np.linalg.svd(np.einsum("pi,iqr->pqr", scaled, A))[0][:, :, -1]
     return OrderPoles(poles, shapes, left_vectors.conj(), n)
-
-
-def _denominator(M: Complex, n: int, R: int) -> Complex:
-    """Return the coefficients A_i, (n + 1, R, R), with A_0 = 1, that make the sum of squares least."""
-    block = M[R:, R:].copy()
-    block[np.diag_indices(n * R)] += RIDGE * float(np.trace(M).real) / len(M)
-    coefficients = -np.linalg.solve(block, M[R:, :R])
-    return np.concatenate([np.eye(R, dtype=complex)[None], coefficients.reshape(n, R, R)])
 
 
 def _roots(A: Complex) -> tuple[Complex, Complex]:

@@ -83,12 +83,25 @@ def find_tones(
     seconds = len(signal) * t_step
     power = (np.abs(np.fft.rfft(signal * np.hanning(len(signal))[:, None], axis=0)) ** 2).sum(axis=1)
     f = np.asarray(np.fft.rfftfreq(len(signal), t_step), float)
-    tones = [
-        Tone(frequency, f"{frequency:.4g} Hz is given as a tone or is a multiple of one: not a mode")
-        for frequency in _stated_frequencies(f, power, band, stated_tones, seconds)
-    ]
-    peaks = _peaks(power, *np.searchsorted(f, search_band(band)))
-    for k in PASSES * peaks:  # again, as a tone found later may have hidden this one
+    tones: list[Tone] = []
+    for tone in stated_tones:
+        for multiple in range(1, int(1.05 * band[1] / tone) + 1):
+            frequency = multiple * tone
+            reach = min(SEARCH_SHARE * frequency, 0.5) + SEARCH_LINES / seconds
+            line_range = slice(*np.searchsorted(f, [frequency - reach, frequency + reach]))
+            if frequency > 0.9 * band[0] and power[line_range].size:
+                frequency = float(f[line_range][np.argmax(power[line_range])])
+                text = f"{frequency:.4g} Hz is given as a tone or is a multiple of one: not a mode"
+                tones.append(Tone(frequency, text))
+    low, high = np.searchsorted(f, search_band(band)).tolist()
+    peaks: list[int] = []  # lines that stand out of their surroundings
+    for k in range(max(low, 2), min(high, len(power) - 2)):
+        if power[k] == power[k - 2 : k + 3].max():
+            background = np.median(power[max(k - SURROUNDING_LINES, 0) : k + SURROUNDING_LINES + 1])
+            if power[k] > MIN_PEAK_RATIO * background:
+                peaks.append(k)
+    strongest_first = sorted(peaks, key=lambda k: -power[k])
+    for k in PASSES * strongest_first:  # again, as a tone found later may have hidden this one
         if any(abs(f[k] - tone.frequency) * seconds < 4.0 for tone in tones):
             continue
         frequency = _refine_frequency(signal, t_step, float(f[k]))
@@ -110,32 +123,6 @@ def subtract_tones(
                 frequency = _refine_frequency(piece, t_step, tone.frequency)
                 piece -= _sinusoid(piece, t_step, frequency)
     return cleaned
-
-
-def _stated_frequencies(
-    f: Array, power: Array, band: tuple[float, float], stated_tones: Sequence[float], seconds: float
-) -> list[float]:
-    """Return the frequencies of the stated tones and their multiples in the band."""
-    frequencies = []
-    for tone in stated_tones:
-        for multiple in range(1, int(1.05 * band[1] / tone) + 1):
-            frequency = multiple * tone
-            reach = min(SEARCH_SHARE * frequency, 0.5) + SEARCH_LINES / seconds
-            line_range = slice(*np.searchsorted(f, [frequency - reach, frequency + reach]))
-            if frequency > 0.9 * band[0] and power[line_range].size:
-                frequencies.append(float(f[line_range][np.argmax(power[line_range])]))
-    return frequencies
-
-
-def _peaks(power: Array, low: int, high: int) -> list[int]:
-    """Return the lines that stand out of their surroundings, the strongest first."""
-    peaks = []
-    for k in range(max(low, 2), min(high, len(power) - 2)):
-        if power[k] == power[k - 2 : k + 3].max():
-            background = np.median(power[max(k - SURROUNDING_LINES, 0) : k + SURROUNDING_LINES + 1])
-            if power[k] > MIN_PEAK_RATIO * background:
-                peaks.append(k)
-    return sorted(peaks, key=lambda k: -power[k])
 
 
 def _refine_frequency(signal: Array, t_step: float, start: float) -> float:

@@ -186,7 +186,13 @@ def read_archive(path: Path, request: SignalRequest) -> SignalFile:
             files = _zip_loaders(archive, limit, source) if archive else _tar_loaders(path, limit, source)
             if WORKBOOK_MEMBER in files:
                 check_text(ZIP, source)
-            tables = {name: load for name, load in files.items() if _is_table(name)}
+            paths = {name: PurePosixPath(name) for name in files}
+            tables = {
+                name: load
+                for name, load in files.items()
+                # macOS adds a file of the same name with a dot before it.
+                if paths[name].suffix.lower() in TABLE.suffixes and not paths[name].name.startswith(".")
+            }
             if not tables:
                 problem = f"expected an archive of tables, found {listed([*map(shown, files)], 4) or 'nothing'} in it"
                 raise MeasurementError(problem, source, UNPACK)
@@ -200,12 +206,6 @@ def read_archive(path: Path, request: SignalRequest) -> SignalFile:
         reason = (str(error) or type(error).__name__).splitlines()[0].rstrip(":")
         raise MeasurementError(f"cannot read the archive: {reason}", source, UNPACK) from None
     return parse_table(content.pop(), f"{source}/{selected}", request)  # which may then release it
-
-
-def _is_table(name: str) -> bool:
-    """Return whether a file in an archive is a table, and not one of those that macOS adds beside each file."""
-    path = PurePosixPath(name)
-    return path.suffix.lower() in TABLE.suffixes and not path.name.startswith(".")
 
 
 def _zip_loaders(archive: zipfile.ZipFile, limit: int, source: str) -> dict[str, Callable[[], bytes]]:

@@ -242,7 +242,18 @@ def read_points(scanner: Scanner, binary: BinaryLayout | None, path: Path) -> Po
         numbers = values.view(np.complex128) if header.complex else values
         return Points(header, scanner.where, abscissa, numbers)
     header = read_header(scanner, binary.lines)
-    point_type = _point_type(header, binary, scanner)
+    size = 8 if header.double else 4
+    numbers_type = ("y", f"{binary.order}{f'c{2 * size}' if header.complex else f'f{size}'}")
+    types = [np.dtype([numbers_type])]
+    if not header.even:
+        types = [np.dtype([("x", f"{binary.order}f{x_size}"), numbers_type]) for x_size in (size, 4)]
+    matching = [candidate for candidate in types if header.count * candidate.itemsize == binary.bytes]
+    # pyuff always declares the bytes of one number for each point.  Such a dataset has the length that its header
+    # implies, which is valid if it is closed there.
+    if not matching and binary.bytes != header.count * size:
+        problem = f"expected {header.count * types[0].itemsize} bytes for {header.count} points"
+        scanner.refuse(f"{problem}, found {binary.bytes} declared")
+    point_type = (matching or types)[0]
     offset = scanner.skip_bytes(header.count * point_type.itemsize)
     scanner.close()
     stored = StoredPoints(path, offset, header.count, point_type, f"{scanner.where}, in the data")
@@ -250,21 +261,3 @@ def read_points(scanner: Scanner, binary: BinaryLayout | None, path: Path) -> Po
     if abscissa is not None:
         check_abscissa(abscissa, scanner.where)
     return Points(header, scanner.where, abscissa, stored)
-
-
-def _point_type(header: Header, binary: BinaryLayout, scanner: Scanner) -> np.dtype[Any]:
-    """Return the type of a point, which must fill the bytes that the dataset declares.
-
-    pyuff always declares the bytes of one number for each point.  Such a dataset has the length that its header
-    implies, which is valid if it is closed there.
-    """
-    size = 8 if header.double else 4
-    values = ("y", f"{binary.order}{f'c{2 * size}' if header.complex else f'f{size}'}")
-    types = [np.dtype([values])]
-    if not header.even:
-        types = [np.dtype([("x", f"{binary.order}f{x_size}"), values]) for x_size in (size, 4)]
-    matching = [point_type for point_type in types if header.count * point_type.itemsize == binary.bytes]
-    if not matching and binary.bytes != header.count * size:
-        problem = f"expected {header.count * types[0].itemsize} bytes for {header.count} points"
-        scanner.refuse(f"{problem}, found {binary.bytes} declared")
-    return (matching or types)[0]

@@ -118,7 +118,17 @@ def _follow_link(group: Any, name: str, remaining_links: list[int]) -> Any:
 
 def _variable(item: Any, name: str, limit: int) -> FileVariable:
     """Return the variable of a dataset."""
-    class_name = _class_name(item)
+    class_name = "double"
+    attribute = item.attrs.get_id("MATLAB_class") if "MATLAB_class" in item.attrs else None
+    if (
+        attribute is not None
+        and attribute.shape == ()
+        and attribute.dtype.kind in "SO"
+        and attribute.dtype.itemsize <= MAX_CLASS_LENGTH
+    ):
+        text = item.attrs["MATLAB_class"]
+        class_name = text.decode("utf-8", "replace") if isinstance(text, bytes) else str(text)
+        class_name = class_name[:MAX_CLASS_LENGTH]
     try:
         dtype = item.dtype
     except TypeError:  # a type unknown to NumPy
@@ -134,21 +144,6 @@ def _variable(item: Any, name: str, limit: int) -> FileVariable:
     description = f"an array of {' x '.join(map(str, shape))} values"
     size = 16 if dtype.names else dtype.itemsize
     return FileVariable(name, description, shape, partial(_values, item, limit), size)
-
-
-def _class_name(item: Any) -> str:
-    """Return the class of a variable as written by MATLAB, "double" by default."""
-    if "MATLAB_class" not in item.attrs:
-        return "double"
-    attribute = item.attrs.get_id("MATLAB_class")
-    if (
-        attribute.shape != ()
-        or attribute.dtype.kind not in "SO"
-        or attribute.dtype.itemsize > MAX_CLASS_LENGTH
-    ):
-        return "double"
-    text = item.attrs["MATLAB_class"]
-    return (text.decode("utf-8", "replace") if isinstance(text, bytes) else str(text))[:MAX_CLASS_LENGTH]
 
 
 def _values(item: Any, limit: int) -> Values:

@@ -97,7 +97,23 @@ def _read_mode(scanner: Scanner, analysis: int, form: tuple[int, int, int], pole
         return (
             f"{components} components of characteristic {characteristic} are not translations and rotations"
         )
-    shape = _read_shape(scanner, components, data_type in COMPLEX_TYPES)
+    is_complex = data_type in COMPLEX_TYPES
+    shape: dict[str, complex] = {}
+    while not is_delimiter(line := scanner.line("a node, or a line -1 that closes the dataset")):
+        try:
+            node = int(line)
+        except ValueError:
+            scanner.refuse(f"expected the number of a node, found {shown(decode_line(line).strip())}")
+        count, where = components * (2 if is_complex else 1), f"the values at node {node}"
+        numbers = _collect_numbers(scanner, count, where)
+        values = numbers.view(np.complex128) if is_complex else numbers
+        names = [f"{node}{DIRECTIONS[number]}" for number in range(1, components + 1)]
+        if names[0] in shape:
+            problem = f"expected each node once, found node {node} again"
+            scanner.refuse(problem, "export one mode in each dataset")
+        shape |= {name: complex(value) for name, value in zip(names, values, strict=True)}
+    if not shape:
+        scanner.refuse("expected a node, found none")
     if analysis == NORMAL_MODE:
         frequency, damping = pole.frequency, pole.viscous or pole.structural / 2.0
     else:
@@ -111,29 +127,6 @@ def _read_mode(scanner: Scanner, analysis: int, form: tuple[int, int, int], pole
     if frequency == 0.0:
         return "a mode of frequency 0 is a rigid-body motion"
     return ModeShape(frequency, damping or None, shape)
-
-
-def _read_shape(scanner: Scanner, components: int, is_complex: bool) -> dict[str, complex]:
-    """Return the components at all nodes, and read the line that closes the dataset."""
-    shape: dict[str, complex] = {}
-    while not is_delimiter(line := scanner.line("a node, or a line -1 that closes the dataset")):
-        try:
-            node = int(line)
-        except ValueError:
-            scanner.refuse(f"expected the number of a node, found {shown(decode_line(line).strip())}")
-        numbers = _collect_numbers(
-            scanner, components * (2 if is_complex else 1), f"the values at node {node}"
-        )
-        values = numbers.view(np.complex128) if is_complex else numbers
-        names = [f"{node}{DIRECTIONS[number]}" for number in range(1, components + 1)]
-        if names[0] in shape:
-            scanner.refuse(
-                f"expected each node once, found node {node} again", "export one mode in each dataset"
-            )
-        shape |= {name: complex(value) for name, value in zip(names, values, strict=True)}
-    if not shape:
-        scanner.refuse("expected a node, found none")
-    return shape
 
 
 def _collect_numbers(scanner: Scanner, count: int, subject: str) -> Array:

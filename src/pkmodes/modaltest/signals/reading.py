@@ -54,7 +54,14 @@ def read_signals(path: str | PathLike[str], request: SignalRequest = EVERYTHING)
 
     Raises MeasurementError if the file cannot be read, is incomplete or invalid, with the place in it.
     """
-    file_path, member = _split_member(Path(path))
+    file_path, member = Path(path), ""
+    try:
+        parents = () if file_path.exists() else file_path.parents
+        container = next((parent for parent in parents if parent.is_file()), None)
+    except OSError:  # such as a name that is too long; opening it reports the reason
+        container = None
+    if container is not None:  # the rest of the path names a record in it
+        file_path, member = container, file_path.relative_to(container).as_posix()
     source = fspath(file_path)
     try:
         check_regular(file_path, source, CONTENT, REMEDY)
@@ -81,13 +88,3 @@ def read_signals(path: str | PathLike[str], request: SignalRequest = EVERYTHING)
         return file_format.read(file_path, replace(request, member=member))
     except OSError as error:
         raise unreadable(error, source, CONTENT) from None
-
-
-def _split_member(path: Path) -> tuple[Path, str]:
-    """Return the file of a path, and the record that the path names in it; "" for the file alone."""
-    try:
-        parents = () if path.exists() else path.parents
-        file = next((parent for parent in parents if parent.is_file()), None)
-    except OSError:  # such as a name that is too long; opening it reports the reason
-        file = None
-    return (path, "") if file is None else (file, path.relative_to(file).as_posix())

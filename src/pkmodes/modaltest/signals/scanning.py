@@ -91,7 +91,22 @@ class Scanner:
                 self.refuse(f"expected the number of a dataset, found {shown(decode_line(line).strip())}")
             name = f"{count} ({number.decode()}{flag.decode().strip()})"
             self.where = f"{self.source}: dataset {name} at byte {start}"
-            yield Dataset(int(number), self.where, self._binary(rest) if flag == b"b" else None)
+            binary = None
+            if flag == b"b":
+                fields = rest.split()
+                if len(fields) < 4 or not all(field.isdigit() for field in fields[:4]):
+                    problem = (
+                        "expected the byte order, the format and the numbers of lines and bytes after 58b"
+                    )
+                    self.refuse(f"{problem}, found {shown(decode_line(rest).strip())}")
+                order, form, lines, size = map(int, fields[:4])
+                if order not in (1, 2):
+                    self.refuse(f"expected byte order 1 (little endian) or 2 (big endian), found {order}")
+                if form != 2:
+                    remedy = "export the file with IEEE numbers, or as text"
+                    self.refuse(f"expected numbers of format 2 (IEEE 754), found format {form}", remedy)
+                binary = BinaryLayout("<" if order == 1 else ">", lines, size)
+            yield Dataset(int(number), self.where, binary)
         if count == 0:
             self.refuse("expected datasets, found none")
 
@@ -148,19 +163,6 @@ class Scanner:
         if len(line) == MAX_LINE_LENGTH:
             self.refuse("expected lines of text, found binary data")
         return line or None
-
-    def _binary(self, rest: bytes) -> BinaryLayout:
-        fields = rest.split()
-        if len(fields) < 4 or not all(field.isdigit() for field in fields[:4]):
-            problem = "expected the byte order, the format and the numbers of lines and bytes after 58b"
-            self.refuse(f"{problem}, found {shown(decode_line(rest).strip())}")
-        order, form, lines, size = map(int, fields[:4])
-        if order not in (1, 2):
-            self.refuse(f"expected byte order 1 (little endian) or 2 (big endian), found {order}")
-        if form != 2:
-            remedy = "export the file with IEEE numbers, or as text"
-            self.refuse(f"expected numbers of format 2 (IEEE 754), found format {form}", remedy)
-        return BinaryLayout("<" if order == 1 else ">", lines, size)
 
 
 def is_delimiter(line: bytes) -> bool:

@@ -110,12 +110,11 @@ def parse_table(content: bytes, source: str, request: SignalRequest) -> SignalFi
         problem = f"expected at least {MIN_POINTS} rows, found {rows}"
         raise MeasurementError(problem, source, "export the whole measurement")
     may_count = not (clock or layout.label) and layout.kind is FunctionKind.TIME
-    rate = None
+    abscissa = None
     if layout.abscissa is None or (may_count and counts_samples(numbers[layout.abscissa])):
-        rate = _rate(text, request, frame_rate, remarks)
-    if rate is not None:
-        abscissa = _times_by_rate(rate, layout, rows, text, remarks)
-    else:  # without any statement to the contrary, times that count samples are seconds
+        abscissa, notes = _times_by_rate(layout, rows, text, request, frame_rate)
+        remarks += notes
+    if abscissa is None:  # without any statement to the contrary, times that count samples are seconds
         abscissa = _abscissa(layout, numbers, text)
     for column in layout.columns:
         if column.kind is FunctionKind.COHERENCE:
@@ -127,38 +126,37 @@ def parse_table(content: bytes, source: str, request: SignalRequest) -> SignalFi
     return SignalFile(source, functions, (), messages, statements)
 
 
-def _rate(
-    text: TableText, request: SignalRequest, frame_rate: float | None, remarks: list[str]
-) -> float | None:
-    """Return the rate [Hz] of the record, or else of the file."""
-    if request.rate is None:
-        rate, notes = stated_rate(text.comments, text.source)
-        remarks += notes
-        return rate
-    contradicting = [rate for rate, _ in find_rates(text.comments) if not same_rate(rate, request.rate)]
-    if contradicting and request.rate != frame_rate:
-        remarks.append(_rate_message(contradicting[0], request.rate))
-    return request.rate
+def _times_by_rate(
+    layout: TableLayout, rows: int, text: TableText, request: SignalRequest, frame_rate: float | None
+) -> tuple[Array | None, list[str]]:
+    """Return the times of all rows by the rate of the record, or else of the file, and remarks; None without a rate.
 
-
-def _times_by_rate(rate: float, layout: TableLayout, rows: int, text: TableText, remarks: list[str]) -> Array:
-    """Return the times of all rows by a rate [Hz]; a column that counts samples shows which are missing."""
+    A column that counts samples shows which are missing.
+    """
+    rate, remarks = request.rate, list[str]()
+    if rate is None:
+        rate, remarks = stated_rate(text.comments, text.source)
+        if rate is None:
+            return None, remarks
+    elif rate != frame_rate:
+        contradicting = [stated for stated, _ in find_rates(text.comments) if not same_rate(stated, rate)]
+        remarks += [_rate_message(contradicting[0], rate)] if contradicting else []
     if layout.abscissa is not None:
         remarks.append(f"its column {shown(text.names[layout.abscissa])} counts samples, of {rate:g} Hz")
-        return even_times(rows, rate)
+        return even_times(rows, rate), remarks
     index = find_counter(text.names, [index for column in layout.columns for index in column.indices])
     if index is None:
-        return even_times(rows, rate)
+        return even_times(rows, rate), remarks
     try:
         (numbers,) = text.columns([index])
     except MeasurementError:  # no column of the campaign: it may hold anything
-        return even_times(rows, rate)
+        return even_times(rows, rate), remarks
     positions = sample_positions(np.asarray(numbers, np.float64))
     if positions is None or positions[-1] == rows - 1:
-        return even_times(rows, rate)
+        return even_times(rows, rate), remarks
     missing = positions[-1] - rows + 1
     remarks.append(f"its column {shown(text.names[index])} shows that {missing:.0f} samples are missing")
-    return positions / rate
+    return positions / rate, remarks
 
 
 def _abscissa(layout: TableLayout, numbers: dict[int, Numbers], text: TableText) -> Array:

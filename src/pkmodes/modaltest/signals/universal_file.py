@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from os import fspath
 from pathlib import Path
@@ -67,27 +67,23 @@ def read_universal(path: Path, request: SignalRequest) -> SignalFile:
     if late_units is not None:
         del content  # its functions, which may be large, were read before their units were known
         content, _ = _read_file(path, request, late_units)
-    return replace(content, functions=tuple(_select_numbered(content.functions, sensors)))
-
-
-def _select_numbered(functions: Sequence[Function], sensors: Collection[str] | None) -> Iterator[Function]:
-    """Yield functions by the names of sensors, which may have numbers; without a number, all functions of that name.
-
-    If `sensors` is None, all but the first of each name get their numbers.
-    """
+    # The names of sensors may have numbers; without one, a name stands for all functions of that name.  Without
+    # sensors, all but the first of each name get their numbers.
     counts = Counter[tuple[str, str, str, bool]]()
-    for function in functions:
+    functions: list[Function] = []
+    for function in content.functions:
         key = (function.kind, function.response, function.reference, function.force)
         counts[key] += 1
         number = f"{function.response}#{counts[key]}"
         if function.force or (sensors is None and counts[key] == 1):
-            yield function
+            functions.append(function)
         elif sensors is None or number in sensors:
-            yield replace(function, response=number)
+            functions.append(replace(function, response=number))
         elif function.response in sensors and (
             counts[key] == 1 or not any(name.startswith(f"{function.response}#") for name in sensors)
         ):
-            yield function
+            functions.append(function)
+    return replace(content, functions=tuple(functions))
 
 
 def _read_file(path: Path, request: SignalRequest, units: FileUnits) -> tuple[SignalFile, FileUnits | None]:

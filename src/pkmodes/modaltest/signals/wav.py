@@ -128,27 +128,21 @@ def _check_chunks(file: BinaryIO, length: int, source: str) -> _SampleFormat:
     if form is None or len(data) != 1:
         message = "expected one chunk of samples and one with their format"
         raise MeasurementError(message, source, INCOMPLETE)
-    if (problem := _problem(form, data[0])) is not None:
+    bytes_per_sample, problem = form.bytes_per_sample, ""
+    if form.bits not in BITS.get(form.code, ()):
+        problem = f"expected plain numbers of 8 to 64 bits, found {form.bits} bits of type {form.code}"
+    elif not 1 <= form.channels <= MAX_CHANNELS or bytes_per_sample != form.channels * form.bits // 8:
+        counts = f"{form.channels} in {bytes_per_sample} bytes a sample"
+        problem = f"expected 1 to {MAX_CHANNELS} channels, found {counts}"
+    elif not form.rate:
+        problem = "expected a sampling rate above 0, found 0"
+    elif data[0] < MIN_POINTS * bytes_per_sample or data[0] % bytes_per_sample:
+        problem = f"expected whole samples of {bytes_per_sample} bytes, at least {MIN_POINTS}, found {data[0]} bytes"
+    elif (count := data[0] // bytes_per_sample * form.channels) > MAX_VALUES:
+        problem = f"expected at most {MAX_VALUES:,} values, found {count:,}"
+    if problem:
         raise MeasurementError(problem, source, INCOMPLETE)
     return form
-
-
-def _problem(form: _SampleFormat, size: int) -> str | None:
-    """Return the problem with `size` bytes of samples in a format, None if there is none."""
-    if form.bits not in BITS.get(form.code, ()):
-        return f"expected plain numbers of 8 to 64 bits, found {form.bits} bits of type {form.code}"
-    if not 1 <= form.channels <= MAX_CHANNELS or form.bytes_per_sample != form.channels * form.bits // 8:
-        counts = f"{form.channels} in {form.bytes_per_sample} bytes a sample"
-        return f"expected 1 to {MAX_CHANNELS} channels, found {counts}"
-    if not form.rate:
-        return "expected a sampling rate above 0, found 0"
-    if size < MIN_POINTS * form.bytes_per_sample or size % form.bytes_per_sample:
-        return f"expected whole samples of {form.bytes_per_sample} bytes, at least {MIN_POINTS}, found {size} bytes"
-    if size // form.bytes_per_sample * form.channels > MAX_VALUES:
-        return (
-            f"expected at most {MAX_VALUES:,} values, found {size // form.bytes_per_sample * form.channels:,}"
-        )
-    return None
 
 
 def is_wav(head: bytes) -> bool:
