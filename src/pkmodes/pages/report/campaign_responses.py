@@ -178,6 +178,6 @@ def accelerances(
     for name, output, force in pairs:
         o = outputs.index(output)
         columns = {inputs.index(into): weight for into, weight in forces[force].items()}
-        values[name] = sum(weight * found.values[:, o, i] for i, weight in columns.items())
+        values[name] = found.values[:, o, list(columns)] @ np.array(list(columns.values()))
         units[name] = found.units[o][next(iter(columns))]
     return Accelerances(values, units)
