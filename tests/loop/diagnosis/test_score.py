@@ -62,7 +62,7 @@ def test_the_gain_is_the_drop_of_the_sum_of_squares_in_a_linear_model(
     after = fitter.fit(hypothesis.with_cause(candidate))
     assert after is not None
     assert one.gain == pytest.approx(before.chi2 - after.chi2, rel=1e-4)
-    index = list(fitter.indices(candidate))
+    index = list(fitter.parameter_indices(candidate))
     added = [after.free.index(i) for i in index]
     errors = np.sqrt(np.diagonal(after.covariance)[added])
     assert one.step == pytest.approx(after.values[index], abs=1e-3 * errors.min())
@@ -77,10 +77,12 @@ def test_the_gain_is_the_drop_with_a_shared_error_and_uncertain_positions() -> N
     model.B = rng.standard_normal((6, 5, 3))
     y = model.base + model.G @ [1.0, 1.0, 2.0] + 0.01 * rng.standard_normal((6, 1))
     y += SIGMA * rng.standard_normal(y.shape)
-    fitter, before = fit(model, logs_measured(y, SIGMA, np.full((6, 3), 5e-4)), Hypothesis(scatter=True))
+    fitter, before = fit(
+        model, logs_measured(y, SIGMA, np.full((6, 3), 5e-4)), Hypothesis(has_shared_error=True)
+    )
     one = score(fitter, before, model.candidates).by_candidate[0]
     # By hand: V is what the fit found, and the priors of the nuisances are further data.
-    motion = [SIGMA**2 * np.eye(5) + before.scatter**2 + 25e-8 * B @ B.T for B in model.B]
+    motion = [SIGMA**2 * np.eye(5) + before.shared_error**2 + 25e-8 * B @ B.T for B in model.B]
     G = np.vstack([np.linalg.solve(np.linalg.cholesky(V), g) for V, g in zip(motion, model.G, strict=True)])
     r = np.concatenate(
         [np.linalg.solve(np.linalg.cholesky(V), left) for V, left in zip(motion, y - model.base, strict=True)]

@@ -19,7 +19,7 @@ from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.loop.diagnosis.arguments import checked_structure
 from pkmodes.loop.diagnosis.beyond.explore import TermSearch, with_term_result
 from pkmodes.loop.diagnosis.criteria import Criteria
-from pkmodes.loop.diagnosis.damping.diagnose_damping import with_damping
+from pkmodes.loop.diagnosis.damping.diagnose_damping import add_damping_diagnosis
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.loop.diagnosis.fit.store import FitStore
@@ -61,7 +61,7 @@ def diagnose_one_state(
         remedy = f"keep one pose in {every}: the others add little information; compare takes them all"
         raise PkmodesError(problem, data.source, remedy)
     frequency_diagnosis = _diagnose_frequencies(structure, data, holdout, progress, criteria, terms)
-    return with_damping(structure, data, frequency_diagnosis, criteria)
+    return add_damping_diagnosis(structure, data, frequency_diagnosis, criteria)
 
 
 def _diagnose_frequencies(

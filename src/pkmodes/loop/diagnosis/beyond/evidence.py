@@ -90,7 +90,9 @@ class TermEvidence(Evidence):
     def finding(self, k: int) -> Finding:
         """Return a class with its values, as a part of a result."""
         fitter, group = self.fitter, self.groups[k]
-        parameter_indices = [tuple(i for cause in fit.causes for i in fitter.indices(cause)) for fit in group]
+        parameter_indices = [
+            tuple(i for cause in fit.causes for i in fitter.parameter_indices(cause)) for fit in group
+        ]
         labels = [name_of_explanation(fit) for fit in group]
         alternatives = {
             name: fitted_values(fitter, fit, indices)

@@ -31,7 +31,7 @@ MAX_BY_SCORE, MAX_BY_START, MAX_BY_SIZE = 40, 20, 10
 #: Number of starts of each term that remain after a comparison at a few setups, and then at all.
 STARTS_AFTER_SCOUTING, STARTS_AFTER_COMPARING = 6, 4
 #: Number of setups at which starts are compared.
-SCOUT_SETUPS = 4
+SUBSAMPLE_SETUPS = 4
 #: Largest relative change of a frequency for which a linear estimate suffices as a start.
 SMALL_CHANGE = 0.05
 #: A fit went astray if it gains less than this part of what the linear estimate promises.
@@ -94,8 +94,8 @@ def _directions_of_starts(
         ]
         values = baseline.values.copy()
         for term, fixed_values_of_term in present:
-            values[list(fitter.indices(term))[1:]] = fixed_values_of_term
-        by = [fitter.indices(term)[0] for term, _ in present]
+            values[list(fitter.parameter_indices(term))[1:]] = fixed_values_of_term
+        by = [fitter.parameter_indices(term)[0] for term, _ in present]
         raw = np.nan_to_num(fitter.signatures(replace(baseline, values=values), by)[1])
         remainder = raw - baseline.basis @ (baseline.basis.T @ raw)
         size = np.linalg.norm(remainder, axis=0)
@@ -188,7 +188,7 @@ class _Explorer:
         self.progress(f"scoring {len(self.terms)} terms, each one form at one place")
         error_hypothesis, tried_hypotheses = Hypothesis(), list[Hypothesis]()
         baseline = self.store.fit(
-            error_hypothesis, self.fitter.padded(self.catalogue.outcome.nuisance_fit.values)
+            error_hypothesis, self.fitter.pad_with_declared(self.catalogue.outcome.nuisance_fit.values)
         )
         if baseline is None:
             return None
@@ -234,7 +234,9 @@ class _Explorer:
         # Fits with the same causes may set different rows aside: the best of them is carried.
         by_causes = {fit.causes: fit for fit in sorted(explaining, key=store.criterion, reverse=True)}
         best_fits = sorted(by_causes.values(), key=store.criterion)[:MAX_CATALOGUE_FITS]
-        fits = [self.store.fit(fit.hypothesis, self.fitter.padded(fit.values)) for fit in best_fits]
+        fits = [
+            self.store.fit(fit.hypothesis, self.fitter.pad_with_declared(fit.values)) for fit in best_fits
+        ]
         return [fit for fit in fits if fit is not None]
 
     def _refit_terms(self, baseline: Fit) -> list[Fit]:
@@ -251,7 +253,7 @@ class _Explorer:
         visible = [entry for entry in scores if entry.visible and entry.gain > 0.0]
         best_entries = sorted(visible, key=lambda entry: -entry.gain)[:MAX_BY_SCORE]
         # The linear estimate suffices for small changes of modes that are all paired.
-        paired = bool((baseline.pairing.partner[self.fitter.used_rows(baseline.hypothesis)] >= 0).all())
+        paired = bool((baseline.pairing.partner[self.fitter.used_row_mask(baseline.hypothesis)] >= 0).all())
         small_entries = [
             entry
             for entry in best_entries
@@ -298,7 +300,7 @@ class _Explorer:
         return self._values_with(
             baseline,
             entry.candidate,
-            baseline.values[list(self.fitter.indices(entry.candidate))] + entry.step,
+            baseline.values[list(self.fitter.parameter_indices(entry.candidate))] + entry.step,
         )
 
     def _is_testable(self, baseline: Fit, term: Candidate) -> bool:
@@ -336,22 +338,22 @@ class _Explorer:
 
     def _values_with(self, baseline: Fit, term: Candidate, term_values: Sequence[float] | Array) -> Array:
         """Return the values of a fit with those of a term, within its bounds."""
-        values, index = baseline.values.copy(), list(self.fitter.indices(term))
+        values, index = baseline.values.copy(), list(self.fitter.parameter_indices(term))
         values[index] = np.clip(term_values, self.fitter.lower[index], self.fitter.upper[index])
         return values
 
     def _most_promising(self, trials: Sequence[_TermStarts]) -> list[tuple[Hypothesis, list[Array]]]:
         """Return terms with the best of their values, the most promising first, judged at a few setups."""
         count = len(self.fitter.data.labels)
-        scout_setups = (
-            [int((k + 0.5) * count / SCOUT_SETUPS) for k in range(SCOUT_SETUPS)]
-            if count > SCOUT_SETUPS
+        subsample_setups = (
+            [int((k + 0.5) * count / SUBSAMPLE_SETUPS) for k in range(SUBSAMPLE_SETUPS)]
+            if count > SUBSAMPLE_SETUPS
             else range(count)
         )
-        scout = self.fitter.at(list(scout_setups)) if trials else self.fitter
+        subsample_fitter = self.fitter.at_setups(list(subsample_setups)) if trials else self.fitter
         # Excluded rows are dropped for fewer setups, where rows are numbered differently.
         ranked = _rank_starts(
-            scout, [(Hypothesis(trial.hypothesis.causes), trial.values) for trial in trials]
+            subsample_fitter, [(Hypothesis(trial.hypothesis.causes), trial.values) for trial in trials]
         )
         ordered = sorted(zip(ranked, trials, strict=True), key=lambda pair: pair[0][0][0])
         return [

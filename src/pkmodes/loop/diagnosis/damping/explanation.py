@@ -64,13 +64,13 @@ def _with_rivals(fitter: LossFitter, fits: Sequence[LossFit], best: LossFit) -> 
     c = fitter.criteria
     near_fits = [fit for fit in fits if fit.criterion < best.criterion + c.search.survives]
     survivors = [fit for fit in near_fits if fit is best or _explains(fitter, fit, c.gate.surely)]
-    class_fits = [fit for fit in survivors if fitter.difference(best, fit) < c.claim.told_apart]
+    class_fits = [fit for fit in survivors if fitter.squared_difference(best, fit) < c.claim.told_apart]
     class_fits.sort(key=lambda fit: (not all(fitter.losses[j].effect for j in fit.causes), fit.criterion))
     # An effect names the class among explanations that no measurement separates, and in any class whose best member
     # is not a cause.
     claimable = all(fitter.losses[j].claimable for j in best.causes)
     inseparable = [
-        fit for fit in class_fits if not claimable or fitter.difference(best, fit) < MIN_SEPARATION
+        fit for fit in class_fits if not claimable or fitter.squared_difference(best, fit) < MIN_SEPARATION
     ]
     best = inseparable[0] if inseparable else best
     classes = tuple(

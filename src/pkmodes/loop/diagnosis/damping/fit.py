@@ -69,17 +69,17 @@ class LossFit(Fitted):
 class LossFitter:
     """Fits losses to damping ratios.
 
-    - widened: factor by which priors are wider than declared
+    - prior_factor: factor by which priors are wider than declared
     """
 
     observations: DampingObservations
     losses: tuple[Loss, ...]
     criteria: Criteria
-    widened: float = 1.0
+    prior_factor: float = 1.0
     _fits: dict[object, LossFit] = field(default_factory=dict, repr=False)
 
     @property
-    def nuisances(self) -> tuple[int, ...]:
+    def nuisance_indices(self) -> tuple[int, ...]:
         """Losses with a prior."""
         return tuple(j for j, loss in enumerate(self.losses) if loss.parameter.sigma)
 
@@ -112,10 +112,10 @@ class LossFitter:
         """Return the fitter of other observations."""
         return replace(self, observations=observations, _fits={})
 
-    def with_changes(self, errors: float, priors: float) -> LossFitter:
+    def with_changes(self, error_factor: float, prior_factor: float) -> LossFitter:
         """Return the fitter with stated errors and priors larger by factors."""
-        observations = self.observations.with_errors(errors)
-        return replace(self, observations=observations, widened=priors, _fits={})
+        observations = self.observations.with_errors(error_factor)
+        return replace(self, observations=observations, prior_factor=prior_factor, _fits={})
 
     def fit(self, causes: Sequence[int] = (), fixed_values: dict[int, float] | None = None) -> LossFit:
         """Fit losses; a row that contradicts all others is set aside.
@@ -142,7 +142,7 @@ class LossFitter:
         self, causes: tuple[int, ...], fixed_values: dict[int, float], outlier: int | None
     ) -> LossFit:
         rows, count = self.observations, len(self.observations.ratio)
-        free = tuple(j for j in dict.fromkeys((*self.nuisances, *causes)) if j not in fixed_values)
+        free = tuple(j for j in dict.fromkeys((*self.nuisance_indices, *causes)) if j not in fixed_values)
         index, values = list(free), self.declared.copy()
         for j, value in fixed_values.items():
             values[j] = value
@@ -151,7 +151,7 @@ class LossFitter:
         prior_parameters = [
             replace(p, sigma=None) if j in fixed_values else p for j, p in enumerate(parameters)
         ]
-        priors = Priors(prior_parameters, (), self.widened)
+        priors = Priors(prior_parameters, (), self.prior_factor)
 
         def values_at(x: Array) -> Array:
             all_values = values.copy()
@@ -213,7 +213,7 @@ class LossFitter:
             for fractions in fractions_by_start
         ]
 
-    def difference(self, a: LossFit, b: LossFit) -> float:
+    def squared_difference(self, a: LossFit, b: LossFit) -> float:
         """Return the squared difference of the predictions of two fits in standard deviations."""
         residual_difference = self.observations.residual(a.values) - self.observations.residual(b.values)
         return float(residual_difference @ residual_difference)

@@ -155,10 +155,11 @@ def damping_observations(
     )
 
 
-def usable_mask(rows: DampingObservations) -> Mask:
-    """Return a mask of the rows that can be used: a ratio of 0 without a standard deviation was not measured.
+def informative_mask(rows: DampingObservations) -> Mask:
+    """Return a mask of the rows that have information about the losses.
 
-    Rows in which the measurements set the losses contain no information about them.
+    The others are a ratio of 0 without a standard deviation, which was not measured, and a row in which the
+    measurements set the losses.
     """
     return np.isfinite(rows.stated_sigma) & np.isfinite(rows.coefficients).all(axis=1)
 

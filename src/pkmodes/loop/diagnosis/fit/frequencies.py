@@ -44,14 +44,14 @@ class FrequencyRows:
         """Return the same for predictions of `count` times the setups."""
         return FrequencyRows(self.pairer.tiled(count), np.tile(self.sigma, (count, 1)))
 
-    def residual(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> Array:
+    def residual(self, prediction: Prediction, pairing: Pairing, used_row_mask: NDArray[np.bool_]) -> Array:
         """Return measured minus model in ln f, (R, 1); 0 for rows that are not used."""
-        return np.where(used, self.pairer.differences(prediction, pairing), 0.0)[:, None]
+        return np.where(used_row_mask, self.pairer.differences(prediction, pairing), 0.0)[:, None]
 
-    def rates(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> Array:
+    def rates(self, prediction: Prediction, pairing: Pairing, used_row_mask: NDArray[np.bool_]) -> Array:
         """Return the derivatives of ln f with respect to the requested parameters, (R, 1, T)."""
         rates = _averaged_rates(prediction)[self.pairer.pose, np.maximum(pairing.partner, 0)]
-        return np.where(((pairing.partner >= 0) & used)[:, None], rates, 0.0)[:, None]
+        return np.where(((pairing.partner >= 0) & used_row_mask)[:, None], rates, 0.0)[:, None]
 
 
 def _averaged_rates(prediction: Prediction) -> Array:

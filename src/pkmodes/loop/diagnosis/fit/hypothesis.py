@@ -43,12 +43,12 @@ class Hypothesis:
 
     - causes: added causes
     - excluded: rows treated as outliers
-    - scatter: whether the modes of a setup share an error
+    - has_shared_error: whether the modes of a setup share an error
     """
 
     causes: tuple[Candidate, ...] = ()
     excluded: frozenset[int] = frozenset()
-    scatter: bool = False
+    has_shared_error: bool = False
 
     @property
     def remote(self) -> bool:
@@ -130,7 +130,7 @@ class Fit(Fitted):
 
     - free: nuisances first, then the parameters of the causes
     - log_determinant: that of the covariance V of the data
-    - scatter: standard deviation of the error shared in a setup, tau
+    - shared_error: standard deviation of the error shared in a setup, tau
     - residual: measured minus model, of ln f clipped if unmatched, (D,); 0 if excluded
     - at_bound: parameters of causes at a bound other than their null value
     - converged: whether the solver converged
@@ -138,7 +138,7 @@ class Fit(Fitted):
 
     hypothesis: Hypothesis
     log_determinant: float
-    scatter: float
+    shared_error: float
     prediction: Prediction
     pairing: Pairing
     residual: Array

@@ -142,15 +142,18 @@ class Profiles:
 
     def __init__(self, fitter: Fitter, fit: Fit) -> None:
         self.fitter, self.fit = fitter, fit
-        self._used, self._whitening = fitter.used_rows(fit.hypothesis), fitter.whitening(fit)
+        self._used_row_mask, self._whitening = fitter.used_row_mask(fit.hypothesis), fitter.whitening(fit)
 
     def points(self, requests: Sequence[ModelRequest]) -> list[ProfilePoint | None]:
         """Evaluate the model at several values, each with its free parameters and those without a prior."""
         points: list[ProfilePoint | None] = [None] * len(requests)
         fitter, by = self.fitter, [request.free for request in requests]
-        values, used = np.array([request.values for request in requests]), [self._used] * len(requests)
+        values, used_row_masks = (
+            np.array([request.values for request in requests]),
+            [self._used_row_mask] * len(requests),
+        )
         priors, whitened = fitter.priors, self._whitening.whitened
-        for evaluation in fitter.observations.evaluate_many(fitter.structure, values, by, used):
+        for evaluation in fitter.observations.evaluate_many(fitter.structure, values, by, used_row_masks):
             request = requests[evaluation.set_index]
             white = np.concatenate([whitened(evaluation.residual), priors.residual(request.values)])
             jacobian = np.vstack([-whitened(evaluation.rates), priors.rates(request.values, request.free)])
@@ -313,7 +316,7 @@ def without_priors(
     """Return residual and derivatives without the priors of some parameters."""
     rows = fitter.priors.rows(index)
     if rows:
-        prior_rows = fitter.prior_rows.start + np.array(rows)
+        prior_rows = fitter.prior_slice.start + np.array(rows)
         white, jacobian = white.copy(), jacobian.copy()
         white[prior_rows], jacobian[prior_rows] = 0.0, 0.0
     return white, jacobian

@@ -126,16 +126,18 @@ class Pairer:
         copies._close_rows = tile_indices(self._close_rows, count, rows)
         return copies
 
-    def pair(self, prediction: Prediction, used: NDArray[np.bool_], *, compare: bool = True) -> Pairing:
+    def pair(
+        self, prediction: Prediction, used_row_mask: NDArray[np.bool_], *, compare: bool = True
+    ) -> Pairing:
         """Pair the used rows; the others get no partner.
 
-        - used: (R,)
+        - used_row_mask: (R,)
         - compare: whether to compute the MAC with the partners, which takes time
         """
         c, rigid = self._criteria, prediction.rigid
         logs = prediction.log_frequencies[:, rigid:]
         row = self._row
-        present = (row >= 0) & used[row]
+        present = (row >= 0) & used_row_mask[row]
         shapes = self._shapes(prediction) if len(self.columns) else None
         with np.errstate(invalid="ignore"):
             distance = np.abs(self._log[row][..., None] - logs[:, None])

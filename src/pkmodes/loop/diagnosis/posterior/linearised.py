@@ -94,7 +94,7 @@ def linearise(fitter: Fitter, fit: Fit, max_deviations: Mapping[int, float]) -> 
     """
     white, basis, rows_set_aside = fit.white, fit.basis, set(fit.hypothesis.excluded)
     observations = fitter.observations
-    frequencies, other_quantities = observations.frequency_rows, observations.other_quantities
+    frequencies, other_quantities = observations.frequency_slice, observations.other_quantities
     while len(rows_set_aside) < max(
         1, len(observations.log_frequencies) // fitter.criteria.search.rows_per_outlier
     ):
@@ -109,29 +109,29 @@ def linearise(fitter: Fitter, fit: Fit, max_deviations: Mapping[int, float]) -> 
         white[indices] = basis[indices] = 0.0
         basis = orthonormal(basis)
         white -= basis @ (basis.T @ white)
-    used = fitter.used_rows(fit.hypothesis)
-    used[list(rows_set_aside)] = False
+    used_row_mask = fitter.used_row_mask(fit.hypothesis)
+    used_row_mask[list(rows_set_aside)] = False
     leverage = (basis**2).sum(axis=1)
     counts = [observations.frequencies.count, *(quantity.count for quantity in other_quantities.values())]
     parts = [frequencies, *map(observations.data_slice, other_quantities)]
     degrees = tuple(
-        max(float(count[used].sum() - leverage[part].sum()), 0.0)
+        max(float(count[used_row_mask].sum() - leverage[part].sum()), 0.0)
         for count, part in zip(counts, parts, strict=True)
     )
     log_factor = -sum(_price_of_row(fitter, row) for row in rows_set_aside) - 0.5 * fit.log_determinant
-    if fit.hypothesis.scatter:
-        log_factor += float(np.log(P_SHARED_ERROR) - 0.5 * np.log(len(used)))
+    if fit.hypothesis.has_shared_error:
+        log_factor += float(np.log(P_SHARED_ERROR) - 0.5 * np.log(len(used_row_mask)))
     log_factor += _log_occam_factor_of_values(fitter, fit) + sum(
         _log_occam_factor_of_cause(fitter, fit, cause, max_deviations) for cause in fit.causes
     )
-    all_parts = (*parts, fitter.prior_rows)
+    all_parts = (*parts, fitter.prior_slice)
     return LinearisedFit(fit, log_factor, all_parts, degrees, basis, white, frozenset(rows_set_aside))
 
 
 def capped_deviance(fitter: Fitter, fit: Fit) -> float:
     """Return twice the negative log likelihood of a fit, with the square of each datum capped at `MAX_SQUARE`."""
     squares = fit.white**2
-    data = squares[: fitter.prior_rows.start]
+    data = squares[: fitter.prior_slice.start]
     data[:] = np.minimum(data, MAX_SQUARE)
     return float(squares.sum()) + fit.log_determinant
 
@@ -146,7 +146,7 @@ def _price_of_row(fitter: Fitter, row: int) -> float:
 
 def _log_occam_factor_of_values(fitter: Fitter, fit: Fit) -> float:
     """Return the logarithm of the Occam factor of the uncertain values, up to a constant for the same data."""
-    width = fitter.priors.sigmas_in_units(fitter.declared)[fitter.priors.rows(fitter.nuisances)]
+    width = fitter.priors.sigmas_in_units(fitter.declared)[fitter.priors.rows(fitter.nuisance_indices)]
     scaled = fit.jacobian[:, : len(width)] * width
     return -0.5 * float(np.linalg.slogdet(scaled.T @ scaled)[1])
 
@@ -155,7 +155,7 @@ def _log_occam_factor_of_cause(
     fitter: Fitter, fit: Fit, cause: Candidate, max_deviations: Mapping[int, float]
 ) -> float:
     """Return the logarithm of the Occam factor of a cause beside the others; minus infinity if implausible."""
-    index = list(fitter.indices(cause))
+    index = list(fitter.parameter_indices(cause))
     deviations, covariance = fit.values[index] - fitter.declared[index], fit.covariance_of(index)
     if cause.sigma is not None:
         width = fitter.priors.sigmas_in_units(fit.values)[fitter.priors.rows(index)]

@@ -73,14 +73,14 @@ def spectrum(fitter: Fitter, model: LinearisedFit) -> tuple[Array, Array]:
 
     The directions are orthogonal to the derivatives with respect to all fitted parameters.
     """
-    fit, rows, partner = model.fit, fitter.observations.frequency_rows, model.fit.pairing.partner
+    fit, rows, partner = model.fit, fitter.observations.frequency_slice, model.fit.pairing.partner
     mode_index = fitter.observations.pairer.pose, np.maximum(partner, 0)
     shapes, eigenvalues = fit.prediction.shapes[mode_index], np.abs(fit.prediction.eigenvalues[mode_index])
     i, j = np.triu_indices(shapes.shape[1])
     products = shapes[:, i] * shapes[:, j]
     is_used = partner >= 0
     is_used[list(model.set_aside)] = False
-    data = np.zeros((fitter.prior_rows.start, 2 * len(i)))
+    data = np.zeros((fitter.prior_slice.start, 2 * len(i)))
     data[rows] = np.hstack([products, products / np.maximum(eigenvalues, 1e-300)[:, None]]) * is_used[:, None]
     whitened = fitter.whitening(fit).whitened(data)[rows]
     norms = np.linalg.norm(whitened, axis=0)

@@ -170,7 +170,9 @@ def _log_occam_factors(search: Search, scores: Sequence[Score], max_deviations: 
         [
             min(max_deviations.get(i, np.inf) / sigma, MAX_SIGNAL)
             for i, sigma in zip(
-                fitter.indices(candidate_score.candidate), candidate_score.sigma.tolist(), strict=True
+                fitter.parameter_indices(candidate_score.candidate),
+                candidate_score.sigma.tolist(),
+                strict=True,
             )
             if np.isfinite(sigma)
         ]
@@ -185,7 +187,7 @@ def _log_occam_factors(search: Search, scores: Sequence[Score], max_deviations: 
     width = fitter.priors.sigmas_in_units(fitter.declared)
     for k, candidate_score in enumerate(scores):
         if candidate_score.candidate.sigma is not None:
-            rows = fitter.priors.rows(fitter.indices(candidate_score.candidate))
+            rows = fitter.priors.rows(fitter.parameter_indices(candidate_score.candidate))
             log_factors[k] = float(np.log(candidate_score.sigma / width[rows]).sum())
     return log_factors
 
@@ -315,7 +317,7 @@ def _are_indistinguishable(fitter: Fitter, first: WeightedExplanation, second: W
     if len(first.causes) != len(second.causes):
         return False
     if isinstance(first.data, Fit) and isinstance(second.data, Fit):
-        difference = fitter.difference(first.data, second.data)
+        difference = fitter.squared_difference(first.data, second.data)
     elif isinstance(first.data, Fit) or isinstance(second.data, Fit):
         return False
     else:

@@ -45,7 +45,7 @@ def gate(store: FitStore, fit: Fit, scores: Scores) -> Gate:
     - scores: of the candidates to which the residual may point
     """
     fitter, criteria = store.fitter, store.fitter.criteria
-    unpaired = int((fit.pairing.partner[fitter.used_rows(fit.hypothesis)] < 0).sum())
+    unpaired = int((fit.pairing.partner[fitter.used_row_mask(fit.hypothesis)] < 0).sum())
     one_cause = len(fit.causes) == 1 and not fit.hypothesis.remote
     level = criteria.gate.surely if one_cause else criteria.gate.level
     p_unmeasured_modes = p_unmeasured(fitter, store.fit(Hypothesis()) or fit, fit)

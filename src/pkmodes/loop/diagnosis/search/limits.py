@@ -117,7 +117,7 @@ def bounds(
         if not noise:  # chi2 per degree of freedom that the candidate leaves
             free = sum(fitter.priors.row_of(i) is None for i in addition.free if i not in fit.free)
             variance_ratio = max(1.0, point.squares / max(store.degrees(fit) - free, 1))
-        for i in fitter.indices(addition.candidate):
+        for i in fitter.parameter_indices(addition.candidate):
             for sign in (1, -1):
                 side = _side(fitter, addition, point, i, sign, variance_ratio * ONE_SIDED**2 - gain)
                 if side is not None:
@@ -138,7 +138,7 @@ def bounds(
     return [
         _bound(fitter, fit, addition, i, ends_by_parameter.get((addition.candidate.name, i), []))
         for addition in added
-        for i in fitter.indices(addition.candidate)
+        for i in fitter.parameter_indices(addition.candidate)
     ]
 
 
@@ -174,13 +174,13 @@ def value_shifts_by_default(store: FitStore, fit: Fit) -> dict[Assumption, Array
 
 
 def _added_candidates(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> list[_AddedCandidate]:
-    indices = list(dict.fromkeys(i for candidate in candidates for i in fitter.indices(candidate)))
+    indices = list(dict.fromkeys(i for candidate in candidates for i in fitter.parameter_indices(candidate)))
     _, signatures = fitter.signatures(fit, indices)
     prediction = fitter.structure.predict(fit.values, indices, shape_rates=fitter.observations.shape_rates)
     rates = dict(zip(indices, largest_rates(prediction).tolist(), strict=True))
     additions = []
     for candidate in candidates:
-        candidate_indices = fitter.indices(candidate)
+        candidate_indices = fitter.parameter_indices(candidate)
         new_parameters = [i for i in candidate_indices if i not in fit.free]
         free = (*fit.free, *new_parameters)
         without_prior = candidate_indices if candidate.sigma is not None else ()
@@ -257,7 +257,7 @@ def _side(
 def _linear_model_suffices(fitter: Fitter, side: Side, addition: _AddedCandidate, end: End) -> bool:
     """Return whether the end of the linear model is accurate: a small change of a declared value, or no change."""
     column = side.minimum.jacobian[:, side.free.index(side.index)]
-    if not column[: fitter.prior_rows.start].any():
+    if not column[: fitter.prior_slice.start].any():
         return True
     p = fitter.parameters[side.index]
     starts_at_bound = p.value <= p.lower or p.value >= p.upper

@@ -48,7 +48,7 @@ def plausible_size(fitter: Fitter, candidate: Candidate, i: int, sign: int, rate
 
 def plausible_sizes(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> dict[int, float]:
     """Return the largest plausible deviation of each parameter of some candidates, on either side."""
-    indices = list(dict.fromkeys(i for candidate in candidates for i in fitter.indices(candidate)))
+    indices = list(dict.fromkeys(i for candidate in candidates for i in fitter.parameter_indices(candidate)))
     if not indices:
         return {}
     prediction = fitter.structure.predict(fit.values, indices, shape_rates=False)
@@ -56,5 +56,5 @@ def plausible_sizes(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -
     return {
         i: max(plausible_size(fitter, candidate, i, sign, rates[i]) for sign in (1, -1))
         for candidate in candidates
-        for i in fitter.indices(candidate)
+        for i in fitter.parameter_indices(candidate)
     }

@@ -82,7 +82,7 @@ class Scores:
 
 def score(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> Scores:
     """Test candidates that the hypothesis does not have yet."""
-    indices = [i for candidate in candidates for i in fitter.indices(candidate)]
+    indices = [i for candidate in candidates for i in fitter.parameter_indices(candidate)]
     if not indices:
         return Scores((), ())
     rates, signatures = fitter.signatures(fit, indices)
@@ -110,7 +110,7 @@ def _score_of(
     remainder: Array,
     rate_magnitudes: Array,
 ) -> tuple[Score, Array]:
-    remainder_norms, data = np.linalg.norm(remainder, axis=0), slice(0, fitter.prior_rows.start)
+    remainder_norms, data = np.linalg.norm(remainder, axis=0), slice(0, fitter.prior_slice.start)
     norms = np.linalg.norm(signatures[data], axis=0)
     visible = np.linalg.norm(remainder[data], axis=0) > MIN_REMAINDER * np.maximum(norms, 1e-300)
     largest = rate_magnitudes.max(axis=0, initial=0.0)
@@ -142,7 +142,7 @@ def allowed_sign(fitter: Fitter, candidate: Candidate) -> int:
     """Return the sign that physics allows, 0 for both: a single parameter whose declared value is its bound."""
     if len(candidate.parameters) != 1:
         return 0
-    p = fitter.parameters[fitter.indices(candidate)[0]]
+    p = fitter.parameters[fitter.parameter_indices(candidate)[0]]
     return 1 if p.value <= p.lower else -1 if p.value >= p.upper else 0
 
 

@@ -187,7 +187,7 @@ class Search:
         store, c = self.store, self.criteria
         starts = [option.values for option in options if store.criterion(option) < store.criterion(fit)]
         # Also from fits without the worst rows, for several numbers of rows.
-        rows, h = store.fitter.worst_rows(fit)[0].tolist(), fit.hypothesis
+        rows, h = store.fitter.rows_by_residual(fit)[0].tolist(), fit.hypothesis
         counts = [count for count in (1, 2, 4, 8) if count <= int(c.search.misled * len(rows))]
         reduced_hypotheses = [replace(h, excluded=h.excluded | set(rows[:count])) for count in counts]
         starts += [
@@ -226,7 +226,7 @@ class Search:
         """Remove additions that are not needed to pass the gate."""
         h, store = fit.hypothesis, self.store
         reduced_hypotheses = [replace(h, excluded=h.excluded - {row}) for row in sorted(h.excluded)]
-        reduced_hypotheses += [replace(h, scatter=False)] if h.scatter else []
+        reduced_hypotheses += [replace(h, has_shared_error=False)] if h.has_shared_error else []
         reduced_hypotheses += [h.without(position) for position in range(len(h.causes))]
         for hypothesis in reduced_hypotheses:
             reduced_fit = store.fit(hypothesis, store.values_without(fit, hypothesis))

@@ -42,7 +42,7 @@ def starts(fitter: Fitter, additions: Sequence[tuple[Fit, Score, Hypothesis]]) -
 
     - additions: fit to which a cause is added, score of that cause at this fit, and hypothesis with the cause
     """
-    scout, starts_of_addition = fitter.scout, [list[Array]() for _ in additions]
+    subsample_fitter, starts_of_addition = fitter.subsample_fitter, [list[Array]() for _ in additions]
     searches = {k: _search_starts(fitter, *addition) for k, addition in enumerate(additions)}
     costs: dict[int, list[float] | None] = dict.fromkeys(searches)
     while searches:
@@ -56,9 +56,10 @@ def starts(fitter: Fitter, additions: Sequence[tuple[Fit, Score, Hypothesis]]) -
                 del searches[k]
         # Excluded rows are dropped for fewer setups, where rows are numbered differently.
         hypotheses = {
-            k: h if scout is fitter else Hypothesis(h.causes) for k, (_, _, h) in enumerate(additions)
+            k: h if subsample_fitter is fitter else Hypothesis(h.causes)
+            for k, (_, _, h) in enumerate(additions)
         }
-        evaluated = scout.chi2_of_many(
+        evaluated = subsample_fitter.chi2_of_many(
             [(hypotheses[k], values) for k, points in trials.items() for values in points]
         )
         results = iter(evaluated)
@@ -68,7 +69,7 @@ def starts(fitter: Fitter, additions: Sequence[tuple[Fit, Score, Hypothesis]]) -
 
 def _search_starts(fitter: Fitter, fit: Fit, candidate_score: Score, hypothesis: Hypothesis) -> Trials:
     """Yield trial values of one refit, and return its starts."""
-    index = list(fitter.indices(candidate_score.candidate))
+    index = list(fitter.parameter_indices(candidate_score.candidate))
     # The first parameter of a cause determines its size.
     sign = allowed_sign(
         fitter, replace(candidate_score.candidate, parameters=candidate_score.candidate.parameters[:1])
@@ -110,12 +111,12 @@ def _origins(fitter: Fitter, fit: Fit, sign: int) -> list[Array]:
     """Return values of the other parameters for trying a cause: those of the fit, and less distorted ones."""
     less_distorted = fit.values.copy()
     if not fit.causes:  # a large missing cause drives the nuisances far from their declared values
-        nuisances = list(fitter.nuisances)
+        nuisances = list(fitter.nuisance_indices)
         less_distorted[nuisances] = fitter.declared[nuisances]
     elif sign:  # a cause fitted in place of two is too large
         for cause in fit.causes:
             if allowed_sign(fitter, cause):
-                index = list(fitter.indices(cause))
+                index = list(fitter.parameter_indices(cause))
                 less_distorted[index] = fitter.declared[index] + KEPT_PART_OF_SIZE * (
                     fit.values[index] - fitter.declared[index]
                 )

@@ -28,7 +28,7 @@ class ModeCounts(NamedTuple):
 def count_modes(fitter: Fitter, fit: Fit) -> ModeCounts:
     """Count the modes of a fit between the lowest and highest measured ones of each setup."""
     margin, logs = fitter.criteria.gate.margin, fit.prediction.log_frequencies
-    used, visible = fitter.used_rows(fit.hypothesis), _visible(fitter, fit)
+    used_row_mask, visible = fitter.used_row_mask(fit.hypothesis), _visible(fitter, fit)
     observations, paired, unmeasured = fitter.observations, int((fit.pairing.partner >= 0).sum()), 0
     for setup, rows in enumerate(observations.noise.rows):
         if not len(rows):
@@ -40,7 +40,7 @@ def count_modes(fitter: Fitter, fit: Fit) -> ModeCounts:
         modes_between = modes_between[modes_between >= fit.prediction.rigid]
         unpaired = modes_between[~np.isin(modes_between, fit.pairing.partner[rows])]
         # An excluded row may have measured one of them.
-        unmeasured += max(len(unpaired) - int((~used[rows]).sum()), 0)
+        unmeasured += max(len(unpaired) - int((~used_row_mask[rows]).sum()), 0)
     return ModeCounts(paired + unmeasured, unmeasured)
 
 

@@ -68,7 +68,9 @@ class TrustedState:
     @property
     def values(self) -> dict[str, float]:
         """Fitted uncertain values, by name."""
-        return {self.fitter.parameters[i].name: float(self.fit.values[i]) for i in self.fitter.nuisances}
+        return {
+            self.fitter.parameters[i].name: float(self.fit.values[i]) for i in self.fitter.nuisance_indices
+        }
 
     @property
     def shape_error(self) -> float:
@@ -88,7 +90,9 @@ class TrustedState:
     @property
     def remaining_error(self) -> float:
         """Root mean square of the relative error of the model with its values fitted."""
-        return _rms(self.fit.residual[self.fitter.observations.frequency_rows][self.fit.pairing.partner >= 0])
+        return _rms(
+            self.fit.residual[self.fitter.observations.frequency_slice][self.fit.pairing.partner >= 0]
+        )
 
     def diagnose_change(
         self,
@@ -110,7 +114,7 @@ class TrustedState:
         same rows.
         """
         self._check(name, data)
-        nuisances = tuple(self.fitter.nuisances)
+        nuisances = tuple(self.fitter.nuisance_indices)
         names = tuple(self.fitter.parameters[i].name for i in nuisances)
         fitted_values = FittedValues(names, self.fit.covariance_of(nuisances))
         shared = shared_errors(self.fitter, self.fit.values, structure, data, self.shape_error, fitted_values)

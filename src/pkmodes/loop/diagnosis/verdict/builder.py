@@ -270,7 +270,7 @@ class DiagnosisBuilder:
 
         declared, spectrum_without_causes = setups.stage(self.fitter.declared), None
         if causes is not None:
-            index = [i for cause in causes.causes for i in self.fitter.indices(cause)]
+            index = [i for cause in causes.causes for i in self.fitter.parameter_indices(cause)]
             values = causes.values.copy()
             values[index] = self.fitter.declared[index]
             spectrum_without_causes = spectrum_of(setups.stage(values).prediction, setups.data)
@@ -291,7 +291,7 @@ class DiagnosisBuilder:
         """Return what every result has: the decision with its reason, the errors, and the values of the models."""
         last_fit, (declared, before) = models.last_fit, models.declared
         (refit, refit_error), (after, after_error) = models.refit or NO_STAGE, models.after or NO_STAGE
-        nuisances = {self.fitter.parameters[i].name for i in self.fitter.nuisances}
+        nuisances = {self.fitter.parameters[i].name for i in self.fitter.nuisance_indices}
         stages = Stages(
             declared.predicted,
             None if refit is None else refit.predicted,
@@ -314,7 +314,7 @@ class DiagnosisBuilder:
             next_measurement=None,
             candidates=(),
             rows=self.setups.rows(declared, refit, after, models.outlying),
-            scatter=0.0 if last_fit is None else last_fit.scatter,
+            scatter=0.0 if last_fit is None else last_fit.shared_error,
             corrected=models.corrected,
             correlation=() if last_fit is None else tuple(map(tuple, last_fit.correlation.tolist())),
             shape_scatter=models.shape_scatter,

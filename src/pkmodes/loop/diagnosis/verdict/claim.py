@@ -85,7 +85,7 @@ class Claim:
             self.final.causes, self.p_values, self.classes_by_cause, strict=True
         ):
             fits = {name_of_last_cause(fit): fit for fit in groups[0]}
-            index = {name: fitter.indices(fit.causes[-1]) for name, fit in fits.items()}
+            index = {name: fitter.parameter_indices(fit.causes[-1]) for name, fit in fits.items()}
             values = {name: fitted_values(fitter, fit, index[name]) for name, fit in fits.items()}
             names = [cause.name, *(name for name in fits if name != cause.name)]
             joint = single_joints.get(cause.name)

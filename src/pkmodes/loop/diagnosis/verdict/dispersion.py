@@ -61,7 +61,7 @@ def dispersion(store: FitStore, final: Fit) -> Dispersion | None:
     ]
     if fit_without_causes is None or not declared:
         return None
-    rows, log_frequencies = fitter.observations.frequency_rows, fitter.observations.log_frequencies
+    rows, log_frequencies = fitter.observations.frequency_slice, fitter.observations.log_frequencies
     laws = (log_frequencies - log_frequencies.mean(), np.exp(2.0 * (log_frequencies - log_frequencies.max())))
     _, signatures = fitter.signatures(fit_without_causes, [i for i, _ in declared])
     trials = []

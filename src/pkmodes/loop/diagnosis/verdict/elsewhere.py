@@ -94,7 +94,7 @@ def predict_elsewhere(fitter: Fitter, condition: MeasuringCondition, fit: Fit) -
     mean = prediction.log_frequencies[:, lowest] / sigma
     if condition.load.keys() & {name for cause in fit.causes for name in cause.parameters}:
         mean = np.full_like(mean, np.nan)
-    errors = _mean_square_error_factor(fitter, fit) * np.eye(mean.shape[1]) + (fit.scatter / sigma) ** 2
+    errors = _mean_square_error_factor(fitter, fit) * np.eye(mean.shape[1]) + (fit.shared_error / sigma) ** 2
     position_rates = structure.position_rates(fit.values) if fitter.observations.noise.uncertain else None
     if position_rates is not None:
         motion = position_rates.log_rates[:, lowest] / sigma * np.median(fitter.data.point_sigma, axis=0)
@@ -105,9 +105,9 @@ def predict_elsewhere(fitter: Fitter, condition: MeasuringCondition, fit: Fit) -
 
 def _mean_square_error_factor(fitter: Fitter, fit: Fit) -> float:
     """Return the mean of the square of the factor by which the stated errors of frequencies may be wrong."""
-    rows = fitter.observations.frequency_rows
+    rows = fitter.observations.frequency_slice
     squares = np.array((fit.white[rows] ** 2).sum())
-    degrees = max(fitter.used_rows(fit.hypothesis).sum() - fit.leverage[rows].sum(), 0.0)
+    degrees = max(fitter.used_row_mask(fit.hypothesis).sum() - fit.leverage[rows].sum(), 0.0)
     logs = marginal_log_likelihood(squares, degrees - np.array([2.0, 0.0]), prior_of_scale())
     return float(np.exp(logs[0] - logs[1]))
 

@@ -65,8 +65,8 @@ class Start:
         its prior holds.
         """
         if self.declared_fit is None:
-            return float(len(self.fitter.nuisances))
-        return float(self.declared_fit.leverage[: self.fitter.prior_rows.start].sum())
+            return float(len(self.fitter.nuisance_indices))
+        return float(self.declared_fit.leverage[: self.fitter.prior_slice.start].sum())
 
     @cached_property
     def is_contradicted(self) -> bool:
@@ -190,7 +190,7 @@ class Evidence:
     def defaults(self) -> list[Assumption]:
         """The defaults on which values of the causes depend noticeably."""
         shifts = value_shifts_by_default(self.store, self.final)
-        indices = [i for cause in self.final.causes for i in self.fitter.indices(cause)]
+        indices = [i for cause in self.final.causes for i in self.fitter.parameter_indices(cause)]
         return [
             assumption
             for assumption, shift in shifts.items()
@@ -220,12 +220,14 @@ class Evidence:
             fit_without_errors = store.fit(Hypothesis())
             pattern = (
                 reasons.variation_with_pose(store.fitter, fit_without_errors)
-                if fit_without_errors is not None and best.hypothesis.scatter
+                if fit_without_errors is not None and best.hypothesis.has_shared_error
                 else ""
             )
             return f"{errors}; {pattern}" if pattern else errors
         hypothesis = final.hypothesis
-        declared_fit = store.fit(Hypothesis(excluded=hypothesis.excluded, scatter=hypothesis.scatter))
+        declared_fit = store.fit(
+            Hypothesis(excluded=hypothesis.excluded, has_shared_error=hypothesis.has_shared_error)
+        )
         if declared_fit is None:
             return ""
         rows = len(store.fitter.observations.log_frequencies)

@@ -119,9 +119,9 @@ def p_held_out(setups: AllSetups, fitter: Fitter, hypothesis: Hypothesis, final:
     - hypothesis: about all setups; the causes are those of the fit
     - final: to the setups that are not held out
     """
-    is_tested = setups.is_held_out & fitter.used_rows(hypothesis)
+    is_tested = setups.is_held_out & fitter.used_row_mask(hypothesis)
     rows, count = fitter.observations.mask_of_stated(is_tested)
-    predictions = fitter.fit_at_values(hypothesis, final.values, final.scatter)
+    predictions = fitter.fit_at_values(hypothesis, final.values, final.shared_error)
     if predictions is None:
         return 0.0
     data_part = slice(0, len(rows))
@@ -163,10 +163,14 @@ def _without_one_row(
     and the others predict it.
     """
     fitter, c, h = store.fitter, store.fitter.criteria, full_fit.hypothesis
-    worst, sigmas = fitter.worst_rows(full_fit)
-    row = next(int(r) for r in worst if setups.is_held_out[r])
+    ranked_rows, normalised_residuals = fitter.rows_by_residual(full_fit)
+    row = next(int(r) for r in ranked_rows if setups.is_held_out[r])
     has_enough_rows = len(fitter.observations.log_frequencies) >= c.search.rows_to_set_aside
-    if not has_enough_rows or sigmas[row] <= c.reasons.far or full_fit.leverage[row] >= c.search.redundant:
+    if (
+        not has_enough_rows
+        or normalised_residuals[row] <= c.reasons.far
+        or full_fit.leverage[row] >= c.search.redundant
+    ):
         return full_fit, p_value
     fit_without_row = store.fit(replace(h, excluded=h.excluded | {row}), full_fit.values)
     p_without_row = (

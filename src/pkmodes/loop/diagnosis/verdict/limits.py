@@ -66,7 +66,7 @@ NO_LIMITS = CandidateLimits({}, {}, {}, frozenset(), frozenset())
 def unknown_limits(store: FitStore, candidates: Iterable[Candidate]) -> CandidateLimits:
     """Return the limits where the data are uninformative because of an obvious mistake."""
     fitter = store.fitter
-    index = [(candidate, i) for candidate in candidates for i in fitter.indices(candidate)]
+    index = [(candidate, i) for candidate in candidates for i in fitter.parameter_indices(candidate)]
     names = frozenset(candidate.name for candidate, _ in index)
     limits = {limit_key(p := fitter.parameters[i]): Limit(c.name, None, p.unit) for c, i in index}
     return CandidateLimits(limits, {}, {}, names, names)
@@ -100,7 +100,7 @@ def limits_beside(
     unseen = {}
     if residual_is_noise and len(fits) == 1:
         unseen = _unseen_effects(fits[0], all_bounds, value_shifts_by_default(store, fits[0]))
-    ordered = (limit_key(fitter.parameters[i]) for c in all_candidates for i in fitter.indices(c))
+    ordered = (limit_key(fitter.parameters[i]) for c in all_candidates for i in fitter.parameter_indices(c))
     return CandidateLimits(
         {name: by_name[name] for name in ordered if name in by_name},
         unseen,

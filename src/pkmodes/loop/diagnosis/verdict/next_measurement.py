@@ -131,7 +131,7 @@ def _hiding_value(fitter: Fitter, predictions: Sequence[PredictionElsewhere], po
     def separation(exact: int | None = None) -> float:
         return float(explanation_distances(predictions, [pose], exact)[1].item())
 
-    hiding_index = max(fitter.nuisances, key=separation, default=None)
+    hiding_index = max(fitter.nuisance_indices, key=separation, default=None)
     if (
         hiding_index is None
         or separation() >= min_sigmas

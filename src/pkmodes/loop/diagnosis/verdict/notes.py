@@ -131,10 +131,10 @@ def _set_aside(fitter: Fitter, fit: Fit) -> Iterator[str]:
             f"line {data.lines[row]} ({data.labels[data.pose[row]]}, {data.frequency[row]:g} Hz) is set aside "
             "as an outlier: check it"
         )
-    if fit.hypothesis.scatter:
+    if fit.hypothesis.has_shared_error:
         pattern = drift(fitter, fit)
         drift_clause = f": {pattern}" if pattern else ""
-        error_clause = f"the modes of a pose share an error of {plain(100 * fit.scatter, 2)} %"
+        error_clause = f"the modes of a pose share an error of {plain(100 * fit.shared_error, 2)} %"
         yield f"{error_clause} that the file does not state{drift_clause}"
 
 
@@ -173,7 +173,7 @@ def low_modes(declared: MatchStage) -> list[str]:
 
 def drift(fitter: Fitter, fit: Fit) -> str:
     """Return a sentence if the error that the modes of a pose share drifts with the order of the poses."""
-    residual = fit.residual[fitter.observations.frequency_rows]
+    residual = fit.residual[fitter.observations.frequency_slice]
     means = np.array([residual[rows].mean() for rows in fitter.observations.noise.rows if len(rows)])
     if len(means) < 5:
         return ""

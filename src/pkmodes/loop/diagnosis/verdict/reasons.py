@@ -41,8 +41,8 @@ def errors_in_words(fit: Fit, lines: NDArray[np.int_]) -> str:
         parts.append(f"line {excluded[0]} set aside as an outlier")
     elif excluded:
         parts.append(f"lines {', '.join(excluded)} set aside as outliers")
-    if fit.hypothesis.scatter:
-        parts.append(f"an error of {plain(100 * fit.scatter, 2)} % that the modes of a pose share")
+    if fit.hypothesis.has_shared_error:
+        parts.append(f"an error of {plain(100 * fit.shared_error, 2)} % that the modes of a pose share")
     return " and ".join(parts)
 
 
@@ -58,7 +58,7 @@ def ratio_in_words(ratio: float) -> str:
 
 def variation_with_pose(fitter: Fitter, fit: Fit) -> str:
     """Return how the frequency residual varies with the setup; empty if it does not."""
-    residual = fit.residual[fitter.observations.frequency_rows]
+    residual = fit.residual[fitter.observations.frequency_slice]
     rows = [r for r in fitter.observations.noise.rows if len(r) >= 2]
     if len(rows) < 3:
         return ""

@@ -90,14 +90,14 @@ def extra_modes(e: Evidence) -> str:
 
 def unstated_error(e: Evidence) -> str:
     """The residual is noise only with an error that the modes of a pose share and the file does not state."""
-    if not e.final.hypothesis.scatter:
+    if not e.final.hypothesis.has_shared_error:
         return ""
     pattern = drift(e.fitter, e.final)
     drift_clause = f"; {pattern}" if pattern else ""
     return (
-        f"the declared model explains the residual only with an error of {plain(100 * e.final.scatter, 2)} % that "
-        f"the modes of a pose share and the file does not state{drift_clause}: something changed between the poses, "
-        "or an effect is missing"
+        f"the declared model explains the residual only with an error of {plain(100 * e.final.shared_error, 2)} % "
+        f"that the modes of a pose share and the file does not state{drift_clause}: something changed between the "
+        "poses, or an effect is missing"
     )
 
 

@@ -42,7 +42,7 @@ def value_far_away(e: Evidence) -> Answer | None:
     store, nuisance_fit, gate, c = e.store, e.outcome.nuisance_fit, e.outcome.first_gate, e.criteria
     if min(part.p_value for part in _misfits(store, nuisance_fit)) <= c.gate.surely:
         return None
-    name, sigmas = misfit.farthest_value(store, nuisance_fit, e.fitter.nuisances)
+    name, sigmas = misfit.farthest_value(store, nuisance_fit, e.fitter.nuisance_indices)
     if gate.p_value > c.gate.level or sigmas <= c.reasons.far:
         return None
     text = (
@@ -75,7 +75,7 @@ def beyond_prior(e: Evidence) -> Answer | None:
     for fit in _fits_without_errors(store):
         if len(fit.causes) != 1:
             continue
-        index = e.fitter.indices(fit.causes[0])
+        index = e.fitter.parameter_indices(fit.causes[0])
         _, sigmas = misfit.farthest_value(store, fit, index)
         explained = min(part.p_value for part in _misfits(store, fit))
         if sigmas > c.reasons.far and explained > c.gate.level:
@@ -249,7 +249,11 @@ def _indicated_candidate(gate: Gate) -> Candidate:
 def _fits_without_errors(store: FitStore) -> list[Fit]:
     """Return the explanations tried without errors of the measurement and without remote causes."""
     fits = store.all_fits()
-    return [fit for fit in fits if (h := fit.hypothesis).causes and not (h.remote or h.excluded or h.scatter)]
+    return [
+        fit
+        for fit in fits
+        if (h := fit.hypothesis).causes and not (h.remote or h.excluded or h.has_shared_error)
+    ]
 
 
 def _priced_criterion(e: Evidence) -> Callable[[Fit], float]:
