@@ -15,7 +15,7 @@ from pkmodes.core.support.documents import Count, Document, Number, Probability,
 from pkmodes.loop.diagnosis.arguments import checked_structure
 from pkmodes.loop.diagnosis.criteria import Criteria
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
-from pkmodes.loop.diagnosis.match.predicted import Predicted
+from pkmodes.loop.diagnosis.match.predicted import PartnerPredictions
 from pkmodes.loop.diagnosis.problem import Structure
 from pkmodes.loop.diagnosis.readings.amplitude import notes_on_amplitude
 from pkmodes.loop.diagnosis.readings.table import answer_for_declared_model
@@ -107,7 +107,7 @@ class Comparison:
         Warnings, such as frequencies that seem to be in another unit.
     rigid : int
         Number of rigid-body modes, which come first among the model's modes.
-    stage : Predicted or None
+    stage : PartnerPredictions or None
         Partners, differences and MAC of all measured modes, for figures; not part of the JSON.
     """
 
@@ -117,7 +117,7 @@ class Comparison:
     p_value: float | None
     notes: tuple[str, ...] = ()
     rigid: int = 0
-    stage: Predicted | None = field(default=None, compare=False, repr=False)
+    stage: PartnerPredictions | None = field(default=None, compare=False, repr=False)
 
     _repr_html_ = Attached("pkmodes.pages.report.notebook:of_comparison")
 
@@ -192,7 +192,7 @@ def compare(structure: Structure, data: Measurements) -> Comparison:
     notes = (*answer_for_declared_model(fitter), *notes_on_amplitude(fitter, fitter.declared))
     prediction = structure.predict(fitter.declared, ())
     stage, rigid = (
-        Predicted.of(fitter.observations.pairer, data, prediction, pairing, sigma),
+        PartnerPredictions.from_pairing(fitter.observations.pairer, data, prediction, pairing, sigma),
         prediction.rigid,
     )
     if not paired.any():

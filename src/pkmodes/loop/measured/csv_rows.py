@@ -16,7 +16,7 @@ from pkmodes.loop.measured.cells import QUOTED, SEPARATORS, TableNotation, separ
 from pkmodes.loop.measured.columns import Stated
 from pkmodes.loop.measured.header import SPREAD, TEXT, HeaderColumn
 from pkmodes.loop.measured.measurements import Measurements
-from pkmodes.loop.measured.quantities import LEVEL, required_columns, row_numbers
+from pkmodes.loop.measured.quantities import LEVEL, number_columns, required_columns
 from pkmodes.loop.measured.rules import (
     SET,
     SHAPE,
@@ -290,7 +290,7 @@ def _measurements(
     """Build measurements from a file's columns by name; `units` are those of the header."""
     rows = len(lines.records) - 1
     zeros = [0.0] * rows
-    columns: dict[str, Any] = {number.argument: numbers.get(number.column) for number in row_numbers()}
+    columns: dict[str, Any] = {number.argument: numbers.get(number.column) for number in number_columns()}
     return Measurements.from_rows(
         texts["pose"],
         **columns,

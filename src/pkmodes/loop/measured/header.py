@@ -19,9 +19,9 @@ from pkmodes.loop.measured.quantities import (
     LEVEL,
     QUANTITIES,
     SHAPE_SIGMA,
+    number_columns,
     quantity_numbers,
     required_columns,
-    row_numbers,
 )
 from pkmodes.loop.measured.rules import SET, SHAPE, checked_level_unit
 from pkmodes.loop.measured.statements import WORD_SYNONYMS
@@ -81,7 +81,7 @@ def read_header(
     required_numbers = required_columns()
     required = ("pose", *(components if positions else ()), *required_numbers)
     spreads = {f"{SPREAD}{name}": unit for name, unit in components.items()}
-    units = {number.column: number.unit for number in row_numbers()} | dict(components) | spreads
+    units = {number.column: number.unit for number in number_columns()} | dict(components) | spreads
     units |= {f"{SET}{name}": unit for name, unit in settings.items()} | {LEVEL.column: LEVEL.unit}
     known_columns = ["pose", *components, *required_numbers, *spreads]
     known_columns += [number.column for number in quantity_numbers() if not number.required]

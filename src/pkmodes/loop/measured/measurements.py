@@ -21,13 +21,13 @@ from pkmodes.core.robot.units import QuantityError
 from pkmodes.loop.measured.arguments import (
     checked_array,
     checked_columns,
+    checked_mode_numbers,
     drives_of_rows,
-    mode_numbers,
-    nearest_argument,
-    numbers_of,
-    read_only,
+    make_read_only,
+    quantity_columns,
     renamed_columns,
     repeat_for_rows,
+    unknown_argument_remedy,
 )
 from pkmodes.loop.measured.columns import POSITION, Array, Columns, Numbers, merge_stated
 from pkmodes.loop.measured.quantities import LEVEL, quantity_numbers
@@ -103,12 +103,14 @@ class Measurements(Columns):
             "set_values": (poses, len(self.settings)),
             "level": (poses,),
         }.items():
-            whole = name in ("pose", "lines")
+            integers_only = name in ("pose", "lines")
             object.__setattr__(
-                self, name, read_only(checked_array(getattr(self, name), name, shape, self.source, whole))
+                self,
+                name,
+                make_read_only(checked_array(getattr(self, name), name, shape, self.source, integers_only)),
             )
         numbers = {
-            name: read_only(checked_array(column, name, (rows,), self.source))
+            name: make_read_only(checked_array(column, name, (rows,), self.source))
             for name, column in self.numbers.items()
         }
         object.__setattr__(self, "numbers", Numbers(numbers))
@@ -219,7 +221,7 @@ class Measurements(Columns):
         quantities = {number.argument for number in quantity_numbers()}
         for name in (name for name in further if name not in quantities):
             problem = f"unknown argument {shown(name)}"
-            raise MeasurementError(problem, "from_rows", nearest_argument(name))
+            raise MeasurementError(problem, "from_rows", unknown_argument_remedy(name))
         try:
             if unit:
                 frequency_factor(unit)
@@ -270,11 +272,11 @@ class Measurements(Columns):
                 points=row_points[pose_rows],
                 point_sigma=row_point_sigmas[pose_rows],
                 pose=np.array([pose_index[label] for label in names], dtype=int),
-                numbers=numbers_of({**main_columns, **further}, rows, source),
-                mode=("",) * rows if mode is None else tuple(map(str, mode_numbers(mode, source))),
+                numbers=quantity_columns({**main_columns, **further}, rows, source),
+                mode=("",) * rows if mode is None else tuple(map(str, checked_mode_numbers(mode, source))),
                 lines=np.arange(1, rows + 1)
                 if lines is None
-                else checked_array(lines, "lines", (rows,), source, whole=True),
+                else checked_array(lines, "lines", (rows,), source, integers_only=True),
                 channels=tuple(shapes),
                 shapes=np.stack(components_of_shapes, axis=-1)
                 if components_of_shapes

@@ -197,11 +197,11 @@ def quantity_numbers() -> Iterator[NumberColumn]:
         yield from (quantity.value, quantity.sigma)
 
 
-def row_numbers() -> tuple[NumberColumn, ...]:
+def number_columns() -> tuple[NumberColumn, ...]:
     """Return all columns with one number for each mode."""
     return (*quantity_numbers(), SHAPE_SIGMA)
 
 
 def required_columns() -> tuple[str, ...]:
     """Return the names of the columns of numbers that a file must have."""
-    return tuple(number.column for number in row_numbers() if number.required)
+    return tuple(number.column for number in number_columns() if number.required)

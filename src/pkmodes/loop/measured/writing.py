@@ -11,7 +11,7 @@ import numpy as np
 
 from pkmodes.loop.measured.columns import Columns
 from pkmodes.loop.measured.header import SPREAD
-from pkmodes.loop.measured.quantities import LEVEL, QUANTITIES, SHAPE_SIGMA, row_numbers
+from pkmodes.loop.measured.quantities import LEVEL, QUANTITIES, SHAPE_SIGMA, number_columns
 from pkmodes.loop.measured.rules import SET, SHAPE
 
 
@@ -59,7 +59,7 @@ def as_csv(data: Columns, comments: Sequence[str] = ()) -> str:
     for k, name in enumerate(data.channels):
         columns[f"{SHAPE}{name}"] = _numbers(data.shapes[:, k])
     columns[SHAPE_SIGMA.column] = _numbers(data.shape_sigma)
-    required_names = {number.column for number in row_numbers()}
+    required_names = {number.column for number in number_columns()}
     columns = {name: cells for name, cells in columns.items() if any(cells) or name in required_names}
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(columns)

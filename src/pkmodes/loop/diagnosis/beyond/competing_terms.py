@@ -25,7 +25,7 @@ MIN_GAIN_FRACTION = 0.5
 
 def has_many_alternatives(catalogue: Evidence) -> bool:
     """Return whether the claim has many alternatives: several causes, a wrong value of one axis, or any change."""
-    local = any(fit.causes[-1].local for fits in catalogue.claim.own_classes for fit in fits)
+    local = any(fit.causes[-1].local for fits in catalogue.claim.class_of_each_cause for fit in fits)
     return len(catalogue.final.causes) > 1 or local or catalogue.criteria.claim.terms_as_likely
 
 

@@ -14,7 +14,7 @@ from pkmodes.loop.diagnosis.beyond.term_fits import TermFits
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.problem import Candidate
-from pkmodes.loop.diagnosis.search.ranges import plausible_sizes
+from pkmodes.loop.diagnosis.search.ranges import max_plausible_deviations
 from pkmodes.loop.diagnosis.search.score import allowed_sign, p_of_smallest, score
 from pkmodes.loop.diagnosis.search.search import Outcome, Search
 from pkmodes.loop.diagnosis.verdict.claim import Claim, fitted_values
@@ -51,7 +51,7 @@ class TermEvidence(Evidence):
         final = _representative(search, groups[0]) if groups else best
         p_value = _p_value(term_fits, final)
         causes = dict.fromkeys(cause for group in groups for fit in group for cause in fit.causes)
-        plausible = plausible_sizes(store.fitter, term_fits.baseline, list(causes))
+        plausible = max_plausible_deviations(store.fitter, term_fits.baseline, list(causes))
         implausible = {
             name_of_explanation(fit)
             for group in groups

@@ -22,7 +22,7 @@ from pkmodes.loop.diagnosis.problem import Array, Candidate, Structure
 from pkmodes.loop.diagnosis.search.additions import Progress
 from pkmodes.loop.diagnosis.search.score import MIN_REMAINDER, Directions, Score, allowed_sign, score
 from pkmodes.loop.diagnosis.search.search import Search
-from pkmodes.loop.diagnosis.search.starts import SIZES, starts
+from pkmodes.loop.diagnosis.search.starts import START_FREQUENCY_CHANGES, starts
 from pkmodes.loop.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.loop.diagnosis.verdict.evidence import Evidence
 
@@ -328,7 +328,7 @@ class _Explorer:
                 baseline.hypothesis.with_cause(entry.candidate),
                 [
                     self._values_with(baseline, entry.candidate, [sign * size / entry.largest_rates[0]])
-                    for size in SIZES
+                    for size in START_FREQUENCY_CHANGES
                 ],
             )
             for entry in scores

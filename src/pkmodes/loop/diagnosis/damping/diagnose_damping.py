@@ -1,8 +1,8 @@
 """The second stage of a diagnosis: damping, at the final model of the frequencies and shapes.
 
 Losses change neither frequencies nor shapes, so the first stage needs no damping, and the second stage reuses the
-first one's model, values and pairing.  If the first stage is not settled, its modes may be the wrong ones, and damping
-is not diagnosed.
+first one's model, values and pairing.  If the first stage is not settled, its modes may be the wrong ones, and
+damping is not diagnosed.
 """
 
 from __future__ import annotations
@@ -47,10 +47,10 @@ def add_damping_diagnosis(
     predicted = result.stages.after or result.stages.refit
     assert predicted is not None
     all_rows = damping_observations(
-        structure, data, predicted.mode, _perturbed_values(structure, result), criteria
+        structure, data, predicted.partner_mode, _perturbed_values(structure, result), criteria
     )
     # False where no shape was measured, since a comparison with NaN is False.
-    mismatched_shape_mask = predicted.mac[all_rows.index] < criteria.shapes.strange_mac
+    mismatched_shape_mask = predicted.partner_mac[all_rows.index] < criteria.shapes.strange_mac
     has_information = informative_mask(all_rows)
     usable_mask = has_information & ~mismatched_shape_mask
     held_out_mask = np.array([row.held_out for row in result.rows])[all_rows.index] & usable_mask

@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from pkmodes.loop.diagnosis.match.pairing import Pairer, Pairing
-from pkmodes.loop.diagnosis.match.predicted import Predicted
+from pkmodes.loop.diagnosis.match.predicted import PartnerPredictions
 from pkmodes.loop.diagnosis.problem import Array, Prediction, Structure
 from pkmodes.loop.measured.measurements import Measurements
 
@@ -51,6 +51,8 @@ class MatchStage:
         return np.sqrt(variance)
 
     @cached_property
-    def predicted(self) -> Predicted:
+    def predicted(self) -> PartnerPredictions:
         """Partners, differences and MAC, for figures."""
-        return Predicted.of(self.pairer, self.data, self.prediction, self.pairing, self.sigma)
+        return PartnerPredictions.from_pairing(
+            self.pairer, self.data, self.prediction, self.pairing, self.sigma
+        )

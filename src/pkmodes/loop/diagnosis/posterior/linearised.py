@@ -19,7 +19,7 @@ from pkmodes.loop.diagnosis.fit.hypothesis import Fit, orthonormal
 from pkmodes.loop.diagnosis.posterior.marginal import (
     log_occam_factor,
     marginal_log_likelihood,
-    prior_of_scale,
+    prior_of_error_factor,
 )
 from pkmodes.loop.diagnosis.problem import Array, Candidate
 from pkmodes.loop.diagnosis.search.score import allowed_sign
@@ -79,7 +79,7 @@ class LinearisedFit:
         """
         residual = self.white[:, None] - removed_residuals
         squares = [(residual[part] ** 2).sum(axis=0) for part in self.parts]
-        total, prior = self.log_factor - 0.5 * squares[-1], prior_of_scale()
+        total, prior = self.log_factor - 0.5 * squares[-1], prior_of_error_factor()
         for sums, part, degrees in zip(squares, self.parts, self.degrees, strict=False):
             total += marginal_log_likelihood(
                 sums, np.maximum(degrees - leverages[part].sum(axis=0), 0.0), prior
@@ -168,9 +168,9 @@ def _log_occam_factor_of_cause(
     signals = np.linalg.eigvalsh(information * np.outer(ratio, ratio))
     signal = float(np.sqrt(max(z @ information @ z, 0.0)))
     max_signal = max(float(np.sqrt(max(signals[-1], 1.0))), MIN_SIGNAL_RATIO * signal)
-    degrees, is_one_sided = max(int((signals > 1.0).sum()), 1), allowed_sign(fitter, cause) != 0
+    dimensions, is_one_sided = max(int((signals > 1.0).sum()), 1), allowed_sign(fitter, cause) != 0
     return float(
-        log_occam_factor(*(np.array([argument]) for argument in (signal, degrees, max_signal, is_one_sided)))[
-            0
-        ]
+        log_occam_factor(
+            *(np.array([argument]) for argument in (signal, dimensions, max_signal, is_one_sided))
+        )[0]
     )

@@ -31,7 +31,7 @@ from pkmodes.loop.diagnosis.fit.profile import (
 )
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.problem import Array, Assumption, Candidate
-from pkmodes.loop.diagnosis.search.ranges import largest_rates, plausible_size
+from pkmodes.loop.diagnosis.search.ranges import largest_rates, max_plausible_deviation
 
 #: Standard deviations of a one-sided bound at 95 %.
 ONE_SIDED = float(stats.norm.ppf(0.95))
@@ -246,7 +246,10 @@ def _side(
     fitter: Fitter, addition: _AddedCandidate, minimum: ProfilePoint, i: int, sign: int, rise: float
 ) -> Side | None:
     """Return one side of a parameter; None if there is nothing on that side."""
-    p, largest = fitter.parameters[i], plausible_size(fitter, addition.candidate, i, sign, addition.rates[i])
+    p, largest = (
+        fitter.parameters[i],
+        max_plausible_deviation(fitter, addition.candidate, i, sign, addition.rates[i]),
+    )
     if not 0.0 < largest < np.inf:
         return None
     return Side(

@@ -17,10 +17,10 @@ from pkmodes.loop.diagnosis.problem import Array
 from pkmodes.loop.diagnosis.search.score import Score, allowed_sign
 
 #: Sizes of a one-sided cause that are tried first, as the frequency change that the linear model predicts.
-SIZES = np.geomspace(0.003, 30.0, 12)
+START_FREQUENCY_CHANGES = np.geomspace(0.003, 30.0, 12)
 #: The same for a cause that adds modes: these change a frequency only when they come near it.  Neighbouring sizes
 #: differ by a quarter, and the frequencies of the added modes by an eighth.
-CLOSE_SIZES = np.geomspace(5e-5, 0.5, 42)
+CLOSE_FREQUENCY_CHANGES = np.geomspace(5e-5, 0.5, 42)
 #: The grid is refined by HALVINGS bisections around the best MAX_VALLEYS sizes with sums of squares up to
 #: MAX_COST_RATIO times the least: such a mode fits in a narrow valley, and a grid hits only its slopes.
 MAX_VALLEYS, MAX_COST_RATIO = 6, 4.0
@@ -74,15 +74,15 @@ def _search_starts(fitter: Fitter, fit: Fit, candidate_score: Score, hypothesis:
     sign = allowed_sign(
         fitter, replace(candidate_score.candidate, parameters=candidate_score.candidate.parameters[:1])
     )
-    unit, sizes = np.zeros(len(index)), SIZES
+    unit, sizes = np.zeros(len(index)), START_FREQUENCY_CHANGES
     has_size = bool(sign) and candidate_score.largest_rates[0] > 0.0
     if has_size:
         unit[0] = sign / candidate_score.largest_rates[0]
         values = fit.values.copy()
-        values[index[0]] += float(SIZES[0] * unit[0])
+        values[index[0]] += float(START_FREQUENCY_CHANGES[0] * unit[0])
         count = fitter.structure.predict(values, ()).eigenvalues.shape[1]
         if count > fit.prediction.eigenvalues.shape[1]:  # the cause adds modes
-            sizes = CLOSE_SIZES
+            sizes = CLOSE_FREQUENCY_CHANGES
     ranked: list[tuple[float, Array]] = []
     for origin in _origins(fitter, fit, sign):
 
@@ -92,17 +92,17 @@ def _search_starts(fitter: Fitter, fit: Fit, candidate_score: Score, hypothesis:
             return all_values
 
         steps = [candidate_score.step, 0.5 * candidate_score.step]
-        if has_size and sizes is CLOSE_SIZES and not fit.causes:
-            best = yield from _best_sizes(CLOSE_SIZES, unit, values_at)
+        if has_size and sizes is CLOSE_FREQUENCY_CHANGES and not fit.causes:
+            best = yield from _best_sizes(CLOSE_FREQUENCY_CHANGES, unit, values_at)
             steps += [size * unit for size in best]
         elif has_size:  # there are many pairs, and only those that the linear model favours are tried
-            costs = yield [values_at(size * unit) for size in SIZES]
-            steps.append(SIZES[int(np.argmin(costs))] * unit)
+            costs = yield [values_at(size * unit) for size in START_FREQUENCY_CHANGES]
+            steps.append(START_FREQUENCY_CHANGES[int(np.argmin(costs))] * unit)
         trials = [values_at(step) for step in steps]
         sums = yield trials
         ranked_trials = sorted(zip(sums, trials, strict=True), key=lambda pair: pair[0])
         # Near the distorted values of the fit, a large cause ends where it began: one best start for each origin.
-        ranked += ranked_trials if sizes is CLOSE_SIZES and not fit.causes else ranked_trials[:1]
+        ranked += ranked_trials if sizes is CLOSE_FREQUENCY_CHANGES and not fit.causes else ranked_trials[:1]
     ranked.sort(key=lambda pair: pair[0])
     return [values for _, values in ranked[:MAX_STARTS]]
 

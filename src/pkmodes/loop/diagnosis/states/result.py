@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from msgspec import structs
 
-from pkmodes.loop.diagnosis.match.predicted import Predicted
+from pkmodes.loop.diagnosis.match.predicted import PartnerPredictions
 from pkmodes.loop.diagnosis.problem import Array
 from pkmodes.loop.diagnosis.states.shared_errors import SharedErrors
 from pkmodes.loop.diagnosis.states.words import reword_result
@@ -183,13 +183,13 @@ def _stages_with_model_errors(stages: Stages, shared: SharedErrors) -> Stages:
         errors[:, :count] = shared.mode_offsets[:, :count]
         return np.asarray(frequencies * np.exp(errors))
 
-    def stage(predicted: Predicted | None) -> Predicted | None:
+    def stage(predicted: PartnerPredictions | None) -> PartnerPredictions | None:
         if predicted is None:
             return None
         return replace(
             predicted,
             frequency=predicted.frequency * np.exp(shared.offset),
-            spectrum=spectrum(predicted.spectrum),
+            elastic_frequencies=spectrum(predicted.elastic_frequencies),
         )
 
     before = stage(stages.before)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.fit.store import FitStore
-from pkmodes.loop.diagnosis.match.predicted import spectrum_of
+from pkmodes.loop.diagnosis.match.predicted import elastic_frequencies_of
 from pkmodes.loop.diagnosis.match.stage import MatchStage
 from pkmodes.loop.diagnosis.posterior.probabilities import probabilities
 from pkmodes.loop.diagnosis.problem import Array, reached_bounds
@@ -21,7 +21,7 @@ from pkmodes.loop.diagnosis.readings.amplitude import (
     notes_on_amplitude,
 )
 from pkmodes.loop.diagnosis.readings.table import answer_for_declared_model, reading_remarks
-from pkmodes.loop.diagnosis.search.ranges import plausible_sizes
+from pkmodes.loop.diagnosis.search.ranges import max_plausible_deviations
 from pkmodes.loop.diagnosis.verdict import caveats, held_out, limits
 from pkmodes.loop.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.loop.diagnosis.verdict.claim import fitted_values, name_of_last_cause
@@ -122,7 +122,9 @@ class DiagnosisBuilder:
         undecided = remaining
         if verdict is EFFECT_FOUND:
             # The class of the first cause that the data cannot tell from others.
-            claimed_class = next((fits for fits in claim.own_classes if len(fits) > 1), claim.own_classes[0])
+            claimed_class = next(
+                (fits for fits in claim.class_of_each_cause if len(fits) > 1), claim.class_of_each_cause[0]
+            )
             undecided = [[(name_of_last_cause(fit), fit) for fit in claimed_class]]
         proposal, not_separated = next_measurement(search.store, explanation_probabilities, undecided)
         if verdict.settled:
@@ -190,7 +192,7 @@ class DiagnosisBuilder:
             candidate for candidate in search.candidates if candidate.name not in candidate_limits.candidates
         ]
         max_deviations = {
-            **plausible_sizes(self.fitter, outcome.nuisance_fit, without_limits),
+            **max_plausible_deviations(self.fitter, outcome.nuisance_fit, without_limits),
             **candidate_limits.max_deviations,
         }
         examined_candidates = examine_candidates(
@@ -273,7 +275,7 @@ class DiagnosisBuilder:
             index = [i for cause in causes.causes for i in self.fitter.parameter_indices(cause)]
             values = causes.values.copy()
             values[index] = self.fitter.declared[index]
-            spectrum_without_causes = spectrum_of(setups.stage(values).prediction, setups.data)
+            spectrum_without_causes = elastic_frequencies_of(setups.stage(values).prediction, setups.data)
         return _Models(
             last_fit=last_fit,
             outlying=outlying,
@@ -325,7 +327,7 @@ class DiagnosisBuilder:
     def corrected_values(self, fit: Fit, candidate_limits: CandidateLimits) -> tuple[Corrected, ...]:
         """Return all fitted parameters with their declared values, priors, and unseen influences."""
         prior_widths, corrected = self.fitter.priors.sigmas_in_units(fit.values), []
-        max_deviations = plausible_sizes(self.fitter, fit, fit.causes)
+        max_deviations = max_plausible_deviations(self.fitter, fit, fit.causes)
         for i, v in zip(fit.free, fitted_values(self.fitter, fit, fit.free), strict=True):
             p, row = self.fitter.parameters[i], self.fitter.priors.row_of(i)
             corrected.append(

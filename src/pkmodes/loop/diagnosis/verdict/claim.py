@@ -15,7 +15,7 @@ from scipy import stats
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.search.gate import Gate
-from pkmodes.loop.diagnosis.search.ranges import plausible_sizes
+from pkmodes.loop.diagnosis.search.ranges import max_plausible_deviations
 from pkmodes.loop.diagnosis.search.score import allowed_sign
 from pkmodes.loop.diagnosis.search.search import Outcome, Search
 from pkmodes.loop.diagnosis.verdict.classes import classes, other_pairs, survivors
@@ -54,7 +54,7 @@ class Claim:
     implausible_names: frozenset[str] = frozenset()
 
     @property
-    def own_classes(self) -> list[list[Fit]]:
+    def class_of_each_cause(self) -> list[list[Fit]]:
         """The class of each cause."""
         return [groups[0] for groups in self.classes_by_cause if groups]
 
@@ -127,7 +127,7 @@ def claim_of(search: Search, outcome: Outcome) -> Claim:
             classes_by_cause = ([nameable_fits, *classes_by_cause[0][1:]], *classes_by_cause[1:])
     all_classes = classes_by_cause
     members = dict.fromkeys(fit.causes[-1] for groups in classes_by_cause if groups for fit in groups[0])
-    max_deviations = plausible_sizes(search.store.fitter, outcome.nuisance_fit, list(members))
+    max_deviations = max_plausible_deviations(search.store.fitter, outcome.nuisance_fit, list(members))
     final_fit, classes_by_cause, left_out = _without_impossible(
         search, final_fit, classes_by_cause, max_deviations
     )

@@ -14,7 +14,7 @@ import numpy as np
 from pkmodes.core.base.drives import HELD, Drives, other_drives
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
-from pkmodes.loop.diagnosis.posterior.marginal import marginal_log_likelihood, prior_of_scale
+from pkmodes.loop.diagnosis.posterior.marginal import marginal_log_likelihood, prior_of_error_factor
 from pkmodes.loop.diagnosis.problem import Array, Driven, Loadable, Structure
 from pkmodes.loop.diagnosis.verdict.information import separations
 
@@ -108,7 +108,7 @@ def _mean_square_error_factor(fitter: Fitter, fit: Fit) -> float:
     rows = fitter.observations.frequency_slice
     squares = np.array((fit.white[rows] ** 2).sum())
     degrees = max(fitter.used_row_mask(fit.hypothesis).sum() - fit.leverage[rows].sum(), 0.0)
-    logs = marginal_log_likelihood(squares, degrees - np.array([2.0, 0.0]), prior_of_scale())
+    logs = marginal_log_likelihood(squares, degrees - np.array([2.0, 0.0]), prior_of_error_factor())
     return float(np.exp(logs[0] - logs[1]))
 
 

@@ -138,7 +138,7 @@ class Evidence:
     @property
     def members(self) -> list[str]:
         """The names of a single cause and of all that the data cannot tell from it; empty for several causes."""
-        classes = self.claim.own_classes
+        classes = self.claim.class_of_each_cause
         if len(self.final.causes) != 1 or not classes:
             return []
         own_name = name_of_last_cause(self.final)
@@ -147,7 +147,7 @@ class Evidence:
     @cached_property
     def trials(self) -> list[Trial]:
         """The explanations with other errors and priors."""
-        return trials(self.search, self.final, self.claim.own_classes)
+        return trials(self.search, self.final, self.claim.class_of_each_cause)
 
     @cached_property
     def held_out(self) -> HeldOut:

@@ -190,7 +190,7 @@ def _better_remote_cause(search: Search, full_fit: Fit) -> Fit | None:
     if not full_fit.causes or (has_single_cause and search.gate(full_fit).passes_at(c.gate.plainly)):
         return None
     # A remote cause with the same predictions is listed in the class of the cause.
-    difference = search.store.fitter.difference
+    difference = search.store.fitter.squared_difference
     return next(
         (
             fit
@@ -211,7 +211,7 @@ def _best_rival(search: Search, full_fit: Fit, rivals: Sequence[Fit]) -> Fit | N
     ]
     limit = store.criterion(full_fit) - c.search.survives
     fitted_rivals = sorted((fit for fit in fits if fit is not None), key=store.criterion)
-    difference = store.fitter.difference
+    difference = store.fitter.squared_difference
     return next(
         (
             fit

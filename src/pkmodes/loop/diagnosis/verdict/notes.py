@@ -143,7 +143,7 @@ def low_modes(declared: MatchStage) -> list[str]:
 
     Such modes have no partner, whatever its parameter values: something stands on a spring that the model lacks.
     """
-    data, spectrum = declared.data, declared.predicted.spectrum
+    data, spectrum = declared.data, declared.predicted.elastic_frequencies
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RuntimeWarning)  # of a setup without any mode
         lowest = np.nanmin(spectrum, axis=1)

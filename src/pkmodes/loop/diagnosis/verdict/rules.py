@@ -18,7 +18,7 @@ from pkmodes.core.base.numbers import p_in_words, p_text, plain
 from pkmodes.loop.diagnosis.readings import table
 from pkmodes.loop.diagnosis.verdict.amplitude import depends_on_amplitude
 from pkmodes.loop.diagnosis.verdict.classes import count_distinct_causes, find_more_general, lacks_whole
-from pkmodes.loop.diagnosis.verdict.defaults import by_a_default
+from pkmodes.loop.diagnosis.verdict.defaults import rests_on_undeclared_default
 from pkmodes.loop.diagnosis.verdict.dispersion import frequency_dependent_stiffness
 from pkmodes.loop.diagnosis.verdict.evidence import Answer, Decision, Evidence, Rule, Start, T, first_decision
 from pkmodes.loop.diagnosis.verdict.naming import explanation_in_words
@@ -261,7 +261,9 @@ def not_settled(e: Evidence) -> Answer | str:
 def several_explanations(e: Evidence) -> Answer | None:
     """Several classes or pairs survive, or one class of more than five members, or of directions without a whole."""
     claim, limit = e.claim, e.criteria.claim.most_members
-    is_large = any(count_distinct_causes(fits) > limit or lacks_whole(fits) for fits in claim.own_classes)
+    is_large = any(
+        count_distinct_causes(fits) > limit or lacks_whole(fits) for fits in claim.class_of_each_cause
+    )
     are_several = claim.rivals or any(len(groups) > 1 for groups in claim.classes_by_cause)
     if not are_several and not is_large:
         return None
@@ -389,7 +391,7 @@ CLAIMS: tuple[Rule[Evidence, Answer], ...] = (
     Rule("claims.one_row", UNEXPLAINED, depends_on_one_row),
     Rule("claims.not_settled", UNEXPLAINED, not_settled),
     Rule("claims.several", AMBIGUOUS, several_explanations),
-    Rule("claims.default", AMBIGUOUS, by_a_default),
+    Rule("claims.default", AMBIGUOUS, rests_on_undeclared_default),
     Rule("claims.other_errors", AMBIGUOUS, another_with_other_errors),
     Rule("claims.priors", UNEXPLAINED, held_by_priors),
     Rule("claims.dispersion", UNEXPLAINED, frequency_dependent_stiffness),
