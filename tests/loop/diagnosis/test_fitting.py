@@ -78,7 +78,7 @@ def test_excluded_rows_are_not_used() -> None:
     y[1, 2] += 0.1
     y[3, 0] -= 0.05
     data = logs_measured(y, SIGMA)
-    found = fitted(model, data, Hypothesis(CAUSES, excluded=frozenset({6, 12})))
+    found = fitted(model, data, Hypothesis(CAUSES, excluded_rows=frozenset({6, 12})))
     kept = np.setdiff1d(np.arange(20), [6, 12])
     values, covariance, chi2 = least_squares(
         model.G.reshape(-1, 4)[kept],

@@ -230,7 +230,7 @@ def test_losses_have_correlated_priors_too() -> None:
         ratio=rates @ declared * 1.15,
         stated_sigma=np.full(count, 0.1),
         unstated_sigma=np.full(count, 0.1),
-        resolved=np.ones(count, dtype=bool),
+        resolved_mask=np.ones(count, dtype=bool),
         frequency=10.0 + np.arange(count),
         ratio_floor=np.zeros(count),
         coefficients=rates,

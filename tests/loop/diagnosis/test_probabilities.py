@@ -99,7 +99,7 @@ def test_a_row_set_aside_leaves_more_room_to_the_uncertain_value() -> None:
     G = model.G.reshape(-1, 1)
     y = SIGMA * rng.standard_normal(len(G))
     fitter = Fitter(model, logs_measured(model.base + y.reshape(4, 3), SIGMA))
-    every, fewer = (fitter.fit(Hypothesis(excluded=frozenset(rows))) for rows in ((), (row,)))
+    every, fewer = (fitter.fit(Hypothesis(excluded_rows=frozenset(rows))) for rows in ((), (row,)))
     assert every is not None
     assert fewer is not None
 

@@ -50,7 +50,7 @@ TWO_SIDED = {"a": (1, -np.inf), "b": (1, -np.inf), "three": (3, -np.inf)}
 
 
 @pytest.mark.parametrize("name", list(TWO_SIDED))
-@pytest.mark.parametrize("hypothesis", [Hypothesis(), Hypothesis(excluded=frozenset({4, 17}))])
+@pytest.mark.parametrize("hypothesis", [Hypothesis(), Hypothesis(excluded_rows=frozenset({4, 17}))])
 def test_the_gain_is_the_drop_of_the_sum_of_squares_in_a_linear_model(
     name: str, hypothesis: Hypothesis
 ) -> None:
@@ -104,7 +104,7 @@ def test_a_candidate_gets_no_credit_for_what_the_nuisances_explain() -> None:
     fitter, before = fit(model, data(model, {"n1": 8.0, "nearly0": 2.0}, 2))
     like, nearly, nothing = score(fitter, before, model.candidates).by_candidate
     for one in (like, nothing):
-        assert (one.visible, one.gain, one.p_value) == (False, 0.0, 1.0)
+        assert (one.is_visible, one.gain, one.p_value) == (False, 0.0, 1.0)
         assert one.step.tolist() == [0.0]
     assert nothing.largest_rates.tolist() == [0.0]
     after = fitter.fit(Hypothesis((nearly.candidate,)))
@@ -152,7 +152,7 @@ def test_parameters_with_the_same_effect_count_once() -> None:
     assert twins.gain == pytest.approx(one.gain)
     assert twins.p_value == pytest.approx(one.p_value)
     assert twins.step == pytest.approx([one.step[0] / 2] * 2)
-    assert blind.visible
+    assert blind.is_visible
     assert blind.gain == pytest.approx(one.gain)
     assert blind.p_value == pytest.approx(one.p_value)
     assert blind.step == pytest.approx([one.step[0], 0.0])

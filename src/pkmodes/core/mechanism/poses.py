@@ -32,7 +32,7 @@ MAX_CONDITION = 1e6
 CHUNK = 2048
 
 #: The condition checked before the mechanism's margins: its code and what violating it means.
-FINITE = ("finite", "a coordinate is NaN or infinite")
+FINITE_CONDITION = ("finite", "a coordinate is NaN or infinite")
 UNIT_NAMES = {"m": "metres", "rad": "radians"}
 
 
@@ -59,7 +59,7 @@ DEPENDENT_FRACTION, MIN_SHARE = 1e-4, 1e-3
 
 def reason_meanings(mechanism: Mechanism) -> dict[str, str]:
     """Return the reasons why a pose cannot be evaluated, in the order of the checks: code and meaning."""
-    meanings = dict([FINITE])
+    meanings = dict([FINITE_CONDITION])
     for margin in mechanism.margins:
         meanings.setdefault(margin.code, margin.meaning)
     return meanings
@@ -67,7 +67,7 @@ def reason_meanings(mechanism: Mechanism) -> dict[str, str]:
 
 def codes_of(mechanism: Mechanism) -> tuple[str, ...]:
     """Return the reasons that `CheckedPoses.codes` index; 0 is a pose that can be evaluated."""
-    return ("", FINITE[0], *(margin.code for margin in mechanism.margins))
+    return ("", FINITE_CONDITION[0], *(margin.code for margin in mechanism.margins))
 
 
 class CheckedPoses(NamedTuple):

@@ -44,7 +44,7 @@ RowPair = tuple[int, int, float | None]
 #: Largest difference between the logarithms of the frequencies of one mode.
 MAX_FREQUENCY_DIFFERENCE = 0.25
 #: Rows whose shapes have a smaller MAC are not of one mode.
-LEAST_MAC_OF_PAIR = 0.5
+MIN_MAC_OF_PAIR = 0.5
 #: Difference between the logarithms of two frequencies that costs as much as shapes with a MAC of 0.
 DIFFERENCE_AT_ZERO_MAC = 0.1
 
@@ -136,7 +136,7 @@ def _mode_pairs(
             noticeable=float(threshold * sigma_of_difference[k] / before[k]),
             beyond_common=_number_or_none(own_changes.relative[k]),
             beyond_common_sigmas=_number_or_none(own_changes.sigmas[k]),
-            own_change=bool(own_changes.clear[k] if shared else differs[k]),
+            own_change=bool(own_changes.is_clear[k] if shared else differs[k]),
             shape=shape,
             cautions=cautions_of(
                 close_to_another(first, i) or close_to_another(second, j),
@@ -260,7 +260,7 @@ def paired_rows(
     log_ratios = np.abs(np.log(second.frequency[second_rows][None, :] / first.frequency[rows][:, None]))
     macs = _mac_matrix(first, second, rows, second_rows)
     cost = log_ratios / DIFFERENCE_AT_ZERO_MAC + np.where(np.isfinite(macs), 1.0 - macs, 0.0)
-    is_too_far = (log_ratios > MAX_FREQUENCY_DIFFERENCE) | (macs < LEAST_MAC_OF_PAIR)
+    is_too_far = (log_ratios > MAX_FREQUENCY_DIFFERENCE) | (macs < MIN_MAC_OF_PAIR)
     index_pairs = zip(*linear_sum_assignment(np.where(is_too_far, 1e6, cost)), strict=True)
     return [
         (int(rows[i]), int(second_rows[j]), float(macs[i, j]) if np.isfinite(macs[i, j]) else None)

@@ -14,7 +14,7 @@ from pkmodes.core.base.drives import DRIVES, FREE
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.loop.measured.cells import QUOTED, SEPARATORS, TableNotation, separator_of
 from pkmodes.loop.measured.columns import Stated
-from pkmodes.loop.measured.header import SPREAD, TEXT, HeaderColumn
+from pkmodes.loop.measured.header import SPREAD_PREFIX, TEXT_COLUMNS, HeaderColumn
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.measured.quantities import LEVEL, number_columns, required_columns
 from pkmodes.loop.measured.rules import (
@@ -193,11 +193,13 @@ def read_table(
     if not records:
         problem = "expected a row for each identified mode, found only a header"
         raise MeasurementError(problem, source, "add the rows")
-    blank_values = {f"{SPREAD}{name}": 0.0 for name in components}  # the pose is exact
+    blank_values = {f"{SPREAD_PREFIX}{name}": 0.0 for name in components}  # the pose is exact
     required_names = {"pose", *required_columns(), *components}
     numbers_of_lines = np.array([line for line, _ in records])
-    texts: dict[str, list[str]] = {name: [] for name in TEXT}
-    numbers: dict[str, list[float]] = {column.name: [] for column in columns if column.name not in TEXT}
+    texts: dict[str, list[str]] = {name: [] for name in TEXT_COLUMNS}
+    numbers: dict[str, list[float]] = {
+        column.name: [] for column in columns if column.name not in TEXT_COLUMNS
+    }
     problems: list[Problem] = []
     for row, (number, line) in enumerate(records):
         cells = notation.cells(line, f"{source}: line {number}")
@@ -225,7 +227,7 @@ def read_table(
                     problem = f"expected {stated_drives}, as stated for all rows, found {shown(cell)}"
                     problems.append(Problem(row, column.text, problem, "correct the row, or the statement"))
                 texts[column.name].append(word)
-            elif column.name in TEXT:
+            elif column.name in TEXT_COLUMNS:
                 texts[column.name].append(cell)
             elif not cell and column.name not in required_names:
                 numbers[column.name].append(blank_values.get(column.name, math.nan))
@@ -295,7 +297,7 @@ def _measurements(
         texts["pose"],
         **columns,
         points=np.array([numbers.get(name, zeros) for name in components]).T,
-        point_sigma=np.array([numbers.get(f"{SPREAD}{name}", zeros) for name in components]).T,
+        point_sigma=np.array([numbers.get(f"{SPREAD_PREFIX}{name}", zeros) for name in components]).T,
         components=components,
         mode=texts["mode"] or None,
         shapes={

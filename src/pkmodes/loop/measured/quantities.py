@@ -28,20 +28,20 @@ class Range:
     - blank: whether a number may be absent, NaN
     """
 
-    smallest: float
-    largest: float
+    minimum: float
+    maximum: float
     expected: str
     remedy: str
     blank: bool = True
 
     def holds(self, numbers: Array) -> NDArray[np.bool_]:
         """Return a mask of the numbers that are allowed."""
-        inside = (numbers >= self.smallest) & (numbers <= self.largest)
-        return np.asarray(inside | np.isnan(numbers) if self.blank else inside)
+        is_inside = (numbers >= self.minimum) & (numbers <= self.maximum)
+        return np.asarray(is_inside | np.isnan(numbers) if self.blank else is_inside)
 
     def nearest(self, numbers: Array) -> Array:
         """Return the nearest numbers that are allowed; NaN stays."""
-        return np.asarray(np.clip(numbers, self.smallest, self.largest))
+        return np.asarray(np.clip(numbers, self.minimum, self.maximum))
 
 
 @dataclass(frozen=True)

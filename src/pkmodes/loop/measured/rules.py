@@ -170,7 +170,7 @@ def _problems_where_not(
     """Yield numbers that violate a range, with its messages."""
     of_quantity = column in {number.column for number in quantity_numbers()}
     for i in np.flatnonzero(~is_allowed):
-        exceeds_largest = of_quantity and allowed.largest == MAX_MAGNITUDE < values[i] < np.inf
+        exceeds_largest = of_quantity and allowed.maximum == MAX_MAGNITUDE < values[i] < np.inf
         expected = f"{allowed.expected} (at most {MAX_MAGNITUDE:g})" if exceeds_largest else allowed.expected
         row = int(rows[i])
         problem = (f"expected {expected}, found ", QuotedNumber(row, column, float(values[i])))

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from pkmodes.loop.measured.columns import Columns
-from pkmodes.loop.measured.header import SPREAD
+from pkmodes.loop.measured.header import SPREAD_PREFIX
 from pkmodes.loop.measured.quantities import LEVEL, QUANTITIES, SHAPE_SIGMA, number_columns
 from pkmodes.loop.measured.rules import SET, SHAPE
 
@@ -41,7 +41,7 @@ def as_csv(data: Columns, comments: Sequence[str] = ()) -> str:
     for k, name in enumerate(data.components):
         columns[name] = _numbers(data.points[data.pose, k])
         if data.point_sigma[:, k].any():
-            columns[f"{SPREAD}{name}"] = _numbers(data.point_sigma[data.pose, k])
+            columns[f"{SPREAD_PREFIX}{name}"] = _numbers(data.point_sigma[data.pose, k])
     for quantity in QUANTITIES.values():
         values, sigmas = (data.numbers[number.argument] for number in (quantity.value, quantity.sigma))
         # A blank standard deviation means the usual one; that of a blank quantity is blank.

@@ -13,7 +13,7 @@ from pkmodes.loop.diagnosis.beyond.competing_terms import (
     terms_may_compete,
 )
 from pkmodes.loop.diagnosis.beyond.evidence import TermEvidence, name_of_explanation
-from pkmodes.loop.diagnosis.beyond.rules import BEYOND
+from pkmodes.loop.diagnosis.beyond.rules import BEYOND_RULES
 from pkmodes.loop.diagnosis.beyond.term_fits import try_terms
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.problem import Extensible
@@ -85,7 +85,7 @@ def with_term_result(result: Diagnosis, evidence: TermEvidence | None, catalogue
     """Return a diagnosis by the catalogue, extended by the verdict on terms."""
     if evidence is None:
         return result
-    decision = first_decision(BEYOND, evidence)
+    decision = first_decision(BEYOND_RULES, evidence)
     assert decision is not None  # the last rule always applies
     status, count = decision.verdict, len(evidence.term_fits.terms)
     groups = [] if status is NOTHING else evidence.groups
@@ -128,6 +128,6 @@ def _classes(evidence: TermEvidence, groups: Sequence[Sequence[Fit]]) -> tuple[T
 def error_of(evidence: Evidence, fit: Fit) -> Error:
     """Return the errors with an explanation."""
     setups = evidence.setups
-    lines = evidence.fitter.data.lines[sorted(fit.hypothesis.excluded)]
+    lines = evidence.fitter.data.lines[sorted(fit.hypothesis.excluded_rows)]
     stage, outlying = setups.stage(fit.values), np.isin(setups.data.lines, lines)
     return setups.error(stage, *evidence.store.frequency_misfit(fit), outlying)

@@ -27,9 +27,9 @@ from pkmodes.loop.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.loop.diagnosis.verdict.evidence import Evidence
 
 #: Largest number of terms that are refitted for their score, from their starts, and at large sizes.
-MAX_BY_SCORE, MAX_BY_START, MAX_BY_SIZE = 40, 20, 10
+MAX_TERMS_BY_SCORE, MAX_TERMS_BY_START, MAX_TERMS_BY_SIZE = 40, 20, 10
 #: Number of starts of each term that remain after a comparison at a few setups, and then at all.
-STARTS_AFTER_SCOUTING, STARTS_AFTER_COMPARING = 6, 4
+STARTS_AFTER_SUBSAMPLE, STARTS_AFTER_ALL_SETUPS = 6, 4
 #: Number of setups at which starts are compared.
 SUBSAMPLE_SETUPS = 4
 #: Largest relative change of a frequency for which a linear estimate suffices as a start.
@@ -87,16 +87,16 @@ def _directions_of_starts(
     the modes on both sides of its frequency apart.
     """
     for fixed_values in zip_longest(*(dict.fromkeys(start[1:] for start in term.starts) for term in terms)):
-        present = [
+        present_terms = [
             (term, fixed_values_of_term)
             for term, fixed_values_of_term in zip(terms, fixed_values, strict=True)
             if fixed_values_of_term is not None
         ]
         values = baseline.values.copy()
-        for term, fixed_values_of_term in present:
+        for term, fixed_values_of_term in present_terms:
             values[list(fitter.parameter_indices(term))[1:]] = fixed_values_of_term
-        by = [fitter.parameter_indices(term)[0] for term, _ in present]
-        raw = np.nan_to_num(fitter.signatures(replace(baseline, values=values), by)[1])
+        parameter_indices = [fitter.parameter_indices(term)[0] for term, _ in present_terms]
+        raw = np.nan_to_num(fitter.signatures(replace(baseline, values=values), parameter_indices)[1])
         remainder = raw - baseline.basis @ (baseline.basis.T @ raw)
         size = np.linalg.norm(remainder, axis=0)
         for k in np.flatnonzero(size > MIN_REMAINDER * np.linalg.norm(raw, axis=0)):
@@ -148,7 +148,7 @@ class _TermStarts:
         kinds = self.kinds or [0.0] * len(self.values)
         first_of_kind = list({kinds[k]: k for k in reversed(order)}.values())
         selected = [*(k for k in order if k in first_of_kind), *(k for k in order if k not in first_of_kind)][
-            :STARTS_AFTER_SCOUTING
+            :STARTS_AFTER_SUBSAMPLE
         ]
         return [self.values[k] for k in selected]
 
@@ -250,14 +250,16 @@ class _Explorer:
             term for term in self.terms if not term.starts and self._is_testable(baseline, term)
         ]
         scores = score(self.fitter, baseline, terms_without_starts).by_candidate
-        visible = [entry for entry in scores if entry.visible and entry.gain > 0.0]
-        best_entries = sorted(visible, key=lambda entry: -entry.gain)[:MAX_BY_SCORE]
+        visible_entries = [entry for entry in scores if entry.is_visible and entry.gain > 0.0]
+        best_entries = sorted(visible_entries, key=lambda entry: -entry.gain)[:MAX_TERMS_BY_SCORE]
         # The linear estimate suffices for small changes of modes that are all paired.
-        paired = bool((baseline.pairing.partner[self.fitter.used_row_mask(baseline.hypothesis)] >= 0).all())
+        are_all_paired = bool(
+            (baseline.pairing.partner[self.fitter.used_row_mask(baseline.hypothesis)] >= 0).all()
+        )
         small_entries = [
             entry
             for entry in best_entries
-            if paired and float(entry.largest_rates @ np.abs(entry.step)) <= SMALL_CHANGE
+            if are_all_paired and float(entry.largest_rates @ np.abs(entry.step)) <= SMALL_CHANGE
         ]
         small_names = {entry.candidate.name for entry in small_entries}
         large_entries = [entry for entry in best_entries if entry.candidate.name not in small_names]
@@ -270,7 +272,7 @@ class _Explorer:
         overlooked = [entry for entry in scores if entry not in best_entries and entry.largest_rates[0] > 0.0]
         own_starts = [*self._terms_with_starts(baseline), *self._large_terms(baseline, overlooked)]
         best_starts = [
-            (h, [values[k] for _, k in order[:STARTS_AFTER_COMPARING]])
+            (h, [values[k] for _, k in order[:STARTS_AFTER_ALL_SETUPS]])
             for (h, values), order in zip(own_starts, _rank_starts(self.fitter, own_starts), strict=True)
         ]
         rough_fits = self.store.rough_fits([*linear_starts, *best_starts])
@@ -319,7 +321,7 @@ class _Explorer:
             trials.append(_TermStarts(baseline.hypothesis.with_cause(term), values, kinds))
         if trials:
             self.progress(f"starting {len(trials)} terms with a frequency of their own")
-        return self._most_promising(trials)[:MAX_BY_START]
+        return self._most_promising(trials)[:MAX_TERMS_BY_START]
 
     def _large_terms(self, baseline: Fit, scores: Sequence[Score]) -> list[tuple[Hypothesis, list[Array]]]:
         """Return the most promising terms for which the linear model predicts little, with their best sizes."""
@@ -334,7 +336,7 @@ class _Explorer:
             for entry in scores
             if (sign := allowed_sign(self.fitter, entry.candidate))
         ]
-        return self._most_promising(trials)[:MAX_BY_SIZE]
+        return self._most_promising(trials)[:MAX_TERMS_BY_SIZE]
 
     def _values_with(self, baseline: Fit, term: Candidate, term_values: Sequence[float] | Array) -> Array:
         """Return the values of a fit with those of a term, within its bounds."""

@@ -57,7 +57,7 @@ def add_damping_diagnosis(
     outlier_mask = np.array([row.outlier for row in result.rows])[all_rows.index]
     fitted_observations = all_rows.select(usable_mask & ~held_out_mask & ~outlier_mask)
     notes = _notes_on_unusable_rows(data, all_rows, has_information, mismatched_shape_mask, criteria)
-    resolved_ratios = fitted_observations.ratio[fitted_observations.resolved]
+    resolved_ratios = fitted_observations.ratio[fitted_observations.resolved_mask]
     median_ratio = float(np.median(resolved_ratios)) if len(resolved_ratios) else 0.0
     if median_ratio > criteria.damping.most:
         return replace(
@@ -103,7 +103,7 @@ def _notes_on_unusable_rows(
 
 def _factor_hundred_sign(fitter: LossFitter) -> int:
     """Return 1 if measured ratios are about a hundred times those of the declared model, -1 if a hundredth, or 0."""
-    rows, resolved = fitter.observations, fitter.observations.resolved
+    rows, resolved = fitter.observations, fitter.observations.resolved_mask
     if not resolved.any() or not rows.ratios(fitter.declared)[resolved].all():
         return 0
     log_ratio = float(np.median((rows.logarithms - rows.predicted(fitter.declared))[resolved]))

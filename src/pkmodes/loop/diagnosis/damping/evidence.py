@@ -84,7 +84,7 @@ class LossEvidence:
     @property
     def resolved_count(self) -> int:
         """Number of ratios that are significantly above 0."""
-        return int(self.fitter.observations.resolved.sum())
+        return int(self.fitter.observations.resolved_mask.sum())
 
     @cached_property
     def p_one_more(self) -> float:
@@ -124,7 +124,7 @@ class LossEvidence:
 
     def scatter_about(self, fit: LossFit) -> float:
         """Return how far ratios are from a fit beyond their stated errors: standard deviation of the logarithm."""
-        rows, resolved = self.fitter.observations, self.fitter.observations.resolved
+        rows, resolved = self.fitter.observations, self.fitter.observations.resolved_mask
         deviation = (rows.logarithms - rows.predicted(fit.values))[resolved]
         excess_variance = float(np.mean(deviation**2)) - float(np.mean(rows.stated_sigma[resolved] ** 2))
         return math.sqrt(max(excess_variance, 0.0))

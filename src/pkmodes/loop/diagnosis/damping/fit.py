@@ -40,14 +40,14 @@ class LossFit(Fitted):
     - causes: losses that may differ from their declared values
     - count, degrees: number R of ratios, and of residuals less the fitted losses without a prior
     - outlier: row set aside
-    - absent: fitted losses that are practically 0
+    - absent_losses: fitted losses that are practically 0
     """
 
     causes: tuple[int, ...]
     count: int
     degrees: int
     outlier: int | None = None
-    absent: tuple[int, ...] = ()
+    absent_losses: tuple[int, ...] = ()
 
     @cached_property
     def p_value(self) -> float:
@@ -95,11 +95,15 @@ class LossFitter:
         """Value of each loss that would give a typical row its ratio alone, (J,); inf if it affects no row."""
         rows = self.observations
         with np.errstate(divide="ignore"):
-            sufficient = np.where(rows.coefficients > 0.0, rows.ratio[:, None] / rows.coefficients, np.inf)
-        sufficient = sufficient[rows.resolved] if rows.resolved.any() else sufficient
+            sufficient_values = np.where(
+                rows.coefficients > 0.0, rows.ratio[:, None] / rows.coefficients, np.inf
+            )
+        sufficient_values = (
+            sufficient_values[rows.resolved_mask] if rows.resolved_mask.any() else sufficient_values
+        )
         return (
-            np.asarray(np.median(sufficient, axis=0))
-            if len(sufficient)
+            np.asarray(np.median(sufficient_values, axis=0))
+            if len(sufficient_values)
             else np.full(len(self.losses), np.inf)
         )
 
@@ -146,7 +150,7 @@ class LossFitter:
         index, values = list(free), self.declared.copy()
         for j, value in fixed_values.items():
             values[j] = value
-        used = np.where(np.arange(count) == outlier, 0.0, 1.0)
+        row_weights = np.where(np.arange(count) == outlier, 0.0, 1.0)
         parameters = [loss.parameter for loss in self.losses]
         prior_parameters = [
             replace(p, sigma=None) if j in fixed_values else p for j, p in enumerate(parameters)
@@ -160,11 +164,11 @@ class LossFitter:
 
         def residual(x: Array) -> Array:
             all_values = values_at(x)
-            return np.concatenate([used * rows.residual(all_values), priors.residual(all_values)])
+            return np.concatenate([row_weights * rows.residual(all_values), priors.residual(all_values)])
 
         def jacobian(all_values: Array) -> Array:
             return np.vstack(
-                [used[:, None] * rows.rates(all_values)[:, index], priors.rates(all_values, free)]
+                [row_weights[:, None] * rows.rates(all_values)[:, index], priors.rates(all_values, free)]
             )
 
         def rates(x: Array) -> Array:
@@ -191,7 +195,7 @@ class LossFitter:
             count=count,
             degrees=count - (outlier is not None) - sum(priors.row_of(j) is None for j in free),
             outlier=outlier,
-            absent=tuple(j for j in free if final_values[j] < ABSENT_FRACTION * self._scale(j)),
+            absent_losses=tuple(j for j in free if final_values[j] < ABSENT_FRACTION * self._scale(j)),
         )
 
     def _scale(self, j: int) -> float:

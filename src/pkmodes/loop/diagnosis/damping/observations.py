@@ -36,7 +36,7 @@ class DampingObservations:
     - mode: numbers of the partners among the elastic modes of their setups, from 0, (R,)
     - ratio, stated_sigma: measured ratios, and the stated standard deviations of their logarithms, (R,)
     - unstated_sigma: root sum of squares of all other errors of the logarithms, (R,)
-    - resolved: whether the ratio is significantly above 0, (R,); otherwise it is only an upper limit
+    - resolved_mask: whether the ratio is significantly above 0, (R,); otherwise it is only an upper limit
     - frequency: (R,) [Hz]
     - ratio_floor: ratio that is added before logarithms are compared, so that no damping is finite, (R,)
     - coefficients: damping ratio per unit of each loss, (R, J)
@@ -47,7 +47,7 @@ class DampingObservations:
     ratio: Array
     stated_sigma: Array
     unstated_sigma: Array
-    resolved: Mask
+    resolved_mask: Mask
     frequency: Array
     ratio_floor: Array
     coefficients: Array
@@ -93,7 +93,7 @@ class DampingObservations:
         linear = (self.ratio - ratios) / np.hypot(
             self.stated_sigma * self.ratio, self.unstated_sigma * ratios
         )
-        return np.where(self.resolved, (self.logarithms - self.predicted(values)) / self.sigma, linear)
+        return np.where(self.resolved_mask, (self.logarithms - self.predicted(values)) / self.sigma, linear)
 
     def rates(self, values: Array) -> Array:
         """Return the derivatives of the residual with respect to the losses, (R, J)."""
@@ -102,7 +102,7 @@ class DampingObservations:
         linear = -(1.0 + (self.ratio - ratios) * self.unstated_sigma**2 * ratios / variance) / np.sqrt(
             variance
         )
-        slopes = np.where(self.resolved, -1.0 / ((ratios + self.ratio_floor) * self.sigma), linear)
+        slopes = np.where(self.resolved_mask, -1.0 / ((ratios + self.ratio_floor) * self.sigma), linear)
         return np.asarray(slopes[:, None] * self.coefficients)
 
 
@@ -134,21 +134,21 @@ def damping_observations(
     )
     with np.errstate(divide="ignore", invalid="ignore"):
         stated_sigma = np.where(ratio > 0.0, stated_sigma / ratio, np.inf)
-    logs = _logarithms(coefficients)
+    log_coefficients = _logarithms(coefficients)
     state_errors = [
-        np.abs(_logarithms(rates[setup, mode_index]) - logs).max(axis=1, initial=0.0)
+        np.abs(_logarithms(rates[setup, mode_index]) - log_coefficients).max(axis=1, initial=0.0)
         for rates in by_state[1:]
     ]
     mixing_errors = _mixing_errors(structure, states[0], by_state[0], setup, mode_index, criteria)
     unstated_sigma = np.sqrt(criteria.damping.floor**2 + sum((d**2 for d in state_errors), mixing_errors**2))
-    resolved = stated_sigma < 1.0 / criteria.damping.resolved
+    resolved_mask = stated_sigma < 1.0 / criteria.damping.resolved
     return DampingObservations(
         index=index,
         mode=mode_index,
         ratio=ratio,
         stated_sigma=stated_sigma,
         unstated_sigma=unstated_sigma,
-        resolved=resolved,
+        resolved_mask=resolved_mask,
         frequency=data.frequency[index],
         ratio_floor=criteria.damping.least * ratio,
         coefficients=coefficients,

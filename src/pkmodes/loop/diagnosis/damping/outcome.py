@@ -22,7 +22,7 @@ from pkmodes.loop.diagnosis.damping.observations import informative_mask
 from pkmodes.loop.diagnosis.damping.rules import NOT_PREDICTED
 from pkmodes.loop.diagnosis.damping.stage import DampingStage
 from pkmodes.loop.diagnosis.problem import Array, Loss
-from pkmodes.loop.diagnosis.search.limits import ONE_SIDED
+from pkmodes.loop.diagnosis.search.limits import ONE_SIDED_SIGMAS
 from pkmodes.loop.diagnosis.verdict.findings import (
     Corrected,
     Examined,
@@ -68,7 +68,7 @@ def with_damping_result(result: Diagnosis, data: Measurements, stage: DampingSta
     """Return a diagnosis with the result for its damping, and every measured ratio beside that of the model."""
     fitter, judgement = stage.fitter, stage.judgement
     effects = damping_findings(fitter, judgement)
-    resolved, used_mask, held_out_mask = stage.all_rows.resolved, stage.used_mask, stage.held_out_mask
+    resolved, used_mask, held_out_mask = stage.all_rows.resolved_mask, stage.used_mask, stage.held_out_mask
     with np.errstate(divide="ignore", invalid="ignore"):
         before, after = (
             np.log(stage.all_rows.ratio) - np.log(predicted) for predicted in stage.ratios_before_and_after
@@ -283,7 +283,7 @@ def _profile_limit(fitter: LossFitter, fit: LossFit, loss: int) -> float | None:
     )
 
     def excess(value: float) -> float:
-        return fitter.fit(other_causes, {loss: value}).chi2 - least_chi2 - ONE_SIDED**2
+        return fitter.fit(other_causes, {loss: value}).chi2 - least_chi2 - ONE_SIDED_SIGMAS**2
 
     upper = max(start, 1e-3 * fitter.typical_values[loss])
     for _ in range(MAX_DOUBLINGS):

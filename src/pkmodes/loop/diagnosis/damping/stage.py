@@ -59,6 +59,6 @@ class DampingStage:
         """
         rows = self.all_rows
         unstated_sigma = np.hypot(rows.unstated_sigma, self.judgement.answer.ratio_scatter)
-        model_ratio = np.where(rows.resolved, rows.ratio, self.ratios_before_and_after[1])
+        model_ratio = np.where(rows.resolved_mask, rows.ratio, self.ratios_before_and_after[1])
         with np.errstate(invalid="ignore"):  # a ratio of 0 without a standard deviation has no logarithm
             return np.asarray(np.hypot(rows.stated_sigma * rows.ratio, unstated_sigma * model_ratio))

@@ -74,7 +74,7 @@ class Fitter:
     def used_row_mask(self, hypothesis: Hypothesis) -> NDArray[np.bool_]:
         """Return a mask of the rows that a hypothesis does not exclude."""
         used_row_mask = self.observations.all_rows
-        used_row_mask[list(hypothesis.excluded)] = False
+        used_row_mask[list(hypothesis.excluded_rows)] = False
         return used_row_mask
 
     # Predictions -------------------------------------------------------------------------------------------

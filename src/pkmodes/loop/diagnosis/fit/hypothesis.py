@@ -42,12 +42,12 @@ class Hypothesis:
     """Assumptions beyond the declared model and its nuisances.
 
     - causes: added causes
-    - excluded: rows treated as outliers
+    - excluded_rows: rows treated as outliers
     - has_shared_error: whether the modes of a setup share an error
     """
 
     causes: tuple[Candidate, ...] = ()
-    excluded: frozenset[int] = frozenset()
+    excluded_rows: frozenset[int] = frozenset()
     has_shared_error: bool = False
 
     @property
@@ -163,8 +163,8 @@ def parallel_parameters(rates: Array) -> NDArray[np.bool_]:
     """
     finite = rates[np.isfinite(rates).all(axis=-1)]
     size = np.linalg.norm(finite, axis=0)
-    unit = finite / np.where(size > 0.0, size, 1.0)
-    return np.asarray(np.abs(unit.T @ unit) >= MIN_COSINE)
+    unit_columns = finite / np.where(size > 0.0, size, 1.0)
+    return np.asarray(np.abs(unit_columns.T @ unit_columns) >= MIN_COSINE)
 
 
 def orthonormal(columns: Array) -> Array:

@@ -96,9 +96,9 @@ class Noise:
                 V += (position_rates[indices] * self._position_sigma[setup] ** 2) @ position_rates[indices].T
             frequencies = np.arange(len(rows))
             V[np.ix_(frequencies, frequencies)] += tau**2
-            excluded = np.flatnonzero(~used_row_mask[rows])
-            V[excluded] = V[:, excluded] = 0.0
-            V[excluded, excluded] = self.sigma[rows][excluded] ** 2
+            excluded_rows = np.flatnonzero(~used_row_mask[rows])
+            V[excluded_rows] = V[:, excluded_rows] = 0.0
+            V[excluded_rows, excluded_rows] = self.sigma[rows][excluded_rows] ** 2
             factor = np.linalg.cholesky(V).astype(float)
             blocks.append((indices, factor))
             log_determinant += float(
@@ -128,8 +128,8 @@ class Noise:
             white = whitening.whitened(residual)
             return float(white @ white) + whitening.log_determinant
 
-        smallest = np.log(0.01 * np.median(self.sigma))
-        minimum = minimize_scalar(deviance, bounds=(smallest, np.log(self._most_shared)), method="bounded")
+        min_log_tau = np.log(0.01 * np.median(self.sigma))
+        minimum = minimize_scalar(deviance, bounds=(min_log_tau, np.log(self._most_shared)), method="bounded")
         return float(np.exp(minimum.x))
 
     def _deviance(self, residual: Array, used_row_mask: NDArray[np.bool_], tau: float) -> float:

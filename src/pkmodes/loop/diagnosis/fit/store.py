@@ -22,7 +22,7 @@ Key = tuple[frozenset[str], frozenset[int], bool]
 
 def key(hypothesis: Hypothesis) -> Key:
     """Return a key of a hypothesis that is independent of the order of its causes."""
-    return frozenset(c.name for c in hypothesis.causes), hypothesis.excluded, hypothesis.has_shared_error
+    return frozenset(c.name for c in hypothesis.causes), hypothesis.excluded_rows, hypothesis.has_shared_error
 
 
 class FitStore:
@@ -77,9 +77,12 @@ class FitStore:
     def rough_fits(self, jobs: Sequence[tuple[Hypothesis, Sequence[Array]]]) -> list[Fit]:
         """Fit several hypotheses roughly, each from the best of several starts, and return those that succeed."""
         starts = [(hypothesis, values) for hypothesis, guesses in jobs for values in guesses]
-        reached, fits = iter(self.fitter.rough_descents(starts)), []
+        descents, fits = iter(self.fitter.rough_descents(starts)), []
         for hypothesis, guesses in jobs:
-            best, k = min((next(reached) for _ in guesses), key=lambda descent: descent.chi2), key(hypothesis)
+            best, k = (
+                min((next(descents) for _ in guesses), key=lambda descent: descent.chi2),
+                key(hypothesis),
+            )
             if (
                 hypothesis.has_shared_error or self.fitter.observations.noise.uncertain
             ):  # correlated errors: the rough fit is only a start
@@ -172,7 +175,7 @@ class FitStore:
         parts = [fit.leverage[rows], fit.leverage[fitter.prior_slice][priors]]
         white = [fit.white[rows], fit.white[fitter.prior_slice]]
         leverage = sum(float(part.sum()) for part in parts)
-        count = self._rows - len(h.excluded) + len(priors) - int(h.has_shared_error)
+        count = self._rows - len(h.excluded_rows) + len(priors) - int(h.has_shared_error)
         return Misfit(sum(float(part @ part) for part in white), count - leverage)
 
     def criterion(self, fit: Fit) -> float:
@@ -190,9 +193,9 @@ class FitStore:
                 price += per_parameter
             else:
                 k = fit.free.index(i)
-                width = fitter.priors.sigmas_in_units(fit.values)[row]
-                price += max(float(np.log(width**2 / max(fit.covariance[k, k], 1e-300))), 0.0)
-        count = int(h.has_shared_error) + fitter.criteria.search.price_of_row * len(h.excluded)
+                prior_sigma = fitter.priors.sigmas_in_units(fit.values)[row]
+                price += max(float(np.log(prior_sigma**2 / max(fit.covariance[k, k], 1e-300))), 0.0)
+        count = int(h.has_shared_error) + fitter.criteria.search.price_of_row * len(h.excluded_rows)
         return fit.deviance + price + per_parameter * count
 
     def price(self, candidate: Candidate) -> float:
@@ -232,19 +235,19 @@ class FitStore:
 
         A further parameter of a term that is 0, such as the mass of a support, has no effect and is left out.
         """
-        added: list[int] = []
+        added_indices: list[int] = []
         for cause in fit.causes:
             first, *further_indices = self.fitter.parameter_indices(cause)
-            added.append(first)
+            added_indices.append(first)
             for i in further_indices:
-                absent = (
+                is_absent = (
                     cause.form
                     and self.fitter.parameters[i].value == 0.0
                     and abs(float(fit.values[i])) <= ABSENT_SIGMAS * fit.sigma_of(i)
                 )
-                if not absent:
-                    added.append(i)
-        return added
+                if not is_absent:
+                    added_indices.append(i)
+        return added_indices
 
 
 def _odds(candidate: Candidate) -> float:

@@ -46,12 +46,12 @@ class PartnerPredictions:
         - pairing: of all rows
         - sigma: standard deviations of ln f, (R,)
         """
-        paired = pairing.partner >= 0
+        is_paired = pairing.partner >= 0
         log_frequencies = prediction.log_frequencies
-        partner_logs = np.where(paired, log_frequencies[data.pose, np.maximum(pairing.partner, 0)], np.nan)
+        partner_logs = np.where(is_paired, log_frequencies[data.pose, np.maximum(pairing.partner, 0)], np.nan)
         return cls(
             frequency=np.exp(partner_logs),
-            partner_mode=np.where(paired, pairing.partner - prediction.rigid + 1, 0),
+            partner_mode=np.where(is_paired, pairing.partner - prediction.rigid + 1, 0),
             normalised_differences=(partner_logs - FREQUENCY.transformed(data)) / sigma,
             partner_mac=pairing.mac,
             mac_by_mode=pairer.macs(prediction),

@@ -36,8 +36,8 @@ class MatchStage:
     def frequencies(self) -> Array:
         """Frequencies of the partners [Hz], (R,); NaN if unmatched."""
         partner = self.pairing.partner
-        logs = self.prediction.log_frequencies[self.data.pose, np.maximum(partner, 0)]
-        return np.where(partner >= 0, np.exp(logs), np.nan)
+        partner_logs = self.prediction.log_frequencies[self.data.pose, np.maximum(partner, 0)]
+        return np.where(partner >= 0, np.exp(partner_logs), np.nan)
 
     @cached_property
     def sigma(self) -> Array:

@@ -92,7 +92,7 @@ def linearise(fitter: Fitter, fit: Fit, max_deviations: Mapping[int, float]) -> 
 
     - max_deviations: largest plausible deviations of parameters of causes from their declared values
     """
-    white, basis, rows_set_aside = fit.white, fit.basis, set(fit.hypothesis.excluded)
+    white, basis, rows_set_aside = fit.white, fit.basis, set(fit.hypothesis.excluded_rows)
     observations = fitter.observations
     frequencies, other_quantities = observations.frequency_slice, observations.other_quantities
     while len(rows_set_aside) < max(
@@ -138,16 +138,18 @@ def capped_deviance(fitter: Fitter, fit: Fit) -> float:
 
 def _price_of_row(fitter: Fitter, row: int) -> float:
     """Return the negative logarithm of the density of a row that is not a mode, relative to one that is right."""
-    width, shapes = 2.0 * fitter.criteria.pairing.reach, fitter.observations.shapes
-    frequency = np.log(width / (np.sqrt(2.0 * np.pi) * fitter.observations.sigma[row])) - np.log(P_WRONG_ROW)
+    frequency_range, shapes = 2.0 * fitter.criteria.pairing.reach, fitter.observations.shapes
+    frequency = np.log(frequency_range / (np.sqrt(2.0 * np.pi) * fitter.observations.sigma[row])) - np.log(
+        P_WRONG_ROW
+    )
     shape = -np.log(np.sqrt(2.0 * np.pi) * shapes.sigma[row]) if shapes.known[row] else np.zeros(1)
     return float(max(frequency, 0.0) + np.maximum(shape, 0.0).mean() * shapes.count[row])
 
 
 def _log_occam_factor_of_values(fitter: Fitter, fit: Fit) -> float:
     """Return the logarithm of the Occam factor of the uncertain values, up to a constant for the same data."""
-    width = fitter.priors.sigmas_in_units(fitter.declared)[fitter.priors.rows(fitter.nuisance_indices)]
-    scaled = fit.jacobian[:, : len(width)] * width
+    prior_sigmas = fitter.priors.sigmas_in_units(fitter.declared)[fitter.priors.rows(fitter.nuisance_indices)]
+    scaled = fit.jacobian[:, : len(prior_sigmas)] * prior_sigmas
     return -0.5 * float(np.linalg.slogdet(scaled.T @ scaled)[1])
 
 
@@ -158,8 +160,8 @@ def _log_occam_factor_of_cause(
     index = list(fitter.parameter_indices(cause))
     deviations, covariance = fit.values[index] - fitter.declared[index], fit.covariance_of(index)
     if cause.sigma is not None:
-        width = fitter.priors.sigmas_in_units(fit.values)[fitter.priors.rows(index)]
-        return 0.5 * float(np.linalg.slogdet(covariance / np.outer(width, width))[1])
+        prior_sigmas = fitter.priors.sigmas_in_units(fit.values)[fitter.priors.rows(index)]
+        return 0.5 * float(np.linalg.slogdet(covariance / np.outer(prior_sigmas, prior_sigmas))[1])
     limits, sigma = np.array([max_deviations.get(i, np.inf) for i in index]), np.sqrt(np.diagonal(covariance))
     if (np.abs(deviations) > RANGE_TOLERANCE * limits).any():
         return -np.inf

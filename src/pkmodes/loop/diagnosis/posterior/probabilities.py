@@ -139,7 +139,9 @@ def _linear_explanations(
     """
     fitted_names = {_cause_names(fit) for fit in search.store.all_fits()}
     scores = search.scores(base_model.fit)
-    visible_scores = [candidate_score for candidate_score in scores.by_candidate if candidate_score.visible]
+    visible_scores = [
+        candidate_score for candidate_score in scores.by_candidate if candidate_score.is_visible
+    ]
     untried = [
         (candidate_score, axes)
         for candidate_score, (axes, _) in zip(visible_scores, scores.directions, strict=True)

@@ -175,7 +175,10 @@ def misfits_by_wiring(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> di
         )
     best = sorted((w for w in by_wiring if w != as_filed), key=lambda wiring: by_wiring[wiring].deviance())
     max_deviance = by_wiring[best[0]].deviance() + MAX_DEVIANCE_ABOVE_BEST
-    hypotheses = [Hypothesis(excluded=fit.hypothesis.excluded), *([fit.hypothesis] if fit.causes else [])]
+    hypotheses = [
+        Hypothesis(excluded_rows=fit.hypothesis.excluded_rows),
+        *([fit.hypothesis] if fit.causes else []),
+    ]
     refits: list[tuple[float, Prediction]] = []
     for wiring in [w for w in best if by_wiring[w].deviance() < max_deviance][:MAX_REFITS]:
         rewired = Fitter(

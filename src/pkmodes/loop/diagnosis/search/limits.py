@@ -34,7 +34,7 @@ from pkmodes.loop.diagnosis.problem import Array, Assumption, Candidate
 from pkmodes.loop.diagnosis.search.ranges import largest_rates, max_plausible_deviation
 
 #: Standard deviations of a one-sided bound at 95 %.
-ONE_SIDED = float(stats.norm.ppf(0.95))
+ONE_SIDED_SIGMAS = float(stats.norm.ppf(0.95))
 #: Factor by which a value that nobody declared may be wrong, such as the mass of the frame of a small printer.
 DEFAULT_FACTOR = 10.0
 #: If the linear model promises less than this sum of squares, the fit without the candidate is as good as with it.
@@ -105,21 +105,21 @@ def bounds(
     if not candidates:
         return []
     profiles = Profiles(fitter, fit)
-    added = _added_candidates(fitter, fit, candidates)
+    additions = _added_candidates(fitter, fit, candidates)
     minima = (
-        [(addition.linear_minimum, 0.0) for addition in added]
+        [(addition.linear_minimum, 0.0) for addition in additions]
         if linear
-        else _minima(store, profiles, added, fit)
+        else _minima(store, profiles, additions, fit)
     )
     sides, owners = [], []
-    for addition, (point, gain) in zip(added, minima, strict=True):
+    for addition, (point, gain) in zip(additions, minima, strict=True):
         variance_ratio = 1.0
         if not noise:  # chi2 per degree of freedom that the candidate leaves
             free = sum(fitter.priors.row_of(i) is None for i in addition.free if i not in fit.free)
             variance_ratio = max(1.0, point.squares / max(store.degrees(fit) - free, 1))
         for i in fitter.parameter_indices(addition.candidate):
             for sign in (1, -1):
-                side = _side(fitter, addition, point, i, sign, variance_ratio * ONE_SIDED**2 - gain)
+                side = _side(fitter, addition, point, i, sign, variance_ratio * ONE_SIDED_SIGMAS**2 - gain)
                 if side is not None:
                     sides.append(side)
                     owners.append(addition)
@@ -137,7 +137,7 @@ def bounds(
         ends_by_parameter.setdefault((addition.candidate.name, side.index), []).append((side, end))
     return [
         _bound(fitter, fit, addition, i, ends_by_parameter.get((addition.candidate.name, i), []))
-        for addition in added
+        for addition in additions
         for i in fitter.parameter_indices(addition.candidate)
     ]
 
@@ -161,10 +161,10 @@ def value_shifts_by_default(store: FitStore, fit: Fit) -> dict[Assumption, Array
             (1, (DEFAULT_FACTOR - 1.0) * declared),
             (-1, (1.0 - 1.0 / DEFAULT_FACTOR) * declared),
         )
-        start, limit = addition.start, addition.start.squares + ONE_SIDED**2
+        start, limit = addition.start, addition.start.squares + ONE_SIDED_SIGMAS**2
         sides = [
-            Side(index, declared, sign, addition.free, (), largest, start, limit)
-            for sign, largest in signs_and_ranges
+            Side(index, declared, sign, addition.free, (), max_deviation, start, limit)
+            for sign, max_deviation in signs_and_ranges
         ]
         ends = Profiles(fitter, fit).ends(sides)
         shift = np.max([np.abs(end.values - fit.values) for end in ends], axis=0)
@@ -208,33 +208,33 @@ def _added_candidates(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate])
 
 
 def _minima(
-    store: FitStore, profiles: Profiles, added: Sequence[_AddedCandidate], fit: Fit
+    store: FitStore, profiles: Profiles, additions: Sequence[_AddedCandidate], fit: Fit
 ) -> list[tuple[ProfilePoint, float]]:
     """Return the point where each candidate leaves the smallest sum of squares, and the decrease still possible.
 
     It is the fit itself if a candidate promises little.
     """
     fitter = store.fitter
-    minima = [(addition.start, addition.gain if addition.gain <= MIN_GAIN else 0.0) for addition in added]
+    minima = [(addition.start, addition.gain if addition.gain <= MIN_GAIN else 0.0) for addition in additions]
     worthwhile = [
         k
-        for k, addition in enumerate(added)
+        for k, addition in enumerate(additions)
         if addition.gain > MIN_GAIN and set(addition.free) != set(fit.free)
     ]
     values: dict[int, Array] = {}
     starts = []
     for k in worthwhile:
-        hypothesis = fit.hypothesis.with_cause(added[k].candidate)
+        hypothesis = fit.hypothesis.with_cause(additions[k].candidate)
         previous = store.fit(hypothesis) if store.is_fitted(hypothesis) else None
         if previous is not None:
             values[k] = previous.values
         else:
-            start = np.clip(fit.values + added[k].step, fitter.lower, fitter.upper)
+            start = np.clip(fit.values + additions[k].step, fitter.lower, fitter.upper)
             starts.append((k, hypothesis, start))
     descents = fitter.rough_descents([(hypothesis, start) for _, hypothesis, start in starts])
     values |= {k: descent.values for (k, _, _), descent in zip(starts, descents, strict=True)}
     points = profiles.points(
-        [ModelRequest(values[k], added[k].free, added[k].without_prior) for k in worthwhile]
+        [ModelRequest(values[k], additions[k].free, additions[k].without_prior) for k in worthwhile]
     )
     for k, point in zip(worthwhile, points, strict=True):
         if point is not None and point.squares < minima[k][0].squares:
@@ -246,14 +246,21 @@ def _side(
     fitter: Fitter, addition: _AddedCandidate, minimum: ProfilePoint, i: int, sign: int, rise: float
 ) -> Side | None:
     """Return one side of a parameter; None if there is nothing on that side."""
-    p, largest = (
+    p, max_deviation = (
         fitter.parameters[i],
         max_plausible_deviation(fitter, addition.candidate, i, sign, addition.rates[i]),
     )
-    if not 0.0 < largest < np.inf:
+    if not 0.0 < max_deviation < np.inf:
         return None
     return Side(
-        i, p.value, sign, addition.free, addition.without_prior, largest, minimum, minimum.squares + rise
+        i,
+        p.value,
+        sign,
+        addition.free,
+        addition.without_prior,
+        max_deviation,
+        minimum,
+        minimum.squares + rise,
     )
 
 
@@ -284,15 +291,17 @@ def _bound(
         factor = 1.0
         if addition.without_prior:  # the prior of the candidate limits its effect
             row = fitter.priors.row_of(i)
-            width = np.inf if row is None else ONE_SIDED * fitter.priors.sigmas_in_units(fit.values)[row]
-            factor = float(1.0 / np.hypot(1.0, end.size / width))
+            prior_limit = (
+                np.inf if row is None else ONE_SIDED_SIGMAS * fitter.priors.sigmas_in_units(fit.values)[row]
+            )
+            factor = float(1.0 / np.hypot(1.0, end.size / prior_limit))
         shift = factor * np.abs(end.values - fit.values)[nuisances]
         is_determined = has_prior | (end.bounded and end.reached)
         value_shifts[nuisances] = np.maximum(value_shifts[nuisances], np.where(is_determined, shift, 0.0))
         unbounded_shifts[nuisances] = np.maximum(
             unbounded_shifts[nuisances], np.where(is_determined, 0.0, shift)
         )
-    max_deviation = max((side.largest for side, _ in ends), default=np.inf)
+    max_deviation = max((side.max_size for side, _ in ends), default=np.inf)
     return Bound(
         addition.candidate,
         i,

@@ -45,7 +45,7 @@ class Score:
     - step: corresponding change of the candidate's parameters, within their signs, (k,)
     - sigma: standard deviations of the parameters from these data, (k,); infinite if the data do not determine them
     - largest_rates: largest relative change of a measured frequency per unit of each parameter, (k,)
-    - visible: whether any signature remains after the projection
+    - is_visible: whether any signature remains after the projection
     """
 
     candidate: Candidate
@@ -54,7 +54,7 @@ class Score:
     step: Array
     sigma: Array
     largest_rates: Array
-    visible: bool
+    is_visible: bool
 
 
 @dataclass(frozen=True)
@@ -97,7 +97,7 @@ def score(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> Scores:
             fitter, fit, candidate, signatures[:, columns], remainder[:, columns], rate_magnitudes[:, columns]
         )
         scores.append(candidate_score)
-        if candidate_score.visible:
+        if candidate_score.is_visible:
             directions.append((axes, allowed_sign(fitter, candidate)))
     return Scores(tuple(scores), tuple(directions))
 
@@ -112,19 +112,19 @@ def _score_of(
 ) -> tuple[Score, Array]:
     remainder_norms, data = np.linalg.norm(remainder, axis=0), slice(0, fitter.prior_slice.start)
     norms = np.linalg.norm(signatures[data], axis=0)
-    visible = np.linalg.norm(remainder[data], axis=0) > MIN_REMAINDER * np.maximum(norms, 1e-300)
-    largest = rate_magnitudes.max(axis=0, initial=0.0)
+    is_visible = np.linalg.norm(remainder[data], axis=0) > MIN_REMAINDER * np.maximum(norms, 1e-300)
+    largest_rates = rate_magnitudes.max(axis=0, initial=0.0)
     step = np.zeros(remainder.shape[1])
-    if not visible.any():
-        return Score(candidate, 1.0, 0.0, step, np.full(len(step), np.inf), largest, False), remainder
+    if not is_visible.any():
+        return Score(candidate, 1.0, 0.0, step, np.full(len(step), np.inf), largest_rates, False), remainder
     # Parameters may have the same effect, or none: the degrees of freedom are the directions that they span.
-    u, s, vt = thin_svd(remainder[:, visible] / remainder_norms[visible])
+    u, s, vt = thin_svd(remainder[:, is_visible] / remainder_norms[is_visible])
     axes, s, vt = u[:, s > MIN_REMAINDER], s[s > MIN_REMAINDER], vt[s > MIN_REMAINDER]
     sigma = np.full(len(step), np.inf)
-    if len(s) == visible.sum():
-        sigma[visible] = np.linalg.norm(vt / s[:, None], axis=0) / remainder_norms[visible]
+    if len(s) == is_visible.sum():
+        sigma[is_visible] = np.linalg.norm(vt / s[:, None], axis=0) / remainder_norms[is_visible]
     projection = axes.T @ fit.white
-    step[visible] = (vt.T @ (projection / s)) / remainder_norms[visible]
+    step[is_visible] = (vt.T @ (projection / s)) / remainder_norms[is_visible]
     sign = allowed_sign(fitter, candidate)
     gain = float(projection @ projection)
     if sign:
@@ -135,7 +135,7 @@ def _score_of(
         axes = axes * (np.sign(vt[0, 0]) * sign)
     else:
         p_value = float(stats.chi2.sf(gain, axes.shape[1]))
-    return Score(candidate, p_value, gain, step, sigma, largest, True), axes
+    return Score(candidate, p_value, gain, step, sigma, largest_rates, True), axes
 
 
 def allowed_sign(fitter: Fitter, candidate: Candidate) -> int:

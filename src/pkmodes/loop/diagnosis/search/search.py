@@ -189,7 +189,9 @@ class Search:
         # Also from fits without the worst rows, for several numbers of rows.
         rows, h = store.fitter.rows_by_residual(fit)[0].tolist(), fit.hypothesis
         counts = [count for count in (1, 2, 4, 8) if count <= int(c.search.misled * len(rows))]
-        reduced_hypotheses = [replace(h, excluded=h.excluded | set(rows[:count])) for count in counts]
+        reduced_hypotheses = [
+            replace(h, excluded_rows=h.excluded_rows | set(rows[:count])) for count in counts
+        ]
         starts += [
             rough_fit.values
             for rough_fit in store.fitter.rough_descents(
@@ -225,7 +227,9 @@ class Search:
     def _remove_unneeded(self, fit: Fit) -> Fit:
         """Remove additions that are not needed to pass the gate."""
         h, store = fit.hypothesis, self.store
-        reduced_hypotheses = [replace(h, excluded=h.excluded - {row}) for row in sorted(h.excluded)]
+        reduced_hypotheses = [
+            replace(h, excluded_rows=h.excluded_rows - {row}) for row in sorted(h.excluded_rows)
+        ]
         reduced_hypotheses += [replace(h, has_shared_error=False)] if h.has_shared_error else []
         reduced_hypotheses += [h.without(position) for position in range(len(h.causes))]
         for hypothesis in reduced_hypotheses:

@@ -34,7 +34,7 @@ MODE_SIGMA = 0.3
 MIN_SIGMA = 0.02
 MIN_DIFFERENCES = 3
 #: The scatter between setups is taken at this upper confidence limit.
-CONFIDENCE = 0.9
+CONFIDENCE_LEVEL = 0.9
 #: Setups are the same if no component of the pose differs by more than this part of the range of the trusted poses,
 #: or by more than this [m or rad]; without positions, if the model has the same modes to this accuracy.
 NEAR_PART_OF_RANGE, NEAR_DISTANCE, EIGENVALUE_TOLERANCE = 0.02, 5e-4, 1e-9
@@ -289,7 +289,7 @@ def scatter_between_setups(
         degrees += int(np.linalg.matrix_rank(same_setup[np.ix_(pose[rows], pose[rows])].astype(float))) - 1
     if degrees < MIN_DIFFERENCES:
         return MIN_SIGMA
-    upper_ratio = squares / float(stats.chi2.ppf(1.0 - CONFIDENCE, degrees))
+    upper_ratio = squares / float(stats.chi2.ppf(1.0 - CONFIDENCE_LEVEL, degrees))
     return float(np.sqrt(max(upper_ratio - 1.0, 0.0)) * np.median(sigma))
 
 

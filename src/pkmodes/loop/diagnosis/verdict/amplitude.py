@@ -33,12 +33,12 @@ def _chi2_to_compare(e: Evidence) -> float:
         fits = [
             fit
             for fit in e.store.all_fits()
-            if not ((h := fit.hypothesis).remote or h.excluded or h.has_shared_error)
+            if not ((h := fit.hypothesis).remote or h.excluded_rows or h.has_shared_error)
         ]
         best = min(fits, key=e.store.criterion, default=declared)
         unexplained = misfit.of_frequencies(e.store, best).squares
         return max(unexplained, misfit.of_frequencies(e.store, declared).squares - unexplained)
     if final.causes:
         return declared.deviance - final.deviance
-    errors = final.hypothesis.excluded or final.hypothesis.has_shared_error
+    errors = final.hypothesis.excluded_rows or final.hypothesis.has_shared_error
     return misfit.of_frequencies(e.store, declared).squares if errors else math.inf

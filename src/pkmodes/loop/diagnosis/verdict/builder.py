@@ -261,7 +261,7 @@ class DiagnosisBuilder:
         - is_settled: whether the last one leaves only noise
         """
         setups, last_fit = self.setups, causes or refit
-        excluded = [] if last_fit is None else sorted(last_fit.hypothesis.excluded)
+        excluded = [] if last_fit is None else sorted(last_fit.hypothesis.excluded_rows)
         outlying = np.isin(setups.data.lines, self.fitter.data.lines[excluded])
 
         def stage_and_error(fit: Fit | None) -> tuple[MatchStage, Error] | None:

@@ -24,7 +24,7 @@ from pkmodes.loop.diagnosis.verdict.joints import JointAlone
 from pkmodes.loop.diagnosis.verdict.possible import describe_member, split_possible, violated_usual_range
 
 #: Largest number of times that a cause is replaced by a better survivor.
-MAX_PREFERENCES = 4
+MAX_REPLACEMENTS = 4
 #: For each cause, the classes of fits that have another cause in its place.
 ClassesByCause = tuple[list[list[Fit]], ...]
 
@@ -217,7 +217,7 @@ def _order_by_plausibility(
 
 def _prefer_best_survivor(search: Search, final: Fit) -> tuple[Fit, list[list[Fit]]]:
     """Return the best survivor, and for each of its causes the survivors with another cause in its place."""
-    for _ in range(MAX_PREFERENCES):
+    for _ in range(MAX_REPLACEMENTS):
         rivals = [search.rivals(final, place) for place in range(len(final.causes))]
         survivors_by_cause = [survivors(search, fits) for fits in rivals]
         causes_and_survivors = zip(final.causes, survivors_by_cause, strict=True)

@@ -106,7 +106,8 @@ def other_pairs(search: Search, final: Fit, classes_by_cause: Sequence[Sequence[
         fit
         for fit in store.all_fits()
         if len(fit.causes) == len(final.causes) == c.search.most_causes
-        and (fit.hypothesis.excluded, fit.hypothesis.has_shared_error) == (h.excluded, h.has_shared_error)
+        and (fit.hypothesis.excluded_rows, fit.hypothesis.has_shared_error)
+        == (h.excluded_rows, h.has_shared_error)
     ]
     names_by_cause = [{fit.causes[-1].name for fit in groups[0]} for groups in classes_by_cause if groups]
     are_many = int(np.prod([len(names) for names in names_by_cause])) > c.claim.most_pairs

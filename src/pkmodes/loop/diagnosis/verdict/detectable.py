@@ -54,7 +54,7 @@ def examine_candidates(
         p_value = p_value_within_range(fitter, candidate_score, max_of_candidate)
         sizes = c.claim.seen * current_score.sigma
         is_visible = (
-            current_score.visible
+            current_score.is_visible
             and name not in unbounded
             and bool((np.isfinite(sizes) & (sizes <= max_of_candidate)).all())
         )

@@ -14,13 +14,13 @@ from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.problem import Assumption, Candidate
 from pkmodes.loop.diagnosis.readings.amplitude import level_dependence
-from pkmodes.loop.diagnosis.search.limits import ONE_SIDED, value_shifts_by_default
+from pkmodes.loop.diagnosis.search.limits import ONE_SIDED_SIGMAS, value_shifts_by_default
 from pkmodes.loop.diagnosis.search.search import Outcome, Search
 from pkmodes.loop.diagnosis.verdict import misfit, reasons
 from pkmodes.loop.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.loop.diagnosis.verdict.caveats import Caveats
 from pkmodes.loop.diagnosis.verdict.claim import Claim, claim_of, name_of_last_cause
-from pkmodes.loop.diagnosis.verdict.findings import NOTICEABLE
+from pkmodes.loop.diagnosis.verdict.findings import MIN_NOTICEABLE_RATIO
 from pkmodes.loop.diagnosis.verdict.held_out import HeldOut, check_held_out
 from pkmodes.loop.diagnosis.verdict.joint_alone import joint_alone
 from pkmodes.loop.diagnosis.verdict.joints import JointAlone
@@ -195,7 +195,8 @@ class Evidence:
             assumption
             for assumption, shift in shifts.items()
             if any(
-                math.hypot(self.final.sigma_of(i), shift[i] / ONE_SIDED) > NOTICEABLE * self.final.sigma_of(i)
+                math.hypot(self.final.sigma_of(i), shift[i] / ONE_SIDED_SIGMAS)
+                > MIN_NOTICEABLE_RATIO * self.final.sigma_of(i)
                 for i in indices
             )
         ]
@@ -226,12 +227,12 @@ class Evidence:
             return f"{errors}; {pattern}" if pattern else errors
         hypothesis = final.hypothesis
         declared_fit = store.fit(
-            Hypothesis(excluded=hypothesis.excluded, has_shared_error=hypothesis.has_shared_error)
+            Hypothesis(excluded_rows=hypothesis.excluded_rows, has_shared_error=hypothesis.has_shared_error)
         )
         if declared_fit is None:
             return ""
         rows = len(store.fitter.observations.log_frequencies)
-        squares, count = store.frequency_misfit(declared_fit)[0], rows - len(hypothesis.excluded)
+        squares, count = store.frequency_misfit(declared_fit)[0], rows - len(hypothesis.excluded_rows)
         ratio = max(squares / count, 1.0)
         criterion_with_larger_errors = store.criterion(declared_fit) - squares + count * (1.0 + np.log(ratio))
         if criterion_with_larger_errors + np.log(rows) > max_criterion or ratio > c.claim.wrong_errors**2:
@@ -240,7 +241,7 @@ class Evidence:
 
     def _causes_show_only_in_these_rows(self, errors: Hypothesis) -> bool:
         """Return whether each row set aside is the only one in which a cause shows (`shows_in_one_row_only`)."""
-        rows = errors.excluded - self.final.hypothesis.excluded
+        rows = errors.excluded - self.final.hypothesis.excluded_rows
         return bool(rows) and all(
             any(shows_in_one_row_only(self.search, self.final, cause, row) for cause in self.final.causes)
             for row in rows

@@ -111,7 +111,7 @@ class Value:
 
 
 #: Smallest ratio of a saved standard deviation to that of the fit that is explained to the reader.
-NOTICEABLE = 1.05
+MIN_NOTICEABLE_RATIO = 1.05
 
 
 @dataclass(frozen=True)
@@ -147,7 +147,7 @@ class Corrected(Value):
     @property
     def widened(self) -> bool:
         """Whether the saved standard deviation is noticeably larger than that of the fit."""
-        return self.saved_sigma > NOTICEABLE * self.sigma
+        return self.saved_sigma > MIN_NOTICEABLE_RATIO * self.sigma
 
 
 def saved_as(value: Value, corrected: Sequence[Corrected]) -> Corrected | None:

@@ -74,7 +74,7 @@ def check_held_out(
                 f"{names(final.causes)} would explain all poses, but {names(better_fit.causes)} explains them "
                 "better: look there"
             )
-        excluded_rows = (row for row in sorted(full_fit.hypothesis.excluded) if setups.is_held_out[row])
+        excluded_rows = (row for row in sorted(full_fit.hypothesis.excluded_rows) if setups.is_held_out[row])
         remark = "does not agree with the other held-out rows: check it"
         return HeldOut(notes=tuple(f"{_row_in_words(setups.data, row)} {remark}" for row in excluded_rows))
     other_cause = better_fit
@@ -139,9 +139,9 @@ def _fit_all_setups(setups: AllSetups, search: Search, final: Fit) -> tuple[Sear
     """
     fitter = search.store.fitter
     # Excluded rows have other indices among all rows.
-    lines = fitter.data.lines[sorted(final.hypothesis.excluded)]
-    excluded = frozenset(np.flatnonzero(np.isin(setups.data.lines, lines)).tolist())
-    hypothesis = replace(final.hypothesis, excluded=excluded)
+    lines = fitter.data.lines[sorted(final.hypothesis.excluded_rows)]
+    excluded_rows = frozenset(np.flatnonzero(np.isin(setups.data.lines, lines)).tolist())
+    hypothesis = replace(final.hypothesis, excluded_rows=excluded_rows)
 
     def fit_with_scatter(scatter: float) -> tuple[FitStore, Fit | None]:
         store = FitStore(Fitter(setups.structure, setups.data, fitter.criteria, scatter))
@@ -172,7 +172,7 @@ def _without_one_row(
         or full_fit.leverage[row] >= c.search.redundant
     ):
         return full_fit, p_value
-    fit_without_row = store.fit(replace(h, excluded=h.excluded | {row}), full_fit.values)
+    fit_without_row = store.fit(replace(h, excluded_rows=h.excluded_rows | {row}), full_fit.values)
     p_without_row = (
         0.0 if fit_without_row is None else p_held_out(setups, fitter, fit_without_row.hypothesis, final)
     )
@@ -186,7 +186,7 @@ def _without_one_row(
 def _better_remote_cause(search: Search, full_fit: Fit) -> Fit | None:
     """Return the remote cause that explains all setups better than the claimed causes do; None if none does."""
     c = search.criteria
-    has_single_cause = len(full_fit.causes) == 1 and not full_fit.hypothesis.excluded
+    has_single_cause = len(full_fit.causes) == 1 and not full_fit.hypothesis.excluded_rows
     if not full_fit.causes or (has_single_cause and search.gate(full_fit).passes_at(c.gate.plainly)):
         return None
     # A remote cause with the same predictions is listed in the class of the cause.

@@ -30,8 +30,8 @@ from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.matrices import slow_call_remark
 from pkmodes.loop.diagnosis.problem import Array, Assumption, Candidate, Parameter
-from pkmodes.loop.diagnosis.search.limits import ONE_SIDED, Bound, bounds, value_shifts_by_default
-from pkmodes.loop.diagnosis.verdict.findings import NOTICEABLE, Limit, Unseen
+from pkmodes.loop.diagnosis.search.limits import ONE_SIDED_SIGMAS, Bound, bounds, value_shifts_by_default
+from pkmodes.loop.diagnosis.verdict.findings import MIN_NOTICEABLE_RATIO, Limit, Unseen
 
 #: Largest number of remaining explanations beside which limits are determined.
 MAX_EXPLANATIONS = 4
@@ -123,17 +123,18 @@ def _unseen_effects(
     for i in fit.free if all_bounds else ():
         largest_shift = max(all_bounds, key=lambda bound: bound.value_shifts[i])
         largest_unbounded = max(all_bounds, key=lambda bound: bound.unbounded_shifts[i])
-        sigma = float(largest_shift.value_shifts[i]) / ONE_SIDED
-        farther_sigma = float(largest_unbounded.unbounded_shifts[i]) / ONE_SIDED
+        sigma = float(largest_shift.value_shifts[i]) / ONE_SIDED_SIGMAS
+        farther_sigma = float(largest_unbounded.unbounded_shifts[i]) / ONE_SIDED_SIGMAS
         total_sigma = math.hypot(fit.sigma_of(i), sigma)
         is_farther = (
-            farther_sigma > sigma and math.hypot(fit.sigma_of(i), farther_sigma) > NOTICEABLE * total_sigma
+            farther_sigma > sigma
+            and math.hypot(fit.sigma_of(i), farther_sigma) > MIN_NOTICEABLE_RATIO * total_sigma
         )
         effects[i] = Unseen(
             sigma, largest_shift.candidate.name, largest_unbounded.candidate.name if is_farther else ""
         )
         for default, shifts in shifts_by_default.items():
-            if shifts[i] / ONE_SIDED > effects[i].sigma:
-                sigma = float(shifts[i]) / ONE_SIDED
+            if shifts[i] / ONE_SIDED_SIGMAS > effects[i].sigma:
+                sigma = float(shifts[i]) / ONE_SIDED_SIGMAS
                 effects[i] = replace(effects[i], sigma=sigma, candidate="", default=default.words)
     return effects

@@ -18,7 +18,7 @@ def of_frequencies(store: FitStore, fit: Fit) -> Misfit:
     rows = fitter.observations.frequency_slice
     count = (
         len(fitter.observations.log_frequencies)
-        - len(fit.hypothesis.excluded)
+        - len(fit.hypothesis.excluded_rows)
         - int(fit.hypothesis.has_shared_error)
     )
     return Misfit(float(fit.white[rows] @ fit.white[rows]), count - float(fit.leverage[rows].sum()))

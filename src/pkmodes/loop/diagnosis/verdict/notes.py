@@ -26,7 +26,7 @@ from pkmodes.loop.diagnosis.verdict.unevaluated import unevaluated
 MAX_FREQUENCY_RATIO, MIN_SETUPS = 0.7, 2
 #: Stated errors that are too small by more than the first factor are reported, and those that are too large by more
 #: than the second, but only if the probability of such a small residual is below the third number.
-MAX_TOO_SMALL, MAX_TOO_LARGE, MAX_P_OF_SMALL_RESIDUAL = 3.0, 2.0, 1e-4
+MAX_UNDERSTATEMENT, MAX_OVERSTATEMENT, MAX_P_OF_SMALL_RESIDUAL = 3.0, 2.0, 1e-4
 
 
 def notes(store: FitStore, fit: Fit, adequate: bool) -> list[str]:
@@ -98,10 +98,10 @@ def _stated_errors(store: FitStore, fit: Fit, adequate: bool) -> Iterator[str]:
     if degrees < 1.0:
         return
     ratio = (squares / degrees) ** 0.5
-    if ratio < 1.0 / MAX_TOO_LARGE and stats.chi2.cdf(squares, degrees) < MAX_P_OF_SMALL_RESIDUAL:
+    if ratio < 1.0 / MAX_OVERSTATEMENT and stats.chi2.cdf(squares, degrees) < MAX_P_OF_SMALL_RESIDUAL:
         factor = format_factor(1.0 / ratio) if ratio > 1e-6 else "far"
         yield f"the stated errors of the frequencies are {factor} too large: the residual scatters much less"
-    elif adequate and ratio > MAX_TOO_SMALL:
+    elif adequate and ratio > MAX_UNDERSTATEMENT:
         yield f"the stated errors of the frequencies are {format_factor(ratio)} too small"
 
 
@@ -125,7 +125,7 @@ def _nuisances(fitter: Fitter, fit: Fit) -> Iterator[str]:
 
 
 def _set_aside(fitter: Fitter, fit: Fit) -> Iterator[str]:
-    for row in sorted(fit.hypothesis.excluded):
+    for row in sorted(fit.hypothesis.excluded_rows):
         data = fitter.data
         yield (
             f"line {data.lines[row]} ({data.labels[data.pose[row]]}, {data.frequency[row]:g} Hz) is set aside "

@@ -3,8 +3,8 @@
 A rule has a name, which begins with that of its table, the verdict that it gives, and a function of the evidence,
 whose docstring says when the rule applies, and which returns the reason of the verdict.  Those of
 `rules_before_search` are tried first; if one applies, there is no search.  After a search come `rules_after_search`,
-then `ADEQUACY` where the declared model leaves noise, `CLAIMS` where causes do, and `OPEN` (`unexplained`) where
-nothing does.  docs/reference/verdicts.md has the tables.
+then `ADEQUACY_RULES` where the declared model leaves noise, `CLAIM_RULES` where causes do, and `UNEXPLAINED_RULES`
+(`unexplained`) where nothing does.  docs/reference/verdicts.md has the tables.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from pkmodes.loop.diagnosis.verdict.reasons import causes_in_words, errors_in_wo
 from pkmodes.loop.diagnosis.verdict.shapes import better_by_shape, shapes_disagree
 from pkmodes.loop.diagnosis.verdict.specificity import p_coincidence
 from pkmodes.loop.diagnosis.verdict.too_few import too_few
-from pkmodes.loop.diagnosis.verdict.unexplained import OPEN, reason_of_refusal
+from pkmodes.loop.diagnosis.verdict.unexplained import UNEXPLAINED_RULES, reason_of_refusal
 from pkmodes.loop.diagnosis.verdict.values import deciding_row, insignificant_value, single_row_in_words
 from pkmodes.loop.diagnosis.verdict.verdicts import (
     ADEQUATE,
@@ -48,8 +48,8 @@ def decide_before_search(start: Start) -> Decision[Start, Answer] | None:
 
 def decide(evidence: Evidence) -> Decision[Evidence, Answer]:
     """Return the verdict after a search, and why it is given."""
-    table_if_noise = CLAIMS if evidence.final.causes else ADEQUACY
-    last_table = table_if_noise if evidence.outcome.last_gate.passed else OPEN
+    table_if_noise = CLAIM_RULES if evidence.final.causes else ADEQUACY_RULES
+    last_table = table_if_noise if evidence.outcome.last_gate.passed else UNEXPLAINED_RULES
     decision = first_decision((*rules_after_search(), *last_table), evidence)
     assert decision is not None  # the last rule of each table always applies
     return decision
@@ -68,7 +68,7 @@ def modes_of_other_shapes(e: Evidence) -> str:
 def extra_modes(e: Evidence) -> str:
     """A row was set aside near which the model has no mode left: it is a mode that the model lacks."""
     fitter, final, lines = e.fitter, e.final, []
-    for row in sorted(final.hypothesis.excluded):
+    for row in sorted(final.hypothesis.excluded_rows):
         setup = fitter.data.pose[row]
         # Modes that an error could have moved here, without those that were measured as well.
         difference = final.prediction.log_frequencies[setup] - fitter.observations.log_frequencies[row]
@@ -368,7 +368,7 @@ def _answer_of_reading(
 
 
 #: Tried if the declared model leaves noise.
-ADEQUACY: tuple[Rule[Evidence, Answer], ...] = (
+ADEQUACY_RULES: tuple[Rule[Evidence, Answer], ...] = (
     Rule("adequacy.shapes", UNEXPLAINED, modes_of_other_shapes),
     Rule("adequacy.extra_modes", UNEXPLAINED, extra_modes),
     Rule("adequacy.unstated_error", UNEXPLAINED, unstated_error),
@@ -377,7 +377,7 @@ ADEQUACY: tuple[Rule[Evidence, Answer], ...] = (
 )
 
 #: Tried if causes leave noise.
-CLAIMS: tuple[Rule[Evidence, Answer], ...] = (
+CLAIM_RULES: tuple[Rule[Evidence, Answer], ...] = (
     Rule("claims.remote", UNEXPLAINED, remote_cause),
     Rule("claims.one_joint", UNEXPLAINED, in_one_joint),
     Rule("claims.shapes", UNEXPLAINED, modes_of_other_shapes),

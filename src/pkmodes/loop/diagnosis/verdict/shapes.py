@@ -62,11 +62,11 @@ def better_by_shape(store: FitStore, fit: Fit) -> Fit | None:
         white = compared_fit.white[fitter.observations.data_slice(SHAPE)]
         return float(white @ white)
 
-    excluded = len(fit.hypothesis.excluded)
+    excluded = len(fit.hypothesis.excluded_rows)
     options = [
         option
         for option in store.all_fits()
-        if len(option.causes) <= len(fit.causes) and len(option.hypothesis.excluded) == excluded
+        if len(option.causes) <= len(fit.causes) and len(option.hypothesis.excluded_rows) == excluded
     ]
     best = min(options, key=squares, default=fit)
     misfits = (fitter.misfit(best, SHAPE, stated=stated) for stated in (True, False))

@@ -86,7 +86,9 @@ class PlausibleChanges:
 def p_coincidence(search: Search, final: Fit) -> float:
     """Return the probability that as many candidates explain a residual of this size although none caused it."""
     store, fitter, h = search.store, search.store.fitter, final.hypothesis
-    fit_without_causes = store.fit(Hypothesis(excluded=h.excluded, has_shared_error=h.has_shared_error))
+    fit_without_causes = store.fit(
+        Hypothesis(excluded_rows=h.excluded_rows, has_shared_error=h.has_shared_error)
+    )
     if fit_without_causes is None or not final.causes:
         return 0.0
     rng = np.random.default_rng(SEED)

@@ -65,7 +65,7 @@ def deciding_row(search: Search, final: Fit) -> str:
         for row in rows:
             if shows_in_one_row_only(search, final, cause, row):
                 continue
-            hypothesis = replace(h, excluded=h.excluded | {row})
+            hypothesis = replace(h, excluded_rows=h.excluded_rows | {row})
             hypothesis_without_cause = replace(
                 hypothesis, causes=tuple(other for other in h.causes if other != cause)
             )
