@@ -61,7 +61,7 @@ class AmplitudeDependence:
     """How frequencies change with the level of excitation.
 
     - low, high: the lowest and the highest level of setups that can be compared
-    - changes: of each mode at each position
+    - changes: change of each mode at each position
     - squares: sum of squares that the trend explains, in units of the stated variances
     - p_value: probability of so clear a trend if nothing depends on the level
     - repeated: whether some level was repeated, so that the scatter of its setups is known

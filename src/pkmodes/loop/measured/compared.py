@@ -255,7 +255,7 @@ def paired_rows(
 
     Rows that differ in frequency or shape by more than one mode can are no pair.
 
-    - rows, second_rows: of the pose, in the first and in the second measurement
+    - rows, second_rows: rows of the pose in the first and in the second measurement
     """
     log_ratios = np.abs(np.log(second.frequency[second_rows][None, :] / first.frequency[rows][:, None]))
     macs = _mac_matrix(first, second, rows, second_rows)

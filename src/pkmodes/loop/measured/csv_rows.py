@@ -113,7 +113,7 @@ def read_lines(text: str, source: str) -> CsvLines:
 def states_of(lines: CsvLines, cells: Sequence[str], source: str) -> list[str]:
     """Return the state of each row, from its column or a comment; empty if neither names one.
 
-    - cells: of the header
+    - cells: cells of the header
 
     Raises MeasurementError if a row is not CSV, or names another state than a comment.
     """
@@ -133,8 +133,8 @@ def states_of(lines: CsvLines, cells: Sequence[str], source: str) -> list[str]:
 def lines_of_state(lines: CsvLines, cells: Sequence[str], source: str, state: str | None) -> CsvLines:
     """Return the lines of one state of the machine, with this state for all of them.
 
-    - cells: of the header
-    - state: by default the only one
+    - cells: cells of the header
+    - state: name of the state; by default the only one
 
     Raises MeasurementError if there are several states and none is chosen, some rows name none, or no row has it.
     """

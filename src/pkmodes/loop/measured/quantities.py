@@ -50,8 +50,8 @@ class NumberColumn:
 
     - column: its name in the header of a file
     - argument: its name in Python, in `Measurements.from_rows` and `Measurements.numbers`
-    - unit: of the number in Python, and in a file whose header gives none
-    - symbol: of its columns in reports; by default the name
+    - unit: unit of the number in Python, and in a file whose header gives none
+    - symbol: symbol of its columns in reports; by default the name
     """
 
     column: str
@@ -93,7 +93,7 @@ IDENTITY = Transformation(np.asarray, lambda _, sigmas: sigmas, positive=False)
 class MeasuredQuantity:
     """A quantity measured of each mode, with its standard deviation.
 
-    - transformation: of measurements and predictions, before they are compared
+    - transformation: transformation of measurements and predictions before they are compared
     - usual_sigma: standard deviations of numbers for which none is stated
     """
 

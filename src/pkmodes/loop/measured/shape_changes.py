@@ -68,7 +68,7 @@ class AlignedShapes:
     - channels: length C
     - first, second: the first relative to its largest component, and the second scaled to it, (C,)
     - sigmas: standard deviation of the components of each, NaN where not stated
-    - covariance: that of second - first, (C, C)
+    - covariance: covariance of second - first, (C, C)
     """
 
     channels: tuple[str, ...]
@@ -83,7 +83,7 @@ def align_shapes(
 ) -> AlignedShapes | None:
     """Return the shapes of a pair at the channels of both; None where they have no shape at three or more.
 
-    - row, second_row: of the mode in each
+    - row, second_row: row of the mode in each measurement
     """
     names = [name for name in first.channels if name in second.channels]
     a = first.shapes[row, [first.channels.index(name) for name in names]]

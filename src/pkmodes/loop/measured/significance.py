@@ -86,11 +86,11 @@ def common_and_own(log_ratios: Array, errors: Array) -> tuple[CommonChange | Non
     pairs which did not change, if these are half of all, or of three quarters or more that agree.
 
     - log_ratios: logarithms of second over first, (n,)
-    - errors: their standard deviations, (n,)
+    - errors: standard deviations of these logarithms, (n,)
 
     Returns, in this order:
-    - common: None of fewer than two pairs
-    - own
+    - common: the common change; None for fewer than two pairs
+    - own: changes of single modes
     """
     count = len(log_ratios)
     not_known = np.full(count, np.nan)

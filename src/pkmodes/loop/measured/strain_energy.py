@@ -62,9 +62,9 @@ def strain_energy_changes(
 ) -> list[StrainEnergyChange]:
     """Return the damage indices at a pose, of each series of channels.
 
-    - pose: its label
-    - lines: of the modes in the first file, length n
-    - shapes: their shapes in both, length n
+    - pose: label of the pose
+    - lines: lines of the n modes in the first file
+    - shapes: their shapes in both files
     """
     modes_by_series: dict[tuple[str, ...], list[tuple[int, Array, Array, tuple[float, float]]]] = {}
     for line, mode in zip(lines, shapes, strict=True):
@@ -130,7 +130,7 @@ def _changes_of_series(
 def energy_shares(motion: Array, error: float) -> tuple[Array, Array]:
     """Return the share of each pair of neighbours in the squares of all relative motions, and its variance.
 
-    - motion: of a series of channels, (n,)
+    - motion: motion of a series of channels, (n,)
     - error: standard deviation of each component, independent of the others
 
     Returns shares and variances, (n - 1,), to first order in the error, with the leading term of second order, the

@@ -32,7 +32,7 @@ def has_many_alternatives(catalogue: Evidence) -> bool:
 def terms_may_compete(structure: Structure, catalogue: Evidence, held_out: Sequence[int]) -> bool:
     """Return whether some term of a structure may explain as much as the causes, by the linear model.
 
-    - structure: with its terms, at all measured setups
+    - structure: the structure with its terms, at all measured setups
     - held_out: held-out setups
     """
     nuisance_fit = catalogue.outcome.nuisance_fit

@@ -48,9 +48,9 @@ MAX_REPEATS = 2
 class TermFits:
     """Fits with one term each, and the explanations of the catalogue that leave noise.
 
-    - setups: of the structure with its terms
-    - baseline: without any cause, with the measurement errors of the fits
-    - fits: with one term, best first
+    - setups: setups of the structure with its terms
+    - baseline: fit without any cause, with the measurement errors of the fits
+    - fits: fits with one term, best first
     - catalogue_fits: explanations of the catalogue, fitted again beside the terms
     """
 
@@ -108,7 +108,7 @@ def try_terms(
 ) -> TermFits | None:
     """Try all terms of a structure; None if it has none, or cannot be evaluated.
 
-    - structure: with its terms, at all measured setups
+    - structure: the structure with its terms, at all measured setups
     - catalogue: evidence for the causes of the catalogue
     - held_out: held-out setups
     """

@@ -56,7 +56,7 @@ class DampingJudgement:
 class LossEvidence:
     """Damping ratios and the losses that explain them; costly results are computed when a rule first needs them.
 
-    - fitter: of the rows that take part
+    - fitter: fits losses to the rows that take part
     - doubts: where one of these applies, nothing is claimed
     - trials: verdicts with other errors or priors, by change
     - held_out: ratios of the held-out poses
@@ -139,7 +139,7 @@ def contradicts_held_out(
 ) -> bool:
     """Return whether the rows of held-out poses contradict losses.
 
-    - ratio_scatter: of the ratios beyond their stated errors, which the verdict allows for
+    - ratio_scatter: scatter of the ratios beyond their stated errors that the verdict allows for
     """
     if not len(held_out.ratio) or not values.any():
         return False

@@ -18,7 +18,7 @@ REPEATED_GAP = 1e-7
 class FrequencyRows:
     """The logarithms of R measured frequencies as data of a fit, a `ComparedQuantity`.
 
-    - sigma: their standard deviations, (R, 1)
+    - sigma: standard deviations of the logarithms, (R, 1)
     """
 
     pairer: Pairer

@@ -129,7 +129,7 @@ class Fit(Fitted):
     The data are those of `Observations` (0 where not measured), then the priors.
 
     - free: nuisances first, then the parameters of the causes
-    - log_determinant: that of the covariance V of the data
+    - log_determinant: log determinant of the covariance V of the data
     - shared_error: standard deviation of the error shared in a setup, tau
     - residual: measured minus model, of ln f clipped if unmatched, (D,); 0 if excluded
     - at_bound: parameters of causes at a bound other than their null value

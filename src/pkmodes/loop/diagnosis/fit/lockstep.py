@@ -68,8 +68,8 @@ class Descent:
 class Lockstep:
     """Rough fits of many hypotheses about one structure and one set of measurements.
 
-    - bounds: of all parameters, each (P,)
-    - observations: their errors are taken as uncorrelated
+    - bounds: lower and upper bounds of all parameters, each (P,)
+    - observations: measurements, whose errors are taken as uncorrelated
     """
 
     def __init__(

@@ -29,10 +29,10 @@ def bounded_least_squares(
     """Minimise the sum of squares over some of the values.
 
     - residual: whitened residual (D,) for all values
-    - rates: its derivatives (D, k) with respect to the free values
+    - rates: derivatives of the residual with respect to the free values, (D, k)
     - values: start values, (P,)
     - free: indices of the k free values
-    - bounds: each (k,)
+    - bounds: lower and upper bounds of the free values, each (k,)
     - steps: largest number of evaluations of the residual
 
     Returns, in this order:

@@ -43,7 +43,7 @@ class PartnerPredictions:
     ) -> PartnerPredictions:
         """Return the predictions for paired measurements.
 
-        - pairing: of all rows
+        - pairing: pairing of all rows
         - sigma: standard deviations of ln f, (R,)
         """
         is_paired = pairing.partner >= 0

@@ -75,7 +75,7 @@ class LinearisedFit:
         """Return the logarithm of the evidence with each of n linear additions, without their Occam factors, (n,).
 
         - removed_residuals: parts of the residual that they remove, (D, n)
-        - leverages: of their directions, (D, n)
+        - leverages: leverages of their directions, (D, n)
         """
         residual = self.white[:, None] - removed_residuals
         squares = [(residual[part] ** 2).sum(axis=0) for part in self.parts]

@@ -59,7 +59,7 @@ def log_evidence_of_frequencies(
     - g, c: variances of changes of unit size along their principal directions, and the squares along each, (k,)
     - squares, degrees: sum of squares of all frequencies, and its degrees of freedom
     - max_signal: largest signal of a change
-    - prior: of the factors `LOG_ERROR_FACTORS` on the errors, (85,)
+    - prior: prior probabilities of the factors `LOG_ERROR_FACTORS` on the errors, (85,)
     """
     sizes = np.geomspace(MIN_SIGNAL, max(max_signal, 2.0 * MIN_SIGNAL), SIZE_COUNT)
     is_visible = sizes[-1] ** 2 * g > MIN_VARIANCE

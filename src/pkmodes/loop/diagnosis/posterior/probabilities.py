@@ -77,7 +77,7 @@ def probabilities(
     """Return the probabilities of all explanations; None if no fit is plausible.
 
     - max_deviations: largest plausible deviations of parameters of candidates
-    - outcome: of the search
+    - outcome: outcome of the search
     - accepted: whether the verdict accepts one explanation or narrows the choice to a few
     """
     fitter, nuisance_fit, candidate_count = (

@@ -87,7 +87,7 @@ def dead_channels(fitter: Fitter, fit: Fit) -> str:
 def find_better_wirings(fitter: Fitter, fit: Fit) -> BetterWirings | None:
     """Return the wirings that fit far better than that of the file; None if there is none.
 
-    - fit: with the wiring of the file
+    - fit: fit with the wiring of the file
     """
     c, columns = fitter.criteria.readings, fitter.data.channels
     sensors = tuple(fitter.structure.sensors) if isinstance(fitter.structure, Instrumented) else ()

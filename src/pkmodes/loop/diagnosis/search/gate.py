@@ -42,7 +42,7 @@ class Gate:
 def gate(store: FitStore, fit: Fit, scores: Scores) -> Gate:
     """Test the residual of a fit.
 
-    - scores: of the candidates to which the residual may point
+    - scores: scores of the candidates to which the residual may point
     """
     fitter, criteria = store.fitter, store.fitter.criteria
     unpaired_count = int((fit.pairing.partner[fitter.used_row_mask(fit.hypothesis)] < 0).sum())

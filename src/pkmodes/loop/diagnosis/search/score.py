@@ -149,7 +149,7 @@ def allowed_sign(fitter: Fitter, candidate: Candidate) -> int:
 def p_of_smallest(directions: Sequence[tuple[Array, int]], observed: float) -> float:
     """Return the probability under the hypothesis that the smallest p-value is at most the observed one.
 
-    - directions: of everything that was tried, see `Scores`
+    - directions: directions of all candidates that were tried, see `Scores`
     """
     if not directions:
         return 1.0

@@ -42,8 +42,8 @@ S = TypeVar("S", bound=Structure)
 class TrustedState:
     """The trusted state, with the model fitted to it.
 
-    - fitter: of its measurements
-    - fit: of the uncertain values
+    - fitter: fits hypotheses to the measurements of this state
+    - fit: fit of the uncertain values
     """
 
     name: str

@@ -57,7 +57,7 @@ def expected_modes(
     - sigma: standard deviation of the logarithms
     - channels: names of these channels
     - partner: mode of the model of each row of the trusted state, (R,); -1 for none
-    - setup: of the trusted state; -1 if it has none like this
+    - setup: index of the setup in the trusted state; -1 if it has none like this
     """
     count = len(log)
     rows = np.flatnonzero(trusted.pose == setup)

@@ -44,8 +44,8 @@ VERDICT_PRECEDENCE = (UNEXPLAINED, AMBIGUOUS, INSUFFICIENT_DATA, EFFECT_FOUND, A
 class Counterpart:
     """The same mode at the same setup in the trusted state.
 
-    - line: of the row in its file
-    - measured, sigma: its frequency and the standard deviation [Hz]
+    - line: line of the row in its file
+    - measured, sigma: frequency and its standard deviation [Hz]
     """
 
     line: int
@@ -62,9 +62,9 @@ class Change(Diagnosis):
 
     - states: the trusted state first
     - changed: whether anything changed; None where the data do not tell
-    - counterparts: of each row
+    - counterparts: counterpart of each row
     - model_error: root mean square of the relative error of the model in the trusted state, which both states share
-    - by_state: of several later states, each by itself; empty for a single one
+    - by_state: changes of several later states, each by itself; empty for a single one
     """
 
     states: tuple[str, ...] = ()
@@ -141,10 +141,10 @@ def change_from_difference(
 ) -> Change:
     """Return the diagnosis of a difference as a change.
 
-    - result: of measurements without the errors that the model has in the trusted state
-    - states: the trusted state, and the other one
-    - data: of the other one, as measured
-    - shared: these errors
+    - result: diagnosis of measurements without the errors that the model has in the trusted state
+    - states: the trusted state, and the later one
+    - data: measurements of the later state, as they were made
+    - shared: the errors of the model in the trusted state
     """
     trusted, later = states
     content = {attribute.name: getattr(result, attribute.name) for attribute in fields(Diagnosis)}

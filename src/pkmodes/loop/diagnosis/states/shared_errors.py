@@ -46,7 +46,7 @@ MAX_SIGMA = 0.9
 class SharedErrors:
     """The error of the model in each row of a later state, as determined by the trusted state.
 
-    - offset, variance: of ln f, and its variance given the trusted state, large enough to treat the errors of
+    - offset, variance: error of ln f, and its variance given the trusted state, large enough to treat the errors of
       different rows as independent, (R,)
     - measured_before: rows whose mode was measured in the trusted state, at any setup, (R,)
     - counterpart: row of the trusted state with the same mode at the same setup, (R,); -1 where there is none
@@ -99,8 +99,8 @@ def shared_errors(
 ) -> SharedErrors:
     """Return the errors that the rows of a later state share with the trusted one.
 
-    - trusted: of the trusted state
-    - values: of its parameters, fitted to it
+    - trusted: fitter of the trusted state
+    - values: values of its parameters, fitted to it
     - structure: at the setups of the later state, with these values as declared
     - shape_error: standard deviation of the components of shapes by which the model differs from the trusted state
     - fitted_values: the uncertainty of these values
@@ -207,8 +207,8 @@ class TrustedRows(NamedTuple):
 class ModeErrors(NamedTuple):
     """The errors of the model in the modes at S setups of a later state.
 
-    - mean: of ln f, (S, m)
-    - covariances: of each mode at all setups, (m, S, S)
+    - mean: mean error of ln f, (S, m)
+    - covariances: covariance of each mode's error at all setups, (m, S, S)
     - scatter: standard deviation of the part that differs between setups
     - unknown_sigma: standard deviation for a mode that the trusted state does not determine
     """
@@ -276,7 +276,7 @@ def scatter_between_setups(
 ) -> float:
     """Return an upper limit of the standard deviation, between setups, of the error of the model in one mode.
 
-    - residual, sigma: of ln f, (R,)
+    - residual, sigma: residual of ln f, and its standard deviation, (R,)
     - partner, pose: mode and setup of each row, (R,)
     - same_setup: which setups are the same, (S, S)
     """

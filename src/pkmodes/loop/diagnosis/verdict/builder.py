@@ -46,12 +46,12 @@ NO_STAGE: tuple[None, None] = (None, None)
 class _Models:
     """The models of a result beside all rows, with their errors: as declared, refitted, and with the causes.
 
-    - last_fit: of the last model; None if there are too few data to fit any
-    - outlying: rows that it sets aside, (R,)
+    - last_fit: fit of the last model; None if there are too few data to fit any
+    - outlying: mask of the rows that this fit sets aside, (R,)
     - corrected: values of the last model
-    - notes: on its fit
-    - spectrum_without_causes: its spectrum without its causes, (S, m)
-    - limits: of the candidates that are not claimed
+    - notes: notes on its fit
+    - spectrum_without_causes: spectrum of the last model without its causes, (S, m)
+    - limits: limits of the candidates that are not claimed
     """
 
     last_fit: Fit | None
@@ -255,10 +255,10 @@ class DiagnosisBuilder:
     ) -> _Models:
         """Return the models of a result.
 
-        - refit: of the nuisances
-        - causes: with the claimed causes
-        - candidate_limits: of the candidates that are not claimed
-        - is_settled: whether the last one leaves only noise
+        - refit: fit of the nuisances
+        - causes: fit with the claimed causes
+        - candidate_limits: limits of the candidates that are not claimed
+        - is_settled: whether the last model leaves only noise
         """
         setups, last_fit = self.setups, causes or refit
         excluded = [] if last_fit is None else sorted(last_fit.hypothesis.excluded_rows)

@@ -22,7 +22,7 @@ STIFFNESSES = ("N/m", "N*m/rad")
 class Dispersion(NamedTuple):
     """A declared stiffness that changes with the frequency.
 
-    - name: of its parameter
+    - name: name of the parameter
     - criterion: criterion of the model with it in place of the causes; smaller is better
     - rises: whether it is larger for modes of high frequency
     """
@@ -52,7 +52,7 @@ def frequency_dependent_stiffness(e: Evidence) -> str:
 def dispersion(store: FitStore, final: Fit) -> Dispersion | None:
     """Return the stiffness that explains the data best by a change with the frequency; None if none is declared.
 
-    - final: with causes, in the place of which it is tried
+    - final: the final fit, whose causes the stiffness replaces
     """
     fitter, hypothesis = store.fitter, replace(final.hypothesis, causes=())
     fit_without_causes = store.fit(hypothesis, store.values_without(final, hypothesis))

@@ -88,7 +88,7 @@ class Start:
 class Evidence:
     """The result of a search, and what else decides; costly results are computed when a rule first needs them.
 
-    - claim: by default, of the outcome of the search
+    - claim: by default, the claim that follows from the outcome of the search
     - term_instead: returns the fit with one term that explains the data in place of this evidence's causes; None if
       none does
 
@@ -241,7 +241,7 @@ class Evidence:
 
     def _causes_show_only_in_these_rows(self, errors: Hypothesis) -> bool:
         """Return whether each row set aside is the only one in which a cause shows (`shows_in_one_row_only`)."""
-        rows = errors.excluded - self.final.hypothesis.excluded_rows
+        rows = errors.excluded_rows - self.final.hypothesis.excluded_rows
         return bool(rows) and all(
             any(shows_in_one_row_only(self.search, self.final, cause, row) for cause in self.final.causes)
             for row in rows

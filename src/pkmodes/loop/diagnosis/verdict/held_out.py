@@ -50,8 +50,8 @@ def check_held_out(
 ) -> HeldOut:
     """Test whether a result predicts the held-out setups.
 
-    - search: of the fitted setups
-    - final: its result, with or without causes
+    - search: the search at the fitted setups
+    - final: the fit that it ends with, with or without causes
     - rivals: other explanations of the fitted setups; by default remote causes are tried
     """
     if not setups.is_held_out.any():
@@ -98,8 +98,8 @@ def check_held_out(
 def p_of_held_out(setups: AllSetups, search: Search, final: Fit) -> float:
     """Return the p-value of the prediction errors of the held-out setups at a fit, as in the test of a result.
 
-    - search: of the fitted setups
-    - final: to these
+    - search: the search at the fitted setups
+    - final: the final fit to these setups
     """
     if not setups.is_held_out.any():
         return 1.0

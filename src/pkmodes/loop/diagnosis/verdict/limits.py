@@ -41,8 +41,8 @@ MAX_EXPLANATIONS = 4
 class CandidateLimits:
     """The limits of all candidates that are not claimed.
 
-    - by_parameter: by the names of their parameters
-    - unseen: their possible effects on the fitted values, by parameter
+    - by_parameter: limits by the names of parameters
+    - unseen: possible effects of the candidates on the fitted values, by parameter
     - max_deviations: largest plausible deviations, by parameter
     - candidates, unbounded: names of the candidates, and of those with a parameter that the data do not bound
     """

@@ -49,7 +49,7 @@ def next_measurement(
 
     Motors that give way in all remaining explanations are not to be held, unless they were in a measurement.
 
-    - probabilities, classes: of the explanations, see `explanations`
+    - probabilities, classes: probabilities and classes of the explanations, see `explanations`
 
     Returns, in this order:
     - None if no measurement separates any two of them
