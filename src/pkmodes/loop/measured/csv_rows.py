@@ -80,7 +80,7 @@ def read_lines(text: str, source: str) -> CsvLines:
     Raises MeasurementError if such a comment is invalid or differs from a previous one.
     """
     records: list[tuple[int, str]] = []
-    stated: dict[str, dict[str, Stated]] = {name: {} for name in STATEMENTS}
+    statements: dict[str, dict[str, Stated]] = {name: {} for name in STATEMENTS}
     for number, line in enumerate(io.StringIO(text, newline=None), start=1):
         line, where = line.strip(" \n"), f"{source}: line {number}"  # a tab may end an empty cell
         comment = QUOTED_COMMENT.fullmatch(line)
@@ -94,7 +94,7 @@ def read_lines(text: str, source: str) -> CsvLines:
                 raise MeasurementError(problem, where, statement.remedy)
             value = statement.read(match[3], where)
             key, value = value if statement.repeatable else ("", value)
-            previous = stated[name].setdefault(key, Stated(value, where))
+            previous = statements[name].setdefault(key, Stated(value, where))
             if value != previous.value:
                 problem = f"this {word} differs from that in {previous.where.removeprefix(f'{source}: ')}"
                 raise MeasurementError(problem, where, "remove one of them")
@@ -105,9 +105,10 @@ def read_lines(text: str, source: str) -> CsvLines:
     notation = TableNotation(separator_of(records[0][1])) if records else TableNotation()
     records = _without_trailing_separators(records, notation.separator)
     band, drives, state = (
-        next((entry.value for entry in stated[name].values()), None) for name in ("band", "drives", "state")
+        next((entry.value for entry in statements[name].values()), None)
+        for name in ("band", "drives", "state")
     )
-    return CsvLines(records, notation, band, drives, state or "", stated["prior"], stated["usable"])
+    return CsvLines(records, notation, band, drives, state or "", statements["prior"], statements["usable"])
 
 
 def states_of(lines: CsvLines, cells: Sequence[str], source: str) -> list[str]:

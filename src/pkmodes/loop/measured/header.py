@@ -129,8 +129,10 @@ def read_header(
     present_components = [name for name in components if name in names]
     for name in names:
         if name in (*components, *spreads) and len(present_components) < len(components):
-            missing = next(component for component in components if component not in present_components)
-            problem = f'found the column "{name}" without "{missing}"'
+            missing_component = next(
+                component for component in components if component not in present_components
+            )
+            problem = f'found the column "{name}" without "{missing_component}"'
             _refuse(problem, where, f"give {joined(components)}, or no position column at all")
     return columns
 
@@ -159,8 +161,12 @@ def _refuse_all_unknown(
     unexplained = [i for i in cells if i not in meant]
     listing = [shown(cells[i]) if cells[i] else "one without a name" for i in (*meant, *unexplained)]
     column_numbers = joined([str(i + 1) for i in cells])
-    likely = ", ".join(f'{shown(cells[i])} -> "{meaning}"' for i, meaning in meant.items())
-    remedy = f"likely meanings: {likely}; rename these" if meant else "remove them, or correct their names"
+    likely_meanings = ", ".join(f'{shown(cells[i])} -> "{meaning}"' for i, meaning in meant.items())
+    remedy = (
+        f"likely meanings: {likely_meanings}; rename these"
+        if meant
+        else "remove them, or correct their names"
+    )
     remedy += ", and remove the others" if meant and unexplained else ""
     _refuse(f"unknown columns {', '.join(listing)}", f"{where}, columns {column_numbers}", remedy)
 

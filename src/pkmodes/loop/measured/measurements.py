@@ -66,8 +66,10 @@ class Measurements(Columns):
         # Measured quantities may also be given by name, alone or in place of those in `numbers`.
         names = [number.argument for number in quantity_numbers()]
         merged = {**numbers, **{name: columns.pop(name) for name in names if name in columns}}
-        if missing := [name for name in names if name not in merged]:
-            raise TypeError(f"Measurements.__init__() missing measured quantities: {', '.join(missing)}")
+        if missing_names := [name for name in names if name not in merged]:
+            raise TypeError(
+                f"Measurements.__init__() missing measured quantities: {', '.join(missing_names)}"
+            )
         super().__init__(
             numbers={name: merged[name] for name in (*names, *(n for n in merged if n not in names))},
             **columns,
@@ -367,19 +369,23 @@ class Measurements(Columns):
         indices = checked_list(
             poses, "pose indices", f"{self.source}: at", "0", (int, np.integer), MeasurementError
         )
-        chosen = np.asarray(indices) if indices else np.empty(0, dtype=int)
-        if chosen.ndim != 1 or chosen.dtype.kind not in "iu" or len(set(chosen.tolist())) < len(chosen):
+        chosen_setups = np.asarray(indices) if indices else np.empty(0, dtype=int)
+        if (
+            chosen_setups.ndim != 1
+            or chosen_setups.dtype.kind not in "iu"
+            or len(set(chosen_setups.tolist())) < len(chosen_setups)
+        ):
             raise MeasurementError(
                 "expected different pose indices", f"{self.source}: at", "give each index once"
             )
-        if chosen.size and not (chosen.min() >= 0 and chosen.max() < len(self.labels)):
+        if chosen_setups.size and not (chosen_setups.min() >= 0 and chosen_setups.max() < len(self.labels)):
             raise MeasurementError(
-                f"expected pose indices from 0 to {len(self.labels) - 1}, found {chosen.tolist()}",
+                f"expected pose indices from 0 to {len(self.labels) - 1}, found {chosen_setups.tolist()}",
                 f"{self.source}: at",
                 "give indices into labels",
             )
         sorted_poses = np.sort(
-            chosen
+            chosen_setups
         )  # labels are in the order of their first rows, and so is every subset of them
         rows = np.flatnonzero(np.isin(self.pose, sorted_poses))
         return replace(

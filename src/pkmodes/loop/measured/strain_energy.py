@@ -87,8 +87,8 @@ def most_changed(changes: Sequence[StrainEnergyChange]) -> StrainEnergyChange | 
     The shares of a series add up, so that a change at one place changes those of all others: the largest change is
     returned, not the most certain one.
     """
-    clear = [change for change in changes if change.differs]
-    return max(clear, key=lambda change: abs(np.log(change.index)), default=None)
+    clear_changes = [change for change in changes if change.differs]
+    return max(clear_changes, key=lambda change: abs(np.log(change.index)), default=None)
 
 
 def _exceeds_errors(motion: Array, error: float) -> bool:

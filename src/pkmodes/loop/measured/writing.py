@@ -34,8 +34,8 @@ def as_csv(data: Columns, comments: Sequence[str] = ()) -> str:
         text.write(f"# drives: {next(iter(motors))}\n")
     if data.state:
         text.write(f"# state: {data.state}\n")
-    for word, stated in (("prior", data.priors), ("usable", data.usable)):
-        for name, statement in stated.items():
+    for word, statements in (("prior", data.priors), ("usable", data.usable)):
+        for name, statement in statements.items():
             text.write(f"# {word}: {name} = {statement.text}\n")
     columns: dict[str, list[str]] = {"pose": [data.labels[i] for i in data.pose]}
     for k, name in enumerate(data.components):

@@ -96,8 +96,8 @@ def with_term_result(result: Diagnosis, evidence: TermEvidence | None, catalogue
     catalogue_best = None if best is None else (name_of_explanation(best), error_of(catalogue, best))
     beyond = Beyond(status.word, decision.reason, count, classes, catalogue_best, decision.rule.name)
     if sum(map(len, groups)) > 1:
-        remaining = [[(name_of_explanation(fit), fit) for fit in group] for group in groups]
-        proposed, not_separated = next_measurement(evidence.store, None, remaining)
+        remaining_classes = [[(name_of_explanation(fit), fit) for fit in group] for group in groups]
+        proposed, not_separated = next_measurement(evidence.store, None, remaining_classes)
         result = replace(result, next_measurement=proposed, not_separated=not_separated)
     elif status is FOUND:
         # Notes on the fit without the term do not apply to the fit with it.

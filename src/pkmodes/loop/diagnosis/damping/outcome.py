@@ -215,12 +215,12 @@ def surviving_classes(fitter: LossFitter, judgement: DampingJudgement) -> tuple[
     class_members = (
         [fit for class_fits in judgement.classes for fit in class_fits] if len(judgement.classes) == 1 else []
     )
-    remaining = [
+    remaining_fits = [
         *class_members,
         *(fit for fit in judgement.answer.rivals if not any(fit is member for member in class_members)),
     ]
     threshold = fitter.criteria.claim.told_apart
-    groups = grouped(remaining, lambda member, fit: fitter.squared_difference(fit, member) < threshold)
+    groups = grouped(remaining_fits, lambda member, fit: fitter.squared_difference(fit, member) < threshold)
     return tuple(tuple(loss_names(fitter, fit) for fit in group) for group in groups)
 
 
@@ -295,13 +295,13 @@ def _profile_limit(fitter: LossFitter, fit: LossFit, loss: int) -> float | None:
     upper = min(upper, critical)
     if excess(upper) <= 0.0:
         return None
-    highest = (
+    upper_end = (
         float(brentq(excess, min(start, upper), upper, rtol=1e-4)) if excess(min(start, upper)) < 0 else upper
     )
     if not declared:
-        return highest
-    lowest = 0.0 if excess(0.0) <= 0.0 else float(brentq(excess, 0.0, start, rtol=1e-4))
-    return max(highest - declared, declared - lowest)
+        return upper_end
+    lower_end = 0.0 if excess(0.0) <= 0.0 else float(brentq(excess, 0.0, start, rtol=1e-4))
+    return max(upper_end - declared, declared - lower_end)
 
 
 def _with_errors_of_residual(fitter: LossFitter, fit: LossFit) -> LossFitter:
@@ -327,11 +327,11 @@ def _test_of_loss(
     c, suspect = fitter.criteria, fitter.losses[loss]
     sigma = _linear_sigma(fitter, final, loss)
     size = c.claim.seen * sigma
-    detectable = explains or is_bounded or p_value <= c.gate.surely
+    is_detectable = explains or is_bounded or p_value <= c.gate.surely
     if not (is_bounded or explains) or not np.isfinite(size) or size > suspect.parameter.upper:
-        return Examined(suspect.candidate, p_value, (), detectable, suspect.sentence)
-    visible = Value(suspect.parameter.name, float(size), float(sigma), suspect.parameter.unit)
-    return Examined(suspect.candidate, p_value, (visible,), detectable, suspect.sentence)
+        return Examined(suspect.candidate, p_value, (), is_detectable, suspect.sentence)
+    visible_value = Value(suspect.parameter.name, float(size), float(sigma), suspect.parameter.unit)
+    return Examined(suspect.candidate, p_value, (visible_value,), is_detectable, suspect.sentence)
 
 
 def _linear_sigma(fitter: LossFitter, fit: LossFit, loss: int) -> float:

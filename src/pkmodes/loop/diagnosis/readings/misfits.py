@@ -83,8 +83,8 @@ class WiringMisfit:
     @property
     def squares_per_value(self) -> tuple[float, float]:
         """Sums of squares per value of the frequencies and of the shapes with stated errors; 0 if there are none."""
-        frequency, stated = (self.squares / np.maximum(self.count, 1.0))[:2]
-        return float(frequency), float(stated)
+        frequency_squares, stated_shape_squares = (self.squares / np.maximum(self.count, 1.0))[:2]
+        return float(frequency_squares), float(stated_shape_squares)
 
 
 def misfits_at_prediction(
@@ -144,11 +144,13 @@ def is_rewiring_promising(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -
         misfits_at_prediction(worst_fitter, used_row_mask, prediction, all_wirings)
         for prediction in (declared_prediction, fitted_prediction)
     ]
-    smallest = [
+    mean_differences = [
         min(misfit.shape_squares for misfit in alternatives)
         for alternatives in zip(*filter(None, misfits_by_model), strict=True)
     ]
-    return bool(smallest) and ModelDistances(smallest[0], min(smallest[1:])).far_better(MIN_GAIN_TO_EXAMINE)
+    return bool(mean_differences) and ModelDistances(
+        mean_differences[0], min(mean_differences[1:])
+    ).far_better(MIN_GAIN_TO_EXAMINE)
 
 
 def misfits_by_wiring(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> dict[Wiring, WiringMisfit]:

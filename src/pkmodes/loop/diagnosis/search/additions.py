@@ -120,12 +120,12 @@ class Additions:
             best = min(options, key=self.store.criterion, default=fit)
             gain = self.store.criterion(fit) - self.store.criterion(best)
             # Rows are set aside one by one, the worst first: later ones gain less.
-            remaining = (
+            remaining_additions = (
                 self._most_outliers
                 - len(best.hypothesis.excluded_rows)
                 + (not best.hypothesis.has_shared_error)
             )
-            is_reachable = self.store.criterion(best) - gain * remaining <= max_criterion
+            is_reachable = self.store.criterion(best) - gain * remaining_additions <= max_criterion
             fit = best if gain > 0.0 and is_reachable else None
         return error_fits
 

@@ -194,8 +194,8 @@ def _stages_with_model_errors(stages: Stages, shared: SharedErrors) -> Stages:
 
     before = stage(stages.before)
     assert before is not None
-    without = None if stages.without is None else spectrum(stages.without)
-    return Stages(before, stage(stages.refit), stage(stages.after), without)
+    without_causes = None if stages.without is None else spectrum(stages.without)
+    return Stages(before, stage(stages.refit), stage(stages.after), without_causes)
 
 
 def _has_changed(result: Diagnosis) -> bool | None:

@@ -138,12 +138,12 @@ def shared_errors(
     model_shapes = later_prediction.shapes[later.pose, np.maximum(partner, 0)][:, columns]
     paired_shapes = np.where((partner >= 0)[:, None], model_shapes, np.nan)
     value_spread = np.zeros(len(partner))
-    paired = np.flatnonzero(partner >= 0)
-    if fitted_values is not None and fitted_values.names and len(paired):
-        of_logs, of_shapes = fitted_values.variances(structure, partner[paired], later.pose[paired])
-        variance[paired] += of_logs
-        value_spread[paired] = _relative_spread(
-            weights * np.sqrt(of_shapes[:, columns]), weights * model_shapes[paired]
+    paired_rows = np.flatnonzero(partner >= 0)
+    if fitted_values is not None and fitted_values.names and len(paired_rows):
+        of_logs, of_shapes = fitted_values.variances(structure, partner[paired_rows], later.pose[paired_rows])
+        variance[paired_rows] += of_logs
+        value_spread[paired_rows] = _relative_spread(
+            weights * np.sqrt(of_shapes[:, columns]), weights * model_shapes[paired_rows]
         )
     shapes, shape_sigma = corrected_shapes(data, later, counterpart, paired_shapes, weights)
     unmatched = counterpart < 0
@@ -263,8 +263,8 @@ def _nearest_setups(
 ) -> NDArray[np.intp]:
     """Return the trusted setup that is the same as each later one, the nearest if there are several; -1 if none."""
     distance = np.linalg.norm(later.points[:, None] - trusted.points[None], axis=-1)
-    nearest = np.where(same_setup, distance, np.inf).argmin(axis=1)
-    return np.where(same_setup.any(axis=1), nearest, -1)
+    nearest_setups = np.where(same_setup, distance, np.inf).argmin(axis=1)
+    return np.where(same_setup.any(axis=1), nearest_setups, -1)
 
 
 def scatter_between_setups(
@@ -314,8 +314,8 @@ def same_setups(
         return np.asarray(same_conditions & (distance <= tolerance).all(axis=-1))
     count = min(modes.eigenvalues.shape[1], other_modes.eigenvalues.shape[1])
     a, b = modes.eigenvalues[None, :, :count], other_modes.eigenvalues[:, None, :count]
-    largest = np.abs(a).max(axis=-1, keepdims=True)
-    return np.asarray(same_conditions & (np.abs(a - b) <= EIGENVALUE_TOLERANCE * largest).all(axis=-1))
+    max_magnitude = np.abs(a).max(axis=-1, keepdims=True)
+    return np.asarray(same_conditions & (np.abs(a - b) <= EIGENVALUE_TOLERANCE * max_magnitude).all(axis=-1))
 
 
 def without_shared_errors(data: Measurements, shared: SharedErrors) -> Measurements:

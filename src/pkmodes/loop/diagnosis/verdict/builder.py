@@ -105,11 +105,11 @@ class DiagnosisBuilder:
         search, outcome, claim = evidence.search, evidence.outcome, evidence.claim
         verdict, final = decision.verdict, claim.final
         findings = claim.findings(self.fitter, evidence.single_joints) if verdict is EFFECT_FOUND else ()
-        remaining = (
+        remaining_explanations = (
             claim.remaining_explanations(decision.answer.better_explanation) if verdict is AMBIGUOUS else []
         )
         candidate_limits, max_deviations, examined_candidates = self._candidates(
-            evidence, decision, findings, remaining
+            evidence, decision, findings, remaining_explanations
         )
         undetectable = tuple(test.name for test in examined_candidates if not test.detectable)
         refit = final if verdict is ADEQUATE else outcome.nuisance_fit
@@ -119,7 +119,7 @@ class DiagnosisBuilder:
         explanation_probabilities, accepted = None, verdict is not UNEXPLAINED
         if not decision.answer.decided_by_reading:
             explanation_probabilities = probabilities(search, max_deviations, outcome, accepted=accepted)
-        undecided = remaining
+        undecided = remaining_explanations
         if verdict is EFFECT_FOUND:
             # The class of the first cause that the data cannot tell from others.
             claimed_class = next(
@@ -144,12 +144,12 @@ class DiagnosisBuilder:
         return replace(
             self._result(decision, models),
             effects=findings,
-            survivors=tuple(tuple(name for name, _ in named) for named in remaining),
+            survivors=tuple(tuple(name for name, _ in named) for named in remaining_explanations),
             undetectable=undetectable,
             next_measurement=proposal,
             not_separated=not_separated,
             candidates=examined_candidates,
-            alone=evidence.single_joints if findings or remaining else {},
+            alone=evidence.single_joints if findings or remaining_explanations else {},
             notes=tuple(self._notes(evidence, decision, models, findings)),
             stability=tuple(trial.stability for trial in evidence.trials),
             probabilities=explanation_probabilities,
@@ -160,11 +160,11 @@ class DiagnosisBuilder:
         evidence: Evidence,
         decision: Decision[Evidence, Answer],
         findings: Sequence[Finding],
-        remaining: Sequence[NamedFits],
+        remaining_explanations: Sequence[NamedFits],
     ) -> tuple[CandidateLimits, dict[int, float], tuple[Examined, ...]]:
         """Return the limits of the candidates that are not claimed, all plausible sizes, and all tests.
 
-        - findings, remaining: the claimed causes, and the explanations that remain
+        - findings, remaining_explanations: the claimed causes, and the explanations that remain
         """
         search, outcome, claim = evidence.search, evidence.outcome, evidence.claim
         # Beside a claimed cause, the other members of its class are not detectable; they are listed with it.
@@ -176,13 +176,15 @@ class DiagnosisBuilder:
             )
             last_scores = claim.last_gate.scores
         else:
-            open_fits = [fit for named in remaining for _, fit in named] or [outcome.nuisance_fit]
+            open_fits = [fit for named in remaining_explanations for _, fit in named] or [
+                outcome.nuisance_fit
+            ]
             candidate_limits = limits.limits_beside(
                 search.store, open_fits, unclaimed, residual_is_noise=False
             )
             last_scores = outcome.first_gate.scores
         named_candidates = claimed | {
-            cause.name for named in remaining for _, fit in named for cause in fit.causes
+            cause.name for named in remaining_explanations for _, fit in named for cause in fit.causes
         }
         named_candidates |= {
             *decision.answer.named,
@@ -261,8 +263,8 @@ class DiagnosisBuilder:
         - is_settled: whether the last model leaves only noise
         """
         setups, last_fit = self.setups, causes or refit
-        excluded = [] if last_fit is None else sorted(last_fit.hypothesis.excluded_rows)
-        outlying = np.isin(setups.data.lines, self.fitter.data.lines[excluded])
+        excluded_rows = [] if last_fit is None else sorted(last_fit.hypothesis.excluded_rows)
+        outlying = np.isin(setups.data.lines, self.fitter.data.lines[excluded_rows])
 
         def stage_and_error(fit: Fit | None) -> tuple[MatchStage, Error] | None:
             if fit is None:

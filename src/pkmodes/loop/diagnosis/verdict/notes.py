@@ -146,21 +146,21 @@ def low_modes(declared: MatchStage) -> list[str]:
     data, spectrum = declared.data, declared.predicted.elastic_frequencies
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RuntimeWarning)  # of a setup without any mode
-        lowest = np.nanmin(spectrum, axis=1)
-    is_below = data.frequency < MAX_FREQUENCY_RATIO * lowest[data.pose]
-    counts = np.bincount(data.pose[is_below], minlength=len(lowest))
+        lowest_frequencies = np.nanmin(spectrum, axis=1)
+    is_below = data.frequency < MAX_FREQUENCY_RATIO * lowest_frequencies[data.pose]
+    counts = np.bincount(data.pose[is_below], minlength=len(lowest_frequencies))
     measured = np.unique(data.pose)
     setups = int((counts[measured] > 0).sum())
     if setups < max(MIN_SETUPS, len(measured) / 2.0):
         return []
-    largest, low, high = int(counts.max()), data.frequency[is_below].min(), data.frequency[is_below].max()
+    max_count, low, high = int(counts.max()), data.frequency[is_below].min(), data.frequency[is_below].max()
     frequency_range = (
         f"at {plain(low, 3)} Hz"
         if np.isclose(low, high, rtol=1e-2)
         else f"from {plain(low, 3)} to {plain(high, 3)} Hz"
     )
     modes_in_words = (
-        "a measured mode lies" if largest == 1 else f"up to {number_in_words(largest)} measured modes lie"
+        "a measured mode lies" if max_count == 1 else f"up to {number_in_words(max_count)} measured modes lie"
     )
     poses = "every pose" if setups == len(measured) else f"{setups} of {len(measured)} poses"
     explanation = "something stands on a spring, such as the machine on its base"
@@ -177,10 +177,10 @@ def drift(fitter: Fitter, fit: Fit) -> str:
     means = np.array([residual[rows].mean() for rows in fitter.observations.noise.rows if len(rows)])
     if len(means) < 5:
         return ""
-    order = np.arange(len(means))
-    if stats.spearmanr(order, means).pvalue > fitter.criteria.gate.level:
+    pose_order = np.arange(len(means))
+    if stats.spearmanr(pose_order, means).pvalue > fitter.criteria.gate.level:
         return ""
-    slope = float(np.polyfit(order, means, 1)[0])
+    slope = float(np.polyfit(pose_order, means, 1)[0])
     drift = format_signed(100 * slope * (len(means) - 1))
     return f"it drifts with the order of the poses, by {drift} % from first to last"
 

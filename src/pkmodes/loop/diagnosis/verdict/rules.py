@@ -81,10 +81,10 @@ def extra_modes(e: Evidence) -> str:
     if not lines:
         return ""
     several = f"lines {', '.join(map(str, lines))} are modes"
-    extra = several if len(lines) > 1 else f"line {lines[0]} is a mode"
+    row_clause = several if len(lines) > 1 else f"line {lines[0]} is a mode"
     return (
-        f"the declared model explains all other rows, but {extra} that it does not have: all its modes near there "
-        "were measured as well"
+        f"the declared model explains all other rows, but {row_clause} that it does not have: all its modes near "
+        "there were measured as well"
     )
 
 
@@ -182,7 +182,7 @@ def not_significant(e: Evidence) -> str:
 
 def two_of_few(e: Evidence) -> str:
     """Two causes would be claimed from fewer than ten measured modes, or two changes at once."""
-    rows, needed = len(e.fitter.observations.log_frequencies), e.criteria.claim.rows_for_two
+    rows, needed_rows = len(e.fitter.observations.log_frequencies), e.criteria.claim.rows_for_two
     if len(e.final.causes) < 2:
         return ""
     if not e.criteria.claim.claims_several:
@@ -190,11 +190,11 @@ def two_of_few(e: Evidence) -> str:
             f"{names(e.final.causes)} together would explain the residual, but two changes at once are not claimed: "
             "measure a state between them"
         )
-    if rows >= needed:
+    if rows >= needed_rows:
         return ""
     return (
         f"{names(e.final.causes)} together would explain the residual, but two causes are not claimed from {rows} "
-        f"measured modes: measure {needed} or more"
+        f"measured modes: measure {needed_rows} or more"
     )
 
 
@@ -269,14 +269,14 @@ def several_explanations(e: Evidence) -> Answer | None:
         return None
     single_joints = {name: joint.sentence for name, joint in e.single_joints.items()}
     remarks = single_joints | dict.fromkeys(claim.implausible_names, "implausible")
-    remaining = [
+    remaining_names = [
         [f"{name} ({remarks[name]})" if name in remarks else name for name, _ in group]
         for group in claim.remaining_explanations()
     ]
-    listed = "; ".join(" or ".join(group) for group in remaining)
-    if len(remaining) == 1:
-        return Answer(f"these data cannot tell {len(remaining[0])} explanations apart: {listed}")
-    return Answer(f"{len(remaining)} different explanations remain: {listed}")
+    listed = "; ".join(" or ".join(group) for group in remaining_names)
+    if len(remaining_names) == 1:
+        return Answer(f"these data cannot tell {len(remaining_names[0])} explanations apart: {listed}")
+    return Answer(f"{len(remaining_names)} different explanations remain: {listed}")
 
 
 def another_with_other_errors(e: Evidence) -> Answer | None:
@@ -314,13 +314,13 @@ def one_term(e: Evidence) -> str:
 def causes_found(e: Evidence) -> Answer:
     """One class for each cause is left."""
     gate, errors = e.outcome.first_gate, errors_in_words(e.final, e.fitter.data.lines)
-    smallest = min(gate.p_value, gate.p_candidates)
+    min_p_value = min(gate.p_value, gate.p_candidates)
     errors_clause = f"; {errors}" if errors else ""
     explanation = explanation_in_words(e.claim.findings(e.fitter, e.single_joints))
     single_row = single_row_in_words(e.search, e.final)
     single_row_clause = f"; {single_row}" if single_row else ""
     return Answer(
-        f"the residual of the declared model is not noise ({p_in_words(smallest)}); "
+        f"the residual of the declared model is not noise ({p_in_words(min_p_value)}); "
         f"{explanation}{single_row_clause}{errors_clause}"
     )
 
