@@ -14,7 +14,7 @@ from pkmodes.loop.measured.quantities import QUANTITIES, NumberColumn, number_co
 
 def renamed_columns() -> dict[str, str]:
     """Return the arguments by column name, where the two names differ."""
-    return {number.column: number.argument for number in number_columns() if number.column != number.argument}
+    return {spec.column: spec.argument for spec in number_columns() if spec.column != spec.argument}
 
 
 def unknown_argument_remedy(name: str) -> str:

@@ -293,7 +293,7 @@ def _measurements(
     """Build measurements from a file's columns by name; `units` are those of the header."""
     rows = len(lines.records) - 1
     zeros = [0.0] * rows
-    columns: dict[str, Any] = {number.argument: numbers.get(number.column) for number in number_columns()}
+    columns: dict[str, Any] = {spec.argument: numbers.get(spec.column) for spec in number_columns()}
     return Measurements.from_rows(
         texts["pose"],
         **columns,

@@ -20,7 +20,7 @@ from pkmodes.loop.measured.quantities import (
     QUANTITIES,
     SHAPE_SIGMA,
     number_columns,
-    quantity_numbers,
+    quantity_number_columns,
     required_columns,
 )
 from pkmodes.loop.measured.rules import SET, SHAPE, checked_level_unit
@@ -81,10 +81,10 @@ def read_header(
     required_numbers = required_columns()
     required = ("pose", *(components if positions else ()), *required_numbers)
     spreads = {f"{SPREAD_PREFIX}{name}": unit for name, unit in components.items()}
-    units = {number.column: number.unit for number in number_columns()} | dict(components) | spreads
+    units = {spec.column: spec.unit for spec in number_columns()} | dict(components) | spreads
     units |= {f"{SET}{name}": unit for name, unit in settings.items()} | {LEVEL.column: LEVEL.unit}
     known_columns = ["pose", *components, *required_numbers, *spreads]
-    known_columns += [number.column for number in quantity_numbers() if not number.required]
+    known_columns += [spec.column for spec in quantity_number_columns() if not spec.required]
     known_columns += ["mode", "state", LEVEL.column, *(["drives"] if positions else [])]
     known_columns += [SHAPE_SIGMA.column, *(f"{SHAPE}{name}" for name in channels)]
     known_columns += [f"{SET}{name}" for name in settings]

@@ -30,7 +30,7 @@ from pkmodes.loop.measured.arguments import (
     unknown_argument_remedy,
 )
 from pkmodes.loop.measured.columns import POSITION, Array, Columns, Numbers, merge_stated
-from pkmodes.loop.measured.quantities import LEVEL, quantity_numbers
+from pkmodes.loop.measured.quantities import LEVEL, quantity_number_columns
 from pkmodes.loop.measured.rules import (
     SET,
     SHAPE,
@@ -64,7 +64,7 @@ class Measurements(Columns):
 
     def __init__(self, *, numbers: Mapping[str, Array] = MappingProxyType({}), **columns: Any) -> None:
         # Measured quantities may also be given by name, alone or in place of those in `numbers`.
-        names = [number.argument for number in quantity_numbers()]
+        names = [spec.argument for spec in quantity_number_columns()]
         merged = {**numbers, **{name: columns.pop(name) for name in names if name in columns}}
         if missing_names := [name for name in names if name not in merged]:
             raise TypeError(
@@ -220,7 +220,7 @@ class Measurements(Columns):
             If the columns do not match, a number breaks a rule, a label has two positions, two values of a setting,
             two levels or both free and held motors, or a row is repeated.
         """
-        quantities = {number.argument for number in quantity_numbers()}
+        quantities = {spec.argument for spec in quantity_number_columns()}
         for name in (name for name in further if name not in quantities):
             problem = f"unknown argument {shown(name)}"
             raise MeasurementError(problem, "from_rows", unknown_argument_remedy(name))

@@ -191,7 +191,7 @@ LEVEL = NumberColumn(
 )
 
 
-def quantity_numbers() -> Iterator[NumberColumn]:
+def quantity_number_columns() -> Iterator[NumberColumn]:
     """Yield the columns of all quantities, each standard deviation after its quantity."""
     for quantity in QUANTITIES.values():
         yield from (quantity.value, quantity.sigma)
@@ -199,9 +199,9 @@ def quantity_numbers() -> Iterator[NumberColumn]:
 
 def number_columns() -> tuple[NumberColumn, ...]:
     """Return all columns with one number for each mode."""
-    return (*quantity_numbers(), SHAPE_SIGMA)
+    return (*quantity_number_columns(), SHAPE_SIGMA)
 
 
 def required_columns() -> tuple[str, ...]:
     """Return the names of the columns of numbers that a file must have."""
-    return tuple(number.column for number in number_columns() if number.required)
+    return tuple(spec.column for spec in number_columns() if spec.required)

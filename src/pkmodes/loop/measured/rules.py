@@ -19,7 +19,7 @@ from pkmodes.loop.measured.quantities import (
     SHAPE_SIGMA,
     MeasuredQuantity,
     Range,
-    quantity_numbers,
+    quantity_number_columns,
 )
 
 #: Prefix of the columns that hold mode shapes.
@@ -168,7 +168,7 @@ def _problems_where_not(
     column: str, values: Array, is_allowed: NDArray[np.bool_], allowed: Range, rows: Integers
 ) -> Iterator[Problem]:
     """Yield numbers that violate a range, with its messages."""
-    of_quantity = column in {number.column for number in quantity_numbers()}
+    of_quantity = column in {spec.column for spec in quantity_number_columns()}
     for i in np.flatnonzero(~is_allowed):
         exceeds_largest = of_quantity and allowed.maximum == MAX_MAGNITUDE < values[i] < np.inf
         expected = f"{allowed.expected} (at most {MAX_MAGNITUDE:g})" if exceeds_largest else allowed.expected
@@ -281,7 +281,7 @@ def repetitions(data: Columns) -> Iterator[Problem]:
     compared_columns = [
         n for q in QUANTITIES.values() for n in (q.value, q.sigma) if n is q.value or n.required
     ]
-    columns = [data.numbers[number.argument] for number in compared_columns]
+    columns = [data.numbers[spec.argument] for spec in compared_columns]
     numbers = np.column_stack([data.pose, *columns, data.shapes])
     first_rows: dict[tuple[bytes, str], int] = {}
     for i, row in enumerate(numbers):

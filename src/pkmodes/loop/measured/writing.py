@@ -59,7 +59,7 @@ def as_csv(data: Columns, comments: Sequence[str] = ()) -> str:
     for k, name in enumerate(data.channels):
         columns[f"{SHAPE}{name}"] = _numbers(data.shapes[:, k])
     columns[SHAPE_SIGMA.column] = _numbers(data.shape_sigma)
-    required_names = {number.column for number in number_columns()}
+    required_names = {spec.column for spec in number_columns()}
     columns = {name: cells for name, cells in columns.items() if any(cells) or name in required_names}
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(columns)

@@ -150,7 +150,7 @@ class Fitter:
                 previous_pairing.partner, pairing.partner
             )
             if is_same_pairing and not hypothesis.has_shared_error:
-                break  # another round would end at the same values
+                break  # the pairing is stable
             previous_pairing = pairing
             whitening = self._whitening(values, pairing, used_row_mask, shared_error)
             values, solver_converged = self._least_squares(values, free, pairing, used_row_mask, whitening)
