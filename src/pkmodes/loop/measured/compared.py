@@ -288,6 +288,6 @@ def _mac_matrix(
     return macs
 
 
-def _unpaired_lines(data: Measurements, paired_rows: list[int]) -> list[int]:
+def _unpaired_lines(data: Measurements, rows_with_partner: list[int]) -> list[int]:
     """Return the lines of the rows without a partner."""
-    return [int(line) for line in np.delete(data.lines, paired_rows)]
+    return [int(line) for line in np.delete(data.lines, rows_with_partner)]

@@ -247,7 +247,7 @@ def read_table(
         motors: str | list[str] = texts["drives"] or stated_drives or usual_drives
         return _measurements(texts, numbers, lines, source, units, components, motors)
     except BrokenRuleError as error:
-        problem = message(error.problem, lambda quoted: _as_written(quoted, columns, lines))
+        problem = message(error.problem, lambda quoted: _format_as_in_file(quoted, columns, lines))
         raise MeasurementError(problem, error.where, error.remedy) from None
 
 
@@ -268,7 +268,7 @@ def _rotations_in_degrees(
                 break
 
 
-def _as_written(quoted: QuotedNumber, columns: Sequence[HeaderColumn], lines: CsvLines) -> str:
+def _format_as_in_file(quoted: QuotedNumber, columns: Sequence[HeaderColumn], lines: CsvLines) -> str:
     """Format a number as in its cell, with the header's unit; also in SI units if these differ."""
     number = format(quoted.value, quoted.digits)
     index = [column.name for column in columns].index(quoted.column)

@@ -106,7 +106,7 @@ def _factor_hundred_sign(fitter: LossFitter) -> int:
     rows, resolved = fitter.observations, fitter.observations.resolved_mask
     if not resolved.any() or not rows.ratios(fitter.declared)[resolved].all():
         return 0
-    log_ratio = float(np.median((rows.logarithms - rows.predicted(fitter.declared))[resolved]))
+    log_ratio = float(np.median((rows.logarithms - rows.predicted_logarithms(fitter.declared))[resolved]))
     return int(np.sign(log_ratio)) if abs(abs(log_ratio) - LOG_HUNDRED) < MAX_LOG_DISTANCE else 0
 
 

@@ -52,7 +52,7 @@ def p_coincidence(fitter: LossFitter, fit: LossFit) -> float:
     mode_numbers, mode = np.unique(rows.mode, return_inverse=True)
     log_factors = c.damping.spread * rng.standard_normal((DRAWS, len(mode_numbers)))
     noise = rows.sigma * rng.standard_normal((DRAWS, len(mode)))
-    draws = rows.predicted(fit.values) + log_factors[:, mode] + noise
+    draws = rows.predicted_logarithms(fit.values) + log_factors[:, mode] + noise
     least_squares = np.min(
         [
             _least_squares_of_draws(fitter, fit, causes, draws, start)

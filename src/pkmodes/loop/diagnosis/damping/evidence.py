@@ -125,7 +125,7 @@ class LossEvidence:
     def scatter_about(self, fit: LossFit) -> float:
         """Return how far ratios are from a fit beyond their stated errors: standard deviation of the logarithm."""
         rows, resolved = self.fitter.observations, self.fitter.observations.resolved_mask
-        deviation = (rows.logarithms - rows.predicted(fit.values))[resolved]
+        deviation = (rows.logarithms - rows.predicted_logarithms(fit.values))[resolved]
         excess_variance = float(np.mean(deviation**2)) - float(np.mean(rows.stated_sigma[resolved] ** 2))
         return math.sqrt(max(excess_variance, 0.0))
 

@@ -124,7 +124,7 @@ def nearest_loss(fitter: LossFitter) -> str:
     if not fits:
         return "no loss shows in these modes"
     best = min(fits, key=lambda fit: fit.chi2)
-    deviation = (fitter.observations.logarithms - fitter.observations.predicted(best.values))[
+    deviation = (fitter.observations.logarithms - fitter.observations.predicted_logarithms(best.values))[
         fitter.observations.resolved_mask
     ]
     factor = float(np.exp(np.sqrt(np.mean(np.minimum(np.abs(deviation), 10.0) ** 2))))

@@ -80,7 +80,7 @@ class DampingObservations:
         """Return the damping ratios of the model for values of the losses, (R,)."""
         return np.asarray(self.coefficients @ values)
 
-    def predicted(self, values: Array) -> Array:
+    def predicted_logarithms(self, values: Array) -> Array:
         """Return the logarithms of the model's ratios plus the floor, (R,), finite also where nothing dissipates."""
         return np.asarray(np.log(self.ratios(values) + self.ratio_floor))
 
@@ -93,7 +93,9 @@ class DampingObservations:
         linear = (self.ratio - ratios) / np.hypot(
             self.stated_sigma * self.ratio, self.unstated_sigma * ratios
         )
-        return np.where(self.resolved_mask, (self.logarithms - self.predicted(values)) / self.sigma, linear)
+        return np.where(
+            self.resolved_mask, (self.logarithms - self.predicted_logarithms(values)) / self.sigma, linear
+        )
 
     def rates(self, values: Array) -> Array:
         """Return the derivatives of the residual with respect to the losses, (R, J)."""

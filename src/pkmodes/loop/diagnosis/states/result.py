@@ -113,10 +113,10 @@ class Change(Diagnosis):
 
         Returns what ``pkmodes changed --json`` writes.
         """
-        by_state = {name: result._of_one_state() for name, result in self.by_state.items()}
-        return {**self._of_one_state(), "by_state": by_state}
+        by_state = {name: result._json_of_one_state() for name, result in self.by_state.items()}
+        return {**self._json_of_one_state(), "by_state": by_state}
 
-    def _of_one_state(self) -> dict[str, object]:
+    def _json_of_one_state(self) -> dict[str, object]:
         content: dict[str, Any] = super().as_json()
         for cause, effect in zip(content["effects"], self.effects, strict=True):
             cause["state"] = effect.state

@@ -134,7 +134,7 @@ def shared_errors(
             if expected.model_mode[position] >= 0:
                 partner[row] = expected.model_mode[position] + later_prediction.rigid
             counterpart[row] = expected.trusted_row[position]
-    offset, variance = mode_errors.of_rows(partner, later.pose)
+    offset, variance = mode_errors.errors_of_rows(partner, later.pose)
     model_shapes = later_prediction.shapes[later.pose, np.maximum(partner, 0)][:, columns]
     paired_shapes = np.where((partner >= 0)[:, None], model_shapes, np.nan)
     value_spread = np.zeros(len(partner))
@@ -218,7 +218,7 @@ class ModeErrors(NamedTuple):
     scatter: float
     unknown_sigma: float
 
-    def of_rows(self, partner: NDArray[np.intp], pose: NDArray[np.int_]) -> tuple[Array, Array]:
+    def errors_of_rows(self, partner: NDArray[np.intp], pose: NDArray[np.int_]) -> tuple[Array, Array]:
         """Return the errors of rows with these modes at these setups, and their variances as if independent.
 
         The sum of the moduli in a row of a covariance bounds it by a diagonal one.

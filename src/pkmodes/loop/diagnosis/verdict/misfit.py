@@ -12,7 +12,7 @@ from pkmodes.loop.diagnosis.fit.observations import SHAPE
 from pkmodes.loop.diagnosis.fit.store import FitStore
 
 
-def of_frequencies(store: FitStore, fit: Fit) -> Misfit:
+def frequency_misfit_without_priors(store: FitStore, fit: Fit) -> Misfit:
     """Return the misfit of the measured frequencies, without the priors."""
     fitter = store.fitter
     rows = fitter.observations.frequency_slice

@@ -37,11 +37,11 @@ def notes(store: FitStore, fit: Fit, adequate: bool) -> list[str]:
     """
     fitter = store.fitter
     return [
-        *_shapes(store, fit),
-        *_stated_errors(store, fit, adequate),
-        *_nuisances(fitter, fit),
-        *_set_aside(fitter, fit),
-        *_unmeasured(fitter, fit),
+        *_shape_notes(store, fit),
+        *_stated_error_notes(store, fit, adequate),
+        *_nuisance_notes(fitter, fit),
+        *_set_aside_notes(fitter, fit),
+        *_unmeasured_mode_notes(fitter, fit),
         *unevaluated(store, fit),
     ]
 
@@ -63,7 +63,7 @@ def motors_that_give_way(fitter: Fitter, claimed: Set[str]) -> Iterator[str]:
         )
 
 
-def _shapes(store: FitStore, fit: Fit) -> Iterator[str]:
+def _shape_notes(store: FitStore, fit: Fit) -> Iterator[str]:
     data, c = store.fitter.data, store.fitter.criteria
     labels_of_equal_shapes = setups_with_equal_shapes(data, c.readings.same_shape)
     if labels_of_equal_shapes:
@@ -93,7 +93,7 @@ def _shapes(store: FitStore, fit: Fit) -> Iterator[str]:
         )
 
 
-def _stated_errors(store: FitStore, fit: Fit, adequate: bool) -> Iterator[str]:
+def _stated_error_notes(store: FitStore, fit: Fit, adequate: bool) -> Iterator[str]:
     squares, degrees = store.frequency_misfit(fit)
     if degrees < 1.0:
         return
@@ -105,7 +105,7 @@ def _stated_errors(store: FitStore, fit: Fit, adequate: bool) -> Iterator[str]:
         yield f"the stated errors of the frequencies are {format_factor(ratio)} too small"
 
 
-def _nuisances(fitter: Fitter, fit: Fit) -> Iterator[str]:
+def _nuisance_notes(fitter: Fitter, fit: Fit) -> Iterator[str]:
     deviations = fitter.priors.distances(fit.values)
     for i, deviation in zip(fitter.priors.index, deviations, strict=True):
         p = fitter.parameters[i]
@@ -124,7 +124,7 @@ def _nuisances(fitter: Fitter, fit: Fit) -> Iterator[str]:
                 yield f"{p.name} is at its bound, {plain(bound, 4)}"
 
 
-def _set_aside(fitter: Fitter, fit: Fit) -> Iterator[str]:
+def _set_aside_notes(fitter: Fitter, fit: Fit) -> Iterator[str]:
     for row in sorted(fit.hypothesis.excluded_rows):
         data = fitter.data
         yield (
@@ -185,7 +185,7 @@ def drift(fitter: Fitter, fit: Fit) -> str:
     return f"it drifts with the order of the poses, by {drift} % from first to last"
 
 
-def _unmeasured(fitter: Fitter, fit: Fit) -> Iterator[str]:
+def _unmeasured_mode_notes(fitter: Fitter, fit: Fit) -> Iterator[str]:
     is_mixed = len(set(fitter.data.drives)) > 1
     for low, high, setups, drives in never_measured(fitter, fit):
         frequency_range = (

@@ -331,23 +331,23 @@ def causes_found(e: Evidence) -> Answer:
 def rules_before_search() -> tuple[Rule[Start, Answer], ...]:
     """Return the rules that are tried before a search."""
     return (
-        *_of_readings(
+        *_reading_rules(
             "before", lambda reading: None if reading.refitted else reading.declared, lambda s: (s.fitter,)
         ),
         Rule("before.too_few", INSUFFICIENT_DATA, too_few),
-        *_of_readings("before", lambda reading: reading.refitted, lambda s: (s.store,)),
+        *_reading_rules("before", lambda reading: reading.refitted, lambda s: (s.store,)),
     )
 
 
 def rules_after_search() -> tuple[Rule[Evidence, Answer], ...]:
     """Return the rules that are tried after a search, whatever its result."""
     return (
-        *_of_readings("after", lambda reading: reading.explained, lambda e: (e.fitter, e.final)),
+        *_reading_rules("after", lambda reading: reading.explained, lambda e: (e.fitter, e.final)),
         Rule[Evidence, Answer]("after.amplitude", UNEXPLAINED, depends_on_amplitude),
     )
 
 
-def _of_readings(
+def _reading_rules(
     prefix: str,
     question: Callable[[table.Reading], Callable[..., str] | None],
     arguments: Callable[[T], tuple[object, ...]],

@@ -272,4 +272,4 @@ def _larger_ratio(store: FitStore, fit: Fit) -> float:
 
 def _misfits(store: FitStore, fit: Fit) -> tuple[Misfit, Misfit]:
     """Return the misfit of the frequencies, without the priors, and of the shapes with stated errors."""
-    return misfit.of_frequencies(store, fit), store.fitter.misfit(fit, SHAPE, stated=True)
+    return misfit.frequency_misfit_without_priors(store, fit), store.fitter.misfit(fit, SHAPE, stated=True)
