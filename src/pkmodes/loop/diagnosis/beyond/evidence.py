@@ -35,7 +35,7 @@ CRITERION_TOLERANCE = 1e-6
 
 
 class TermEvidence(Evidence):
-    """The evidence for the best term, beside all others and the explanations of the catalogue.
+    """The evidence for the best term, compared with all others and the explanations of the catalogue.
 
     - groups: classes of the explanations that leave noise, that of the best one first
     """

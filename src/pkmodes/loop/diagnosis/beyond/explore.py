@@ -41,7 +41,7 @@ class TermSearch:
         self._cached_evidence: tuple[Evidence, TermEvidence | None] | None = None
 
     def evidence(self, catalogue: Evidence) -> TermEvidence | None:
-        """Return the evidence for terms beside that for the catalogue; None if there are no terms."""
+        """Return the evidence for terms in addition to that for the catalogue; None if there are no terms."""
         if self._cached_evidence is None or self._cached_evidence[0] is not catalogue:
             term_fits = try_terms(self.structure.with_terms(), catalogue, self.held_out, self.progress)
             self._cached_evidence = catalogue, None if term_fits is None else TermEvidence(term_fits)

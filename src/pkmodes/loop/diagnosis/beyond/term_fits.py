@@ -1,4 +1,4 @@
-"""Fits beyond the catalogue: each term alone, beside the uncertain values.
+"""Fits beyond the catalogue: each term alone, together with the uncertain values.
 
 All terms are scored at the refit of the uncertain values with exact rates, the most promising ones are refitted
 together, and those that may survive are completed.  A term that may be anywhere, such as a resonator, is first
@@ -36,7 +36,8 @@ SUBSAMPLE_SETUPS = 4
 SMALL_CHANGE = 0.05
 #: A fit went astray if it gains less than this part of what the linear estimate promises.
 ASTRAY_GAIN = 0.5
-#: Largest number of measurement errors beside terms, one more in each round, and of terms that are tried with them.
+#: Largest number of measurement errors in addition to terms, one more in each round, and of terms that are tried with
+#: them.
 MAX_ERROR_ROUNDS, MAX_TERMS_WITH_ERRORS = 3, 3
 #: Number of explanations of the catalogue with which terms are compared.
 MAX_CATALOGUE_FITS = 12
@@ -240,7 +241,7 @@ class _Explorer:
         return [fit for fit in fits if fit is not None]
 
     def _refit_terms(self, baseline: Fit) -> list[Fit]:
-        """Return fits with one term beside the measurement errors of a fit, best first."""
+        """Return fits with one term in addition to the measurement errors of a fit, best first."""
         if self.previous is not None:
             previous_values = [
                 (baseline.hypothesis.with_cause(fit.causes[0]), [fit.values]) for fit in self.previous.fits

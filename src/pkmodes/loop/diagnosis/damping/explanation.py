@@ -47,7 +47,7 @@ def best_explanation(fitter: LossFitter) -> LossExplanation | None:
     sizes = (1, 2) if int(fitter.observations.resolved_mask.sum()) >= c.claim.rows_for_two else (1,)
     for size in sizes:
         fits = singles
-        if size == 2:  # pairs in which each loss is needed beside the other
+        if size == 2:  # pairs in which each loss is needed in addition to the other
             fits = [
                 fit
                 for fit in map(fitter.fit, combinations(fitter.candidates, 2))
@@ -101,7 +101,7 @@ def _explains(fitter: LossFitter, fit: LossFit, level: float) -> bool:
 
 
 def p_of_loss(fitter: LossFitter, loss: int) -> float:
-    """Return the p-value of one loss beside the declared ones, for this candidate alone."""
+    """Return the p-value of one loss in addition to the declared ones, for this candidate alone."""
     return p_of_one_more(fitter, fitter.fit(), fitter.fit((loss,))) / max(len(fitter.candidates), 1)
 
 

@@ -2,7 +2,7 @@
 
 The ratio of a mode is the sum over the losses of coefficient times value.  The logarithm of a measured ratio that is
 not significantly above 0 has no normal error, but the ratio shows that the mode is not damped more.  The variables
-are the logarithms of the fitted losses, so that a single loss without a declared one beside it is a linear problem,
+are the logarithms of the fitted losses, so that a single loss without any declared one is a linear problem,
 and none is ever negative.
 """
 

@@ -69,7 +69,7 @@ class DampingObservations:
         """Return the rows with a further error, a standard deviation of the logarithm."""
         return replace(self, unstated_sigma=np.hypot(self.unstated_sigma, scatter))
 
-    # Beside predictions ------------------------------------------------------------------------------------
+    # Comparison with predictions ---------------------------------------------------------------------------
 
     @property
     def logarithms(self) -> Array:

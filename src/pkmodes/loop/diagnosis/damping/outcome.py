@@ -65,7 +65,7 @@ def undiagnosed_damping(losses: Sequence[Loss], reason: str, notes: Sequence[str
 
 
 def with_damping_result(result: Diagnosis, data: Measurements, stage: DampingStage) -> Diagnosis:
-    """Return a diagnosis with the result for its damping, and every measured ratio beside that of the model."""
+    """Return a diagnosis with the result for its damping, and every measured ratio with that of the model."""
     fitter, judgement = stage.fitter, stage.judgement
     effects = damping_findings(fitter, judgement)
     resolved, used_mask, held_out_mask = stage.all_rows.resolved_mask, stage.used_mask, stage.held_out_mask
@@ -118,7 +118,7 @@ def _rms_factor(log_differences: Array) -> float | None:
 
 
 def _rows(result: Diagnosis, data: Measurements, stage: DampingStage) -> tuple[Row, ...]:
-    """Return every measured mode with its damping beside that of the model."""
+    """Return every measured mode with its measured damping and that of the model."""
     all_rows, used_mask = stage.all_rows, stage.used_mask
     rows = list(result.rows)
     for i in np.flatnonzero(~np.isnan(data.damping)).tolist():
@@ -319,7 +319,7 @@ def _with_errors_of_residual(fitter: LossFitter, fit: LossFit) -> LossFitter:
 def _test_of_loss(
     fitter: LossFitter, final: LossFit, loss: int, p_value: float, *, is_bounded: bool, explains: bool
 ) -> Examined:
-    """Return the test of a loss, its smallest visible value beside a fit, and whether it is detectable.
+    """Return the test of a loss, its smallest visible value when added to a fit, and whether it is detectable.
 
     - is_bounded: whether the data bound it
     - explains: whether it is claimed, in the class of a claim, or remains as an explanation
@@ -335,7 +335,7 @@ def _test_of_loss(
 
 
 def _linear_sigma(fitter: LossFitter, fit: LossFit, loss: int) -> float:
-    """Return the standard deviation that a loss would have beside a fit, in the linear model; inf if invisible."""
+    """Return the standard deviation of a loss added to a fit, in the linear model; inf if invisible."""
     rows = fitter.observations
     weighted = rows.coefficients / ((rows.ratios(fit.values) + rows.ratio_floor) * rows.sigma)[:, None]
     signature, fitted = weighted[:, loss], weighted[:, [j for j in fit.free if j != loss]]

@@ -200,7 +200,7 @@ def unexplained(e: LossEvidence) -> str:
 def other_errors(e: LossEvidence) -> LossAnswer | None:
     """With errors halved or doubled, or priors twice as wide, another loss takes the place of a claimed one."""
     explanation = e.explanation
-    assert explanation is not None  # `unexplained` stands before
+    assert explanation is not None  # the rule `unexplained` comes before
     for change, trial in e.trials.items():
         if trial.verdict is EFFECT_FOUND and not set(trial.final.causes) <= explanation.losses_of_classes:
             text = f"with {change}, {loss_names(e.fitter, trial.final)} would explain it better"

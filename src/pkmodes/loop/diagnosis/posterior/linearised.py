@@ -156,7 +156,7 @@ def _log_occam_factor_of_values(fitter: Fitter, fit: Fit) -> float:
 def _log_occam_factor_of_cause(
     fitter: Fitter, fit: Fit, cause: Candidate, max_deviations: Mapping[int, float]
 ) -> float:
-    """Return the logarithm of the Occam factor of a cause beside the others; minus infinity if implausible."""
+    """Return the logarithm of the Occam factor of a cause, given the others; minus infinity if implausible."""
     index = list(fitter.parameter_indices(cause))
     deviations, covariance = fit.values[index] - fitter.declared[index], fit.covariance_of(index)
     if cause.sigma is not None:

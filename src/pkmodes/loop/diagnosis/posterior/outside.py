@@ -37,7 +37,7 @@ MIN_VARIANCE, ROUNDING = 0.1, 1e-12
 
 
 def log_evidence_outside(fitter: Fitter, model: LinearisedFit) -> float:
-    """Return the logarithm of the evidence of something outside the catalogue beside a fit."""
+    """Return the logarithm of the evidence of something outside the catalogue in addition to a fit."""
     wide = ((LOG_ERROR_FACTORS >= 0.0) & (np.log(MAX_ERROR_FACTOR) >= LOG_ERROR_FACTORS)).astype(float)
     prior = (1.0 - P_SCATTER) * prior_of_error_factor() + P_SCATTER * wide / wide.sum()
     frequencies, *other_squares, priors = model.squares
@@ -89,7 +89,7 @@ def spectrum(fitter: Fitter, model: LinearisedFit) -> tuple[Array, Array]:
     whitened = fitter.whitening(fit).whitened(data)[rows]
     norms = np.linalg.norm(whitened, axis=0)
     unit_signatures = whitened[:, norms > 0.0] / norms[norms > 0.0]
-    # A root of the covariance with few columns, then that of its part beside what is fitted.
+    # A root of the covariance with few columns, then that of its part orthogonal to what is fitted.
     values, vectors = np.linalg.eigh(unit_signatures @ unit_signatures.T / max(unit_signatures.shape[1], 1))
     significant = values > ROUNDING * max(values[-1], ROUNDING)
     root = vectors[:, significant] * np.sqrt(values[significant])

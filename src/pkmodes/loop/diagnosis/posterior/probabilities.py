@@ -2,7 +2,7 @@
 
 The best fits of a search are weighed by their evidence and by a prior, the same for each candidate, and for each
 pair.  A cause that the search did not refit, because the linear model predicted little improvement, gets the
-evidence of the linear model; so does a second cause beside the best single one if that pair was not refitted.
+evidence of the linear model; so does a second cause added to the best single one if that pair was not refitted.
 Causes with several parameters are penalised by their Occam factors alone.  Remote candidates, such as those of a
 single joint, are part of what is outside.
 """
@@ -43,7 +43,7 @@ P_NOTHING, P_ONE_CAUSE, P_TWO_CAUSES, P_OUTSIDE = 0.55, 0.25, 0.04, 0.16
 DOUBT_IF_ACCEPTED, DOUBT_IF_REFUSED, DOUBT_IF_UNEXPLAINED = 0.03, 0.25, 0.55
 #: Fits are weighed if their capped deviance exceeds the smallest by at most the first, and at most the second number
 #: of them.  Something outside is combined with the best fits, the third number each with and without causes.
-MAX_DEVIANCE_ABOVE_BEST, MAX_FITS, MAX_FITS_BESIDE_OUTSIDE = 60.0, 24, 3
+MAX_DEVIANCE_ABOVE_BEST, MAX_FITS, MAX_FITS_WITH_OUTSIDE = 60.0, 24, 3
 #: Prior probability, given something outside, that it is in a single joint.
 P_SINGLE_JOINT = 0.1
 #: Classes less probable than the first are not reported, and members less probable than the second are left out.
@@ -218,7 +218,7 @@ def _log_p_missed(search: Search, nuisance_fit: Fit, fit: Fit) -> float:
 def _log_weight_outside(
     search: Search, nuisance_fit: Fit, log_priors: Array, models: Sequence[LinearisedFit]
 ) -> float:
-    """Return the log of prior times evidence of something outside: changes beside the best fits, and remote causes.
+    """Return the log of prior times evidence of something outside: changes added to the best fits, and remote causes.
 
     A change outside the catalogue is taken as independent of the causes in the fit.
 
@@ -234,7 +234,7 @@ def _log_weight_outside(
         ]
     )
     log_weights_and_models = [(log_p_joint + model.log_evidence, model) for model in remote_models]
-    for model in (*without_causes[:MAX_FITS_BESIDE_OUTSIDE], *with_causes[:MAX_FITS_BESIDE_OUTSIDE]):
+    for model in (*without_causes[:MAX_FITS_WITH_OUTSIDE], *with_causes[:MAX_FITS_WITH_OUTSIDE]):
         log_weight = log_p_change + log_priors[len(model.fit.causes)] + log_evidence_outside(fitter, model)
         log_weights_and_models.append((log_weight, model))
     log_weights = [

@@ -1,4 +1,4 @@
-r"""How large candidates may still be beside a fit, and what they would do to the fitted values.
+r"""How large candidates added to a fit may still be, and what they would do to the fitted values.
 
 The limit of a parameter is the end, at 95 % and one-sided, of its profile likelihood (`fit.profile`): the largest
 size at which the candidate, fitted together with everything that was fitted before, leaves a sum of squares at most
@@ -69,7 +69,7 @@ class Bound:
 
 @dataclass(frozen=True)
 class _AddedCandidate:
-    """A candidate beside a fit.
+    """A candidate added to a fit.
 
     - free, without_prior, rates: free parameters, those to be taken without their priors, and the largest derivatives
       of ln f by parameter
@@ -96,7 +96,7 @@ class _AddedCandidate:
 def bounds(
     store: FitStore, fit: Fit, candidates: Sequence[Candidate], *, noise: bool = True, linear: bool = False
 ) -> list[Bound]:
-    """Return the bounds of all parameters of some candidates beside a fit.
+    """Return the bounds of all parameters of some candidates added to a fit.
 
     - noise: whether the residual of the fit is noise.  If not, errors are scaled to what each candidate leaves.
     - linear: whether to use the model linearised at the fit only, for models that are slow to evaluate

@@ -4,7 +4,7 @@ Each step makes the addition that lowers the criterion most: a cause, an error t
 exclusion of an outlier, so that no cause gets credit for what a bad measurement explains.  When the gate passes,
 additions that are not needed are removed again, and every cause is compared with all others in its place.
 
-There are many hundred pairs of causes; with measurement errors beside them they would explain anything.  A pair is
+There are many hundred pairs of causes; with measurement errors added, they would explain anything.  A pair is
 sought only if one cause clearly leaves a residual and no single remote cause explains everything, and never together
 with outliers or shared errors.
 """

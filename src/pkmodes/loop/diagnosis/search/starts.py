@@ -25,7 +25,7 @@ CLOSE_FREQUENCY_CHANGES = np.geomspace(5e-5, 0.5, 42)
 #: MAX_COST_RATIO times the least: such a mode fits in a narrow valley, and a grid hits only its slopes.
 MAX_VALLEYS, MAX_COST_RATIO = 6, 4.0
 HALVINGS = 3
-#: Part of the size of a one-sided cause that is kept when another cause is tried beside it.
+#: Part of the size of a one-sided cause that is kept when another cause is tried in addition.
 KEPT_PART_OF_SIZE = 0.4
 #: Number of starts from which a cause that adds modes is refitted.
 MAX_STARTS = 3

@@ -44,7 +44,7 @@ NO_STAGE: tuple[None, None] = (None, None)
 
 @dataclass(frozen=True)
 class _Models:
-    """The models of a result beside all rows, with their errors: as declared, refitted, and with the causes.
+    """The models of a result for all rows, with their errors: as declared, refitted, and with the causes.
 
     - last_fit: fit of the last model; None if there are too few data to fit any
     - outlying: mask of the rows that this fit sets aside, (R,)

@@ -94,7 +94,7 @@ def are_added_modes_credible(search: Search, fit: Fit) -> bool:
 
 
 def other_pairs(search: Search, final: Fit, classes_by_cause: Sequence[Sequence[Sequence[Fit]]]) -> list[Fit]:
-    """Return the survivors beside a pair of causes: pairs outside its classes, and single remote causes.
+    """Return the survivors other than a pair of causes: pairs outside its classes, and single remote causes.
 
     Both causes may differ at once, as between a structure and its mirror image.  If there are many pairs within its
     classes, each of them also survives separately.

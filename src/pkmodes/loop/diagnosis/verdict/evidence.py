@@ -35,7 +35,7 @@ MAX_HINTS = 4
 
 
 class Start:
-    """The declared model beside the fitted setups, before any search.
+    """The declared model compared with the fitted setups, before any search.
 
     - store: fits of the declared model
     - claimable: candidates that may be claimed

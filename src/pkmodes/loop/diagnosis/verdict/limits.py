@@ -33,7 +33,7 @@ from pkmodes.loop.diagnosis.problem import Array, Assumption, Candidate, Paramet
 from pkmodes.loop.diagnosis.search.limits import ONE_SIDED_SIGMAS, Bound, bounds, value_shifts_by_default
 from pkmodes.loop.diagnosis.verdict.findings import MIN_NOTICEABLE_RATIO, Limit, Unseen
 
-#: Largest number of remaining explanations beside which limits are determined.
+#: Largest number of remaining explanations for which limits are determined.
 MAX_EXPLANATIONS = 4
 
 
@@ -75,7 +75,7 @@ def unknown_limits(store: FitStore, candidates: Iterable[Candidate]) -> Candidat
 def limits_beside(
     store: FitStore, fits: Sequence[Fit], candidates: Iterable[Candidate], *, residual_is_noise: bool
 ) -> CandidateLimits:
-    """Return the limits of candidates beside fits that explain the measurements: the largest over all of them.
+    """Return the limits of candidates added to fits that explain the measurements: the largest over all of them.
 
     - candidates: a candidate that is a cause of some of the fits is bounded in those alone
     - residual_is_noise: whether the residuals of the fits are noise

@@ -42,7 +42,7 @@ from pkmodes.loop.diagnosis.verdict.verdicts import NOT_MEASURED, VERDICTS, Damp
 
 @dataclass(frozen=True)
 class Stages:
-    """The model beside all measured modes, at each stage.
+    """The model compared with all measured modes, at each stage.
 
     - before, refit, after: as declared, with the nuisances refitted, and with the causes
     - without: spectrum of the last model without its causes, at its values, (S, m); None where it has none
