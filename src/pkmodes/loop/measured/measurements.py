@@ -369,24 +369,19 @@ class Measurements(Columns):
         indices = checked_list(
             poses, "pose indices", f"{self.source}: at", "0", (int, np.integer), MeasurementError
         )
-        chosen_setups = np.asarray(indices) if indices else np.empty(0, dtype=int)
-        if (
-            chosen_setups.ndim != 1
-            or chosen_setups.dtype.kind not in "iu"
-            or len(set(chosen_setups.tolist())) < len(chosen_setups)
-        ):
+        setups = np.asarray(indices) if indices else np.empty(0, dtype=int)
+        if setups.ndim != 1 or setups.dtype.kind not in "iu" or len(set(setups.tolist())) < len(setups):
             raise MeasurementError(
                 "expected different pose indices", f"{self.source}: at", "give each index once"
             )
-        if chosen_setups.size and not (chosen_setups.min() >= 0 and chosen_setups.max() < len(self.labels)):
+        if setups.size and not (setups.min() >= 0 and setups.max() < len(self.labels)):
             raise MeasurementError(
-                f"expected pose indices from 0 to {len(self.labels) - 1}, found {chosen_setups.tolist()}",
+                f"expected pose indices from 0 to {len(self.labels) - 1}, found {setups.tolist()}",
                 f"{self.source}: at",
                 "give indices into labels",
             )
-        sorted_poses = np.sort(
-            chosen_setups
-        )  # labels are in the order of their first rows, and so is every subset of them
+        # Labels are in the order of their first rows, and so is every subset of them.
+        sorted_poses = np.sort(setups)
         rows = np.flatnonzero(np.isin(self.pose, sorted_poses))
         return replace(
             self,

@@ -1,10 +1,9 @@
-"""The rules of the verdict, in tables: of those that are tried, the first that applies decides.
+"""The rules of the verdict, in tables (docs/reference/verdicts.md): the first of those tried that applies decides.
 
 A rule has a name, which begins with that of its table, the verdict that it gives, and a function of the evidence,
 whose docstring says when the rule applies, and which returns the reason of the verdict.  Those of
 `rules_before_search` are tried first; if one applies, there is no search.  After a search come `rules_after_search`,
-then `ADEQUACY_RULES` where the declared model leaves noise, `CLAIM_RULES` where causes do, and `UNEXPLAINED_RULES`
-(`unexplained`) where nothing does.  docs/reference/verdicts.md has the tables.
+then `ADEQUACY_RULES` where the declared model leaves noise, `CLAIM_RULES` where causes do, else `UNEXPLAINED_RULES`.
 """
 
 from __future__ import annotations
