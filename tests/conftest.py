@@ -125,7 +125,7 @@ def no_drawing() -> Iterator[None]:
 def _mechanisms_as_supplied() -> Iterator[None]:
     """No test leaves a mechanism of pkmodes with effects of its own to the tests after it."""
     yield
-    assert not {*registry._added} & {*registry.supplied_names()}
+    assert not {*registry._package_by_name} & {*registry.supplied_names()}
     if "pkmodes_derive.mechanisms" in sys.modules:
         own_effects = sys.modules["pkmodes_derive.mechanisms"].own_effects
         assert not [name for name in registry.supplied_names() if own_effects(name)]

@@ -38,7 +38,7 @@ COMMON = {
 
 @pytest.fixture(autouse=True)
 def _one_of_your_own(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(known, "_added", {})
+    monkeypatch.setattr(known, "_package_by_name", {})
     known.add(OWN)
 
 

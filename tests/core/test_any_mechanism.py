@@ -29,7 +29,7 @@ from pkmodes.loop.updating.channels import channels
 from pkmodes.loop.updating.measured_robot import MeasuredRobot
 from pkmodes.loop.updating.robot_structure import RobotStructure
 
-KIND = known._read("planar_pair")
+KIND = known._load("planar_pair")
 SAMPLE = sample_parameters(KIND)
 POSES = np.array([[0.1, 0.05], [0.25, -0.02], [0.0, 0.2]])
 CLAMPS = {"clamp_compliance.compliance": 2e-5}
@@ -43,7 +43,7 @@ def robot(effects: Mapping[str, float] | None = None) -> Robot:
 def _known_here_only() -> Iterator[None]:
     """Other tests in the same process find only the generated mechanisms."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(known, "_added", {})
+        patch.setattr(known, "_package_by_name", {})
         assert known.add("planar_pair") is KIND
         yield
 

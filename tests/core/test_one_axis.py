@@ -105,14 +105,14 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (folder / "robot.toml").write_text(ROBOT, encoding="utf-8")
     options = ["--mechanism", str(folder / "slide.py"), "--out", str(folder / "generated")]
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(mechanism, "_added", {})
+        patch.setattr(mechanism, "_package_by_name", {})
         assert run(["generate", str(folder / "robot.toml"), *options]) == 0
     return folder
 
 
 @pytest.fixture
 def slide(made: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(mechanism, "_added", {})
+    monkeypatch.setattr(mechanism, "_package_by_name", {})
     monkeypatch.setenv("PKMODES_BACKEND", "numpy")  # it is not compiled for this test
     monkeypatch.chdir(made)
 

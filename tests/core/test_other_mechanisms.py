@@ -31,7 +31,7 @@ from pkmodes.loop.updating.candidates import suspects
 def made_up(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     folder = tmp_path_factory.mktemp("packages")
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(mechanisms, "_added", {})
+        patch.setattr(mechanisms, "_package_by_name", {})
         patch.syspath_prepend(folder)
         for package in write_package(folder):
             mechanisms.add(package)

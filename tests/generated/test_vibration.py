@@ -126,7 +126,7 @@ def test_the_ratio_of_the_robot_file_changes_the_hash(tmp_path: Path) -> None:
 
 
 def test_a_mechanism_of_ones_own_has_the_function(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(registry, "_added", {})
+    monkeypatch.setattr(registry, "_package_by_name", {})
     (tmp_path / "five_bar.py").write_text(DEFINITION, encoding="utf-8")
     more = '\n[damping]\nratio = "1 %"\n[effects.reducer_loss]\nloss_factor = 0.02\n'
     (tmp_path / "robot.toml").write_text(ROBOT + more, encoding="utf-8")

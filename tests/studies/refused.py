@@ -43,7 +43,7 @@ from pkmodes.loop.diagnosis.posterior.probabilities import (
     DOUBT_IF_UNEXPLAINED,
 )
 from pkmodes.loop.diagnosis.verdict import rules
-from pkmodes.loop.diagnosis.verdict.unexplained import OPEN
+from pkmodes.loop.diagnosis.verdict.unexplained import UNEXPLAINED_RULES
 from pkmodes.loop.diagnosis.verdict.verdicts import EFFECT_FOUND, UNEXPLAINED
 from studies import calibration, clear_cases, six_legged_suites
 from studies.calibration import explains, explains_a_part, truth_of
@@ -64,10 +64,10 @@ STATES = (RIGHT, PART, WRONG)
 WITHOUT = {"named": RIGHT, "partly": PART, "wrong": WRONG}
 #: Members of a class that are listed.
 MENTIONED = 4
-OPEN_RULES = frozenset(rule.name for rule in OPEN)
+OPEN_RULES = frozenset(rule.name for rule in UNEXPLAINED_RULES)
 #: Rules that a diagnosis can do without: the last one always applies.
-CLAIM_RULES = frozenset(rule.name for rule in rules.CLAIMS[:-1])
-FOUND = rules.CLAIMS[-1].name
+CLAIM_RULES = frozenset(rule.name for rule in rules.CLAIM_RULES[:-1])
+FOUND = rules.CLAIM_RULES[-1].name
 #: Members of a class, or pairs.
 Members = Sequence[str] | Sequence[tuple[str, str]]
 Run = Callable[[Any], Outcome[Any]]
@@ -154,7 +154,9 @@ def held(case: Any, members: Members) -> str:
 @contextmanager
 def without(rule: str) -> Iterator[None]:
     """Decide without one of the rules that are asked where causes leave noise."""
-    with mock.patch.object(rules, "CLAIMS", tuple(other for other in rules.CLAIMS if other.name != rule)):
+    with mock.patch.object(
+        rules, "CLAIM_RULES", tuple(other for other in rules.CLAIM_RULES if other.name != rule)
+    ):
         yield
 
 
@@ -341,7 +343,7 @@ def _then(record: Line) -> str:
 
 def _ordered(some: Sequence[Line]) -> list[str]:
     """Return the rules that decided, in the order in which they are asked."""
-    asked = [rule.name for rule in (*rules.ADEQUACY, *rules.CLAIMS, *OPEN)]
+    asked = [rule.name for rule in (*rules.ADEQUACY_RULES, *rules.CLAIM_RULES, *UNEXPLAINED_RULES)]
     decided = dict.fromkeys(record["rule"] for record in some)
     return sorted(decided, key=lambda name: asked.index(name) if name in asked else -1)
 

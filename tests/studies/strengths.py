@@ -131,10 +131,10 @@ def left_by_declared(
     chosen = () if beside is None else (beside,)
     structure = MeasuredRobot.of(robot, data).structure(candidates=chosen).subset(fitted)
     # Shapes serve only to pair the modes; the signal is computed from the frequencies.
-    fitter = Fitter(structure, data.at(fitted), scatter=NO_WEIGHT)
+    fitter = Fitter(structure, data.at(fitted), shape_scatter=NO_WEIGHT)
     causes = tuple(candidate for candidate in structure.candidates if candidate.name == beside)
     begin = fitter.declared.copy()
-    for i in (i for cause in causes for i in fitter.indices(cause)):
+    for i in (i for cause in causes for i in fitter.parameter_indices(cause)):
         begin[i] = effects[fitter.parameters[i].name.removeprefix("effects.")]
     fit = fitter.fit(Hypothesis(causes), begin)
     return None if fit is None else float(np.sqrt(fit.chi2))

@@ -16,7 +16,7 @@ from tempfile import TemporaryDirectory
 from types import ModuleType
 
 from pkmodes.core.base.errors import MissingExtraError, PkmodesError
-from pkmodes.core.mechanism.packages import DEFINITION, FOLDER_REMEDY, effect_files
+from pkmodes.core.mechanism.packages import DEFINITION_FILE, FOLDER_REMEDY, effect_files
 from pkmodes.core.mechanism.registry import Mechanism, supplied_names, temporarily_registered
 from pkmodes.core.support.writing import write_files
 
@@ -105,10 +105,11 @@ def definition_of(mechanism: Mechanism) -> Definition | None:
     """Return the definition stored with a mechanism's code, None for a mechanism that comes with pkmodes."""
     if mechanism.name in supplied_names():
         return None
-    file = Path(str(files(mechanism.package))) / DEFINITION
+    file = Path(str(files(mechanism.package))) / DEFINITION_FILE
     if not file.is_file():
         problem = (
-            f"expected {DEFINITION}, from which the mechanism {mechanism.name} is derived, found no such file"
+            f"expected {DEFINITION_FILE}, from which the mechanism {mechanism.name} is derived, "
+            "found no such file"
         )
         raise PkmodesError(problem, str(file.parent), FOLDER_REMEDY)
     return read_definition(file, mechanism.name)

@@ -38,7 +38,7 @@ def place(made: Path) -> Iterator[Path]:
 def copy(place: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A copy of it that may be changed."""
     shutil.copytree(place, tmp_path, dirs_exist_ok=True)
-    monkeypatch.setattr(known, "_added", {})
+    monkeypatch.setattr(known, "_package_by_name", {})
     monkeypatch.chdir(tmp_path)
     return tmp_path
 

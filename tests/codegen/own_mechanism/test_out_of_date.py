@@ -47,7 +47,7 @@ def test_a_folder_that_was_handed_on_alone_is_checked(copy: Path, capsys: pytest
         *(f"pick_and_place.{end}" for end in ("c", "h", "py")),
     ]
     assert run(["check", "--mechanism", moved, "other"]) == 0
-    known._added.clear()
+    known._package_by_name.clear()
     assert "--mechanism DIR/<mechanism>" in refused("check", "build")
 
 

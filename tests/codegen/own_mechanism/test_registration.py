@@ -102,4 +102,4 @@ def test_folders_that_are_none(copy: Path) -> None:
     shutil.copytree(copy / "build/five_bar", copy / "taken")
     text = description.read_text().replace('"mechanism": "five_bar"', '"mechanism": "corexy"')
     description.write_text(text)
-    assert '"corexy" is a mechanism of pkmodes already' in said("build/five_bar")
+    assert '"corexy" is already the name of a mechanism supplied with pkmodes' in said("build/five_bar")

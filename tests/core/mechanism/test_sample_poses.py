@@ -19,7 +19,7 @@ from pkmodes.loop.sensitivity.matrices import geometry_of
 def test_a_machine_is_not_searched_for_a_regular_pose_again(monkeypatch: pytest.MonkeyPatch) -> None:
     mechanism = read_robot(ROBOTS / "hexapod.toml").mechanism
     geometry = geometry_of(mechanism)
-    monkeypatch.setattr(regular, "drawn_poses", None)  # cannot be called
+    monkeypatch.setattr(regular, "draw_poses", None)  # cannot be called
     assert geometry_of(mechanism) == geometry
     pose = regular.sample_pose(mechanism)
     with pytest.raises(ValueError, match="read-only"):

@@ -136,13 +136,18 @@ REFERENCES = (
 )
 #: Descriptions that are complete in themselves, but not those of the code.
 CODE = (
-    ("corexy", ("coordinates", 0, "unit"), "rad", "their units is"),
+    ("corexy", ("coordinates", 0, "unit"), "rad", "the units of the coordinates are"),
     ("corexy", ("directions",), ["x"], "the number of directions is 1, expected 2"),
     ("corexy", ("drives", 1), REMOVED, "the number of drives is 1, expected 2"),
     ("corexy", ("rigid_modes",), 1, "the number of rigid modes is 1, expected 2"),
     ("linear_delta", ("drawing", "uprights"), 0, "TypeError: drawing_points() missing"),
-    ("corexy", ("drawing", "motions", 49), 19, "the number of their motions is 20, expected 19"),
-    ("corexy", ("tables", 5, "keys", 1, "index"), [0], "the number of keys of workspace is 2, expected 1"),
+    (
+        "corexy",
+        ("drawing", "motions", 49),
+        19,
+        "the number of motions of the drawn points is 20, expected 19",
+    ),
+    ("corexy", ("tables", 5, "keys", 1, "index"), [0], "the keys of workspace use an index twice"),
     ("corexy", ("tables", 7, "count"), 3, "the shape of belt_specific_stiffness is (3,)"),
     (
         "corexy",
@@ -182,7 +187,7 @@ CODE = (
         [{"name": name, "unit": "m", "description": name} for name in "xyz"],
         "ValueError: expected an array of shape (..., 2), found shape (3,)",
     ),
-    ("linear_delta", ("margins", 0, "names"), [["1", "2"]], "the shape of the names of "),
+    ("linear_delta", ("margins", 0, "names"), [["1", "2"]], "the number of names for "),
     (
         "linear_delta",
         ("effects", 4, "requirements", 0, "places"),
@@ -275,7 +280,7 @@ class Folder:
 def _numpy_here_only(monkeypatch: pytest.MonkeyPatch) -> None:
     """No mutated mechanism is compiled, or known to other tests."""
     monkeypatch.setenv("PKMODES_BACKEND", "numpy")
-    monkeypatch.setattr(registry, "_added", {})
+    monkeypatch.setattr(registry, "_package_by_name", {})
 
 
 @pytest.fixture(params=EXAMPLES)

@@ -16,7 +16,7 @@ from pkmodes_derive import mechanisms
 def inside(folder: Path) -> Iterator[None]:
     """Run commands in a folder, and forget the mechanisms and effects that they add."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(known, "_added", {})
+        patch.setattr(known, "_package_by_name", {})
         patch.setenv("COLUMNS", "110")
         patch.chdir(folder)
         try:

@@ -12,7 +12,7 @@ from helpers.runs.shared import Shared
 from pkmodes import read_robot, updating
 from pkmodes.core.robot.robot import Robot
 from pkmodes.loop.diagnosis import Diagnosis, Measurements
-from pkmodes.loop.diagnosis.match.predicted import Predicted
+from pkmodes.loop.diagnosis.match.predicted import PartnerPredictions
 from pkmodes.loop.diagnosis.verdict.findings import Corrected, Examined, Finding, Stability, Value
 from pkmodes.loop.diagnosis.verdict.result import Stages
 from pkmodes.loop.diagnosis.verdict.rows import Error, Row
@@ -112,16 +112,16 @@ def made_up(
     sigma = 0.002 * frequency
     macs = np.eye(modes + 2)[mode] * 0.9 + 0.05 * rng.random((count, modes + 2))
 
-    def stage(error: float) -> Predicted:
+    def stage(error: float) -> PartnerPredictions:
         own = true * (1 + error * mode / modes)
         lost = rng.random(count) < 0.01
-        return Predicted(
+        return PartnerPredictions(
             frequency=np.where(lost, np.nan, own),
-            mode=np.where(lost, 0, mode + 1),
-            sigmas=np.where(lost, np.nan, np.log(own / frequency) / 0.002),
-            mac=np.where(lost, np.nan, macs[np.arange(count), mode]),
-            macs=macs,
-            spectrum=spectrum,
+            partner_mode=np.where(lost, 0, mode + 1),
+            normalised_differences=np.where(lost, np.nan, np.log(own / frequency) / 0.002),
+            partner_mac=np.where(lost, np.nan, macs[np.arange(count), mode]),
+            mac_by_mode=macs,
+            elastic_frequencies=spectrum,
         )
 
     before, refit, after = stage(0.04), stage(0.02), stage(0.0)
@@ -138,7 +138,7 @@ def made_up(
             before=known[0][i],
             refit=known[1][i],
             after=known[2][i],
-            mac=None if np.isnan(after.mac[i]) else float(after.mac[i]),
+            mac=None if np.isnan(after.partner_mac[i]) else float(after.partner_mac[i]),
             held_out=bool(held[i]),
             outlier=bool(outlier[i]),
         )

@@ -76,7 +76,7 @@ def test_the_true_term_is_found_with_its_value(term: str, size: float, unit: str
 
 def test_a_term_is_found_in_which_the_linear_model_sees_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     """None is among the most promising by its score: the largest of several sizes tells."""
-    monkeypatch.setattr(term_fits, "MAX_BY_SCORE", 0)
+    monkeypatch.setattr(term_fits, "MAX_TERMS_BY_SCORE", 0)
     found = of(FRAME, lambda _: (1.5 * at(6, 4), NOTHING))
     assert found.beyond is not None
     assert found.beyond.found is not None
@@ -85,7 +85,7 @@ def test_a_term_is_found_in_which_the_linear_model_sees_nothing(monkeypatch: pyt
 
 def test_a_fit_that_goes_astray_is_begun_anew(monkeypatch: pytest.MonkeyPatch) -> None:
     """The linear estimate of every term is a thousand times too large."""
-    monkeypatch.setattr(term_fits, "MAX_BY_SIZE", 0)
+    monkeypatch.setattr(term_fits, "MAX_TERMS_BY_SIZE", 0)
     monkeypatch.setattr(term_fits, "SMALL_CHANGE", np.inf)
     linear = term_fits._Explorer._values_with_step
 

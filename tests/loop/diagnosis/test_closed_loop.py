@@ -88,7 +88,7 @@ def squared_part(robot: Robot, found: Diagnosis, data: Measurements) -> float:
     sigmas = pkmodes.Model(robot).frequency_sigmas(data.points)
     rigid = sigmas.shape[1] - np.isfinite(sigmas[0]).sum()
     modes = found.stages.after if found.stages.after is not None else found.stages.refit
-    own = sigmas[data.pose[fitted], rigid + modes.mode[fitted] - 1]
+    own = sigmas[data.pose[fitted], rigid + modes.partner_mode[fitted] - 1]
     return float(np.sum((own / data.sigma[fitted]) ** 2))
 
 

@@ -138,7 +138,7 @@ def one_examined(
     model = log_linear(np.random.default_rng(1), 4, 3, [Parameter("a", 0.0, lower=lower)], [candidate])
     fitter = Fitter(model, logs_measured(model.base, 0.002))
     p = float(stats.norm.sf(z) if np.isfinite(lower) else stats.chi2.sf(z**2, 1))
-    one = Score(candidate, p, z**2, np.array([z]), np.ones(1), np.array([1e-3]), visible=True)
+    one = Score(candidate, p, z**2, np.array([z]), np.ones(1), np.array([1e-3]), is_visible=True)
     scores = Scores((one,), ())
     known = {True: {"a"}, False: set[str]()}
     (found,) = examine_candidates(

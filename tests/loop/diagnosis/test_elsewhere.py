@@ -66,7 +66,9 @@ def test_uncertain_positions_and_shared_errors_add_to_it() -> None:
     assert there.B is not None
     B = there.B * POSITION / SIGMA
     assert one.errors - plain.errors == pytest.approx(B @ B.swapaxes(1, 2))
-    shared = predict_elsewhere(fitter, MeasuringCondition(there, None, {}), replace(fit, scatter=3.0 * SIGMA))
+    shared = predict_elsewhere(
+        fitter, MeasuringCondition(there, None, {}), replace(fit, shared_error=3.0 * SIGMA)
+    )
     assert shared.errors - one.errors == pytest.approx(np.full(one.errors.shape, 9.0))
 
 

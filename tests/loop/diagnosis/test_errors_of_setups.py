@@ -35,7 +35,7 @@ def shared(y: np.ndarray, tau: float) -> np.ndarray:
 def test_the_shared_error_is_the_one_of_greatest_likelihood(tau: float) -> None:
     model = structure(3, 12, 4)
     y = simulated(model, TRUE, 3, tau)
-    found = fitted(model, logs_measured(y, SIGMA), Hypothesis(CAUSES, scatter=True))
+    found = fitted(model, logs_measured(y, SIGMA), Hypothesis(CAUSES, has_shared_error=True))
     G, left = model.G.reshape(-1, 4), (y - model.base).ravel()
 
     def deviance(log_tau: float) -> float:
@@ -45,10 +45,10 @@ def test_the_shared_error_is_the_one_of_greatest_likelihood(tau: float) -> None:
 
     best = minimize_scalar(deviance, bounds=(np.log(1e-5), np.log(0.5)), method="bounded")
     # Its standard deviation is about tau / sqrt(2 S), a fifth of it: the estimates agree far better than that.
-    assert found.scatter == pytest.approx(np.exp(best.x), rel=0.01)
-    assert found.scatter == pytest.approx(tau, rel=0.7)
+    assert found.shared_error == pytest.approx(np.exp(best.x), rel=0.01)
+    assert found.shared_error == pytest.approx(tau, rel=0.7)
     assert found.deviance == pytest.approx(best.fun, abs=1e-3)
-    V = shared(y, found.scatter)
+    V = shared(y, found.shared_error)
     values, covariance, _ = least_squares(G, left, V, DECLARED, [0.05, 0.002, None, None])
     assert found.values == pytest.approx(values, abs=0.02 * np.sqrt(np.diagonal(covariance).min()))
     assert found.covariance == pytest.approx(covariance, rel=1e-6)
@@ -65,7 +65,7 @@ def test_the_deviance_is_twice_the_negative_logarithm_of_the_likelihood(excluded
         left = y - model.base - model.G @ found.values
         total = -2 * stats.norm.logpdf(found.values[:2], DECLARED[:2], PRIORS).sum()
         for i, row in enumerate(left):
-            V = SIGMA**2 * np.eye(4) + found.scatter**2
+            V = SIGMA**2 * np.eye(4) + found.shared_error**2
             kept = np.setdiff1d(np.arange(4), [k - 4 * i for k in excluded])
             total -= 2 * stats.multivariate_normal.logpdf(row[kept], None, V[np.ix_(kept, kept)])
         # An additional error absorbs the residual of an outlier; its stated error stays in the likelihood.
@@ -80,9 +80,9 @@ def test_without_a_shared_error_its_estimate_changes_nothing() -> None:
     model = structure(5, 6, 4)
     y = model.base + model.G @ TRUE  # no error at all
     data = logs_measured(y, SIGMA)
-    with_it = fitted(model, data, Hypothesis(CAUSES, frozenset({3}), scatter=True))
+    with_it = fitted(model, data, Hypothesis(CAUSES, frozenset({3}), has_shared_error=True))
     without = fitted(model, data, Hypothesis(CAUSES, frozenset({3})))
-    assert with_it.scatter < 0.02 * SIGMA
+    assert with_it.shared_error < 0.02 * SIGMA
     assert with_it.deviance == pytest.approx(without.deviance, abs=1e-2)
     assert with_it.covariance == pytest.approx(without.covariance, rel=1e-2)
 

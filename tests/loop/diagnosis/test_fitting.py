@@ -78,7 +78,7 @@ def test_excluded_rows_are_not_used() -> None:
     y[1, 2] += 0.1
     y[3, 0] -= 0.05
     data = logs_measured(y, SIGMA)
-    found = fitted(model, data, Hypothesis(CAUSES, excluded=frozenset({6, 12})))
+    found = fitted(model, data, Hypothesis(CAUSES, excluded_rows=frozenset({6, 12})))
     kept = np.setdiff1d(np.arange(20), [6, 12])
     values, covariance, chi2 = least_squares(
         model.G.reshape(-1, 4)[kept],
@@ -144,12 +144,12 @@ def test_a_parameter_that_the_data_do_not_determine_has_a_large_but_finite_error
 def test_the_order_of_rows_and_setups_does_not_matter() -> None:
     model = structure(11)
     data = logs_measured(simulated(model, TRUE, 11, 0.01), SIGMA)
-    plain = fitted(model, data, Hypothesis(CAUSES, frozenset({7}), scatter=True))
+    plain = fitted(model, data, Hypothesis(CAUSES, frozenset({7}), has_shared_error=True))
     order = np.random.default_rng(0).permutation(20)
     shuffled = some_rows(data, order)
     moved = model.subset([data.labels.index(label) for label in shuffled.labels])
     excluded = frozenset({int(np.flatnonzero(order == 7)[0])})
-    found = fitted(moved, shuffled, Hypothesis(CAUSES, excluded, scatter=True))
+    found = fitted(moved, shuffled, Hypothesis(CAUSES, excluded, has_shared_error=True))
     assert found.values == pytest.approx(plain.values, rel=1e-6)
     assert found.deviance == pytest.approx(plain.deviance, rel=1e-9)
 
@@ -204,12 +204,12 @@ def test_fits_differ_by_the_distance_of_their_predictions_in_the_metric_of_the_e
     model = structure(13, 6, 4)
     y = simulated(model, TRUE, 13, 0.01)
     fitter = Fitter(model, logs_measured(y, SIGMA))
-    a, b = (fitter.fit(Hypothesis((cause,), frozenset({3}), scatter=True)) for cause in CAUSES)
+    a, b = (fitter.fit(Hypothesis((cause,), frozenset({3}), has_shared_error=True)) for cause in CAUSES)
     assert a is not None
     assert b is not None
     between = (model.G @ (b.values - a.values)).ravel()
     kept = np.setdiff1d(np.arange(24), [3])
-    V = block_diag(*[SIGMA**2 * np.eye(4) + a.scatter**2] * 6)[np.ix_(kept, kept)]
+    V = block_diag(*[SIGMA**2 * np.eye(4) + a.shared_error**2] * 6)[np.ix_(kept, kept)]
     moved = (b.values - a.values)[:2] / PRIORS
     expected = between[kept] @ np.linalg.solve(V, between[kept]) + moved @ moved
-    assert fitter.difference(a, b) == pytest.approx(expected, rel=1e-9)
+    assert fitter.squared_difference(a, b) == pytest.approx(expected, rel=1e-9)

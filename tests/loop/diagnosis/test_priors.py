@@ -179,7 +179,7 @@ def test_the_distance_of_a_single_value_is_in_its_own_sigma() -> None:
     assert priors.residual(values) @ priors.residual(values) == pytest.approx(
         values @ np.linalg.inv(covariance(-0.9)) @ values
     )
-    wide = Priors(two_together(-0.9), (), widened=2.0).residual(values)
+    wide = Priors(two_together(-0.9), (), prior_factor=2.0).residual(values)
     assert wide @ wide == pytest.approx(values @ np.linalg.inv(4.0 * covariance(-0.9)) @ values)
 
 
@@ -230,7 +230,7 @@ def test_losses_have_correlated_priors_too() -> None:
         ratio=rates @ declared * 1.15,
         stated_sigma=np.full(count, 0.1),
         unstated_sigma=np.full(count, 0.1),
-        resolved=np.ones(count, dtype=bool),
+        resolved_mask=np.ones(count, dtype=bool),
         frequency=10.0 + np.arange(count),
         ratio_floor=np.zeros(count),
         coefficients=rates,

@@ -99,7 +99,7 @@ def test_a_row_set_aside_leaves_more_room_to_the_uncertain_value() -> None:
     G = model.G.reshape(-1, 1)
     y = SIGMA * rng.standard_normal(len(G))
     fitter = Fitter(model, logs_measured(model.base + y.reshape(4, 3), SIGMA))
-    every, fewer = (fitter.fit(Hypothesis(excluded=frozenset(rows))) for rows in ((), (row,)))
+    every, fewer = (fitter.fit(Hypothesis(excluded_rows=frozenset(rows))) for rows in ((), (row,)))
     assert every is not None
     assert fewer is not None
 
@@ -128,7 +128,7 @@ def test_a_cause_that_was_not_fitted_has_the_evidence_of_its_fit_where_the_model
     search, plausible = Search(store, model.candidates), {1: 100.0, 2: 100.0}
     plain = _left(store.fitter, (), {})
     assert not plain.set_aside
-    linear = {one.causes: one.weight for one in _linear_explanations(search, plausible, plain, 0.0)}
+    linear = {one.causes: one.log_weight for one in _linear_explanations(search, plausible, plain, 0.0)}
     for cause in model.candidates:
         assert linear[cause.name,] == pytest.approx(
             _left(store.fitter, (cause,), plausible).log_evidence, abs=0.05
@@ -162,7 +162,7 @@ def test_misstated_errors_are_integrated_out() -> None:
             prior = (1.0 - marginal.WIDE_WEIGHT) * narrow(log) + marginal.WIDE_WEIGHT * wide(log)
             return float(prior * np.exp(-nu * log - 0.5 * q * np.exp(-2.0 * log) + 0.5 * nu))
 
-        low, high = marginal.LOG_SCALE[[0, -1]]
+        low, high = marginal.LOG_ERROR_FACTORS[[0, -1]]
         expected = (
             np.log(
                 integrate.quad(density, low, high, points=[0.0, 0.5 * np.log(squares / degrees)], limit=300)[
@@ -172,7 +172,7 @@ def test_misstated_errors_are_integrated_out() -> None:
             - 0.5 * degrees
         )
         arrays = np.array([squares]), np.array([degrees])
-        found = marginal.marginal_log_likelihood(*arrays, marginal.prior_of_scale())
+        found = marginal.marginal_log_likelihood(*arrays, marginal.prior_of_error_factor())
         assert found[0] == pytest.approx(expected, abs=0.02)
 
 
@@ -181,13 +181,13 @@ def test_changes_of_low_rank_have_the_evidence_of_their_covariance() -> None:
     root, white = rng.standard_normal((rows, 4)), 3.0 * rng.standard_normal(rows)
     g, axes = np.linalg.eigh(root.T @ root)
     c = (axes.T @ (root.T @ white)) ** 2 / g
-    prior, largest = marginal.prior_of_scale(), 80.0
-    sizes = np.geomspace(outside.MIN_SIGNAL, largest, outside.SIZES)
-    weights = prior[::2] / prior[::2].sum() / outside.SIZES
+    prior, largest = marginal.prior_of_error_factor(), 80.0
+    sizes = np.geomspace(outside.MIN_SIGNAL, largest, outside.SIZE_COUNT)
+    weights = prior[::2] / prior[::2].sum() / outside.SIZE_COUNT
     each = [
         np.log(weight)
         + stats.multivariate_normal(cov=np.exp(2 * log) * np.eye(rows) + a**2 * root @ root.T).logpdf(white)
-        for log, weight in zip(marginal.LOG_SCALE[::2], weights, strict=True)
+        for log, weight in zip(marginal.LOG_ERROR_FACTORS[::2], weights, strict=True)
         for a in sizes
     ]
     expected = special.logsumexp(each) + 0.5 * rows * np.log(2.0 * np.pi)

@@ -100,9 +100,9 @@ def test_the_doubt_is_that_of_the_rule() -> None:
 
 
 def test_a_refused_case_runs_again_without_the_rule_that_refused(undecided: Case) -> None:
-    before = rules.CLAIMS
+    before = rules.CLAIM_RULES
     line = refused.line_of(undecided, judging.run)
-    assert rules.CLAIMS is before
+    assert rules.CLAIM_RULES is before
     assert (line["rule"], line["held"], line["claimed"]) == ("claims.not_specific", "right", False)
     assert line["without"] == ["right", "claims.found"]
 

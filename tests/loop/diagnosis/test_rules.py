@@ -11,7 +11,7 @@ import pytest
 
 from helpers.diagnoses.diagnose_command import PUBLISHED, WIND_UP, diagnosed, measured
 from helpers.golden.outcomes import GOLDEN
-from pkmodes.loop.diagnosis.beyond.rules import BEYOND
+from pkmodes.loop.diagnosis.beyond.rules import BEYOND_RULES
 from pkmodes.loop.diagnosis.damping.rules import DAMPING_RULES
 from pkmodes.loop.diagnosis.verdict import rules, unexplained
 from pkmodes.loop.diagnosis.verdict.evidence import Evidence, Rule
@@ -24,9 +24,9 @@ PAGE = ROOT / "docs/reference/verdicts.md"
 TABLES = {
     "Before a search": rules.rules_before_search(),
     "Whatever a search found": rules.rules_after_search(),
-    "The declared model leaves noise": rules.ADEQUACY,
-    "Causes leave noise": rules.CLAIMS,
-    "Nothing leaves noise": unexplained.OPEN,
+    "The declared model leaves noise": rules.ADEQUACY_RULES,
+    "Causes leave noise": rules.CLAIM_RULES,
+    "Nothing leaves noise": unexplained.UNEXPLAINED_RULES,
 }
 #: The rules beyond the catalogue, on a page of their own.
 TERMS_PAGE = ROOT / "docs/reference/terms.md"
@@ -81,7 +81,7 @@ def printed() -> str:
 
 def printed_terms() -> str:
     rows = ["| rule | when | status | shown by |", "| --- | --- | --- | --- |"]
-    for rule in BEYOND:
+    for rule in BEYOND_RULES:
         shown = Path(TERMS_SHOWN_BY.get(rule.name, "")).name
         cells = [f"`{rule.name.partition('.')[2]}`", rule.applies_when, f"`{rule.verdict.word}`"]
         rows.append(f"| {' | '.join([*cells, f'`{shown}`' if shown else ''])} |")
@@ -103,9 +103,9 @@ def test_the_documentation_prints_the_tables(
 
 
 def test_every_rule_beyond_the_catalogue_is_shown_by_a_test_or_asked_of_causes_too() -> None:
-    of_causes = {rule.ask for rule in rules.CLAIMS}
-    own = {rule.name for rule in BEYOND if rule.ask not in of_causes} - {"beyond.in_the_catalogue"}
-    assert own <= {*TERMS_SHOWN_BY} <= {rule.name for rule in BEYOND}
+    of_causes = {rule.ask for rule in rules.CLAIM_RULES}
+    own = {rule.name for rule in BEYOND_RULES if rule.ask not in of_causes} - {"beyond.in_the_catalogue"}
+    assert own <= {*TERMS_SHOWN_BY} <= {rule.name for rule in BEYOND_RULES}
     for name, test in TERMS_SHOWN_BY.items():
         assert f'"{name}"' in (ROOT / test).read_text(encoding="utf-8"), name
 
@@ -126,7 +126,7 @@ def test_every_counted_case_is_one_of_its_suite_and_counted_once() -> None:
 
 
 def test_every_rule_says_when_it_applies() -> None:
-    for table in (*TABLES.values(), DAMPING_RULES, BEYOND):
+    for table in (*TABLES.values(), DAMPING_RULES, BEYOND_RULES):
         assert len({rule.name for rule in table}) == len(table)
         assert len({rule.name.partition(".")[0] for rule in table}) == 1
         assert all(rule.applies_when for rule in table)
@@ -142,7 +142,9 @@ def test_an_added_rule_decides_before_those_behind_it(
         causes = [cause.name for cause in e.final.causes]
         return f"somebody wound up {causes[0]}" if causes == ["gearbox_compliance"] else ""
 
-    monkeypatch.setattr(rules, "CLAIMS", (Rule("claims.wound_up", AMBIGUOUS, wound_up), *rules.CLAIMS))
+    monkeypatch.setattr(
+        rules, "CLAIM_RULES", (Rule("claims.wound_up", AMBIGUOUS, wound_up), *rules.CLAIM_RULES)
+    )
     options = ("--candidates", "gearbox_compliance,payload")
     found = diagnosed(tmp_path, PUBLISHED, measured(poses=7, effects=WIND_UP), *options)
     assert (found["verdict"], found["reason"]) == ("ambiguous", "somebody wound up gearbox_compliance")

@@ -50,7 +50,7 @@ TWO_SIDED = {"a": (1, -np.inf), "b": (1, -np.inf), "three": (3, -np.inf)}
 
 
 @pytest.mark.parametrize("name", list(TWO_SIDED))
-@pytest.mark.parametrize("hypothesis", [Hypothesis(), Hypothesis(excluded=frozenset({4, 17}))])
+@pytest.mark.parametrize("hypothesis", [Hypothesis(), Hypothesis(excluded_rows=frozenset({4, 17}))])
 def test_the_gain_is_the_drop_of_the_sum_of_squares_in_a_linear_model(
     name: str, hypothesis: Hypothesis
 ) -> None:
@@ -62,7 +62,7 @@ def test_the_gain_is_the_drop_of_the_sum_of_squares_in_a_linear_model(
     after = fitter.fit(hypothesis.with_cause(candidate))
     assert after is not None
     assert one.gain == pytest.approx(before.chi2 - after.chi2, rel=1e-4)
-    index = list(fitter.indices(candidate))
+    index = list(fitter.parameter_indices(candidate))
     added = [after.free.index(i) for i in index]
     errors = np.sqrt(np.diagonal(after.covariance)[added])
     assert one.step == pytest.approx(after.values[index], abs=1e-3 * errors.min())
@@ -77,10 +77,12 @@ def test_the_gain_is_the_drop_with_a_shared_error_and_uncertain_positions() -> N
     model.B = rng.standard_normal((6, 5, 3))
     y = model.base + model.G @ [1.0, 1.0, 2.0] + 0.01 * rng.standard_normal((6, 1))
     y += SIGMA * rng.standard_normal(y.shape)
-    fitter, before = fit(model, logs_measured(y, SIGMA, np.full((6, 3), 5e-4)), Hypothesis(scatter=True))
+    fitter, before = fit(
+        model, logs_measured(y, SIGMA, np.full((6, 3), 5e-4)), Hypothesis(has_shared_error=True)
+    )
     one = score(fitter, before, model.candidates).by_candidate[0]
     # By hand: V is what the fit found, and the priors of the nuisances are further data.
-    motion = [SIGMA**2 * np.eye(5) + before.scatter**2 + 25e-8 * B @ B.T for B in model.B]
+    motion = [SIGMA**2 * np.eye(5) + before.shared_error**2 + 25e-8 * B @ B.T for B in model.B]
     G = np.vstack([np.linalg.solve(np.linalg.cholesky(V), g) for V, g in zip(motion, model.G, strict=True)])
     r = np.concatenate(
         [np.linalg.solve(np.linalg.cholesky(V), left) for V, left in zip(motion, y - model.base, strict=True)]
@@ -102,7 +104,7 @@ def test_a_candidate_gets_no_credit_for_what_the_nuisances_explain() -> None:
     fitter, before = fit(model, data(model, {"n1": 8.0, "nearly0": 2.0}, 2))
     like, nearly, nothing = score(fitter, before, model.candidates).by_candidate
     for one in (like, nothing):
-        assert (one.visible, one.gain, one.p_value) == (False, 0.0, 1.0)
+        assert (one.is_visible, one.gain, one.p_value) == (False, 0.0, 1.0)
         assert one.step.tolist() == [0.0]
     assert nothing.largest_rates.tolist() == [0.0]
     after = fitter.fit(Hypothesis((nearly.candidate,)))
@@ -150,7 +152,7 @@ def test_parameters_with_the_same_effect_count_once() -> None:
     assert twins.gain == pytest.approx(one.gain)
     assert twins.p_value == pytest.approx(one.p_value)
     assert twins.step == pytest.approx([one.step[0] / 2] * 2)
-    assert blind.visible
+    assert blind.is_visible
     assert blind.gain == pytest.approx(one.gain)
     assert blind.p_value == pytest.approx(one.p_value)
     assert blind.step == pytest.approx([one.step[0], 0.0])

@@ -130,7 +130,7 @@ def test_derivatives_of_the_residual_agree_with_differences() -> None:
             difference - fitter.observations.residual(structure.predict(back, ()), pairing, used)
         ) / (2 * step)
         # The derivative with the model's shape held in its own direction: what is along it is not fitted.
-        frequency = fitter.observations.frequency_rows
+        frequency = fitter.observations.frequency_slice
         assert -rates[frequency, column] == pytest.approx(difference[frequency], rel=1e-6)
         residual = fitter.observations.residual(structure.predict(fitter.declared, ()), pairing, used)
         exact = (

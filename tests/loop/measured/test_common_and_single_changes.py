@@ -13,7 +13,7 @@ from pkmodes.cli import run
 from pkmodes.loop.measured.compared import compare_measurements
 from pkmodes.loop.measured.comparison import MeasurementsCompared
 from pkmodes.loop.measured.measurements import Measurements
-from pkmodes.loop.measured.significance import LEVEL
+from pkmodes.loop.measured.significance import SIGNIFICANCE_LEVEL
 
 F = np.linspace(40.0, 200.0, 9)
 SIGMA = 0.002
@@ -96,7 +96,7 @@ def test_a_factor_is_found_that_no_single_mode_shows() -> None:
 def test_what_would_have_counted_is_what_counts() -> None:
     """One mode that changed by a little more, or a little less, than is said."""
     least = compared(np.full(9, 1.0 + 1e-9)).pairs[4].noticeable
-    assert least == pytest.approx(norm.isf(LEVEL / 18.0) * SIGMA * np.sqrt(2.0))
+    assert least == pytest.approx(norm.isf(SIGNIFICANCE_LEVEL / 18.0) * SIGMA * np.sqrt(2.0))
     for more, names in ((1.01, ["5"]), (0.99, [])):
         factors = np.ones(9)
         factors[4] += more * least

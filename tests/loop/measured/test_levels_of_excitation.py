@@ -90,7 +90,7 @@ def test_levels_of_a_script_are_checked_alike() -> None:
     for given, what in (
         ({"level": [1.0, 2.0, 3.0]}, 'pose "A" has two values: level is 1 in line 1 and 2 here'),
         ({"level": [1.0, 2.0]}, "expected an array of shape (3,), found (2,)"),
-        ({"level": ["low", "low", "high"]}, "expected numbers"),
+        ({"level": ["low", "low", "high"]}, "expected an array of numbers: found values of type"),
         ({"level": np.inf}, "a level of excitation above 0, found inf"),
         ({"level": 1.0, "level_unit": "dB"}, "not logarithmic"),
         ({"level": 1.0, "level_unit": "[N]"}, "expected a unit"),

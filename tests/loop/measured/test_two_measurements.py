@@ -12,7 +12,7 @@ from pkmodes.cli import run
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.loop.measured.compared import compare_measurements
 from pkmodes.loop.measured.measurements import Measurements
-from pkmodes.loop.measured.significance import LEVEL
+from pkmodes.loop.measured.significance import SIGNIFICANCE_LEVEL
 
 SHAPES = np.array([[1.0, 0.4, 0.1], [-0.5, 1.0, 0.3], [0.2, -0.3, 1.0]])
 
@@ -73,9 +73,9 @@ def test_nothing_is_claimed_too_often_and_a_change_is_found() -> None:
         low += same.p_value < 0.05
         b[3] += 5.0 * 0.1 * np.sqrt(2.0)
         found += compare_measurements(measured(a), measured(b)).pairs[3].differs
-    assert claims <= 1000 * LEVEL + 3.0 * np.sqrt(1000 * LEVEL)
+    assert claims <= 1000 * SIGNIFICANCE_LEVEL + 3.0 * np.sqrt(1000 * SIGNIFICANCE_LEVEL)
     assert abs(low - 50) < 4.0 * np.sqrt(50)
-    power = norm.sf(norm.isf(LEVEL / 16) - 5.0)
+    power = norm.sf(norm.isf(SIGNIFICANCE_LEVEL / 16) - 5.0)
     assert found / 1000 == pytest.approx(power, abs=0.04)
 
 

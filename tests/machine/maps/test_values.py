@@ -165,7 +165,7 @@ def test_a_mechanism_of_ones_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     (tmp_path / "five_bar.py").write_text(DEFINITION, encoding="utf-8")
     (tmp_path / "robot.toml").write_text(FIVE_BAR, encoding="utf-8")
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(mechanism, "_added", {})
+    monkeypatch.setattr(mechanism, "_package_by_name", {})
     assert run(COMMANDS[0]) == 0
     model = pkmodes.load("robot.toml")
     found = model.map({"x": [-0.1, 0.05], "y": [-0.42, -0.33]})

@@ -203,7 +203,7 @@ def test_a_mechanism_of_ones_own_on_workers(
     (tmp_path / "five_bar.py").write_text(DEFINITION, encoding="utf-8")
     (tmp_path / "robot.toml").write_text(ROBOT, encoding="utf-8")
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(mechanism, "_added", {})
+    monkeypatch.setattr(mechanism, "_package_by_name", {})
     assert run(COMMANDS[0]) == 0
     own = pkmodes.load("robot.toml")
     grid = {"x": np.linspace(-0.1, 0.1, 5), "y": [-0.42, -0.33]}

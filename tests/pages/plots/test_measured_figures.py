@@ -11,7 +11,7 @@ from matplotlib.collections import LineCollection, PathCollection, QuadMesh
 from matplotlib.colors import to_hex, to_rgba
 
 from helpers.pages.report_examples import made_up
-from pkmodes.loop.diagnosis.match.predicted import Predicted
+from pkmodes.loop.diagnosis.match.predicted import PartnerPredictions
 from pkmodes.loop.diagnosis.verdict.findings import Corrected, Examined, Unseen
 from pkmodes.pages.plots import differences, scores, spectrum
 from pkmodes.pages.plots.evidence import ModelStage, PlottedEvidence
@@ -25,19 +25,19 @@ NAN = np.nan
 MACS = np.array([[0.9, 0.2, 0.1], [0.3, 0.8, 0.15], [NAN] * 3, [0.7, 0.4, 0.06], [0.12, 0.22, 0.6]])
 PAIRS = np.array([0.9, 0.8, NAN, 0.7, 0.6])
 #: Modes 1 and 2 at A, mode 2 set aside and a third row unmatched; modes 1 and 3 at B, which is held out.
-BEFORE = Predicted(
+BEFORE = PartnerPredictions(
     frequency=np.array([102.0, 210.0, NAN, 98.0, 206.0]),
-    mode=np.array([1, 2, 0, 1, 3]),
-    sigmas=np.array([2.0, 5.0, NAN, -2.5, 1.5]),
-    mac=PAIRS,
-    macs=MACS,
-    spectrum=np.array([[102.0, 210.0, 400.0], [98.0, 190.0, 206.0]]),
+    partner_mode=np.array([1, 2, 0, 1, 3]),
+    normalised_differences=np.array([2.0, 5.0, NAN, -2.5, 1.5]),
+    partner_mac=PAIRS,
+    mac_by_mode=MACS,
+    elastic_frequencies=np.array([[102.0, 210.0, 400.0], [98.0, 190.0, 206.0]]),
 )
 AFTER = replace(
     BEFORE,
     frequency=np.array([100.5, 201.0, NAN, 99.5, 199.0]),
-    sigmas=np.array([0.5, 0.25, NAN, -0.5, -0.75]),
-    spectrum=np.array([[100.5, 201.0, 390.0], [99.5, 185.0, 199.0]]),
+    normalised_differences=np.array([0.5, 0.25, NAN, -0.5, -0.75]),
+    elastic_frequencies=np.array([[100.5, 201.0, 390.0], [99.5, 185.0, 199.0]]),
 )
 EVIDENCE = PlottedEvidence(
     labels=("A", "B"),
@@ -147,7 +147,9 @@ def test_differences_by_setup_and_against_the_pose_are_in_standard_deviations() 
     by_setup, against = differences.by_setup(EVIDENCE).figure, drawn.figure
     assert titles(against) == titles(by_setup) == ["Model as declared", "Model with the cause"]
     for figure, first, second in ((by_setup, 0.0, 1.0), (against, 0.1, 0.3)):
-        for axes, sigmas in zip(figure.axes, (BEFORE.sigmas, AFTER.sigmas), strict=True):
+        for axes, sigmas in zip(
+            figure.axes, (BEFORE.normalised_differences, AFTER.normalised_differences), strict=True
+        ):
             assert marks(axes) == {
                 "fitted": [(first, sigmas[0])],
                 "set aside": [(first, sigmas[1])],

@@ -235,7 +235,7 @@ def test_a_layer_of_three_components_has_the_two_that_vary_and_what_is_left_ther
 def test_each_frequency_has_the_limits_of_its_own_band() -> None:
     result, data = made_up(1, 2)
     evidence = PlottedEvidence.of(result, data)
-    frequencies, sigmas = evidence.stages[0].predicted.spectrum[0, :2], np.array([1.0, 3.0])
+    frequencies, sigmas = evidence.stages[0].predicted.elastic_frequencies[0, :2], np.array([1.0, 3.0])
     drawing = spectrum(replace(evidence, spread=sigmas[None]))
     for end, limits in (("lower", frequencies - sigmas), ("upper", frequencies + sigmas)):
         rows = table(drawing.draw)

@@ -326,13 +326,15 @@ def test_the_declared_model_differs_as_much_in_a_diagnosis_as_in_a_comparison(tm
     result = updating.diagnose(robot, data, candidates=["gearbox_compliance"])
     compared = updating.compare(robot, data)
     assert result.stages is not None
-    assert result.stages.before.sigmas == pytest.approx([row.sigmas for row in compared.rows], rel=1e-9)
-    assert result.stages.before.mode.tolist() == [
+    assert result.stages.before.normalised_differences == pytest.approx(
+        [row.sigmas for row in compared.rows], rel=1e-9
+    )
+    assert result.stages.before.partner_mode.tolist() == [
         0 if row.partner is None else row.partner - compared.rigid for row in compared.rows
     ]
     stated = np.log(result.stages.before.frequency / data.frequency) / (data.sigma / data.frequency)
-    assert (np.abs(result.stages.before.sigmas) <= np.abs(stated)).all()
-    assert (np.abs(result.stages.before.sigmas) < 0.99 * np.abs(stated)).any()
+    assert (np.abs(result.stages.before.normalised_differences) <= np.abs(stated)).all()
+    assert (np.abs(result.stages.before.normalised_differences) < 0.99 * np.abs(stated)).any()
 
 
 def nearest(data: Any, row: int) -> float:
@@ -349,12 +351,14 @@ def test_the_mac_of_all_modes_has_that_of_the_pair(
     for stage in (result.stages.before, result.stages.refit, result.stages.after):
         assert stage is not None
         rows = np.arange(len(data.frequency))
-        alone = stage.macs[rows, stage.mode - 1]
+        alone = stage.mac_by_mode[rows, stage.partner_mode - 1]
         apart = np.array([nearest(data, i) for i in rows])
         single = apart > 0.05  # close modes are compared as one subspace
         assert single.sum() > 10
-        assert stage.mac[single] == pytest.approx(alone[single], abs=1e-12)
-        assert stage.spectrum[data.pose, stage.mode - 1] == pytest.approx(stage.frequency, rel=1e-12)
+        assert stage.partner_mac[single] == pytest.approx(alone[single], abs=1e-12)
+        assert stage.elastic_frequencies[data.pose, stage.partner_mode - 1] == pytest.approx(
+            stage.frequency, rel=1e-12
+        )
 
 
 def test_many_rows_are_cut_to_the_worst_and_the_page_stays_small(shared: Shared) -> None:
@@ -369,7 +373,7 @@ def test_many_rows_are_cut_to_the_worst_and_the_page_stays_small(shared: Shared)
     assert len(bodies) == 300
     assert result.stages is not None
     assert result.stages.after is not None
-    sigmas = np.abs(result.stages.after.sigmas)
+    sigmas = np.abs(result.stages.after.normalised_differences)
     lost = int(np.isnan(sigmas).sum())
     assert [("unmatched" in row.text) for row in bodies] == [True] * lost + [False] * (300 - lost)
     last = [float(row.all("data")[-2].attributes["value"]) for row in bodies[lost:]]

@@ -19,7 +19,7 @@ from pkmodes.core.mechanism.regular import sample_parameters
 from pkmodes.core.robot.robot import Robot
 from pkmodes.pages.view import page, poses_around, scene, typical_pose
 
-PAIR = known._read("planar_pair")
+PAIR = known._load("planar_pair")
 POSE = [0.03, -0.42]
 #: What docs/how-to/adding-a-mechanism.md adds to draw the five-bar.
 DECLARED = textwrap.indent(next(text for _, text in BLOCKS if "m.draw.wheel" in text), "    ")
@@ -27,7 +27,7 @@ DECLARED = textwrap.indent(next(text for _, text in BLOCKS if "m.draw.wheel" in 
 
 @pytest.fixture(autouse=True)
 def _known_here_only(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(known, "_added", {})
+    monkeypatch.setattr(known, "_package_by_name", {})
 
 
 def test_a_mechanism_written_by_hand_is_shown() -> None:

@@ -143,7 +143,13 @@ def _text(poses: np.ndarray, repeats: int, tests: Sequence[ModalTest], paper: Pa
         lines += ["", "[[sensor]]", f'name = "{style.sensor(i)}"', f'channel = "{sensor.channel}"']
         lines.append(f'unit = "{unit}"')
     if paper.force:
-        lines += ["", "[[force]]", f'name = "{style.force(0)}"', f"direction = {list(paper.force)}", "fixed = true"]
+        lines += [
+            "",
+            "[[force]]",
+            f'name = "{style.force(0)}"',
+            f"direction = {list(paper.force)}",
+            "fixed = true",
+        ]
     for i, (pose, test) in enumerate(zip(poses, tests, strict=True)):
         files = ", ".join(f'"{_name(i, k, style.suffix)}"' for k in range(repeats))
         lines += ["", "[[record]]", f'pose = "P{i + 1}"', f"at = {_at(paper.components, pose)}"]

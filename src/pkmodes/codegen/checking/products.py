@@ -33,7 +33,7 @@ from pkmodes.codegen.product_folder import MANIFEST
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.core.mechanism import registry
 from pkmodes.core.mechanism.generated import Generated
-from pkmodes.core.mechanism.packages import DEFINITION
+from pkmodes.core.mechanism.packages import DEFINITION_FILE
 from pkmodes.core.mechanism.regular import regular_poses, sample_parameters
 from pkmodes.core.robot.reading import read_robot, robot_from_document
 from pkmodes.core.robot.robot import Robot
@@ -146,7 +146,7 @@ def _check_mechanism(folder: Path, manifest: dict[str, Any]) -> Report:
     if not isinstance(name, str) or not isinstance(reference, str) or not isinstance(effect_copies, dict):
         remedy = "generate it again with: pkmodes generate --mechanism FILE.py ROBOT.toml --out DIR"
         raise PkmodesError("the manifest does not name a mechanism", str(folder / MANIFEST), remedy)
-    definition = read_definition(folder / DEFINITION, name) if reference else None
+    definition = read_definition(folder / DEFINITION_FILE, name) if reference else None
     copies = {path: read_effect(folder / str(copy)) for path, copy in effect_copies.items()}
     fresh = parametric(name, definition, reference, copies)
     sources = [(reference, f"{name}.py", "definition", "--mechanism")] if reference else []

@@ -261,9 +261,9 @@ def drawing_relations(state: State) -> Iterator[Relation]:
     drawing = state.mechanism.drawing
     drawn = Generated(state.mechanism.drawn, state.parameters, state.mechanism.extended.Effects())
     # Any constant vectors will do for those that the robot leaves open.
-    open_directions = (np.tile([0.6, -0.48, 0.64], drawing.uprights),) if drawing.uprights else ()
-    motion = drawn.drawing_motion(state.pose, *open_directions)[list(drawing.motions)]
-    rates = state.rate(lambda p: drawn.drawing_points(p, *open_directions))
+    upright_vectors = (np.tile([0.6, -0.48, 0.64], drawing.uprights),) if drawing.uprights else ()
+    motion = drawn.drawing_motion(state.pose, *upright_vectors)[list(drawing.motions)]
+    rates = state.rate(lambda p: drawn.drawing_points(p, *upright_vectors))
     yield "motion of drawn points", motion[..., state.independent], rates, 0.0
     if state.generated.has("elastic_hessian"):
         stiffness, strain = drawn.springs(state.pose)

@@ -57,7 +57,7 @@ def generalised_eigh(M: Array, K: Array) -> tuple[Array, Array]:
 
 
 def condensed_eigh(
-    M: Array, K: Array, first_joint: int, rigid: int = 0, massless: NDArray[np.bool_] | None = None
+    M: Array, K: Array, first_joint: int, rigid_count: int = 0, massless: NDArray[np.bool_] | None = None
 ) -> tuple[Array, Array]:
     r"""Solve K phi = lambda M phi where released joints may have no inertia or hardly any compliance.
 
@@ -68,7 +68,7 @@ def condensed_eigh(
 
     - M, K: symmetric, (N, n, n); M positive definite except for rows and columns of zeros, where K must be regular
     - first_joint: index of the first released joint; released joints may be massless or stiff
-    - rigid: number of rigid-body modes, whose eigenvalues are zero except for gravity
+    - rigid_count: number of rigid-body modes, whose eigenvalues are zero except for gravity
     - massless: which coordinates have no inertia, (n,); by default those whose rows of M are zero.  Needed for an
       empty batch.
 
@@ -82,11 +82,14 @@ def condensed_eigh(
     if massless is None:
         massless = without_inertia(M, first_joint)
     if not massless.any():
-        return _eigh_with_stiff_joints(M, K, first_joint, rigid)
+        return _eigh_with_stiff_joints(M, K, first_joint, rigid_count)
     q, r = np.flatnonzero(~massless), np.flatnonzero(massless)
     condensation = -np.linalg.solve(K[:, r[:, None], r], K[:, r[:, None], q])
     eigenvalues, q_shapes = _eigh_with_stiff_joints(
-        M[:, q[:, None], q], K[:, q[:, None], q] + K[:, q[:, None], r] @ condensation, first_joint, rigid
+        M[:, q[:, None], q],
+        K[:, q[:, None], q] + K[:, q[:, None], r] @ condensation,
+        first_joint,
+        rigid_count,
     )
     shapes = np.empty((len(M), len(q), M.shape[-1]))
     shapes[:, :, q] = q_shapes
@@ -100,13 +103,13 @@ def without_inertia(M: Array, first_joint: int) -> NDArray[np.bool_]:
     return np.asarray(zero_rows & (np.arange(M.shape[-1]) >= first_joint))
 
 
-def _eigh_with_stiff_joints(M: Array, K: Array, first_joint: int, rigid: int) -> tuple[Array, Array]:
+def _eigh_with_stiff_joints(M: Array, K: Array, first_joint: int, rigid_count: int) -> tuple[Array, Array]:
     """Solve the eigenproblem; solve again, one by one, the systems whose modes lost digits to a stiff joint."""
     eigenvalues, shapes = generalised_eigh(M, K)
-    stiff = np.flatnonzero(has_stiff_joint(eigenvalues, first_joint, rigid))
-    if len(stiff):
+    stiff_indices = np.flatnonzero(has_stiff_joint(eigenvalues, first_joint, rigid_count))
+    if len(stiff_indices):
         from pkmodes.core.linalg.graded import graded_eigh  # SciPy's linear algebra takes a while to import
-    for i in stiff:
+    for i in stiff_indices:
         scale = 1.0 / np.sqrt(np.diagonal(M[i]))
         scaling = scale[:, None] * scale
         eigenvalues[i], scaled = graded_eigh(M[i] * scaling, K[i] * scaling, first_joint)
@@ -114,25 +117,25 @@ def _eigh_with_stiff_joints(M: Array, K: Array, first_joint: int, rigid: int) ->
     return eigenvalues, shapes
 
 
-def has_stiff_joint(eigenvalues: Array, first_joint: int, rigid: int) -> NDArray[np.bool_]:
+def has_stiff_joint(eigenvalues: Array, first_joint: int, rigid_count: int) -> NDArray[np.bool_]:
     """Return for which systems a stiff joint has an eigenvalue too large for the symmetric solver.
 
     It is then the largest eigenvalue.
 
     - eigenvalues: ascending, accurate to rounding of the largest or better, (N, m) or (m,)
     - first_joint: index of the first released joint
-    - rigid: number of rigid-body modes
+    - rigid_count: number of rigid-body modes
 
     Returns (N,) or ().
     """
     if eigenvalues.shape[-1] <= first_joint:
         return np.zeros(eigenvalues.shape[:-1], dtype=bool)
     by_mode = eigenvalues.T  # scalars if there is no batch
-    largest = by_mode[-1]
-    stiff: NDArray[np.bool_] = (largest > MAX_EIGENVALUE_RATIO * abs(by_mode[rigid])) & (
-        largest > STIFF_JOINT_RATIO * abs(by_mode[first_joint - 1])
+    largest_eigenvalue = by_mode[-1]
+    is_stiff: NDArray[np.bool_] = (largest_eigenvalue > MAX_EIGENVALUE_RATIO * abs(by_mode[rigid_count])) & (
+        largest_eigenvalue > STIFF_JOINT_RATIO * abs(by_mode[first_joint - 1])
     )
-    return stiff
+    return is_stiff
 
 
 def has_soft_ground_springs(eigenvalues: Array, loose_motions: int) -> NDArray[np.bool_]:
@@ -145,13 +148,13 @@ def has_soft_ground_springs(eigenvalues: Array, loose_motions: int) -> NDArray[n
     if not loose_motions:
         return np.zeros(eigenvalues.shape[:-1], dtype=bool)
     magnitudes = np.abs(eigenvalues)
-    soft: NDArray[np.bool_] = (
+    is_soft: NDArray[np.bool_] = (
         magnitudes[..., :loose_motions].min(axis=-1) < MIN_EIGENVALUE_RATIO * magnitudes[..., -1]
     )
-    return soft
+    return is_soft
 
 
-def rounding_scale(eigenvalues: Array, first_joint: int, rigid: int, loose_motions: int = 0) -> Array:
+def rounding_scale(eigenvalues: Array, first_joint: int, rigid_count: int, loose_motions: int = 0) -> Array:
     """Return the magnitude to which the rounding of each eigenvalue of a robot is relative.
 
     This is the largest eigenvalue; where a joint is stiff, the larger of the eigenvalue itself and those of the
@@ -159,28 +162,30 @@ def rounding_scale(eigenvalues: Array, first_joint: int, rigid: int, loose_motio
     of these.
 
     - eigenvalues: (N, m)
-    - first_joint, rigid: as for `condensed_eigh`
+    - first_joint, rigid_count: as for `condensed_eigh`
     - loose_motions: as for `has_soft_ground_springs`
 
     Returns (N, m): not negative.
     """
     magnitudes = np.abs(eigenvalues)
     scales = np.repeat(magnitudes.max(axis=-1, keepdims=True), magnitudes.shape[-1], axis=-1)
-    stiff = has_stiff_joint(eigenvalues, first_joint, rigid)
-    scales[stiff] = np.maximum(magnitudes[stiff], magnitudes[stiff, first_joint - 1 : first_joint])
-    soft = has_soft_ground_springs(eigenvalues, loose_motions)
-    scales[soft, :loose_motions] = magnitudes[soft, :loose_motions].max(axis=-1, keepdims=True, initial=0.0)
+    is_stiff = has_stiff_joint(eigenvalues, first_joint, rigid_count)
+    scales[is_stiff] = np.maximum(magnitudes[is_stiff], magnitudes[is_stiff, first_joint - 1 : first_joint])
+    is_soft = has_soft_ground_springs(eigenvalues, loose_motions)
+    scales[is_soft, :loose_motions] = magnitudes[is_soft, :loose_motions].max(
+        axis=-1, keepdims=True, initial=0.0
+    )
     return scales
 
 
 def base_eigenvalue_scale(M: Array, K: Array, first_joint: int) -> Array:
     """Return the largest K_ii / M_ii of the base coordinates, (N,): the order of their largest eigenvalue."""
-    largest: Array = np.max(
+    max_ratio: Array = np.max(
         np.diagonal(K, axis1=-2, axis2=-1)[:, :first_joint]
         / np.diagonal(M, axis1=-2, axis2=-1)[:, :first_joint],
         axis=1,
     )
-    return largest
+    return max_ratio
 
 
 def with_sign_convention(shapes: Array, M: Array) -> Array:

@@ -23,7 +23,7 @@ from pkmodes.core.base.errors import PkmodesError
 ENTRY_POINT_GROUP = "pkmodes.mechanisms"
 MECHANISM_OPTION = "--mechanism"
 PACKAGE_PREFIX = "pkmodes_folder_"
-DEFINITION = "definition.py"
+DEFINITION_FILE = "definition.py"
 #: Prefix of the files in a mechanism's folder with effects that are not in the catalogue.
 EFFECT_PREFIX = "effect_"
 REQUIRED_FILES = ("__init__.py", "model.py", "extended.py", "drawing.py", "terms.py", "description.json")
@@ -31,7 +31,7 @@ FOLDER_REMEDY = (
     "give the folder DIR/<mechanism> written by: pkmodes generate --mechanism FILE.py ROBOT.toml --out DIR"
 )
 
-_folders: dict[str, str] = {}
+_folder_of_package: dict[str, str] = {}
 
 
 @cache
@@ -39,7 +39,7 @@ def installed_packages() -> dict[str, str]:
     """Return the installed mechanism packages by mechanism name."""
     from importlib.metadata import entry_points  # slow, so imported only for a name that is otherwise unknown
 
-    return {point.name: point.value for point in entry_points(group=ENTRY_POINT_GROUP)}
+    return {entry_point.name: entry_point.value for entry_point in entry_points(group=ENTRY_POINT_GROUP)}
 
 
 def import_folder(path: str | PathLike[str]) -> str:
@@ -60,7 +60,7 @@ def import_folder(path: str | PathLike[str]) -> str:
             FOLDER_REMEDY,
         )
         with suppress(OSError, ValueError, LookupError, TypeError, RecursionError):
-            # The folder of a robot's model may have that of its mechanism inside.
+            # A robot's model folder may contain the folder of its mechanism.
             name = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))["mechanism"]
             if (folder / name / "description.json").is_file():
                 remedy = f"give the mechanism folder inside it: {folder / name}"
@@ -76,18 +76,18 @@ def import_folder(path: str | PathLike[str]) -> str:
     return package
 
 
-def import_again(package: str, folder: str) -> str:
+def ensure_imported(package: str, folder: str) -> str:
     """Import a folder that another process imported, unless this process has imported the package already."""
     return package if package in sys.modules else import_folder(folder)
 
 
 def folder_of(package: str) -> str | None:
-    """Return the folder that was imported under that name, None for any other package."""
-    return _folders.get(package)
+    """Return the folder from which this package was imported; None if it did not come from a folder."""
+    return _folder_of_package.get(package)
 
 
 def effect_files(package: str, effects: Iterable[str]) -> list[Path]:
-    """Return the files of those effects of a mechanism that are not in the catalogue, in its folder."""
+    """Return the files, in a mechanism's folder, of its effects outside the catalogue."""
     folder = folder_of(package)
     files = [] if folder is None else [Path(folder) / f"{EFFECT_PREFIX}{name}.py" for name in effects]
     return [file for file in files if file.is_file()]
@@ -95,7 +95,7 @@ def effect_files(package: str, effects: Iterable[str]) -> list[Path]:
 
 def package_location(package: str) -> str:
     """Return the location of a package, for messages."""
-    return _folders.get(package, f"package {package}")
+    return _folder_of_package.get(package, f"package {package}")
 
 
 def _import(package: str, folder: Path) -> None:
@@ -116,4 +116,4 @@ def _import(package: str, folder: Path) -> None:
             del sys.modules[name]
         problem = f"the generated code cannot be imported: {type(error).__name__}: {error}"
         raise PkmodesError(problem, str(folder), "generate it again") from None
-    _folders[package] = str(folder)
+    _folder_of_package[package] = str(folder)

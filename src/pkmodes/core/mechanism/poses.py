@@ -32,7 +32,7 @@ MAX_CONDITION = 1e6
 CHUNK = 2048
 
 #: The condition checked before the mechanism's margins: its code and what violating it means.
-FINITE = ("finite", "a coordinate is NaN or infinite")
+FINITE_CONDITION = ("finite", "a coordinate is NaN or infinite")
 UNIT_NAMES = {"m": "metres", "rad": "radians"}
 
 
@@ -59,7 +59,7 @@ DEPENDENT_FRACTION, MIN_SHARE = 1e-4, 1e-3
 
 def reason_meanings(mechanism: Mechanism) -> dict[str, str]:
     """Return the reasons why a pose cannot be evaluated, in the order of the checks: code and meaning."""
-    meanings = dict([FINITE])
+    meanings = dict([FINITE_CONDITION])
     for margin in mechanism.margins:
         meanings.setdefault(margin.code, margin.meaning)
     return meanings
@@ -67,7 +67,7 @@ def reason_meanings(mechanism: Mechanism) -> dict[str, str]:
 
 def codes_of(mechanism: Mechanism) -> tuple[str, ...]:
     """Return the reasons that `CheckedPoses.codes` index; 0 is a pose that can be evaluated."""
-    return ("", FINITE[0], *(margin.code for margin in mechanism.margins))
+    return ("", FINITE_CONDITION[0], *(margin.code for margin in mechanism.margins))
 
 
 class CheckedPoses(NamedTuple):
@@ -99,8 +99,8 @@ class CheckedPoses(NamedTuple):
         - size: largest number of poses in a part
         - even: whether to make parts of equal size instead of full parts and a remainder
         """
-        valid = np.flatnonzero(self.valid) if self.codes.any() else None
-        count = len(self.points) if valid is None else len(valid)
+        valid_indices = np.flatnonzero(self.valid) if self.codes.any() else None
+        count = len(self.points) if valid_indices is None else len(valid_indices)
         part_count = max(-(-count // size), 1)
         part_size, remainder = divmod(count, part_count)  # the first `remainder` parts have one pose more
         for i in range(part_count):
@@ -109,7 +109,7 @@ class CheckedPoses(NamedTuple):
                 if even
                 else (i * size, min((i + 1) * size, count))
             )
-            indices: PoseIndices = slice(start, stop) if valid is None else valid[start:stop]
+            indices: PoseIndices = slice(start, stop) if valid_indices is None else valid_indices[start:stop]
             yield indices, self.points[indices]
 
 
@@ -133,7 +133,7 @@ def check_poses(
     points, batch = check_pose_array(poses, mechanism, on_error)
     codes = pose_codes(points, mechanism, parameters, max_condition)
     if on_error == "raise":
-        raise_first_bad(points, codes, mechanism, parameters)
+        raise_first_pose_error(points, codes, mechanism, parameters)
     return CheckedPoses(points, codes, batch, codes_of(mechanism))
 
 
@@ -175,7 +175,9 @@ def check_pose_array(
     return as_points(poses, "poses", len(mechanism.pose), remedy)
 
 
-def raise_first_bad(points: Array, codes: NDArray[np.int8], mechanism: Mechanism, parameters: Any) -> None:
+def raise_first_pose_error(
+    points: Array, codes: NDArray[np.int8], mechanism: Mechanism, parameters: Any
+) -> None:
     """Raise the error of the first pose that cannot be evaluated, if there is one.
 
     - points: (N, d)
@@ -304,11 +306,11 @@ def _problem_and_remedy(margin: Margin, values: Array) -> tuple[str, str]:
     if margin.rule == "at_most_limit":
         value = float(values.max())  # NaN if any value is NaN
         return margin.sentence.format(value=plain(np.inf if np.isnan(value) else value, 3)), margin.remedy
-    worst = np.unravel_index(int(np.argmin(values)), values.shape)
-    shortfall = -float(values[worst])
+    worst_index = np.unravel_index(int(np.argmin(values)), values.shape)
+    shortfall = -float(values[worst_index])
     shortfall_text = f"{shortfall:.4g} {margin.unit}".removesuffix(" 1")
     problem = margin.sentence.format(
-        *(names[i] for names, i in zip(margin.names, worst, strict=True)),
+        *(names[i] for names, i in zip(margin.names, worst_index, strict=True)),
         missing=shortfall_text if np.isfinite(shortfall) else "far",
         short="of no length" if shortfall == 0.0 else f"{shortfall_text} too short",
     )

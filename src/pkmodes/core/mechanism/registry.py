@@ -15,8 +15,8 @@ from pkmodes.core.mechanism.described import Mechanism, described_mechanism
 from pkmodes.core.mechanism.packages import (
     MECHANISM_OPTION,
     effect_files,
+    ensure_imported,
     folder_of,
-    import_again,
     import_folder,
     installed_packages,
     package_location,
@@ -26,9 +26,9 @@ from pkmodes_description import FILE_NAME, DescriptionError
 __all__ = ["Mechanism", "add", "add_folder", "mechanism", "names", "supplied_names", "temporarily_registered"]
 
 #: The package of the generated models.
-GENERATED = "pkmodes_generated"
+SUPPLIED_PACKAGE = "pkmodes_generated"
 #: Packages of other mechanisms, by mechanism name: see `add`.
-_added: dict[str, str] = {}
+_package_by_name: dict[str, str] = {}
 
 
 def names() -> tuple[str, ...]:
@@ -39,13 +39,15 @@ def names() -> tuple[str, ...]:
     tuple of str
         In alphabetical order.
     """
-    return tuple(sorted({*supplied_names(), *_added, *installed_packages()}))
+    return tuple(sorted({*supplied_names(), *_package_by_name, *installed_packages()}))
 
 
 @cache
 def supplied_names() -> tuple[str, ...]:
     """Return the names of the mechanisms that come with pkmodes."""
-    return tuple(sorted(entry.name for entry in files(GENERATED).iterdir() if (entry / FILE_NAME).is_file()))
+    return tuple(
+        sorted(entry.name for entry in files(SUPPLIED_PACKAGE).iterdir() if (entry / FILE_NAME).is_file())
+    )
 
 
 def mechanism(name: str) -> Mechanism:
@@ -66,10 +68,10 @@ def mechanism(name: str) -> Mechanism:
     PkmodesError
         If there is none (the message suggests the nearest), or the package installed under that name cannot be read.
     """
-    if name in _added:
-        return _read(_added[name])
+    if name in _package_by_name:
+        return _load(_package_by_name[name])
     if name in supplied_names():
-        return _read(f"{GENERATED}.{name}")
+        return _load(f"{SUPPLIED_PACKAGE}.{name}")
     if name in installed_packages():
         return _checked_mechanism(installed_packages()[name])
     remedy = nearest_name(
@@ -83,22 +85,24 @@ def add(package: str) -> Mechanism:
 
     - package: import name of the package, which contains a ``description.json`` and a module ``extended``
 
-    Raises PkmodesError if it cannot be imported, or has the name of a mechanism of pkmodes.
+    Raises PkmodesError if it cannot be imported, or has the name of a mechanism supplied with pkmodes.
     """
-    added = _read_description(package)
-    is_supplied = package == f"{GENERATED}.{added.name}" or effect_files(package, added.effects)
-    if added.name in supplied_names() and not is_supplied:
-        problem = f"{shown(added.name)} is a mechanism of pkmodes already"
+    new_mechanism = _load_or_explain(package)
+    may_replace_supplied = package == f"{SUPPLIED_PACKAGE}.{new_mechanism.name}" or effect_files(
+        package, new_mechanism.effects
+    )
+    if new_mechanism.name in supplied_names() and not may_replace_supplied:
+        problem = f"{shown(new_mechanism.name)} is already the name of a mechanism supplied with pkmodes"
         raise PkmodesError(problem, package_location(package), "give your mechanism another name")
-    _added[added.name] = package
-    return added
+    _package_by_name[new_mechanism.name] = package
+    return new_mechanism
 
 
 def add_folder(path: str | PathLike[str]) -> Mechanism:
     """Register a mechanism that ``pkmodes generate --mechanism FILE.py ...`` wrote into a folder.
 
     Robot files can then name it.  If the name was added before, the present content of the folder replaces it; a
-    mechanism of pkmodes with effects of one's own (``--effect FILE.py``) replaces that of pkmodes.
+    supplied mechanism generated with your own effects (``--effect FILE.py``) replaces the supplied one.
 
     Parameters
     ----------
@@ -113,8 +117,8 @@ def add_folder(path: str | PathLike[str]) -> Mechanism:
     Raises
     ------
     PkmodesError
-        If it is not such a folder, cannot be imported, its description does not fit its code, or it has the name of
-        a mechanism of pkmodes.
+        If the folder is not one of these, its code cannot be imported or does not match its description, or it has
+        the name of a mechanism supplied with pkmodes.
     """
     package = import_folder(path)
     _checked_mechanism(package)
@@ -124,36 +128,36 @@ def add_folder(path: str | PathLike[str]) -> Mechanism:
 @contextmanager
 def temporarily_registered(path: str | PathLike[str]) -> Iterator[Mechanism]:
     """Register the mechanism in a folder for the duration of the context."""
-    previous = dict(_added)
+    previous = dict(_package_by_name)
     try:
         yield add_folder(path)
     finally:
-        _added.clear()
-        _added.update(previous)
+        _package_by_name.clear()
+        _package_by_name.update(previous)
 
 
 def _unpickle(package: str, folder: str | None) -> Mechanism:
     """Restore a mechanism from another process and register it, as it was registered there."""
     if folder is not None:
-        package = import_again(package, folder)
-    restored = _read(package)
+        package = ensure_imported(package, folder)
+    restored = _load(package)
     if restored.name not in names():
-        _added[restored.name] = package
+        _package_by_name[restored.name] = package
     return restored
 
 
-copyreg.pickle(Mechanism, lambda mechanism: (_unpickle, (mechanism.package, folder_of(mechanism.package))))
+copyreg.pickle(Mechanism, lambda instance: (_unpickle, (instance.package, folder_of(instance.package))))
 
 
 @cache
-def _read(package: str) -> Mechanism:
+def _load(package: str) -> Mechanism:
     return described_mechanism(package)
 
 
-def _read_description(package: str) -> Mechanism:
+def _load_or_explain(package: str) -> Mechanism:
     remedy = "generate it again, or name the package that has its description.json"
     try:
-        return _read(package)
+        return _load(package)
     except DescriptionError as error:
         problem = f"cannot read the description of a mechanism: {error}"
         raise PkmodesError(problem, package_location(package), remedy) from None
@@ -165,6 +169,6 @@ def _read_description(package: str) -> Mechanism:
 @cache
 def _checked_mechanism(package: str) -> Mechanism:
     """Return the mechanism in a package after comparing its description with its code."""
-    mechanism = _read_description(package)
-    check_code(mechanism)
-    return mechanism
+    loaded = _load_or_explain(package)
+    check_code(loaded)
+    return loaded

@@ -66,33 +66,33 @@ def reach_bound(mechanism: Mechanism, parameters: Any) -> float:
     return sum(float(np.max(np.abs(getattr(parameters, field)))) for field in lengths)
 
 
-def regular_poses(generated: Generated, mechanism: Mechanism, parameters: Any, limit: int = 4) -> Array:
+def regular_poses(generated: Generated, mechanism: Mechanism, parameters: Any, max_count: int = 4) -> Array:
     """Find poses well inside the workspace of a robot.
 
     - generated: functions for this robot
-    - limit: number of poses
+    - max_count: number of poses
 
-    Returns (N, d): at most `limit` poses; fewer if no more were found.
+    Returns (N, d): at most `max_count` poses; fewer if no more were found.
     """
     rng = np.random.default_rng(SEED)
     regular_parts: list[Array] = []
     with np.errstate(all="ignore"):
         for count in DRAW_COUNTS:
-            p = drawn_poses(generated, mechanism, parameters, rng, count)
-            regular = np.isfinite(p).all(axis=-1)
+            p = draw_poses(generated, mechanism, parameters, rng, count)
+            is_regular = np.isfinite(p).all(axis=-1)
             for margin in mechanism.margins:
                 values = evaluate_margin(generated, margin, p).reshape(len(p), -1)
                 if margin.rule == "at_most_limit":
-                    regular &= (values < MAX_REGULAR_CONDITION).all(axis=-1)
+                    is_regular &= (values < MAX_REGULAR_CONDITION).all(axis=-1)
                 else:
-                    regular &= (values > MIN_RELATIVE_MARGIN * np.nanmax(values, initial=0.0)).all(axis=-1)
-            regular_parts.append(p[regular])
-            if sum(map(len, regular_parts)) >= limit:
+                    is_regular &= (values > MIN_RELATIVE_MARGIN * np.nanmax(values, initial=0.0)).all(axis=-1)
+            regular_parts.append(p[is_regular])
+            if sum(map(len, regular_parts)) >= max_count:
                 break
-    return np.concatenate(regular_parts)[:limit]
+    return np.concatenate(regular_parts)[:max_count]
 
 
-def drawn_poses(
+def draw_poses(
     generated: Generated, mechanism: Mechanism, parameters: Any, rng: np.random.Generator, count: int
 ) -> Array:
     """Draw poses: from the limits of the independent coordinates, or in a box that contains the workspace.
@@ -140,11 +140,15 @@ def _narrowed_box(
     for _ in range(NARROWING_ROUNDS):
         p = rng.uniform(low, high, size=(POSES_PER_ROUND, len(half_size)))
         violations = _violations(generated, mechanism, p)
-        valid = p[violations == 0.0]
-        if len(valid) >= SUFFICIENT_FRACTION * POSES_PER_ROUND:
+        valid_poses = p[violations == 0.0]
+        if len(valid_poses) >= SUFFICIENT_FRACTION * POSES_PER_ROUND:
             break
-        best = valid if len(valid) >= BEST_POSES else p[np.argsort(violations, kind="stable")[:BEST_POSES]]
-        bounds = best.min(axis=0), best.max(axis=0)
+        best_poses = (
+            valid_poses
+            if len(valid_poses) >= BEST_POSES
+            else p[np.argsort(violations, kind="stable")[:BEST_POSES]]
+        )
+        bounds = best_poses.min(axis=0), best_poses.max(axis=0)
         padding = BOX_PADDING * (bounds[1] - bounds[0])
         low, high = np.maximum(low, bounds[0] - padding), np.minimum(high, bounds[1] + padding)
     return low, high
@@ -161,9 +165,9 @@ def _violations(generated: Generated, mechanism: Mechanism, p: Array) -> Array:
         for margin in mechanism.margins:
             values = evaluate_margin(generated, margin, p).reshape(len(p), -1)
             excess = np.log(values / MAX_REGULAR_CONDITION) if margin.rule == "at_most_limit" else -values
-            finite = np.isfinite(excess)
-            scale = np.median(np.abs(excess[finite])) if finite.any() else 1.0
+            is_finite = np.isfinite(excess)
+            scale = np.median(np.abs(excess[is_finite])) if is_finite.any() else 1.0
             scaled = np.maximum(excess / (scale or 1.0), 0.0)
-            worst = scaled[finite].max(initial=0.0)
-            violations += np.where(finite, scaled, 1.0 + worst).sum(axis=-1)
+            max_excess = scaled[is_finite].max(initial=0.0)
+            violations += np.where(is_finite, scaled, 1.0 + max_excess).sum(axis=-1)
     return violations

@@ -70,7 +70,7 @@ def singular_angles(mechanism: Mechanism, parameters: Any, points: Array) -> Arr
         p = points[start : start + CHUNK]
         with np.errstate(all="ignore"):
             points_drawn = np.asarray(
-                generated.drawing_points(p, *_open_directions(mechanism, p)), dtype=float
+                generated.drawing_points(p, *_upright_vectors(mechanism, p)), dtype=float
             )
             s = points_drawn[:, ends] - points_drawn[:, feet]
             t = _motions(mechanism, parameters, p)[
@@ -87,11 +87,11 @@ def _motions(mechanism: Mechanism, parameters: Any, points: Array) -> Array:
     generated = Generated(mechanism.drawn, parameters, mechanism.extended.Effects())
     names = list(mechanism.drawn.COORDINATES)
     columns = [names.index(name) for name in mechanism.independent]
-    motions = np.asarray(generated.drawing_motion(points, *_open_directions(mechanism, points)), dtype=float)
+    motions = np.asarray(generated.drawing_motion(points, *_upright_vectors(mechanism, points)), dtype=float)
     return np.broadcast_to(motions, (*points.shape[:-1], *motions.shape[-3:]))[..., columns]
 
 
-def _open_directions(mechanism: Mechanism, points: Array) -> tuple[Array, ...]:
-    """Return the directions that a robot leaves open: none, since the sides of a parallelogram are parallel."""
+def _upright_vectors(mechanism: Mechanism, points: Array) -> tuple[Array, ...]:
+    """Return the vectors of the uprights: 0, since the sides of a parallelogram are parallel."""
     uprights = mechanism.drawing.uprights
     return (np.zeros((*points.shape[:-1], 3 * uprights)),) if uprights else ()

@@ -19,7 +19,7 @@ from pkmodes.core.mechanism.poses import (
     OnError,
     check_pose_array,
     pose_codes,
-    raise_first_bad,
+    raise_first_pose_error,
 )
 from pkmodes.core.robot.pose_table import poses_by_name
 from pkmodes.core.robot.robot import Robot
@@ -85,7 +85,7 @@ def run_job(
     points = np.ascontiguousarray(points)
     refuse_bad = None
     if on_error == "raise":
-        refuse_bad = partial(raise_first_bad, points, mechanism=mechanism, parameters=robot.parameters)
+        refuse_bad = partial(raise_first_pose_error, points, mechanism=mechanism, parameters=robot.parameters)
     if job.checks_poses:
         codes, fields = _in_one_piece(job, points, batch, refuse_bad, out, threads)
     else:

@@ -15,7 +15,7 @@ from pkmodes.core.support.documents import Count, Document, Number, Probability,
 from pkmodes.loop.diagnosis.arguments import checked_structure
 from pkmodes.loop.diagnosis.criteria import Criteria
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
-from pkmodes.loop.diagnosis.match.predicted import Predicted
+from pkmodes.loop.diagnosis.match.predicted import PartnerPredictions
 from pkmodes.loop.diagnosis.problem import Structure
 from pkmodes.loop.diagnosis.readings.amplitude import notes_on_amplitude
 from pkmodes.loop.diagnosis.readings.table import answer_for_declared_model
@@ -107,7 +107,7 @@ class Comparison:
         Warnings, such as frequencies that seem to be in another unit.
     rigid : int
         Number of rigid-body modes, which come first among the model's modes.
-    stage : Predicted or None
+    stage : PartnerPredictions or None
         Partners, differences and MAC of all measured modes, for figures; not part of the JSON.
     """
 
@@ -117,7 +117,7 @@ class Comparison:
     p_value: float | None
     notes: tuple[str, ...] = ()
     rigid: int = 0
-    stage: Predicted | None = field(default=None, compare=False, repr=False)
+    stage: PartnerPredictions | None = field(default=None, compare=False, repr=False)
 
     _repr_html_ = Attached("pkmodes.pages.report.notebook:of_comparison")
 
@@ -166,8 +166,8 @@ def compare(structure: Structure, data: Measurements) -> Comparison:
     structure = checked_structure(structure, data)
     fitter = Fitter(structure, data)
     pairing, *_ = fitter.evaluate(fitter.declared, np.ones(len(data.frequency), dtype=bool))
-    paired = pairing.partner >= 0
-    pairing, log_difference, sigma, chi2 = fitter.evaluate(fitter.declared, paired)
+    is_paired = pairing.partner >= 0
+    pairing, log_difference, sigma, chi2 = fitter.evaluate(fitter.declared, is_paired)
     predicted, sigmas = data.frequency * np.exp(-log_difference), -log_difference / sigma
     residual = predicted / data.frequency - 1.0
     drives = drives_of(structure, data)
@@ -179,28 +179,28 @@ def compare(structure: Structure, data: Measurements) -> Comparison:
             measured=float(data.frequency[i]),
             sigma=float(data.sigma[i]),
             drives=drives[i],
-            predicted=float(predicted[i]) if paired[i] else None,
-            partner=int(pairing.partner[i]) + 1 if paired[i] else None,
-            residual=float(residual[i]) if paired[i] else None,
-            sigmas=float(sigmas[i]) if paired[i] else None,
+            predicted=float(predicted[i]) if is_paired[i] else None,
+            partner=int(pairing.partner[i]) + 1 if is_paired[i] else None,
+            residual=float(residual[i]) if is_paired[i] else None,
+            sigmas=float(sigmas[i]) if is_paired[i] else None,
             mac=None if np.isnan(pairing.mac[i]) else float(pairing.mac[i]),
             load=data.load(int(data.pose[i])),
             level=data.level_at(int(data.pose[i])),
         )
-        for i in range(len(paired))
+        for i in range(len(is_paired))
     )
     notes = (*answer_for_declared_model(fitter), *notes_on_amplitude(fitter, fitter.declared))
     prediction = structure.predict(fitter.declared, ())
     stage, rigid = (
-        Predicted.of(fitter.observations.pairer, data, prediction, pairing, sigma),
+        PartnerPredictions.from_pairing(fitter.observations.pairer, data, prediction, pairing, sigma),
         prediction.rigid,
     )
-    if not paired.any():
+    if not is_paired.any():
         return Comparison(rows, None, None, None, notes, rigid, stage)
-    count = int(paired.sum())
+    count = int(is_paired.sum())
     return Comparison(
         rows,
-        rms_relative=float(np.sqrt(np.mean(residual[paired] ** 2))),
+        rms_relative=float(np.sqrt(np.mean(residual[is_paired] ** 2))),
         chi2_per_dof=chi2 / count,
         p_value=float(stats.chi2.sf(chi2, count)),
         notes=notes,

@@ -39,7 +39,7 @@ from pkmodes.loop.diagnosis.structure.supplied import Derivatives, Matrices, Mat
 from pkmodes.loop.diagnosis.structure.terms import SuppliedWithTerms, coordinate_terms
 
 #: Calls of the callable that take longer than this dominate the time of a diagnosis [s].
-SLOW_CALL = 0.02
+SLOW_CALL_SECONDS = 0.02
 
 
 class _SolvedSetup(NamedTuple):
@@ -297,7 +297,7 @@ def at_measured_setups(structure: Structure, labels: Sequence[str]) -> Structure
 
 def slow_call_remark(structure: Structure) -> str:
     """Return a sentence if the callable for M and K dominates the computing time; else an empty string."""
-    if not isinstance(structure, MatrixStructure) or structure.seconds_per_call < SLOW_CALL:
+    if not isinstance(structure, MatrixStructure) or structure.seconds_per_call < SLOW_CALL_SECONDS:
         return ""
     seconds = f"{plain(structure.seconds_per_call, 2)} s"
     return f"each call for the matrices takes {seconds}: a few hundred calls dominate the computing time"

@@ -19,7 +19,7 @@ from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.loop.diagnosis.arguments import checked_structure
 from pkmodes.loop.diagnosis.beyond.explore import TermSearch, with_term_result
 from pkmodes.loop.diagnosis.criteria import Criteria
-from pkmodes.loop.diagnosis.damping.diagnose_damping import with_damping
+from pkmodes.loop.diagnosis.damping.diagnose_damping import add_damping_diagnosis
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.loop.diagnosis.fit.store import FitStore
@@ -57,11 +57,13 @@ def diagnose_one_state(
     structure = checked_structure(structure, data)
     if (count := len(data.frequency)) > MAX_MODES:
         problem = f"expected at most {MAX_MODES:,} measured modes to diagnose, found {count:,}"
-        every = -(-count // MAX_MODES)
-        remedy = f"keep one pose in {every}: the others add little information; compare takes them all"
+        poses_per_kept = -(-count // MAX_MODES)
+        remedy = (
+            f"keep one pose in {poses_per_kept}: the others add little information; compare takes them all"
+        )
         raise PkmodesError(problem, data.source, remedy)
     frequency_diagnosis = _diagnose_frequencies(structure, data, holdout, progress, criteria, terms)
-    return with_damping(structure, data, frequency_diagnosis, criteria)
+    return add_damping_diagnosis(structure, data, frequency_diagnosis, criteria)
 
 
 def _diagnose_frequencies(
@@ -108,9 +110,9 @@ def split_setups(data: Measurements, holdout: Sequence[str] | None) -> tuple[lis
             raise PkmodesError(problem, "holdout", remedy)
         unknown = [label for label in holdout if label not in data.labels]
         if unknown:
-            nearest = difflib.get_close_matches(unknown[0], data.labels, n=1)
+            nearest_labels = difflib.get_close_matches(unknown[0], data.labels, n=1)
             label_list = ", ".join(data.labels[:10]) + (", ..." if setup_count > 10 else "")
-            remedy = f'did you mean "{nearest[0]}"?' if nearest else f"labels are: {label_list}"
+            remedy = f'did you mean "{nearest_labels[0]}"?' if nearest_labels else f"labels are: {label_list}"
             raise PkmodesError(f"no pose is called {shown(unknown[0])}", "holdout", remedy)
         held_out = sorted({data.labels.index(label) for label in holdout})
     fitted = [i for i in range(setup_count) if i not in held_out]

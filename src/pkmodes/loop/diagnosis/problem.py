@@ -272,7 +272,7 @@ class Extensible(Protocol):
     """A structure that can be extended by terms: one form at one place."""
 
     def with_terms(self) -> Structure:
-        """Return the structure with the parameters and candidates of all its terms beside its own.
+        """Return the structure with the parameters and candidates of all its terms in addition to its own.
 
         The parameters of this structure come first, in their order, then those of the terms; so do the candidates,
         of which those that are the same thing as a term are left out.  Each term has a ``form`` and is ``remote``, so

@@ -61,7 +61,7 @@ class AmplitudeDependence:
     """How frequencies change with the level of excitation.
 
     - low, high: the lowest and the highest level of setups that can be compared
-    - changes: of each mode at each position
+    - changes: change of each mode at each position
     - squares: sum of squares that the trend explains, in units of the stated variances
     - p_value: probability of so clear a trend if nothing depends on the level
     - repeated: whether some level was repeated, so that the scatter of its setups is known
@@ -96,10 +96,10 @@ class AmplitudeDependence:
     @property
     def direction(self) -> int:
         """1 where all clear changes are upwards, -1 where all are downwards, else 0."""
-        clear = [change.relative for change in self.changes if abs(change.sigmas) > CLEAR_SIGMAS] or [
+        clear_changes = [change.relative for change in self.changes if abs(change.sigmas) > CLEAR_SIGMAS] or [
             self.clearest.relative
         ]
-        return 0 if min(clear) < 0.0 < max(clear) else int(np.sign(clear[0]))
+        return 0 if min(clear_changes) < 0.0 < max(clear_changes) else int(np.sign(clear_changes[0]))
 
 
 class Stratum(NamedTuple):
@@ -225,13 +225,13 @@ class _LevelRegression:
             self._residual_sum(mode_levels),
             self._residual_sum(mode_levels, setups),
         )
-        common = Stratum(
+        common_stratum = Stratum(
             modes_only[0] - common_trend[0],
             modes_only[1] - common_trend[1],
             level_means[0] - level_and_setup_means[0],
             level_means[1] - level_and_setup_means[1],
         )
-        return common, Stratum(
+        return common_stratum, Stratum(
             modes_and_setups[0] - trend_of_each_mode[0],
             modes_and_setups[1] - trend_of_each_mode[1],
             *level_and_setup_means,
@@ -248,8 +248,10 @@ class _LevelRegression:
             mode_rows = np.flatnonzero(modes[:, k])
             span = float(np.ptp(self._log_level[mode_rows]))
             sigma = span * float(np.sqrt(covariance[count + k, count + k]))
-            highest = mode_rows[int(self._log_level[mode_rows].argmax())]
-            yield FrequencyChange(int(self.rows[highest]), float(np.expm1(span * values[count + k])), sigma)
+            row_at_highest_level = mode_rows[int(self._log_level[mode_rows].argmax())]
+            yield FrequencyChange(
+                int(self.rows[row_at_highest_level]), float(np.expm1(span * values[count + k])), sigma
+            )
 
     def _residual_sum(self, *designs: Array) -> tuple[float, int]:
         """Return the sum of squares of the residuals of a linear model, and its degrees of freedom."""

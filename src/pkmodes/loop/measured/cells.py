@@ -31,7 +31,7 @@ def separator_of(header: str) -> str:
 class TableNotation(NamedTuple):
     """How a table is written.
 
-    - separator: of the cells
+    - separator: character between two cells
     """
 
     separator: str = ","

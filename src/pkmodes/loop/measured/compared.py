@@ -44,7 +44,7 @@ RowPair = tuple[int, int, float | None]
 #: Largest difference between the logarithms of the frequencies of one mode.
 MAX_FREQUENCY_DIFFERENCE = 0.25
 #: Rows whose shapes have a smaller MAC are not of one mode.
-LEAST_MAC_OF_PAIR = 0.5
+MIN_MAC_OF_PAIR = 0.5
 #: Difference between the logarithms of two frequencies that costs as much as shapes with a MAC of 0.
 DIFFERENCE_AT_ZERO_MAC = 0.1
 
@@ -70,7 +70,7 @@ def compare_measurements(first: Measurements, second: Measurements) -> Measureme
         )
     rows.sort(key=lambda row: row[:2])
     shapes, energies = _compare_shapes(first, second, rows)
-    pairs, common = _mode_pairs(first, second, rows, shapes)
+    pairs, common_change = _mode_pairs(first, second, rows, shapes)
     relative = np.array([pair.relative for pair in pairs])
     chi2 = float(sum(pair.sigmas**2 for pair in pairs))
     p_value = float(chdtrc(len(pairs), chi2)) if pairs else None
@@ -85,8 +85,8 @@ def compare_measurements(first: Measurements, second: Measurements) -> Measureme
         chi2=chi2,
         p_value=p_value,
         poses=len(pose_pairs),
-        changed=_kind_of_change(pairs, common, p_value),
-        common=common,
+        changed=_kind_of_change(pairs, common_change, p_value),
+        common=common_change,
         strain_energy=energies,
         notes=[*notes_on_poses(first, second, pose_pairs), *notes_on_shapes(pairs, energies)],
     )
@@ -96,9 +96,9 @@ def _row_contents(data: Measurements) -> list[str]:
     """Return the content of each row, in an order that does not depend on the file."""
     columns = {f"shape:{name}": data.shapes[:, k] for k, name in enumerate(data.channels)}
     columns |= {**data.numbers, "sigma_shape": data.shape_sigma}
-    stated = {name: column for name, column in sorted(columns.items()) if not np.isnan(column).all()}
+    stated_columns = {name: column for name, column in sorted(columns.items()) if not np.isnan(column).all()}
     return sorted(
-        repr((data.labels[pose], [(name, float(column[row])) for name, column in stated.items()]))
+        repr((data.labels[pose], [(name, float(column[row])) for name, column in stated_columns.items()]))
         for row, pose in enumerate(data.pose)
     )
 
@@ -113,11 +113,11 @@ def _mode_pairs(
     sigma_of_difference = np.hypot(sigma, sigma_after)
     sigmas = (after - before) / sigma_of_difference
     differs, threshold = holm(two_sided(sigmas)), holm_threshold(len(rows))
-    common, own_changes = common_and_own(
+    common_change, own_changes = common_and_own(
         np.log(after / before), np.hypot(sigma / before, sigma_after / after)
     )
     # Without a common change, every significant change of a frequency is the mode's own.
-    shared = common is not None and common.differs
+    is_common_change = common_change is not None and common_change.differs
     return [
         ModePair(
             pose=first.labels[first.pose[i]],
@@ -136,7 +136,7 @@ def _mode_pairs(
             noticeable=float(threshold * sigma_of_difference[k] / before[k]),
             beyond_common=_number_or_none(own_changes.relative[k]),
             beyond_common_sigmas=_number_or_none(own_changes.sigmas[k]),
-            own_change=bool(own_changes.clear[k] if shared else differs[k]),
+            own_change=bool(own_changes.is_clear[k] if is_common_change else differs[k]),
             shape=shape,
             cautions=cautions_of(
                 close_to_another(first, i) or close_to_another(second, j),
@@ -146,7 +146,7 @@ def _mode_pairs(
             ),
         )
         for k, ((i, j, mac_of_pair), shape) in enumerate(zip(rows, shapes, strict=True))
-    ], common
+    ], common_change
 
 
 def _number_or_none(number: float) -> float | None:
@@ -174,7 +174,7 @@ def _compare_shapes(
     in_series = not (first.points.any() or second.points.any())
     modes = [align_shapes(first, second, i, j) for i, j, _ in rows]
     changes = [None if mode is None else shape_change(mode, in_series) for mode in modes]
-    usable: dict[int, list[tuple[int, AlignedShapes]]] = {}
+    shapes_by_pose: dict[int, list[tuple[int, AlignedShapes]]] = {}
     for (i, j, mac_of_pair), mode in zip(rows, modes, strict=True):
         well_separated = not (close_to_another(first, i) or close_to_another(second, j))
         if (
@@ -184,12 +184,12 @@ def _compare_shapes(
             and mac_of_pair is not None
             and mac_of_pair >= MIN_MAC
         ):
-            usable.setdefault(int(first.pose[i]), []).append((int(first.lines[i]), mode))
+            shapes_by_pose.setdefault(int(first.pose[i]), []).append((int(first.lines[i]), mode))
     energies = []
-    for pose, of_pose in usable.items():
+    for pose, of_pose in shapes_by_pose.items():
         # A shape without errors would leave the index without a standard deviation.
-        stated = [entry for entry in of_pose if np.isfinite(entry[1].sigmas).all()] or of_pose
-        energies += strain_energy_changes(first.labels[pose], *zip(*stated, strict=True))
+        shapes_with_sigmas = [entry for entry in of_pose if np.isfinite(entry[1].sigmas).all()] or of_pose
+        energies += strain_energy_changes(first.labels[pose], *zip(*shapes_with_sigmas, strict=True))
     return _mark_significant(changes, energies)
 
 
@@ -255,12 +255,12 @@ def paired_rows(
 
     Rows that differ in frequency or shape by more than one mode can are no pair.
 
-    - rows, second_rows: of the pose, in the first and in the second measurement
+    - rows, second_rows: rows of the pose in the first and in the second measurement
     """
     log_ratios = np.abs(np.log(second.frequency[second_rows][None, :] / first.frequency[rows][:, None]))
     macs = _mac_matrix(first, second, rows, second_rows)
     cost = log_ratios / DIFFERENCE_AT_ZERO_MAC + np.where(np.isfinite(macs), 1.0 - macs, 0.0)
-    is_too_far = (log_ratios > MAX_FREQUENCY_DIFFERENCE) | (macs < LEAST_MAC_OF_PAIR)
+    is_too_far = (log_ratios > MAX_FREQUENCY_DIFFERENCE) | (macs < MIN_MAC_OF_PAIR)
     index_pairs = zip(*linear_sum_assignment(np.where(is_too_far, 1e6, cost)), strict=True)
     return [
         (int(rows[i]), int(second_rows[j]), float(macs[i, j]) if np.isfinite(macs[i, j]) else None)
@@ -282,6 +282,6 @@ def _mac_matrix(
     return mac_of_each(a * weights, b * weights)
 
 
-def _unpaired_lines(data: Measurements, paired: list[int]) -> list[int]:
+def _unpaired_lines(data: Measurements, rows_with_partner: list[int]) -> list[int]:
     """Return the lines of the rows without a partner."""
-    return [int(line) for line in np.delete(data.lines, paired)]
+    return [int(line) for line in np.delete(data.lines, rows_with_partner)]

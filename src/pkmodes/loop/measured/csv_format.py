@@ -14,7 +14,7 @@ from pkmodes.loop.measured.formats import Format, Machine
 from pkmodes.loop.measured.header import components_of, read_header
 from pkmodes.loop.measured.measurements import Measurements
 
-LARGEST_FILE = 50_000_000
+MAX_FILE_SIZE = 50_000_000
 #: First bytes of UTF-16 text, in either byte order.
 UTF_16 = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 #: First bytes of spreadsheet files: a zip archive, and the older Excel format.
@@ -73,20 +73,20 @@ def read_text(
     source: str,
     subject: str = "the measurements",
     remedy: str = "give a CSV file of modal measurements",
-    largest: int = LARGEST_FILE,
+    max_size: int = MAX_FILE_SIZE,
 ) -> str:
     """Return the text of a file.
 
     - source: the file, for messages
     - subject, remedy: what it should contain, and what to give instead of another file
-    - largest: bytes
+    - max_size: bytes
 
     Raises MeasurementError if it cannot be read, or is not UTF-8 text.
     """
     try:
         check_regular(path, source, subject, remedy)
-        if path.stat().st_size > largest:
-            _refuse(f"cannot read {subject}: it is larger than {largest / 1e6:g} MB", source, remedy)
+        if path.stat().st_size > max_size:
+            _refuse(f"cannot read {subject}: it is larger than {max_size / 1e6:g} MB", source, remedy)
         content = path.read_bytes()
         if content.startswith(WORKBOOKS):
             remedy = "open it in a spreadsheet program and save it as CSV UTF-8"

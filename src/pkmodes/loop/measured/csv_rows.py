@@ -14,9 +14,9 @@ from pkmodes.core.base.drives import DRIVES, FREE
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.loop.measured.cells import QUOTED, SEPARATORS, TableNotation, separator_of
 from pkmodes.loop.measured.columns import Stated
-from pkmodes.loop.measured.header import SPREAD, TEXT, HeaderColumn
+from pkmodes.loop.measured.header import SPREAD_PREFIX, TEXT_COLUMNS, HeaderColumn
 from pkmodes.loop.measured.measurements import Measurements
-from pkmodes.loop.measured.quantities import LEVEL, required_columns, row_numbers
+from pkmodes.loop.measured.quantities import LEVEL, number_columns, required_columns
 from pkmodes.loop.measured.rules import (
     SET,
     SHAPE,
@@ -80,7 +80,7 @@ def read_lines(text: str, source: str) -> CsvLines:
     Raises MeasurementError if such a comment is invalid or differs from a previous one.
     """
     records: list[tuple[int, str]] = []
-    stated: dict[str, dict[str, Stated]] = {name: {} for name in STATEMENTS}
+    statements: dict[str, dict[str, Stated]] = {name: {} for name in STATEMENTS}
     for number, line in enumerate(io.StringIO(text, newline=None), start=1):
         line, where = line.strip(" \n"), f"{source}: line {number}"  # a tab may end an empty cell
         comment = QUOTED_COMMENT.fullmatch(line)
@@ -94,7 +94,7 @@ def read_lines(text: str, source: str) -> CsvLines:
                 raise MeasurementError(problem, where, statement.remedy)
             value = statement.read(match[3], where)
             key, value = value if statement.repeatable else ("", value)
-            previous = stated[name].setdefault(key, Stated(value, where))
+            previous = statements[name].setdefault(key, Stated(value, where))
             if value != previous.value:
                 problem = f"this {word} differs from that in {previous.where.removeprefix(f'{source}: ')}"
                 raise MeasurementError(problem, where, "remove one of them")
@@ -105,15 +105,16 @@ def read_lines(text: str, source: str) -> CsvLines:
     notation = TableNotation(separator_of(records[0][1])) if records else TableNotation()
     records = _without_trailing_separators(records, notation.separator)
     band, drives, state = (
-        next((entry.value for entry in stated[name].values()), None) for name in ("band", "drives", "state")
+        next((entry.value for entry in statements[name].values()), None)
+        for name in ("band", "drives", "state")
     )
-    return CsvLines(records, notation, band, drives, state or "", stated["prior"], stated["usable"])
+    return CsvLines(records, notation, band, drives, state or "", statements["prior"], statements["usable"])
 
 
 def states_of(lines: CsvLines, cells: Sequence[str], source: str) -> list[str]:
     """Return the state of each row, from its column or a comment; empty if neither names one.
 
-    - cells: of the header
+    - cells: cells of the header
 
     Raises MeasurementError if a row is not CSV, or names another state than a comment.
     """
@@ -133,8 +134,8 @@ def states_of(lines: CsvLines, cells: Sequence[str], source: str) -> list[str]:
 def lines_of_state(lines: CsvLines, cells: Sequence[str], source: str, state: str | None) -> CsvLines:
     """Return the lines of one state of the machine, with this state for all of them.
 
-    - cells: of the header
-    - state: by default the only one
+    - cells: cells of the header
+    - state: name of the state; by default the only one
 
     Raises MeasurementError if there are several states and none is chosen, some rows name none, or no row has it.
     """
@@ -193,11 +194,13 @@ def read_table(
     if not records:
         problem = "expected a row for each identified mode, found only a header"
         raise MeasurementError(problem, source, "add the rows")
-    blank_values = {f"{SPREAD}{name}": 0.0 for name in components}  # the pose is exact
+    blank_values = {f"{SPREAD_PREFIX}{name}": 0.0 for name in components}  # the pose is exact
     required_names = {"pose", *required_columns(), *components}
     numbers_of_lines = np.array([line for line, _ in records])
-    texts: dict[str, list[str]] = {name: [] for name in TEXT}
-    numbers: dict[str, list[float]] = {column.name: [] for column in columns if column.name not in TEXT}
+    texts: dict[str, list[str]] = {name: [] for name in TEXT_COLUMNS}
+    numbers: dict[str, list[float]] = {
+        column.name: [] for column in columns if column.name not in TEXT_COLUMNS
+    }
     problems: list[Problem] = []
     for row, (number, line) in enumerate(records):
         cells = notation.cells(line, f"{source}: line {number}")
@@ -225,7 +228,7 @@ def read_table(
                     problem = f"expected {stated_drives}, as stated for all rows, found {shown(cell)}"
                     problems.append(Problem(row, column.text, problem, "correct the row, or the statement"))
                 texts[column.name].append(word)
-            elif column.name in TEXT:
+            elif column.name in TEXT_COLUMNS:
                 texts[column.name].append(cell)
             elif not cell and column.name not in required_names:
                 numbers[column.name].append(blank_values.get(column.name, math.nan))
@@ -244,7 +247,7 @@ def read_table(
         motors: str | list[str] = texts["drives"] or stated_drives or usual_drives
         return _measurements(texts, numbers, lines, source, units, components, motors)
     except BrokenRuleError as error:
-        problem = message(error.problem, lambda quoted: _as_written(quoted, columns, lines))
+        problem = message(error.problem, lambda quoted: _format_as_in_file(quoted, columns, lines))
         raise MeasurementError(problem, error.where, error.remedy) from None
 
 
@@ -265,7 +268,7 @@ def _rotations_in_degrees(
                 break
 
 
-def _as_written(quoted: QuotedNumber, columns: Sequence[HeaderColumn], lines: CsvLines) -> str:
+def _format_as_in_file(quoted: QuotedNumber, columns: Sequence[HeaderColumn], lines: CsvLines) -> str:
     """Format a number as in its cell, with the header's unit; also in SI units if these differ."""
     number = format(quoted.value, quoted.digits)
     index = [column.name for column in columns].index(quoted.column)
@@ -290,12 +293,12 @@ def _measurements(
     """Build measurements from a file's columns by name; `units` are those of the header."""
     rows = len(lines.records) - 1
     zeros = [0.0] * rows
-    columns: dict[str, Any] = {number.argument: numbers.get(number.column) for number in row_numbers()}
+    columns: dict[str, Any] = {spec.argument: numbers.get(spec.column) for spec in number_columns()}
     return Measurements.from_rows(
         texts["pose"],
         **columns,
         points=np.array([numbers.get(name, zeros) for name in components]).T,
-        point_sigma=np.array([numbers.get(f"{SPREAD}{name}", zeros) for name in components]).T,
+        point_sigma=np.array([numbers.get(f"{SPREAD_PREFIX}{name}", zeros) for name in components]).T,
         components=components,
         mode=texts["mode"] or None,
         shapes={

@@ -47,8 +47,8 @@ Read_co = TypeVar("Read_co", bound=Callable[..., object], covariant=True)
 class Format(Generic[Read_co]):
     """A file format.
 
-    - name: for messages
-    - suffixes: of its files, in lower case with the dot
+    - name: name in messages
+    - suffixes: suffixes of its files, in lower case with the dot
     - recognises: whether a file that begins with some bytes is of this format
     - read: reads a file, from its path and what is expected of it.  Raises `MeasurementError`.
     """

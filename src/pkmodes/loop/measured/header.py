@@ -19,23 +19,23 @@ from pkmodes.loop.measured.quantities import (
     LEVEL,
     QUANTITIES,
     SHAPE_SIGMA,
-    quantity_numbers,
+    number_columns,
+    quantity_number_columns,
     required_columns,
-    row_numbers,
 )
 from pkmodes.loop.measured.rules import SET, SHAPE, checked_level_unit
 from pkmodes.loop.measured.statements import WORD_SYNONYMS
 
 #: Columns of text.
-TEXT = ("pose", "mode", "drives", "state")
+TEXT_COLUMNS = ("pose", "mode", "drives", "state")
 #: Prefix of the standard deviations of pose components.
-SPREAD = "sigma_"
+SPREAD_PREFIX = "sigma_"
 #: Column separator of tables that are not CSV.
-BAR = "|"
+BAR_SEPARATOR = "|"
 #: Units of a shape component of unknown kind: a displacement or a rotation.
-MOTIONS = ("m", "rad")
+MOTION_UNITS = ("m", "rad")
 #: Remedy for measurements of another machine.
-OTHER_MACHINE = "give the robot file of that machine, or measurements of this one"
+OTHER_MACHINE_REMEDY = "give the robot file of that machine, or measurements of this one"
 
 
 class HeaderColumn(NamedTuple):
@@ -80,17 +80,19 @@ def read_header(
     channels, positions, settings = machine.channels, machine.positions, machine.settings
     required_numbers = required_columns()
     required = ("pose", *(components if positions else ()), *required_numbers)
-    spreads = {f"{SPREAD}{name}": unit for name, unit in components.items()}
-    units = {number.column: number.unit for number in row_numbers()} | dict(components) | spreads
+    spreads = {f"{SPREAD_PREFIX}{name}": unit for name, unit in components.items()}
+    units = {spec.column: spec.unit for spec in number_columns()} | dict(components) | spreads
     units |= {f"{SET}{name}": unit for name, unit in settings.items()} | {LEVEL.column: LEVEL.unit}
     known_columns = ["pose", *components, *required_numbers, *spreads]
-    known_columns += [number.column for number in quantity_numbers() if not number.required]
+    known_columns += [spec.column for spec in quantity_number_columns() if not spec.required]
     known_columns += ["mode", "state", LEVEL.column, *(["drives"] if positions else [])]
     known_columns += [SHAPE_SIGMA.column, *(f"{SHAPE}{name}" for name in channels)]
     known_columns += [f"{SET}{name}" for name in settings]
     help_text = f"start with a header such as {','.join(required)}"
     text = ",".join(cells)
-    if BAR in text and (len(cells) == 1 or {part.strip() for part in text.split(BAR)} >= {"pose"}):
+    if BAR_SEPARATOR in text and (
+        len(cells) == 1 or {part.strip() for part in text.split(BAR_SEPARATOR)} >= {"pose"}
+    ):
         problem = f"expected columns separated by commas, semicolons or tabs, found {shown(text)}"
         remedy = (
             f"the file uses bars: replace them, by semicolons if numbers have decimal commas; {help_text}"
@@ -111,7 +113,7 @@ def read_header(
         place = f"{where}, column {i + 1}"
         if name not in known_columns:
             if whose := owners([names[k] for k in unknown], machine.others()):
-                _refuse(f"{shown(name)} is a column of another machine: {whose}", place, OTHER_MACHINE)
+                _refuse(f"{shown(name)} is a column of another machine: {whose}", place, OTHER_MACHINE_REMEDY)
             _refuse_unknown(name, place, known_columns, names)
         if name in names[:i]:
             problem = f"the column {shown(name)} is repeated, first as column {names.index(name) + 1}"
@@ -127,8 +129,10 @@ def read_header(
     present_components = [name for name in components if name in names]
     for name in names:
         if name in (*components, *spreads) and len(present_components) < len(components):
-            missing = next(component for component in components if component not in present_components)
-            problem = f'found the column "{name}" without "{missing}"'
+            missing_component = next(
+                component for component in components if component not in present_components
+            )
+            problem = f'found the column "{name}" without "{missing_component}"'
             _refuse(problem, where, f"give {joined(components)}, or no position column at all")
     return columns
 
@@ -157,8 +161,12 @@ def _refuse_all_unknown(
     unexplained = [i for i in cells if i not in meant]
     listing = [shown(cells[i]) if cells[i] else "one without a name" for i in (*meant, *unexplained)]
     column_numbers = joined([str(i + 1) for i in cells])
-    likely = ", ".join(f'{shown(cells[i])} -> "{meaning}"' for i, meaning in meant.items())
-    remedy = f"likely meanings: {likely}; rename these" if meant else "remove them, or correct their names"
+    likely_meanings = ", ".join(f'{shown(cells[i])} -> "{meaning}"' for i, meaning in meant.items())
+    remedy = (
+        f"likely meanings: {likely_meanings}; rename these"
+        if meant
+        else "remove them, or correct their names"
+    )
     remedy += ", and remove the others" if meant and unexplained else ""
     _refuse(f"unknown columns {', '.join(listing)}", f"{where}, columns {column_numbers}", remedy)
 
@@ -193,7 +201,7 @@ def _factor(
     name: str, unit: str, place: str, channels: Collection[str] | Mapping[str, str], units: Mapping[str, str]
 ) -> Decimal | None:
     """Return the factor that converts the numbers of a column to SI units; None for a level, of any unit."""
-    if name in TEXT:
+    if name in TEXT_COLUMNS:
         problem = f"the column {shown(name)} has the unit {shown(unit)} but is not a quantity"
         _refuse(problem, place, f'write only "{name}"')
     if name == LEVEL.column:
@@ -204,7 +212,7 @@ def _factor(
     elif isinstance(channels, Mapping):
         allowed = (channels[name.removeprefix(SHAPE)],)
     else:
-        allowed = MOTIONS
+        allowed = MOTION_UNITS
     remedy = unit_remedy(units.get(name, "SI units"))
     for quantity in QUANTITIES.values():
         if name == quantity.sigma.column and unit == "%":

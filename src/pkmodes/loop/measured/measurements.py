@@ -21,16 +21,16 @@ from pkmodes.core.robot.units import QuantityError
 from pkmodes.loop.measured.arguments import (
     checked_array,
     checked_columns,
+    checked_mode_numbers,
     drives_of_rows,
-    mode_numbers,
-    nearest_argument,
-    numbers_of,
-    read_only,
+    make_read_only,
+    quantity_columns,
     renamed_columns,
     repeat_for_rows,
+    unknown_argument_remedy,
 )
 from pkmodes.loop.measured.columns import POSITION, Array, Columns, Numbers, merge_stated
-from pkmodes.loop.measured.quantities import LEVEL, quantity_numbers
+from pkmodes.loop.measured.quantities import LEVEL, quantity_number_columns
 from pkmodes.loop.measured.rules import (
     SET,
     SHAPE,
@@ -64,10 +64,12 @@ class Measurements(Columns):
 
     def __init__(self, *, numbers: Mapping[str, Array] = MappingProxyType({}), **columns: Any) -> None:
         # Measured quantities may also be given by name, alone or in place of those in `numbers`.
-        names = [number.argument for number in quantity_numbers()]
+        names = [spec.argument for spec in quantity_number_columns()]
         merged = {**numbers, **{name: columns.pop(name) for name in names if name in columns}}
-        if missing := [name for name in names if name not in merged]:
-            raise TypeError(f"Measurements.__init__() missing measured quantities: {', '.join(missing)}")
+        if missing_names := [name for name in names if name not in merged]:
+            raise TypeError(
+                f"Measurements.__init__() missing measured quantities: {', '.join(missing_names)}"
+            )
         super().__init__(
             numbers={name: merged[name] for name in (*names, *(n for n in merged if n not in names))},
             **columns,
@@ -103,12 +105,14 @@ class Measurements(Columns):
             "set_values": (poses, len(self.settings)),
             "level": (poses,),
         }.items():
-            whole = name in ("pose", "lines")
+            integers_only = name in ("pose", "lines")
             object.__setattr__(
-                self, name, read_only(checked_array(getattr(self, name), name, shape, self.source, whole))
+                self,
+                name,
+                make_read_only(checked_array(getattr(self, name), name, shape, self.source, integers_only)),
             )
         numbers = {
-            name: read_only(checked_array(column, name, (rows,), self.source))
+            name: make_read_only(checked_array(column, name, (rows,), self.source))
             for name, column in self.numbers.items()
         }
         object.__setattr__(self, "numbers", Numbers(numbers))
@@ -216,10 +220,10 @@ class Measurements(Columns):
             If the columns do not match, a number breaks a rule, a label has two positions, two values of a setting,
             two levels or both free and held motors, or a row is repeated.
         """
-        quantities = {number.argument for number in quantity_numbers()}
+        quantities = {spec.argument for spec in quantity_number_columns()}
         for name in (name for name in further if name not in quantities):
             problem = f"unknown argument {shown(name)}"
-            raise MeasurementError(problem, "from_rows", nearest_argument(name))
+            raise MeasurementError(problem, "from_rows", unknown_argument_remedy(name))
         try:
             if unit:
                 frequency_factor(unit)
@@ -270,11 +274,11 @@ class Measurements(Columns):
                 points=row_points[pose_rows],
                 point_sigma=row_point_sigmas[pose_rows],
                 pose=np.array([pose_index[label] for label in names], dtype=int),
-                numbers=numbers_of({**main_columns, **further}, rows, source),
-                mode=("",) * rows if mode is None else tuple(map(str, mode_numbers(mode, source))),
+                numbers=quantity_columns({**main_columns, **further}, rows, source),
+                mode=("",) * rows if mode is None else tuple(map(str, checked_mode_numbers(mode, source))),
                 lines=np.arange(1, rows + 1)
                 if lines is None
-                else checked_array(lines, "lines", (rows,), source, whole=True),
+                else checked_array(lines, "lines", (rows,), source, integers_only=True),
                 channels=tuple(shapes),
                 shapes=np.stack(components_of_shapes, axis=-1)
                 if components_of_shapes
@@ -365,20 +369,19 @@ class Measurements(Columns):
         indices = checked_list(
             poses, "pose indices", f"{self.source}: at", "0", (int, np.integer), MeasurementError
         )
-        chosen = np.asarray(indices) if indices else np.empty(0, dtype=int)
-        if chosen.ndim != 1 or chosen.dtype.kind not in "iu" or len(set(chosen.tolist())) < len(chosen):
+        setups = np.asarray(indices) if indices else np.empty(0, dtype=int)
+        if setups.ndim != 1 or setups.dtype.kind not in "iu" or len(set(setups.tolist())) < len(setups):
             raise MeasurementError(
                 "expected different pose indices", f"{self.source}: at", "give each index once"
             )
-        if chosen.size and not (chosen.min() >= 0 and chosen.max() < len(self.labels)):
+        if setups.size and not (setups.min() >= 0 and setups.max() < len(self.labels)):
             raise MeasurementError(
-                f"expected pose indices from 0 to {len(self.labels) - 1}, found {chosen.tolist()}",
+                f"expected pose indices from 0 to {len(self.labels) - 1}, found {setups.tolist()}",
                 f"{self.source}: at",
                 "give indices into labels",
             )
-        sorted_poses = np.sort(
-            chosen
-        )  # labels are in the order of their first rows, and so is every subset of them
+        # Labels are in the order of their first rows, and so is every subset of them.
+        sorted_poses = np.sort(setups)
         rows = np.flatnonzero(np.isin(self.pose, sorted_poses))
         return replace(
             self,

@@ -28,20 +28,20 @@ class Range:
     - blank: whether a number may be absent, NaN
     """
 
-    smallest: float
-    largest: float
+    minimum: float
+    maximum: float
     expected: str
     remedy: str
     blank: bool = True
 
     def holds(self, numbers: Array) -> NDArray[np.bool_]:
         """Return a mask of the numbers that are allowed."""
-        inside = (numbers >= self.smallest) & (numbers <= self.largest)
-        return np.asarray(inside | np.isnan(numbers) if self.blank else inside)
+        is_inside = (numbers >= self.minimum) & (numbers <= self.maximum)
+        return np.asarray(is_inside | np.isnan(numbers) if self.blank else is_inside)
 
     def nearest(self, numbers: Array) -> Array:
         """Return the nearest numbers that are allowed; NaN stays."""
-        return np.asarray(np.clip(numbers, self.smallest, self.largest))
+        return np.asarray(np.clip(numbers, self.minimum, self.maximum))
 
 
 @dataclass(frozen=True)
@@ -50,8 +50,8 @@ class NumberColumn:
 
     - column: its name in the header of a file
     - argument: its name in Python, in `Measurements.from_rows` and `Measurements.numbers`
-    - unit: of the number in Python, and in a file whose header gives none
-    - symbol: of its columns in reports; by default the name
+    - unit: unit of the number in Python, and in a file whose header gives none
+    - symbol: symbol of its columns in reports; by default the name
     """
 
     column: str
@@ -93,7 +93,7 @@ IDENTITY = Transformation(np.asarray, lambda _, sigmas: sigmas, positive=False)
 class MeasuredQuantity:
     """A quantity measured of each mode, with its standard deviation.
 
-    - transformation: of measurements and predictions, before they are compared
+    - transformation: transformation of measurements and predictions before they are compared
     - usual_sigma: standard deviations of numbers for which none is stated
     """
 
@@ -191,17 +191,17 @@ LEVEL = NumberColumn(
 )
 
 
-def quantity_numbers() -> Iterator[NumberColumn]:
+def quantity_number_columns() -> Iterator[NumberColumn]:
     """Yield the columns of all quantities, each standard deviation after its quantity."""
     for quantity in QUANTITIES.values():
         yield from (quantity.value, quantity.sigma)
 
 
-def row_numbers() -> tuple[NumberColumn, ...]:
+def number_columns() -> tuple[NumberColumn, ...]:
     """Return all columns with one number for each mode."""
-    return (*quantity_numbers(), SHAPE_SIGMA)
+    return (*quantity_number_columns(), SHAPE_SIGMA)
 
 
 def required_columns() -> tuple[str, ...]:
     """Return the names of the columns of numbers that a file must have."""
-    return tuple(number.column for number in row_numbers() if number.required)
+    return tuple(spec.column for spec in number_columns() if spec.required)

@@ -19,7 +19,7 @@ from pkmodes.loop.measured.quantities import (
     SHAPE_SIGMA,
     MeasuredQuantity,
     Range,
-    quantity_numbers,
+    quantity_number_columns,
 )
 
 #: Prefix of the columns that hold mode shapes.
@@ -150,8 +150,8 @@ def _quantity_problems(quantity: MeasuredQuantity, data: Columns, rows: Integers
     valid, valid_sigmas = value.range.holds(values), sigma.range.holds(sigmas)
     yield from _problems_where_not(value.column, values, valid, value.range, rows)
     # The usual standard deviation of a bad number is bad too.
-    stated = valid_sigmas if quantity.usual_sigma is None else valid_sigmas | ~valid
-    yield from _problems_where_not(sigma.column, sigmas, stated, sigma.range, rows)
+    is_stated = valid_sigmas if quantity.usual_sigma is None else valid_sigmas | ~valid
+    yield from _problems_where_not(sigma.column, sigmas, is_stated, sigma.range, rows)
     if quantity.transformation.positive:
         is_below_value = (sigmas < values) | ~(valid & valid_sigmas) | np.isnan(values) | np.isnan(sigmas)
         requirement, remedy = f"a standard deviation below the {value.column}", sigma.range.remedy
@@ -168,9 +168,9 @@ def _problems_where_not(
     column: str, values: Array, is_allowed: NDArray[np.bool_], allowed: Range, rows: Integers
 ) -> Iterator[Problem]:
     """Yield numbers that violate a range, with its messages."""
-    of_quantity = column in {number.column for number in quantity_numbers()}
+    of_quantity = column in {spec.column for spec in quantity_number_columns()}
     for i in np.flatnonzero(~is_allowed):
-        exceeds_largest = of_quantity and allowed.largest == MAX_MAGNITUDE < values[i] < np.inf
+        exceeds_largest = of_quantity and allowed.maximum == MAX_MAGNITUDE < values[i] < np.inf
         expected = f"{allowed.expected} (at most {MAX_MAGNITUDE:g})" if exceeds_largest else allowed.expected
         row = int(rows[i])
         problem = (f"expected {expected}, found ", QuotedNumber(row, column, float(values[i])))
@@ -278,8 +278,10 @@ def drives_problems(data: Columns, rows: Sequence[str]) -> Iterator[Problem]:
 
 def repetitions(data: Columns) -> Iterator[Problem]:
     """Yield repeated rows: one mode must not count as two measurements."""
-    compared = [n for q in QUANTITIES.values() for n in (q.value, q.sigma) if n is q.value or n.required]
-    columns = [data.numbers[number.argument] for number in compared]
+    compared_columns = [
+        n for q in QUANTITIES.values() for n in (q.value, q.sigma) if n is q.value or n.required
+    ]
+    columns = [data.numbers[spec.argument] for spec in compared_columns]
     numbers = np.column_stack([data.pose, *columns, data.shapes])
     first_rows: dict[tuple[bytes, str], int] = {}
     for i, row in enumerate(numbers):

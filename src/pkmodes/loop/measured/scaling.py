@@ -15,7 +15,7 @@ def with_errors(data: Measurements, factor: float) -> Measurements:
 
     A standard deviation outside the range that a file may state is set to the nearest end of that range.
 
-    - factor: of all quantities, of shapes and of positions
+    - factor: multiple for the standard deviations of all quantities, of shapes and of positions
     """
     numbers = dict(data.numbers)
     for quantity in QUANTITIES.values():

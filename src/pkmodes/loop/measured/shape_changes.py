@@ -68,7 +68,7 @@ class AlignedShapes:
     - channels: length C
     - first, second: the first relative to its largest component, and the second scaled to it, (C,)
     - sigmas: standard deviation of the components of each, NaN where not stated
-    - covariance: that of second - first, (C, C)
+    - covariance: covariance of second - first, (C, C)
     """
 
     channels: tuple[str, ...]
@@ -83,7 +83,7 @@ def align_shapes(
 ) -> AlignedShapes | None:
     """Return the shapes of a pair at the channels of both; None where they have no shape at three or more.
 
-    - row, second_row: of the mode in each
+    - row, second_row: row of the mode in each measurement
     """
     names = [name for name in first.channels if name in second.channels]
     a = first.shapes[row, [first.channels.index(name) for name in names]]
@@ -141,7 +141,7 @@ def shape_change(shapes: AlignedShapes, in_series: bool) -> ShapeChange:
     """
     change = shapes.second - shapes.first
     chi2 = float(change @ change) / (shapes.sigmas[0] ** 2 + shapes.sigmas[1] ** 2)
-    stated = bool(np.isfinite(chi2))
+    has_stated_errors = bool(np.isfinite(chi2))
     curvatures = []
     for members in series_of(shapes.channels) if in_series else []:
         weights = np.zeros((len(members) - 2, len(change)))
@@ -154,8 +154,8 @@ def shape_change(shapes: AlignedShapes, in_series: bool) -> ShapeChange:
             weights @ shapes.covariance @ weights.T,
         )
     return ShapeChange(
-        chi2=chi2 if stated else None,
-        p_value=float(chdtrc(len(change) - 1, chi2)) if stated else None,
+        chi2=chi2 if has_stated_errors else None,
+        p_value=float(chdtrc(len(change) - 1, chi2)) if has_stated_errors else None,
         components=_changes_at_channels(shapes.channels, shapes.first, shapes.second, shapes.covariance),
         curvatures=curvatures,
     )

@@ -14,9 +14,9 @@ from pkmodes.core.support.documents import Count, Document, Probability, Size
 
 Array = NDArray[np.float64]
 #: Significance level of a change, over all pairs together, and over all places of all shapes together.
-LEVEL = 0.01
+SIGNIFICANCE_LEVEL = 0.01
 #: Significance level of the common change, and of all changes taken together, which are tested in addition.
-ADDITIONAL_LEVEL = LEVEL / 2.0
+ADDITIONAL_LEVEL = SIGNIFICANCE_LEVEL / 2.0
 #: Number of standard deviations from which a common change is significant.
 MIN_COMMON_SIGMAS = float(-ndtri(ADDITIONAL_LEVEL / 2.0))
 #: Smallest number of pairs, and smallest fraction of all pairs, that can share a change that the others lack.
@@ -47,15 +47,15 @@ class OwnChanges:
     """Changes of modes beyond the common one, for n pairs.
 
     - relative, sigmas: (n,); NaN without a common change
-    - clear: whether it is more than the errors, by Holm's procedure, (n,)
+    - is_clear: whether it is more than the errors, by Holm's procedure, (n,)
     """
 
     relative: Array
     sigmas: Array
-    clear: NDArray[np.bool_]
+    is_clear: NDArray[np.bool_]
 
 
-def holm(p: Array, level: float = LEVEL) -> NDArray[np.bool_]:
+def holm(p: Array, level: float = SIGNIFICANCE_LEVEL) -> NDArray[np.bool_]:
     """Return which of several hypotheses are refused at a level together (Holm, Scand. J. Statist. 6, 1979).
 
     - p: their p-values, (n,)
@@ -70,7 +70,7 @@ def holm(p: Array, level: float = LEVEL) -> NDArray[np.bool_]:
 
 def holm_threshold(count: int) -> float:
     """Return the number of standard deviations that `holm` requires of the largest of several deviations."""
-    return float(-ndtri(LEVEL / (2.0 * max(count, 1))))
+    return float(-ndtri(SIGNIFICANCE_LEVEL / (2.0 * max(count, 1))))
 
 
 def two_sided(sigmas: Array) -> Array:
@@ -86,11 +86,11 @@ def common_and_own(log_ratios: Array, errors: Array) -> tuple[CommonChange | Non
     pairs which did not change, if these are half of all, or of three quarters or more that agree.
 
     - log_ratios: logarithms of second over first, (n,)
-    - errors: their standard deviations, (n,)
+    - errors: standard deviations of these logarithms, (n,)
 
     Returns, in this order:
-    - common: None of fewer than two pairs
-    - own
+    - common: the common change; None for fewer than two pairs
+    - own: changes of single modes
     """
     count = len(log_ratios)
     not_known = np.full(count, np.nan)
@@ -98,7 +98,7 @@ def common_and_own(log_ratios: Array, errors: Array) -> tuple[CommonChange | Non
         return None, OwnChanges(not_known, not_known, np.zeros(count, dtype=bool))
     _, _, residual_chi2 = _weighted_mean(log_ratios, errors)
     p = float(chdtrc(count - 1, residual_chi2))
-    sharing = np.ones(count, dtype=bool) if p > LEVEL else _sharing_pairs(log_ratios, errors)
+    sharing = np.ones(count, dtype=bool) if p > SIGNIFICANCE_LEVEL else _sharing_pairs(log_ratios, errors)
     if not sharing.any():
         no_common_change = CommonChange(None, None, None, False, 0, residual_chi2, p)
         return no_common_change, OwnChanges(not_known, not_known, np.zeros(count, dtype=bool))
@@ -113,8 +113,8 @@ def common_and_own(log_ratios: Array, errors: Array) -> tuple[CommonChange | Non
         residual_chi2=residual_chi2,
         residual_p_value=p,
     )
-    clear = holm(two_sided(deviations)) & (p <= LEVEL)
-    return common, OwnChanges(np.expm1(log_ratios - mean), deviations, clear)
+    is_clear = holm(two_sided(deviations)) & (p <= SIGNIFICANCE_LEVEL)
+    return common, OwnChanges(np.expm1(log_ratios - mean), deviations, is_clear)
 
 
 def _weighted_mean(log_ratios: Array, errors: Array) -> tuple[float, float, float]:
@@ -162,4 +162,4 @@ def _sharing_pairs(log_ratios: Array, errors: Array) -> NDArray[np.bool_]:
 
 def _agree(log_ratios: Array, errors: Array) -> bool:
     """Return whether changes differ by no more than their errors."""
-    return bool(chdtrc(len(log_ratios) - 1, _weighted_mean(log_ratios, errors)[2]) > LEVEL)
+    return bool(chdtrc(len(log_ratios) - 1, _weighted_mean(log_ratios, errors)[2]) > SIGNIFICANCE_LEVEL)

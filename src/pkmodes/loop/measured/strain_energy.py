@@ -62,9 +62,9 @@ def strain_energy_changes(
 ) -> list[StrainEnergyChange]:
     """Return the damage indices at a pose, of each series of channels.
 
-    - pose: its label
-    - lines: of the modes in the first file, length n
-    - shapes: their shapes in both, length n
+    - pose: label of the pose
+    - lines: lines of the n modes in the first file
+    - shapes: their shapes in both files
     """
     modes_by_series: dict[tuple[str, ...], list[tuple[int, Array, Array, tuple[float, float]]]] = {}
     for line, mode in zip(lines, shapes, strict=True):
@@ -87,8 +87,8 @@ def most_changed(changes: Sequence[StrainEnergyChange]) -> StrainEnergyChange | 
     The shares of a series add up, so that a change at one place changes those of all others: the largest change is
     returned, not the most certain one.
     """
-    clear = [change for change in changes if change.differs]
-    return max(clear, key=lambda change: abs(np.log(change.index)), default=None)
+    clear_changes = [change for change in changes if change.differs]
+    return max(clear_changes, key=lambda change: abs(np.log(change.index)), default=None)
 
 
 def _exceeds_errors(motion: Array, error: float) -> bool:
@@ -130,7 +130,7 @@ def _changes_of_series(
 def energy_shares(motion: Array, error: float) -> tuple[Array, Array]:
     """Return the share of each pair of neighbours in the squares of all relative motions, and its variance.
 
-    - motion: of a series of channels, (n,)
+    - motion: motion of a series of channels, (n,)
     - error: standard deviation of each component, independent of the others
 
     Returns shares and variances, (n - 1,), to first order in the error, with the leading term of second order, the

@@ -9,7 +9,7 @@ import numpy as np
 from pkmodes.loop.measured.comparison import Caution, ModePair
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.measured.shape_changes import MIN_CHANNELS, ShapeChange
-from pkmodes.loop.measured.significance import LEVEL
+from pkmodes.loop.measured.significance import SIGNIFICANCE_LEVEL
 from pkmodes.loop.measured.strain_energy import StrainEnergyChange
 
 #: Relative distance of frequencies below which any change may mix two modes.
@@ -17,7 +17,7 @@ CLOSE_FREQUENCIES = 0.03
 #: Shapes with a smaller MAC may belong to different modes.
 MIN_MAC = 0.9
 #: Cautions with which a change of shape does not show a place; the others mean that no change can be seen.
-NO_PLACE: frozenset[Caution] = frozenset({"close_modes", "low_mac"})
+CAUTIONS_WITHOUT_PLACE: frozenset[Caution] = frozenset({"close_modes", "low_mac"})
 #: Meanings of the cautions.
 SENTENCES: dict[Caution, str] = {
     "no_sigma_shape": "not both files give sigma_shape, so it is unknown whether the shape changed by more than its "
@@ -57,7 +57,7 @@ def cautions_of(
         cautions.append("low_mac")
     if differs and shape is not None and shape.p_value is not None:
         places = [*shape.components, *shape.curvatures]
-        if not (shape.p_value <= LEVEL or any(place.differs for place in places)):
+        if not (shape.p_value <= SIGNIFICANCE_LEVEL or any(place.differs for place in places)):
             cautions.append("same_shape")
     return cautions
 
@@ -75,7 +75,9 @@ def notes_on_shapes(pairs: Sequence[ModePair], energies: Sequence[StrainEnergyCh
     notes += [
         f"{lines}: {why}" for caution, why in SENTENCES.items() if (lines := _line_list(pairs, caution))
     ]
-    trusted = [pair.shape for pair in pairs if pair.shape and not NO_PLACE.intersection(pair.cautions)]
+    trusted = [
+        pair.shape for pair in pairs if pair.shape and not CAUTIONS_WITHOUT_PLACE.intersection(pair.cautions)
+    ]
     curvature_differs = any(place.differs for shape in trusted for place in shape.curvatures)
     if curvature_differs or any(energy.differs for energy in energies):
         notes.append(

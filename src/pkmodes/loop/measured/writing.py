@@ -10,8 +10,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from pkmodes.loop.measured.columns import Columns
-from pkmodes.loop.measured.header import SPREAD
-from pkmodes.loop.measured.quantities import LEVEL, QUANTITIES, SHAPE_SIGMA, row_numbers
+from pkmodes.loop.measured.header import SPREAD_PREFIX
+from pkmodes.loop.measured.quantities import LEVEL, QUANTITIES, SHAPE_SIGMA, number_columns
 from pkmodes.loop.measured.rules import SET, SHAPE
 
 
@@ -34,14 +34,14 @@ def as_csv(data: Columns, comments: Sequence[str] = ()) -> str:
         text.write(f"# drives: {next(iter(motors))}\n")
     if data.state:
         text.write(f"# state: {data.state}\n")
-    for word, stated in (("prior", data.priors), ("usable", data.usable)):
-        for name, statement in stated.items():
+    for word, statements in (("prior", data.priors), ("usable", data.usable)):
+        for name, statement in statements.items():
             text.write(f"# {word}: {name} = {statement.text}\n")
     columns: dict[str, list[str]] = {"pose": [data.labels[i] for i in data.pose]}
     for k, name in enumerate(data.components):
         columns[name] = _numbers(data.points[data.pose, k])
         if data.point_sigma[:, k].any():
-            columns[f"{SPREAD}{name}"] = _numbers(data.point_sigma[data.pose, k])
+            columns[f"{SPREAD_PREFIX}{name}"] = _numbers(data.point_sigma[data.pose, k])
     for quantity in QUANTITIES.values():
         values, sigmas = (data.numbers[number.argument] for number in (quantity.value, quantity.sigma))
         # A blank standard deviation means the usual one; that of a blank quantity is blank.
@@ -59,7 +59,7 @@ def as_csv(data: Columns, comments: Sequence[str] = ()) -> str:
     for k, name in enumerate(data.channels):
         columns[f"{SHAPE}{name}"] = _numbers(data.shapes[:, k])
     columns[SHAPE_SIGMA.column] = _numbers(data.shape_sigma)
-    required_names = {number.column for number in row_numbers()}
+    required_names = {spec.column for spec in number_columns()}
     columns = {name: cells for name, cells in columns.items() if any(cells) or name in required_names}
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(columns)

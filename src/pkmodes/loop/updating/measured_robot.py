@@ -23,7 +23,7 @@ from pkmodes.core.support.ordering import joined
 from pkmodes.loop.diagnosis.arguments import check_measurements
 from pkmodes.loop.diagnosis.problem import Candidate, Loss, Parameter
 from pkmodes.loop.measured.columns import Stated, merge_stated
-from pkmodes.loop.measured.header import OTHER_MACHINE, SPREAD, owners
+from pkmodes.loop.measured.header import OTHER_MACHINE_REMEDY, SPREAD_PREFIX, owners
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.measured.rules import SHAPE
 from pkmodes.loop.updating.candidates import suspects
@@ -73,7 +73,7 @@ class MeasuredRobot:
                 unknown = [f"{SHAPE}{channel}" for channel in data.channels if channel not in known_channels]
                 if whose := owners(unknown, columns_of_others(robot.mechanism)):
                     problem = f"{shown(f'{SHAPE}{name}')} is a column of another machine: {whose}"
-                    raise MeasurementError(problem, data.source, OTHER_MACHINE)
+                    raise MeasurementError(problem, data.source, OTHER_MACHINE_REMEDY)
                 problem = f"{shown(name)} is not a coordinate of {robot.source}"
                 raise MeasurementError(problem, data.source, nearest_name(name, known_channels))
         loads = load_cases_of(robot, data)
@@ -129,7 +129,11 @@ def columns_of_others(excluded: Mechanism) -> dict[str, frozenset[str]]:
         machine.name: frozenset(
             [
                 *(f"{SHAPE}{channel}" for channel in channels(machine)),
-                *(f"{prefix}{component.name}" for component in machine.pose for prefix in ("", SPREAD)),
+                *(
+                    f"{prefix}{component.name}"
+                    for component in machine.pose
+                    for prefix in ("", SPREAD_PREFIX)
+                ),
             ]
         )
         for machine in machines

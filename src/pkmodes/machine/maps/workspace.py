@@ -15,7 +15,7 @@ from pkmodes.core.base.errors import PoseError
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.length import middle_of_joints
 from pkmodes.core.mechanism.poses import LARGE_LENGTH
-from pkmodes.core.mechanism.regular import drawn_poses
+from pkmodes.core.mechanism.regular import draw_poses
 from pkmodes.core.model import Model
 from pkmodes.core.robot.usable import USABLE, Limits, is_box, limits_in_words
 from pkmodes.core.robot.usable_poses import bounding_box, within_limits
@@ -132,7 +132,7 @@ def _draw_reachable(model: Model, rng: np.random.Generator, fixed: Mapping[int, 
     """Draw poses with some components fixed, and return those that can be evaluated, (N, d)."""
     with np.errstate(all="ignore"):
         generated = Generated(model.mechanism.model, model.robot.parameters)
-        drawn = drawn_poses(generated, model.mechanism, model.robot.parameters, rng, DRAWS_PER_ROUND)
+        drawn = draw_poses(generated, model.mechanism, model.robot.parameters, rng, DRAWS_PER_ROUND)
     drawn = drawn[np.isfinite(drawn).all(axis=-1)]
     drawn[:, list(fixed)] = list(fixed.values())
     return drawn[model.check(drawn).valid] if len(drawn) else drawn

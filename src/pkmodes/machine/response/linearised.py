@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.linalg.damping import ModalDamping, modal_damping, modal_rates_of_ratio
+from pkmodes.core.linalg.damping import ModalDamping, modal_damping, uniform_ratio_diagonal
 from pkmodes.core.linalg.eigen import generalised_eigh
 from pkmodes.core.model import Model
 from pkmodes.core.solve.at_poses import RobotAtPoses
@@ -110,7 +110,7 @@ class LinearisedRobot:
     @cached_property
     def rates(self) -> Array:
         """Diagonal damping of the modes by the damping ratio [1/s], (N, m)."""
-        return modal_rates_of_ratio(self.eigenvalues, self.model.dissipation.ratio, self.rigid)
+        return uniform_ratio_diagonal(self.eigenvalues, self.model.dissipation.ratio, self.rigid)
 
     @cached_property
     def damping(self) -> ModalDamping:

@@ -69,9 +69,11 @@ def by_setup(evidence: PlottedEvidence) -> Drawing:
     def draw(sheet: Sheet) -> None:
         sheet.groups(len(stages), 1, 0.8 + 1.75 * len(stages), share_x=True)
         for panel, stage in zip(sheet.panels, stages, strict=True):
-            marks.shade_noise_band(panel, stage.predicted.sigmas)
+            marks.shade_noise_band(panel, stage.predicted.normalised_differences)
             marks.draw_zero_line(panel)
-            marks.mark_rows(panel, evidence, evidence.setup.astype(float), stage.predicted.sigmas)
+            marks.mark_rows(
+                panel, evidence, evidence.setup.astype(float), stage.predicted.normalised_differences
+            )
             setups = marks.label_setups(panel, evidence, grid=panel is not sheet.panels[-1])
             panel.label(f"Model {stage.title}", x=setups, y=SIGMAS)
         panel.axes.set_xlim(-0.7, len(evidence.labels) - 0.3)
@@ -98,10 +100,10 @@ def against_pose(evidence: PlottedEvidence) -> Drawing | None:
         for number, panel in enumerate(sheet.panels):
             row, column = divmod(number, count)
             stage, k = stages[row], varying[column]
-            marks.shade_noise_band(panel, stage.predicted.sigmas)
+            marks.shade_noise_band(panel, stage.predicted.normalised_differences)
             marks.draw_zero_line(panel)
             position = evidence.points[evidence.setup, k]
-            marks.mark_rows(panel, evidence, position, stage.predicted.sigmas, size=12.0)
+            marks.mark_rows(panel, evidence, position, stage.predicted.normalised_differences, size=12.0)
             panel.axes.locator_params(axis="x", nbins=3)
             if column:  # the panels of a stage stand side by side
                 panel.inner.add("title")

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.core.support.ordering import natural_order
 from pkmodes.loop.diagnosis.compare import Comparison
-from pkmodes.loop.diagnosis.match.predicted import Predicted
+from pkmodes.loop.diagnosis.match.predicted import PartnerPredictions
 from pkmodes.loop.diagnosis.states.result import Change
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes.loop.measured.measurements import Measurements
@@ -28,12 +28,12 @@ class ModelStage:
 
     key: str
     title: str
-    predicted: Predicted
+    predicted: PartnerPredictions
 
     @cached_property
     def paired(self) -> Mask:
         """Rows that have a partner, (R,)."""
-        return self.predicted.mode > 0
+        return self.predicted.partner_mode > 0
 
 
 @dataclass(frozen=True)
@@ -95,7 +95,12 @@ class PlottedEvidence:
         stages = _stages(result)
         if order != list(range(len(order))):
             stages = tuple(
-                replace(stage, predicted=replace(stage.predicted, spectrum=stage.predicted.spectrum[order]))
+                replace(
+                    stage,
+                    predicted=replace(
+                        stage.predicted, elastic_frequencies=stage.predicted.elastic_frequencies[order]
+                    ),
+                )
                 for stage in stages
             )
         return cls(
@@ -121,7 +126,7 @@ class PlottedEvidence:
     @cached_property
     def modes(self) -> int:
         """Number of elastic modes up to the highest that was measured, at least 1."""
-        return max(int(stage.predicted.mode.max(initial=1)) for stage in self.stages)
+        return max(int(stage.predicted.partner_mode.max(initial=1)) for stage in self.stages)
 
     def difference(self, stage: ModelStage) -> Array:
         """Return f_model / f_measured - 1, (R,), NaN if unmatched."""
@@ -131,7 +136,7 @@ class PlottedEvidence:
         """Return the mode of each row, (R,): that of its partner at the last stage that has one, 0 if none has."""
         modes = np.zeros(len(self.measured), dtype=np.intp)
         for stage in self.stages:
-            modes = np.where(stage.paired, stage.predicted.mode, modes)
+            modes = np.where(stage.paired, stage.predicted.partner_mode, modes)
         return modes
 
 

@@ -22,7 +22,7 @@ LIGHT = 0.55
 
 def worst_setup(evidence: PlottedEvidence) -> int | None:
     """Return the setup with the lowest MAC of a paired mode at the last stage; None without shapes."""
-    mac = evidence.last.predicted.mac
+    mac = evidence.last.predicted.partner_mac
     if not np.isfinite(mac).any():
         return None
     return int(evidence.setup[int(np.nanargmin(mac))])
@@ -60,7 +60,7 @@ def mac_matrices(evidence: PlottedEvidence) -> Drawing | None:
 def matrix(evidence: PlottedEvidence, stage: ModelStage, selected: NDArray[np.bool_]) -> Array:
     """Return the mean MAC of measured modes (rows) and modes of the model, (M, M), NaN where there is no shape."""
     mode, count = evidence.mode(), evidence.modes
-    macs = stage.predicted.macs
+    macs = stage.predicted.mac_by_mode
     mean_mac = np.full((count, count), np.nan)
     for number in range(1, count + 1):
         rows = selected & (mode == number) & np.isfinite(macs).any(axis=1)

@@ -35,12 +35,15 @@ def spectrum(evidence: PlottedEvidence) -> Drawing:
         axes = panel.axes
         highest = ABOVE * float(evidence.measured.max())
         for stage, style in zip(evidence.stages, STYLES[-len(evidence.stages) :], strict=True):
-            setup, mode = np.nonzero(stage.predicted.spectrum <= highest)
-            y, ends = stage.predicted.spectrum[setup, mode], np.stack([setup - HALF, setup + HALF], axis=1)
+            setup, mode = np.nonzero(stage.predicted.elastic_frequencies <= highest)
+            y, ends = (
+                stage.predicted.elastic_frequencies[setup, mode],
+                np.stack([setup - HALF, setup + HALF], axis=1),
+            )
             rasterized, label = len(y) > marks.RASTERIZE_ABOVE, f"model {stage.title}"
             panel.lines(ends, y[:, None], label=label, zorder=2, rasterized=rasterized, **style)
         if evidence.spread is not None:
-            _bands(panel, evidence.stages[0].predicted.spectrum, evidence.spread, highest)
+            _bands(panel, evidence.stages[0].predicted.elastic_frequencies, evidence.spread, highest)
         position = evidence.setup.astype(float)
         paired = evidence.mode() > 0
         marks.mark_rows(panel, evidence, np.where(paired, position, np.nan), evidence.measured)

@@ -151,21 +151,21 @@ def _effect(result: Diagnosis) -> list[Cell]:
     stages = result.stages
     if stages is None or stages.after is None or stages.without is None:
         return []
-    spectra = zip(stages.after.spectrum, stages.without, strict=True)
+    spectra = zip(stages.after.elastic_frequencies, stages.without, strict=True)
     partners = [dict(_alike(after, without)) for after, without in spectra]
     index = {pose: k for k, pose in enumerate(dict.fromkeys(row.pose for row in result.rows))}
     changes = []
     for i, row in enumerate(result.rows):
-        at, k = index[row.pose], int(stages.after.mode[i]) - 1
+        at, k = index[row.pose], int(stages.after.partner_mode[i]) - 1
         if row.before is not None and k in partners[at] and not row.outlier:
-            changes.append((stages.after.spectrum[at, k] - stages.without[at, partners[at][k]], i))
+            changes.append((stages.after.elastic_frequencies[at, k] - stages.without[at, partners[at][k]], i))
     if not changes:
         return []
     sizes = [change for change, _ in changes]
     largest, i = max(changes, key=lambda entry: abs(entry[0]))
     row, at = result.rows[i], index[result.rows[i].pose]
-    count = int(stages.after.mode.max(initial=1))
-    new = [f for k, f in enumerate(stages.after.spectrum[at, :count]) if k not in partners[at]]
+    count = int(stages.after.partner_mode.max(initial=1))
+    new = [f for k, f in enumerate(stages.after.elastic_frequencies[at, :count]) if k not in partners[at]]
     verb = "lower" if max(sizes) <= 0.0 else "raise" if min(sizes) >= 0.0 else "change"
     who = f"they {verb}" if len(result.effects) > 1 else f"it {verb}s"
     refitted = any(value.after != value.before for value in result.refitted)
@@ -175,7 +175,7 @@ def _effect(result: Diagnosis) -> list[Cell]:
     return [
         Cell(
             f"In the model {who} the frequencies of the {plural(len(changes), 'measured mode')} by up to "
-            f"{plain(abs(largest), 2)} Hz{total} {stages.after.mode[i]} at"
+            f"{plain(abs(largest), 2)} Hz{total} {stages.after.partner_mode[i]} at"
         ),
         label(row.pose),
         Cell("goes from"),

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from pkmodes.core.base.numbers import plain
 from pkmodes.loop.diagnosis.verdict.findings import Finding, Value
-from pkmodes.loop.diagnosis.verdict.joints import COMPARED
+from pkmodes.loop.diagnosis.verdict.joints import COMPARATIVES
 from pkmodes.loop.updating.joints import CHANGE
 from pkmodes.pages.report.setting import ReportSetting
 
@@ -34,8 +34,8 @@ class Contrast:
     def compared(self) -> str:
         """How it differs from the other: "29 % softer than belt 2"."""
         percent = plain(100.0 * abs(self.change), 2)
-        if self.quantity in COMPARED:
-            return f"{percent} % {COMPARED[self.quantity][0]} than {self.other}"
+        if self.quantity in COMPARATIVES:
+            return f"{percent} % {COMPARATIVES[self.quantity][0]} than {self.other}"
         return f"{percent} % below {self.other} in {self.quantity}"
 
     @property

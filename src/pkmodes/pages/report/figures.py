@@ -89,7 +89,7 @@ def shape_figures(evidence: PlottedEvidence) -> list[Block]:
     figure = mac_matrices(evidence) if _paired(evidence) else None
     if figure is None:
         return [Paragraph("No mode shapes were measured, or none belongs to a mode of the model.")]
-    mac = evidence.last.predicted.mac
+    mac = evidence.last.predicted.partner_mac
     lowest = f"{np.nanmin(mac):.3f}"
     worst = worst_setup(evidence)
     label = "" if worst is None else shortened(evidence.labels[worst])
@@ -158,6 +158,6 @@ def _largest(evidence: PlottedEvidence) -> str:
     parts = []
     for stage in evidence.stages:
         if stage.paired.any():
-            away = typeset(plain(np.nanmax(np.abs(stage.predicted.sigmas)), 2))
+            away = typeset(plain(np.nanmax(np.abs(stage.predicted.normalised_differences)), 2))
             parts.append(f"largest {stage.title}: {away} standard deviations")
     return "; ".join(parts)

@@ -6,7 +6,7 @@ from pkmodes.core.base.numbers import plain
 from pkmodes.loop.measured.comparison import MeasurementsCompared, ModePair
 from pkmodes.loop.measured.shape_changes import PlaceChange
 from pkmodes.loop.measured.strain_energy import most_changed
-from pkmodes.loop.measured.trust import NO_PLACE
+from pkmodes.loop.measured.trust import CAUTIONS_WITHOUT_PLACE
 from pkmodes.pages.report.blocks import Cell, Column, Table
 from pkmodes.pages.report.formatting import NOTHING, number, plural, pointer, shortened, three_digits
 from pkmodes.pages.report.tables import table
@@ -60,7 +60,7 @@ def where(result: MeasurementsCompared) -> list[str]:
 
 def _shows_places(pair: ModePair) -> bool:
     """Return whether the shape of a pair can locate a change."""
-    return not NO_PLACE.intersection(pair.cautions)
+    return not CAUTIONS_WITHOUT_PLACE.intersection(pair.cautions)
 
 
 def shape_tables(result: MeasurementsCompared, max_rows: int | None) -> list[Table]:

@@ -16,7 +16,7 @@ from pkmodes.core.robot.reading import robot_from_document
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.support.ordering import natural_order
 from pkmodes.loop.diagnosis.compare import ComparedRow, Comparison
-from pkmodes.loop.diagnosis.match.predicted import Predicted
+from pkmodes.loop.diagnosis.match.predicted import PartnerPredictions
 from pkmodes.loop.diagnosis.states.result import Change
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes.loop.diagnosis.verdict.rows import Row
@@ -39,7 +39,7 @@ class Shown(NamedTuple):
 
     robot: Robot
     what: str
-    predicted: Predicted | None
+    predicted: PartnerPredictions | None
     frame: dict[str, float]
 
 
@@ -118,9 +118,9 @@ def _measured(
     for row, (measured, pose) in enumerate(zip(rows, data.pose.tolist(), strict=True)):
         if pose not in place:
             continue
-        partner = 0 if shown.predicted is None else int(shown.predicted.mode[row])
+        partner = 0 if shown.predicted is None else int(shown.predicted.partner_mode[row])
         mode = scene.rigid_modes + partner - 1
-        mac = None if shown.predicted is None else float(shown.predicted.mac[row])
+        mac = None if shown.predicted is None else float(shown.predicted.partner_mac[row])
         modes.append(
             MeasuredMode(
                 pose=place[pose],

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from pkmodes.core.base.numbers import p_text, plain
 from pkmodes.loop.measured.comparison import MeasurementsCompared, ModePair
-from pkmodes.loop.measured.significance import LEVEL, MIN_COMMON_SIGMAS, CommonChange
+from pkmodes.loop.measured.significance import MIN_COMMON_SIGMAS, SIGNIFICANCE_LEVEL, CommonChange
 from pkmodes.pages.report.blocks import Cell, Column, Summary, Table
 from pkmodes.pages.report.formatting import NOTHING, number, p_value, plural, pointer, shortened, three_digits
 from pkmodes.pages.report.measured_shapes import deviations_in_words, mode_name, where
@@ -121,7 +121,7 @@ def _nothing_common(common: CommonChange | None) -> str:
     if common.relative is None:
         p = p_text(common.residual_p_value)
         return f"No change is common to most of them: their factors differ (p-value {p})."
-    whose = f"the {common.pairs} that agree" if common.residual_p_value <= LEVEL else "all"
+    whose = f"the {common.pairs} that agree" if common.residual_p_value <= SIGNIFICANCE_LEVEL else "all"
     return f"No change is common to all modes: that of {whose} is {_change(common.relative, common.sigmas)}."
 
 
@@ -130,7 +130,7 @@ def _left_of_single(common: CommonChange | None) -> str:
     if common is None:
         return ""
     p = p_text(common.residual_p_value)
-    if common.residual_p_value > LEVEL:
+    if common.residual_p_value > SIGNIFICANCE_LEVEL:
         return f"What single modes did beyond it is within the errors (p-value {p})."
     return f"What remains is more than the errors for all modes together (p-value {p}), but not for any single mode."
 

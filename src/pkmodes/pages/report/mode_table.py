@@ -83,7 +83,7 @@ def _chosen(evidence: PlottedEvidence, max_rows: int, paired: bool) -> tuple[lis
     if len(order) <= max_rows:
         return order, ""
     if evidence.stages:  # by their difference at the last stage, unmatched ones first
-        away = np.abs(evidence.last.predicted.sigmas)
+        away = np.abs(evidence.last.predicted.normalised_differences)
         order = np.argsort(-np.where(np.isnan(away), np.inf, away), kind="stable").tolist()
         with_partner = [i for i in order if evidence.last.paired[i]]
         order = with_partner if paired and with_partner else order
@@ -114,7 +114,7 @@ def _numbers(result: Diagnosis | Comparison, evidence: PlottedEvidence, i: int) 
         else:
             cells.append(hertz(getattr(row, stage.key), pointer("rows", i, f"{stage.key}_hz")))
             cells.append(number(float(evidence.difference(stage)[i]), "+.2f", scale=100.0))
-            cells.append(number(float(stage.predicted.sigmas[i]), "+.1f"))
+            cells.append(number(float(stage.predicted.normalised_differences[i]), "+.1f"))
     return cells
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from pkmodes.core.support.ordering import listed, sorted_labels
-from pkmodes.loop.diagnosis.verdict.findings import NOTICEABLE, Corrected
+from pkmodes.loop.diagnosis.verdict.findings import MIN_NOTICEABLE_RATIO, Corrected
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis, parameter_key
 from pkmodes.pages.plots import correlations as dependence
 from pkmodes.pages.plots import scores
@@ -64,7 +64,7 @@ def fitted_value_tables(result: Diagnosis, setting: ReportSetting) -> list[Table
     corrected = _corrected(result)
     if not corrected:
         return [Paragraph("No value was uncertain, and none was fitted.")]
-    widened = any(value.saved_sigma > NOTICEABLE * value.sigma for value in corrected)
+    widened = any(value.saved_sigma > MIN_NOTICEABLE_RATIO * value.sigma for value in corrected)
     rows = []
     for value in corrected:  # its numbers are in the JSON under refitted, or with the cause
         before, after, sigma, saved = "", "", "", ""

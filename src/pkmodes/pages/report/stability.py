@@ -6,16 +6,20 @@ from pkmodes.core.support.ordering import joined
 from pkmodes.loop.diagnosis.verdict.findings import Stability
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes.loop.diagnosis.verdict.stability_words import (
-    DOUBLED,
-    HALVED,
-    WIDENED,
+    DOUBLED_ERRORS,
+    HALVED_ERRORS,
+    WIDENED_PRIORS,
     reason_of_change,
     same_verdict,
 )
 from pkmodes.loop.diagnosis.verdict.verdicts import ADEQUATE, EFFECT_FOUND, INSUFFICIENT_DATA, UNEXPLAINED
 
 #: The changes of the stability test, in words.
-CHANGES = {HALVED: "sigma halved", DOUBLED: "sigma doubled", WIDENED: "priors twice as wide"}
+CHANGES = {
+    HALVED_ERRORS: "sigma halved",
+    DOUBLED_ERRORS: "sigma doubled",
+    WIDENED_PRIORS: "priors twice as wide",
+}
 NOTHING = "nothing explains the residual"
 
 

@@ -25,19 +25,19 @@ MIN_GAIN_FRACTION = 0.5
 
 def has_many_alternatives(catalogue: Evidence) -> bool:
     """Return whether the claim has many alternatives: several causes, a wrong value of one axis, or any change."""
-    local = any(fit.causes[-1].local for fits in catalogue.claim.own_classes for fit in fits)
+    local = any(fit.causes[-1].local for fits in catalogue.claim.class_of_each_cause for fit in fits)
     return len(catalogue.final.causes) > 1 or local or catalogue.criteria.claim.terms_as_likely
 
 
 def terms_may_compete(structure: Structure, catalogue: Evidence, held_out: Sequence[int]) -> bool:
     """Return whether some term of a structure may explain as much as the causes, by the linear model.
 
-    - structure: with its terms, at all measured setups
+    - structure: the structure with its terms, at all measured setups
     - held_out: held-out setups
     """
     nuisance_fit = catalogue.outcome.nuisance_fit
     fitter = fitter_of(structure, catalogue, held_out, catalogue.fitter.shape_scatter)
-    baseline = FitStore(fitter).fit(Hypothesis(), fitter.padded(nuisance_fit.values))
+    baseline = FitStore(fitter).fit(Hypothesis(), fitter.pad_with_declared(nuisance_fit.values))
     if baseline is None:
         return False
     terms = [term for term in structure.candidates if term.form and not term.starts]
@@ -92,5 +92,5 @@ def _has_one_parameter(fit: Fit) -> bool:
 
 def have_parallel_effects(fitter: Fitter, a: Fit, b: Fit) -> bool:
     """Return whether two causes of one value change all modes at all setups alike to first order, measured or not."""
-    index = [fitter.indices(fit.causes[-1])[0] for fit in (a, b)]
+    index = [fitter.parameter_indices(fit.causes[-1])[0] for fit in (a, b)]
     return bool(parallel_parameters(fitter.structure.predict(fitter.declared, index).rates)[0, 1])

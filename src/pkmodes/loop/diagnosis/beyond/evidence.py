@@ -14,7 +14,7 @@ from pkmodes.loop.diagnosis.beyond.term_fits import TermFits
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.problem import Candidate
-from pkmodes.loop.diagnosis.search.ranges import plausible_sizes
+from pkmodes.loop.diagnosis.search.ranges import max_plausible_deviations
 from pkmodes.loop.diagnosis.search.score import allowed_sign, p_of_smallest, score
 from pkmodes.loop.diagnosis.search.search import Outcome, Search
 from pkmodes.loop.diagnosis.verdict.claim import Claim, fitted_values
@@ -35,7 +35,7 @@ CRITERION_TOLERANCE = 1e-6
 
 
 class TermEvidence(Evidence):
-    """The evidence for the best term, beside all others and the explanations of the catalogue.
+    """The evidence for the best term, compared with all others and the explanations of the catalogue.
 
     - groups: classes of the explanations that leave noise, that of the best one first
     """
@@ -51,7 +51,7 @@ class TermEvidence(Evidence):
         final = _representative(search, groups[0]) if groups else best
         p_value = _p_value(term_fits, final)
         causes = dict.fromkeys(cause for group in groups for fit in group for cause in fit.causes)
-        plausible = plausible_sizes(store.fitter, term_fits.baseline, list(causes))
+        plausible = max_plausible_deviations(store.fitter, term_fits.baseline, list(causes))
         implausible = {
             name_of_explanation(fit)
             for group in groups
@@ -90,7 +90,9 @@ class TermEvidence(Evidence):
     def finding(self, k: int) -> Finding:
         """Return a class with its values, as a part of a result."""
         fitter, group = self.fitter, self.groups[k]
-        parameter_indices = [tuple(i for cause in fit.causes for i in fitter.indices(cause)) for fit in group]
+        parameter_indices = [
+            tuple(i for cause in fit.causes for i in fitter.parameter_indices(cause)) for fit in group
+        ]
         labels = [name_of_explanation(fit) for fit in group]
         alternatives = {
             name: fitted_values(fitter, fit, indices)

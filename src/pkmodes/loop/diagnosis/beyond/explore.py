@@ -13,7 +13,7 @@ from pkmodes.loop.diagnosis.beyond.competing_terms import (
     terms_may_compete,
 )
 from pkmodes.loop.diagnosis.beyond.evidence import TermEvidence, name_of_explanation
-from pkmodes.loop.diagnosis.beyond.rules import BEYOND
+from pkmodes.loop.diagnosis.beyond.rules import BEYOND_RULES
 from pkmodes.loop.diagnosis.beyond.term_fits import try_terms
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.problem import Extensible
@@ -41,7 +41,7 @@ class TermSearch:
         self._cached_evidence: tuple[Evidence, TermEvidence | None] | None = None
 
     def evidence(self, catalogue: Evidence) -> TermEvidence | None:
-        """Return the evidence for terms beside that for the catalogue; None if there are no terms."""
+        """Return the evidence for terms in addition to that for the catalogue; None if there are no terms."""
         if self._cached_evidence is None or self._cached_evidence[0] is not catalogue:
             term_fits = try_terms(self.structure.with_terms(), catalogue, self.held_out, self.progress)
             self._cached_evidence = catalogue, None if term_fits is None else TermEvidence(term_fits)
@@ -85,7 +85,7 @@ def with_term_result(result: Diagnosis, evidence: TermEvidence | None, catalogue
     """Return a diagnosis by the catalogue, extended by the verdict on terms."""
     if evidence is None:
         return result
-    decision = first_decision(BEYOND, evidence)
+    decision = first_decision(BEYOND_RULES, evidence)
     assert decision is not None  # the last rule always applies
     status, count = decision.verdict, len(evidence.term_fits.terms)
     groups = [] if status is NOTHING else evidence.groups
@@ -96,8 +96,8 @@ def with_term_result(result: Diagnosis, evidence: TermEvidence | None, catalogue
     catalogue_best = None if best is None else (name_of_explanation(best), error_of(catalogue, best))
     beyond = Beyond(status.word, decision.reason, count, classes, catalogue_best, decision.rule.name)
     if sum(map(len, groups)) > 1:
-        remaining = [[(name_of_explanation(fit), fit) for fit in group] for group in groups]
-        proposed, not_separated = next_measurement(evidence.store, None, remaining)
+        remaining_classes = [[(name_of_explanation(fit), fit) for fit in group] for group in groups]
+        proposed, not_separated = next_measurement(evidence.store, None, remaining_classes)
         result = replace(result, next_measurement=proposed, not_separated=not_separated)
     elif status is FOUND:
         # Notes on the fit without the term do not apply to the fit with it.
@@ -128,6 +128,6 @@ def _classes(evidence: TermEvidence, groups: Sequence[Sequence[Fit]]) -> tuple[T
 def error_of(evidence: Evidence, fit: Fit) -> Error:
     """Return the errors with an explanation."""
     setups = evidence.setups
-    lines = evidence.fitter.data.lines[sorted(fit.hypothesis.excluded)]
+    lines = evidence.fitter.data.lines[sorted(fit.hypothesis.excluded_rows)]
     stage, outlying = setups.stage(fit.values), np.isin(setups.data.lines, lines)
     return setups.error(stage, *evidence.store.frequency_misfit(fit), outlying)

@@ -57,8 +57,9 @@ def leaves_more(e: TermEvidence) -> str:
     """What the best term leaves is not noise in all respects, or points to another term."""
     gate, level = e.claim.last_gate, e.criteria.gate.surely
     opening = f"{e.term_names} would explain nearly all of the residual, but"
-    if gate.unpaired:
-        return f"{opening} leaves {gate.unpaired} measured mode{'' if gate.unpaired == 1 else 's'} unmatched"
+    if gate.unpaired_count:
+        plural = "" if gate.unpaired_count == 1 else "s"
+        return f"{opening} leaves {gate.unpaired_count} measured mode{plural} unmatched"
     if gate.p_unmeasured <= level:
         return f"{opening} adds modes between the measured ones that were not measured"
     if not gate.passes_at(level):
@@ -136,7 +137,7 @@ def _member_list(e: TermEvidence, k: int) -> str:
 
 
 #: Rules for what was tried beyond the catalogue.
-BEYOND: tuple[Rule[TermEvidence, Answer], ...] = (
+BEYOND_RULES: tuple[Rule[TermEvidence, Answer], ...] = (
     Rule("beyond.nothing", NOTHING, nothing),
     Rule("beyond.in_the_catalogue", NOTHING, in_the_catalogue),
     Rule("beyond.leaves_more", NOTHING, leaves_more),

@@ -51,9 +51,9 @@ def p_outside(term_fits: TermFits, final: Fit) -> float:
     fitter, gain = search.store.fitter, baseline.chi2 - final.chi2
     if gain <= 0.0:
         return 1.0
-    rng, data = np.random.default_rng(SEED), slice(0, fitter.prior_rows.start)
-    used, min_directions = fitter.used_rows(final.hypothesis), search.criteria.claim.many
-    degrees = float(fitter.observations.degrees_of_freedom(used) - baseline.leverage[data].sum())
+    rng, data = np.random.default_rng(SEED), slice(0, fitter.prior_slice.start)
+    used_row_mask, min_directions = fitter.used_row_mask(final.hypothesis), search.criteria.claim.many
+    degrees = float(fitter.observations.degrees_of_freedom(used_row_mask) - baseline.leverage[data].sum())
     draws = arbitrary_draws(fitter, baseline, DRAWS, rng)
     probabilities = [coincidence(search, final, gain, draws, directions, degrees, final.chi2)]
     # Combinations of only a few directions do not represent other errors of the model.
@@ -88,7 +88,7 @@ def competing_law(term_fits: TermFits, final: Fit) -> Law | None:
     store, baseline, best_law = term_fits.search.store, term_fits.baseline, None
     criteria = store.fitter.criteria
     price = float(
-        np.log(store.fitter.observations.degrees_of_freedom(store.fitter.used_rows(final.hypothesis)))
+        np.log(store.fitter.observations.degrees_of_freedom(store.fitter.used_row_mask(final.hypothesis)))
     )
     margin = criteria.search.survives
     limit = final.chi2 + price * len(final.causes[0].parameters)
@@ -106,9 +106,9 @@ def competing_law(term_fits: TermFits, final: Fit) -> Law | None:
 def laws(term_fits: TermFits) -> Iterator[Law]:
     """Yield the laws: each claimable cause of one parameter, and all frequencies alike, varying from row to row."""
     fitter, baseline = term_fits.search.store.fitter, term_fits.baseline
-    data, rows = slice(0, fitter.prior_rows.start), fitter.observations.frequency_rows
+    data, rows = slice(0, fitter.prior_slice.start), fitter.observations.frequency_slice
     one_parameter_causes = [
-        (candidate.name, fitter.indices(candidate)[0])
+        (candidate.name, fitter.parameter_indices(candidate)[0])
         for candidate in term_fits.search.candidates
         if len(candidate.parameters) == 1
     ]
@@ -118,7 +118,7 @@ def laws(term_fits: TermFits) -> Iterator[Law]:
         else np.zeros((len(baseline.white), 0))
     )
     uniform_change = np.zeros((len(baseline.white), 1))
-    uniform_change[rows, 0] = fitter.used_rows(baseline.hypothesis) / fitter.observations.sigma
+    uniform_change[rows, 0] = fitter.used_row_mask(baseline.hypothesis) / fitter.observations.sigma
     names = [*(name for name, _ in one_parameter_causes), "all frequencies alike"]
     signatures = np.nan_to_num(np.hstack([raw, uniform_change]))
     for dependence, function in _row_functions(term_fits):

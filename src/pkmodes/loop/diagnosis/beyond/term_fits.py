@@ -1,4 +1,4 @@
-"""Fits beyond the catalogue: each term alone, beside the uncertain values.
+"""Fits beyond the catalogue: each term alone, together with the uncertain values.
 
 All terms are scored at the refit of the uncertain values with exact rates, the most promising ones are refitted
 together, and those that may survive are completed.  A term that may be anywhere, such as a resonator, is first
@@ -22,21 +22,22 @@ from pkmodes.loop.diagnosis.problem import Array, Candidate, Structure
 from pkmodes.loop.diagnosis.search.additions import Progress
 from pkmodes.loop.diagnosis.search.score import MIN_REMAINDER, Directions, Score, allowed_sign, score
 from pkmodes.loop.diagnosis.search.search import Search
-from pkmodes.loop.diagnosis.search.starts import SIZES, starts
+from pkmodes.loop.diagnosis.search.starts import START_FREQUENCY_CHANGES, starts
 from pkmodes.loop.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.loop.diagnosis.verdict.evidence import Evidence
 
 #: Largest number of terms that are refitted for their score, from their starts, and at large sizes.
-MAX_BY_SCORE, MAX_BY_START, MAX_BY_SIZE = 40, 20, 10
+MAX_TERMS_BY_SCORE, MAX_TERMS_BY_START, MAX_TERMS_BY_SIZE = 40, 20, 10
 #: Number of starts of each term that remain after a comparison at a few setups, and then at all.
-STARTS_AFTER_SCOUTING, STARTS_AFTER_COMPARING = 6, 4
+STARTS_AFTER_SUBSAMPLE, STARTS_AFTER_ALL_SETUPS = 6, 4
 #: Number of setups at which starts are compared.
-SCOUT_SETUPS = 4
+SUBSAMPLE_SETUPS = 4
 #: Largest relative change of a frequency for which a linear estimate suffices as a start.
 SMALL_CHANGE = 0.05
 #: A fit went astray if it gains less than this part of what the linear estimate promises.
 ASTRAY_GAIN = 0.5
-#: Largest number of measurement errors beside terms, one more in each round, and of terms that are tried with them.
+#: Largest number of measurement errors in addition to terms, one more in each round, and of terms that are tried with
+#: them.
 MAX_ERROR_ROUNDS, MAX_TERMS_WITH_ERRORS = 3, 3
 #: Number of explanations of the catalogue with which terms are compared.
 MAX_CATALOGUE_FITS = 12
@@ -48,9 +49,9 @@ MAX_REPEATS = 2
 class TermFits:
     """Fits with one term each, and the explanations of the catalogue that leave noise.
 
-    - setups: of the structure with its terms
-    - baseline: without any cause, with the measurement errors of the fits
-    - fits: with one term, best first
+    - setups: setups of the structure with its terms
+    - baseline: fit without any cause, with the measurement errors of the fits
+    - fits: fits with one term, best first
     - catalogue_fits: explanations of the catalogue, fitted again beside the terms
     """
 
@@ -87,16 +88,16 @@ def _directions_of_starts(
     the modes on both sides of its frequency apart.
     """
     for fixed_values in zip_longest(*(dict.fromkeys(start[1:] for start in term.starts) for term in terms)):
-        present = [
+        present_terms = [
             (term, fixed_values_of_term)
             for term, fixed_values_of_term in zip(terms, fixed_values, strict=True)
             if fixed_values_of_term is not None
         ]
         values = baseline.values.copy()
-        for term, fixed_values_of_term in present:
-            values[list(fitter.indices(term))[1:]] = fixed_values_of_term
-        by = [fitter.indices(term)[0] for term, _ in present]
-        raw = np.nan_to_num(fitter.signatures(replace(baseline, values=values), by)[1])
+        for term, fixed_values_of_term in present_terms:
+            values[list(fitter.parameter_indices(term))[1:]] = fixed_values_of_term
+        parameter_indices = [fitter.parameter_indices(term)[0] for term, _ in present_terms]
+        raw = np.nan_to_num(fitter.signatures(replace(baseline, values=values), parameter_indices)[1])
         remainder = raw - baseline.basis @ (baseline.basis.T @ raw)
         size = np.linalg.norm(remainder, axis=0)
         for k in np.flatnonzero(size > MIN_REMAINDER * np.linalg.norm(raw, axis=0)):
@@ -108,7 +109,7 @@ def try_terms(
 ) -> TermFits | None:
     """Try all terms of a structure; None if it has none, or cannot be evaluated.
 
-    - structure: with its terms, at all measured setups
+    - structure: the structure with its terms, at all measured setups
     - catalogue: evidence for the causes of the catalogue
     - held_out: held-out setups
     """
@@ -148,7 +149,7 @@ class _TermStarts:
         kinds = self.kinds or [0.0] * len(self.values)
         first_of_kind = list({kinds[k]: k for k in reversed(order)}.values())
         selected = [*(k for k in order if k in first_of_kind), *(k for k in order if k not in first_of_kind)][
-            :STARTS_AFTER_SCOUTING
+            :STARTS_AFTER_SUBSAMPLE
         ]
         return [self.values[k] for k in selected]
 
@@ -188,7 +189,7 @@ class _Explorer:
         self.progress(f"scoring {len(self.terms)} terms, each one form at one place")
         error_hypothesis, tried_hypotheses = Hypothesis(), list[Hypothesis]()
         baseline = self.store.fit(
-            error_hypothesis, self.fitter.padded(self.catalogue.outcome.nuisance_fit.values)
+            error_hypothesis, self.fitter.pad_with_declared(self.catalogue.outcome.nuisance_fit.values)
         )
         if baseline is None:
             return None
@@ -234,11 +235,13 @@ class _Explorer:
         # Fits with the same causes may set different rows aside: the best of them is carried.
         by_causes = {fit.causes: fit for fit in sorted(explaining, key=store.criterion, reverse=True)}
         best_fits = sorted(by_causes.values(), key=store.criterion)[:MAX_CATALOGUE_FITS]
-        fits = [self.store.fit(fit.hypothesis, self.fitter.padded(fit.values)) for fit in best_fits]
+        fits = [
+            self.store.fit(fit.hypothesis, self.fitter.pad_with_declared(fit.values)) for fit in best_fits
+        ]
         return [fit for fit in fits if fit is not None]
 
     def _refit_terms(self, baseline: Fit) -> list[Fit]:
-        """Return fits with one term beside the measurement errors of a fit, best first."""
+        """Return fits with one term in addition to the measurement errors of a fit, best first."""
         if self.previous is not None:
             previous_values = [
                 (baseline.hypothesis.with_cause(fit.causes[0]), [fit.values]) for fit in self.previous.fits
@@ -248,14 +251,16 @@ class _Explorer:
             term for term in self.terms if not term.starts and self._is_testable(baseline, term)
         ]
         scores = score(self.fitter, baseline, terms_without_starts).by_candidate
-        visible = [entry for entry in scores if entry.visible and entry.gain > 0.0]
-        best_entries = sorted(visible, key=lambda entry: -entry.gain)[:MAX_BY_SCORE]
+        visible_entries = [entry for entry in scores if entry.is_visible and entry.gain > 0.0]
+        best_entries = sorted(visible_entries, key=lambda entry: -entry.gain)[:MAX_TERMS_BY_SCORE]
         # The linear estimate suffices for small changes of modes that are all paired.
-        paired = bool((baseline.pairing.partner[self.fitter.used_rows(baseline.hypothesis)] >= 0).all())
+        are_all_paired = bool(
+            (baseline.pairing.partner[self.fitter.used_row_mask(baseline.hypothesis)] >= 0).all()
+        )
         small_entries = [
             entry
             for entry in best_entries
-            if paired and float(entry.largest_rates @ np.abs(entry.step)) <= SMALL_CHANGE
+            if are_all_paired and float(entry.largest_rates @ np.abs(entry.step)) <= SMALL_CHANGE
         ]
         small_names = {entry.candidate.name for entry in small_entries}
         large_entries = [entry for entry in best_entries if entry.candidate.name not in small_names]
@@ -268,7 +273,7 @@ class _Explorer:
         overlooked = [entry for entry in scores if entry not in best_entries and entry.largest_rates[0] > 0.0]
         own_starts = [*self._terms_with_starts(baseline), *self._large_terms(baseline, overlooked)]
         best_starts = [
-            (h, [values[k] for _, k in order[:STARTS_AFTER_COMPARING]])
+            (h, [values[k] for _, k in order[:STARTS_AFTER_ALL_SETUPS]])
             for (h, values), order in zip(own_starts, _rank_starts(self.fitter, own_starts), strict=True)
         ]
         rough_fits = self.store.rough_fits([*linear_starts, *best_starts])
@@ -298,7 +303,7 @@ class _Explorer:
         return self._values_with(
             baseline,
             entry.candidate,
-            baseline.values[list(self.fitter.indices(entry.candidate))] + entry.step,
+            baseline.values[list(self.fitter.parameter_indices(entry.candidate))] + entry.step,
         )
 
     def _is_testable(self, baseline: Fit, term: Candidate) -> bool:
@@ -317,7 +322,7 @@ class _Explorer:
             trials.append(_TermStarts(baseline.hypothesis.with_cause(term), values, kinds))
         if trials:
             self.progress(f"starting {len(trials)} terms with a frequency of their own")
-        return self._most_promising(trials)[:MAX_BY_START]
+        return self._most_promising(trials)[:MAX_TERMS_BY_START]
 
     def _large_terms(self, baseline: Fit, scores: Sequence[Score]) -> list[tuple[Hypothesis, list[Array]]]:
         """Return the most promising terms for which the linear model predicts little, with their best sizes."""
@@ -326,32 +331,32 @@ class _Explorer:
                 baseline.hypothesis.with_cause(entry.candidate),
                 [
                     self._values_with(baseline, entry.candidate, [sign * size / entry.largest_rates[0]])
-                    for size in SIZES
+                    for size in START_FREQUENCY_CHANGES
                 ],
             )
             for entry in scores
             if (sign := allowed_sign(self.fitter, entry.candidate))
         ]
-        return self._most_promising(trials)[:MAX_BY_SIZE]
+        return self._most_promising(trials)[:MAX_TERMS_BY_SIZE]
 
     def _values_with(self, baseline: Fit, term: Candidate, term_values: Sequence[float] | Array) -> Array:
         """Return the values of a fit with those of a term, within its bounds."""
-        values, index = baseline.values.copy(), list(self.fitter.indices(term))
+        values, index = baseline.values.copy(), list(self.fitter.parameter_indices(term))
         values[index] = np.clip(term_values, self.fitter.lower[index], self.fitter.upper[index])
         return values
 
     def _most_promising(self, trials: Sequence[_TermStarts]) -> list[tuple[Hypothesis, list[Array]]]:
         """Return terms with the best of their values, the most promising first, judged at a few setups."""
         count = len(self.fitter.data.labels)
-        scout_setups = (
-            [int((k + 0.5) * count / SCOUT_SETUPS) for k in range(SCOUT_SETUPS)]
-            if count > SCOUT_SETUPS
+        subsample_setups = (
+            [int((k + 0.5) * count / SUBSAMPLE_SETUPS) for k in range(SUBSAMPLE_SETUPS)]
+            if count > SUBSAMPLE_SETUPS
             else range(count)
         )
-        scout = self.fitter.at(list(scout_setups)) if trials else self.fitter
+        subsample_fitter = self.fitter.at_setups(list(subsample_setups)) if trials else self.fitter
         # Excluded rows are dropped for fewer setups, where rows are numbered differently.
         ranked = _rank_starts(
-            scout, [(Hypothesis(trial.hypothesis.causes), trial.values) for trial in trials]
+            subsample_fitter, [(Hypothesis(trial.hypothesis.causes), trial.values) for trial in trials]
         )
         ordered = sorted(zip(ranked, trials, strict=True), key=lambda pair: pair[0][0][0])
         return [

@@ -28,31 +28,31 @@ ADDED_CURVATURE = 1e-3
 def p_of_trend(fitter: LossFitter, fit: LossFit) -> float:
     """Return the p-value of a trend of the residuals with the logarithm of the frequency."""
     rows = fitter.observations
-    used = rows.resolved & (np.arange(fit.count) != (-1 if fit.outlier is None else fit.outlier))
+    used_mask = rows.resolved_mask & (np.arange(fit.count) != (-1 if fit.outlier is None else fit.outlier))
     ratio = rows.ratios(fit.values) + rows.ratio_floor
     fitted = (
         rows.coefficients[:, list(fit.free)]
         * fit.values[list(fit.free)]
         / ratio[:, None]
         / rows.sigma[:, None]
-    )[used]
-    trend = ((np.log(rows.frequency) - np.log(rows.frequency).mean()) / rows.sigma)[used]
+    )[used_mask]
+    trend = ((np.log(rows.frequency) - np.log(rows.frequency).mean()) / rows.sigma)[used_mask]
     trend = trend - fitted @ np.linalg.lstsq(fitted, trend)[0]
     size = float(trend @ trend)
     if size < MIN_VISIBLE_TREND:
         return 1.0
-    return float(stats.chi2.sf((trend @ fit.white[: fit.count][used]) ** 2 / size, 1))
+    return float(stats.chi2.sf((trend @ fit.white[: fit.count][used_mask]) ** 2 / size, 1))
 
 
 def p_coincidence(fitter: LossFitter, fit: LossFit) -> float:
     """Return the fraction of laws outside the candidates that are explained by as many candidates as were found."""
-    c, rows = fitter.criteria, fitter.observations.select(fitter.observations.resolved)
+    c, rows = fitter.criteria, fitter.observations.select(fitter.observations.resolved_mask)
     fitter = fitter.with_observations(rows)
     rng = np.random.default_rng(SEED)
     mode_numbers, mode = np.unique(rows.mode, return_inverse=True)
     log_factors = c.damping.spread * rng.standard_normal((DRAWS, len(mode_numbers)))
     noise = rows.sigma * rng.standard_normal((DRAWS, len(mode)))
-    draws = rows.predicted(fit.values) + log_factors[:, mode] + noise
+    draws = rows.predicted_logarithms(fit.values) + log_factors[:, mode] + noise
     least_squares = np.min(
         [
             _least_squares_of_draws(fitter, fit, causes, draws, start)
@@ -65,7 +65,7 @@ def p_coincidence(fitter: LossFitter, fit: LossFit) -> float:
 
 
 def _least_squares_of_draws(
-    fitter: LossFitter, fit: LossFit, causes: tuple[int, ...], draws: Array, largest: int
+    fitter: LossFitter, fit: LossFit, causes: tuple[int, ...], draws: Array, largest_cause: int
 ) -> Array:
     """Return the least sum of squares of each draw over the values of some losses, (draws,)."""
     rows, columns = fitter.observations, list(causes)
@@ -74,7 +74,7 @@ def _least_squares_of_draws(
     other_values[columns] = 0.0
     fixed_ratios = rows.ratios(other_values) + rows.ratio_floor
     by_unit = rows.coefficients[:, columns] * fitter.typical_values[columns]
-    parts = np.where(np.arange(len(causes)) == largest, START_FRACTIONS[0], START_FRACTIONS[1])
+    parts = np.where(np.arange(len(causes)) == largest_cause, START_FRACTIONS[0], START_FRACTIONS[1])
     log_values = np.tile(np.log(parts), (len(draws), 1))
     for _ in range(STEPS):
         contributions = np.exp(log_values)[:, None, :] * by_unit

@@ -21,15 +21,15 @@ from pkmodes.loop.diagnosis.verdict.verdicts import Verdict
 
 
 @dataclass(frozen=True)
-class LossSays(Answer):
+class LossAnswer(Answer):
     """The answer of a rule that applies.
 
-    - scatter: how far the ratios scatter about the model beyond their stated errors, where the verdict allows for
-      that: the standard deviation of their logarithm
+    - ratio_scatter: how far the ratios scatter about the model beyond their stated errors, where the verdict allows
+      for that: the standard deviation of their logarithm
     - rivals: explanations that remain where several do, the best first
     """
 
-    scatter: float = 0.0
+    ratio_scatter: float = 0.0
     rivals: tuple[LossFit, ...] = ()
 
 
@@ -41,7 +41,7 @@ class DampingJudgement:
     - base: fit with the declared losses
     - final: fit with the causes; the base where none is found or remains
     - classes, p_values: from the `LossExplanation` that is found or remains; otherwise empty
-    - says: why; empty for a claim, where several explanations remain, and where the declared losses leave noise
+    - answer: why; empty for a claim, where several explanations remain, and where the declared losses leave noise
     """
 
     rule: str
@@ -50,13 +50,13 @@ class DampingJudgement:
     final: LossFit
     classes: tuple[tuple[LossFit, ...], ...]
     p_values: tuple[float, ...]
-    says: LossSays
+    answer: LossAnswer
 
 
 class LossEvidence:
     """Damping ratios and the losses that explain them; costly results are computed when a rule first needs them.
 
-    - fitter: of the rows that take part
+    - fitter: fits losses to the rows that take part
     - doubts: where one of these applies, nothing is claimed
     - trials: verdicts with other errors or priors, by change
     - held_out: ratios of the held-out poses
@@ -72,9 +72,9 @@ class LossEvidence:
         self.fitter, self.criteria = fitter, fitter.criteria
         self.trials, self.held_out, self._doubts = trials or {}, held_out, doubts
 
-    def answer_with(self, text: str) -> LossSays:
+    def answer_with(self, text: str) -> LossAnswer:
         """Return a reason as an answer."""
-        return LossSays(text)
+        return LossAnswer(text)
 
     @cached_property
     def base(self) -> LossFit:
@@ -84,7 +84,7 @@ class LossEvidence:
     @property
     def resolved_count(self) -> int:
         """Number of ratios that are significantly above 0."""
-        return int(self.fitter.observations.resolved.sum())
+        return int(self.fitter.observations.resolved_mask.sum())
 
     @cached_property
     def p_one_more(self) -> float:
@@ -124,24 +124,24 @@ class LossEvidence:
 
     def scatter_about(self, fit: LossFit) -> float:
         """Return how far ratios are from a fit beyond their stated errors: standard deviation of the logarithm."""
-        rows, resolved = self.fitter.observations, self.fitter.observations.resolved
-        deviation = (rows.logarithms - rows.predicted(fit.values))[resolved]
+        rows, resolved = self.fitter.observations, self.fitter.observations.resolved_mask
+        deviation = (rows.logarithms - rows.predicted_logarithms(fit.values))[resolved]
         excess_variance = float(np.mean(deviation**2)) - float(np.mean(rows.stated_sigma[resolved] ** 2))
         return math.sqrt(max(excess_variance, 0.0))
 
 
 #: A table of the verdict on damping.
-LossRules = tuple[Rule[LossEvidence, LossSays], ...]
+LossRules = tuple[Rule[LossEvidence, LossAnswer], ...]
 
 
 def contradicts_held_out(
-    held_out: DampingObservations, values: Array, criteria: Criteria, scatter: float = 0.0
+    held_out: DampingObservations, values: Array, criteria: Criteria, ratio_scatter: float = 0.0
 ) -> bool:
     """Return whether the rows of held-out poses contradict losses.
 
-    - scatter: of the ratios beyond their stated errors, which the verdict allows for
+    - ratio_scatter: scatter of the ratios beyond their stated errors that the verdict allows for
     """
     if not len(held_out.ratio) or not values.any():
         return False
-    white = held_out.with_scatter(scatter).residual(values)
+    white = held_out.with_scatter(ratio_scatter).residual(values)
     return bool(stats.chi2.sf(float(white @ white), len(white)) <= criteria.gate.surely)

@@ -44,10 +44,10 @@ def best_explanation(fitter: LossFitter) -> LossExplanation | None:
     """Return the best explanation by one loss, else by two if there are enough rows; None if none leaves noise."""
     c = fitter.criteria
     singles = [fitter.fit((j,)) for j in fitter.candidates]
-    sizes = (1, 2) if int(fitter.observations.resolved.sum()) >= c.claim.rows_for_two else (1,)
+    sizes = (1, 2) if int(fitter.observations.resolved_mask.sum()) >= c.claim.rows_for_two else (1,)
     for size in sizes:
         fits = singles
-        if size == 2:  # pairs in which each loss is needed beside the other
+        if size == 2:  # pairs in which each loss is needed in addition to the other
             fits = [
                 fit
                 for fit in map(fitter.fit, combinations(fitter.candidates, 2))
@@ -64,13 +64,13 @@ def _with_rivals(fitter: LossFitter, fits: Sequence[LossFit], best: LossFit) -> 
     c = fitter.criteria
     near_fits = [fit for fit in fits if fit.criterion < best.criterion + c.search.survives]
     survivors = [fit for fit in near_fits if fit is best or _explains(fitter, fit, c.gate.surely)]
-    class_fits = [fit for fit in survivors if fitter.difference(best, fit) < c.claim.told_apart]
+    class_fits = [fit for fit in survivors if fitter.squared_difference(best, fit) < c.claim.told_apart]
     class_fits.sort(key=lambda fit: (not all(fitter.losses[j].effect for j in fit.causes), fit.criterion))
     # An effect names the class among explanations that no measurement separates, and in any class whose best member
     # is not a cause.
     claimable = all(fitter.losses[j].claimable for j in best.causes)
     inseparable = [
-        fit for fit in class_fits if not claimable or fitter.difference(best, fit) < MIN_SEPARATION
+        fit for fit in class_fits if not claimable or fitter.squared_difference(best, fit) < MIN_SEPARATION
     ]
     best = inseparable[0] if inseparable else best
     classes = tuple(
@@ -95,13 +95,13 @@ def _with_rivals(fitter: LossFitter, fits: Sequence[LossFit], best: LossFit) -> 
 
 def _explains(fitter: LossFitter, fit: LossFit, level: float) -> bool:
     """Return whether a fit leaves noise, and each of its causes is present."""
-    absent_causes = [j for j in fit.causes if j in fit.absent and not fitter.declared[j]]
+    absent_causes = [j for j in fit.causes if j in fit.absent_losses and not fitter.declared[j]]
     at_bound = [j for j in fit.causes if fit.values[j] > AT_BOUND_FRACTION * fitter.losses[j].parameter.upper]
     return fit.p_value > level and not absent_causes and not at_bound
 
 
 def p_of_loss(fitter: LossFitter, loss: int) -> float:
-    """Return the p-value of one loss beside the declared ones, for this candidate alone."""
+    """Return the p-value of one loss in addition to the declared ones, for this candidate alone."""
     return p_of_one_more(fitter, fitter.fit(), fitter.fit((loss,))) / max(len(fitter.candidates), 1)
 
 
@@ -112,10 +112,10 @@ def p_of_one_more(fitter: LossFitter, smaller: LossFit, larger: LossFit) -> floa
     """
     candidates = len(fitter.candidates)
     hypothesis_count = max(comb(candidates, len(larger.causes)), candidates)
-    (added,) = set(larger.causes) - set(smaller.causes)
+    (added_loss,) = set(larger.causes) - set(smaller.causes)
     gain = max(smaller.chi2 + smaller.price - larger.chi2 - larger.price, 0.0)
-    one_sided = 1.0 if fitter.declared[added] else 0.5
-    return min(1.0, one_sided * float(stats.chi2.sf(gain, 1)) * hypothesis_count)
+    one_sided_factor = 1.0 if fitter.declared[added_loss] else 0.5
+    return min(1.0, one_sided_factor * float(stats.chi2.sf(gain, 1)) * hypothesis_count)
 
 
 def nearest_loss(fitter: LossFitter) -> str:
@@ -124,8 +124,8 @@ def nearest_loss(fitter: LossFitter) -> str:
     if not fits:
         return "no loss shows in these modes"
     best = min(fits, key=lambda fit: fit.chi2)
-    deviation = (fitter.observations.logarithms - fitter.observations.predicted(best.values))[
-        fitter.observations.resolved
+    deviation = (fitter.observations.logarithms - fitter.observations.predicted_logarithms(best.values))[
+        fitter.observations.resolved_mask
     ]
     factor = float(np.exp(np.sqrt(np.mean(np.minimum(np.abs(deviation), 10.0) ** 2))))
     name = loss_names(fitter, best)

@@ -2,7 +2,7 @@
 
 The ratio of a mode is the sum over the losses of coefficient times value.  The logarithm of a measured ratio that is
 not significantly above 0 has no normal error, but the ratio shows that the mode is not damped more.  The variables
-are the logarithms of the fitted losses, so that a single loss without a declared one beside it is a linear problem,
+are the logarithms of the fitted losses, so that a single loss without any declared one is a linear problem,
 and none is ever negative.
 """
 
@@ -40,14 +40,14 @@ class LossFit(Fitted):
     - causes: losses that may differ from their declared values
     - count, degrees: number R of ratios, and of residuals less the fitted losses without a prior
     - outlier: row set aside
-    - absent: fitted losses that are practically 0
+    - absent_losses: fitted losses that are practically 0
     """
 
     causes: tuple[int, ...]
     count: int
     degrees: int
     outlier: int | None = None
-    absent: tuple[int, ...] = ()
+    absent_losses: tuple[int, ...] = ()
 
     @cached_property
     def p_value(self) -> float:
@@ -69,17 +69,17 @@ class LossFit(Fitted):
 class LossFitter:
     """Fits losses to damping ratios.
 
-    - widened: factor by which priors are wider than declared
+    - prior_factor: factor by which priors are wider than declared
     """
 
     observations: DampingObservations
     losses: tuple[Loss, ...]
     criteria: Criteria
-    widened: float = 1.0
+    prior_factor: float = 1.0
     _fits: dict[object, LossFit] = field(default_factory=dict, repr=False)
 
     @property
-    def nuisances(self) -> tuple[int, ...]:
+    def nuisance_indices(self) -> tuple[int, ...]:
         """Losses with a prior."""
         return tuple(j for j, loss in enumerate(self.losses) if loss.parameter.sigma)
 
@@ -95,11 +95,15 @@ class LossFitter:
         """Value of each loss that would give a typical row its ratio alone, (J,); inf if it affects no row."""
         rows = self.observations
         with np.errstate(divide="ignore"):
-            sufficient = np.where(rows.coefficients > 0.0, rows.ratio[:, None] / rows.coefficients, np.inf)
-        sufficient = sufficient[rows.resolved] if rows.resolved.any() else sufficient
+            sufficient_values = np.where(
+                rows.coefficients > 0.0, rows.ratio[:, None] / rows.coefficients, np.inf
+            )
+        sufficient_values = (
+            sufficient_values[rows.resolved_mask] if rows.resolved_mask.any() else sufficient_values
+        )
         return (
-            np.asarray(np.median(sufficient, axis=0))
-            if len(sufficient)
+            np.asarray(np.median(sufficient_values, axis=0))
+            if len(sufficient_values)
             else np.full(len(self.losses), np.inf)
         )
 
@@ -112,10 +116,10 @@ class LossFitter:
         """Return the fitter of other observations."""
         return replace(self, observations=observations, _fits={})
 
-    def with_changes(self, errors: float, priors: float) -> LossFitter:
+    def with_changes(self, error_factor: float, prior_factor: float) -> LossFitter:
         """Return the fitter with stated errors and priors larger by factors."""
-        observations = self.observations.with_errors(errors)
-        return replace(self, observations=observations, widened=priors, _fits={})
+        observations = self.observations.with_errors(error_factor)
+        return replace(self, observations=observations, prior_factor=prior_factor, _fits={})
 
     def fit(self, causes: Sequence[int] = (), fixed_values: dict[int, float] | None = None) -> LossFit:
         """Fit losses; a row that contradicts all others is set aside.
@@ -142,16 +146,16 @@ class LossFitter:
         self, causes: tuple[int, ...], fixed_values: dict[int, float], outlier: int | None
     ) -> LossFit:
         rows, count = self.observations, len(self.observations.ratio)
-        free = tuple(j for j in dict.fromkeys((*self.nuisances, *causes)) if j not in fixed_values)
+        free = tuple(j for j in dict.fromkeys((*self.nuisance_indices, *causes)) if j not in fixed_values)
         index, values = list(free), self.declared.copy()
         for j, value in fixed_values.items():
             values[j] = value
-        used = np.where(np.arange(count) == outlier, 0.0, 1.0)
+        row_weights = np.where(np.arange(count) == outlier, 0.0, 1.0)
         parameters = [loss.parameter for loss in self.losses]
         prior_parameters = [
             replace(p, sigma=None) if j in fixed_values else p for j, p in enumerate(parameters)
         ]
-        priors = Priors(prior_parameters, (), self.widened)
+        priors = Priors(prior_parameters, (), self.prior_factor)
 
         def values_at(x: Array) -> Array:
             all_values = values.copy()
@@ -160,11 +164,11 @@ class LossFitter:
 
         def residual(x: Array) -> Array:
             all_values = values_at(x)
-            return np.concatenate([used * rows.residual(all_values), priors.residual(all_values)])
+            return np.concatenate([row_weights * rows.residual(all_values), priors.residual(all_values)])
 
         def jacobian(all_values: Array) -> Array:
             return np.vstack(
-                [used[:, None] * rows.rates(all_values)[:, index], priors.rates(all_values, free)]
+                [row_weights[:, None] * rows.rates(all_values)[:, index], priors.rates(all_values, free)]
             )
 
         def rates(x: Array) -> Array:
@@ -191,7 +195,7 @@ class LossFitter:
             count=count,
             degrees=count - (outlier is not None) - sum(priors.row_of(j) is None for j in free),
             outlier=outlier,
-            absent=tuple(j for j in free if final_values[j] < ABSENT_FRACTION * self._scale(j)),
+            absent_losses=tuple(j for j in free if final_values[j] < ABSENT_FRACTION * self._scale(j)),
         )
 
     def _scale(self, j: int) -> float:
@@ -213,7 +217,7 @@ class LossFitter:
             for fractions in fractions_by_start
         ]
 
-    def difference(self, a: LossFit, b: LossFit) -> float:
+    def squared_difference(self, a: LossFit, b: LossFit) -> float:
         """Return the squared difference of the predictions of two fits in standard deviations."""
         residual_difference = self.observations.residual(a.values) - self.observations.residual(b.values)
         return float(residual_difference @ residual_difference)

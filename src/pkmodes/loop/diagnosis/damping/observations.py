@@ -36,7 +36,7 @@ class DampingObservations:
     - mode: numbers of the partners among the elastic modes of their setups, from 0, (R,)
     - ratio, stated_sigma: measured ratios, and the stated standard deviations of their logarithms, (R,)
     - unstated_sigma: root sum of squares of all other errors of the logarithms, (R,)
-    - resolved: whether the ratio is significantly above 0, (R,); otherwise it is only an upper limit
+    - resolved_mask: whether the ratio is significantly above 0, (R,); otherwise it is only an upper limit
     - frequency: (R,) [Hz]
     - ratio_floor: ratio that is added before logarithms are compared, so that no damping is finite, (R,)
     - coefficients: damping ratio per unit of each loss, (R, J)
@@ -47,7 +47,7 @@ class DampingObservations:
     ratio: Array
     stated_sigma: Array
     unstated_sigma: Array
-    resolved: Mask
+    resolved_mask: Mask
     frequency: Array
     ratio_floor: Array
     coefficients: Array
@@ -69,7 +69,7 @@ class DampingObservations:
         """Return the rows with a further error, a standard deviation of the logarithm."""
         return replace(self, unstated_sigma=np.hypot(self.unstated_sigma, scatter))
 
-    # Beside predictions ------------------------------------------------------------------------------------
+    # Comparison with predictions ---------------------------------------------------------------------------
 
     @property
     def logarithms(self) -> Array:
@@ -80,7 +80,7 @@ class DampingObservations:
         """Return the damping ratios of the model for values of the losses, (R,)."""
         return np.asarray(self.coefficients @ values)
 
-    def predicted(self, values: Array) -> Array:
+    def predicted_logarithms(self, values: Array) -> Array:
         """Return the logarithms of the model's ratios plus the floor, (R,), finite also where nothing dissipates."""
         return np.asarray(np.log(self.ratios(values) + self.ratio_floor))
 
@@ -93,7 +93,9 @@ class DampingObservations:
         linear = (self.ratio - ratios) / np.hypot(
             self.stated_sigma * self.ratio, self.unstated_sigma * ratios
         )
-        return np.where(self.resolved, (self.logarithms - self.predicted(values)) / self.sigma, linear)
+        return np.where(
+            self.resolved_mask, (self.logarithms - self.predicted_logarithms(values)) / self.sigma, linear
+        )
 
     def rates(self, values: Array) -> Array:
         """Return the derivatives of the residual with respect to the losses, (R, J)."""
@@ -102,7 +104,7 @@ class DampingObservations:
         linear = -(1.0 + (self.ratio - ratios) * self.unstated_sigma**2 * ratios / variance) / np.sqrt(
             variance
         )
-        slopes = np.where(self.resolved, -1.0 / ((ratios + self.ratio_floor) * self.sigma), linear)
+        slopes = np.where(self.resolved_mask, -1.0 / ((ratios + self.ratio_floor) * self.sigma), linear)
         return np.asarray(slopes[:, None] * self.coefficients)
 
 
@@ -134,31 +136,32 @@ def damping_observations(
     )
     with np.errstate(divide="ignore", invalid="ignore"):
         stated_sigma = np.where(ratio > 0.0, stated_sigma / ratio, np.inf)
-    logs = _logarithms(coefficients)
+    log_coefficients = _logarithms(coefficients)
     state_errors = [
-        np.abs(_logarithms(rates[setup, mode_index]) - logs).max(axis=1, initial=0.0)
+        np.abs(_logarithms(rates[setup, mode_index]) - log_coefficients).max(axis=1, initial=0.0)
         for rates in by_state[1:]
     ]
     mixing_errors = _mixing_errors(structure, states[0], by_state[0], setup, mode_index, criteria)
     unstated_sigma = np.sqrt(criteria.damping.floor**2 + sum((d**2 for d in state_errors), mixing_errors**2))
-    resolved = stated_sigma < 1.0 / criteria.damping.resolved
+    resolved_mask = stated_sigma < 1.0 / criteria.damping.resolved
     return DampingObservations(
         index=index,
         mode=mode_index,
         ratio=ratio,
         stated_sigma=stated_sigma,
         unstated_sigma=unstated_sigma,
-        resolved=resolved,
+        resolved_mask=resolved_mask,
         frequency=data.frequency[index],
         ratio_floor=criteria.damping.least * ratio,
         coefficients=coefficients,
     )
 
 
-def usable_mask(rows: DampingObservations) -> Mask:
-    """Return a mask of the rows that can be used: a ratio of 0 without a standard deviation was not measured.
+def informative_mask(rows: DampingObservations) -> Mask:
+    """Return a mask of the rows that have information about the losses.
 
-    Rows in which the measurements set the losses contain no information about them.
+    The others are a ratio of 0 without a standard deviation, which was not measured, and a row in which the
+    measurements set the losses.
     """
     return np.isfinite(rows.stated_sigma) & np.isfinite(rows.coefficients).all(axis=1)
 

@@ -18,11 +18,11 @@ from pkmodes.loop.diagnosis.damping import words
 from pkmodes.loop.diagnosis.damping.evidence import DampingJudgement, contradicts_held_out
 from pkmodes.loop.diagnosis.damping.explanation import loss_names, p_of_loss
 from pkmodes.loop.diagnosis.damping.fit import AT_BOUND_FRACTION, LossFit, LossFitter
-from pkmodes.loop.diagnosis.damping.observations import usable_mask
+from pkmodes.loop.diagnosis.damping.observations import informative_mask
 from pkmodes.loop.diagnosis.damping.rules import NOT_PREDICTED
 from pkmodes.loop.diagnosis.damping.stage import DampingStage
 from pkmodes.loop.diagnosis.problem import Array, Loss
-from pkmodes.loop.diagnosis.search.limits import ONE_SIDED
+from pkmodes.loop.diagnosis.search.limits import ONE_SIDED_SIGMAS
 from pkmodes.loop.diagnosis.verdict.findings import (
     Corrected,
     Examined,
@@ -65,27 +65,29 @@ def undiagnosed_damping(losses: Sequence[Loss], reason: str, notes: Sequence[str
 
 
 def with_damping_result(result: Diagnosis, data: Measurements, stage: DampingStage) -> Diagnosis:
-    """Return a diagnosis with the result for its damping, and every measured ratio beside that of the model."""
+    """Return a diagnosis with the result for its damping, and every measured ratio with that of the model."""
     fitter, judgement = stage.fitter, stage.judgement
     effects = damping_findings(fitter, judgement)
-    resolved, used, held_out_rows = stage.all_rows.resolved, stage.used, stage.held_out
+    resolved, used_mask, held_out_mask = stage.all_rows.resolved_mask, stage.used_mask, stage.held_out_mask
     with np.errstate(divide="ignore", invalid="ignore"):
-        before, after = (np.log(stage.all_rows.ratio) - np.log(predicted) for predicted in stage.predicted)
-    held_out_factor = _rms_factor(after[held_out_rows & resolved])
+        before, after = (
+            np.log(stage.all_rows.ratio) - np.log(predicted) for predicted in stage.ratios_before_and_after
+        )
+    held_out_factor = _rms_factor(after[held_out_mask & resolved])
     notes = list(stage.notes)
     settled = judgement.verdict in (ADEQUATE, EFFECT_FOUND)
-    held_out_observations = stage.all_rows.select(held_out_rows)
+    held_out_observations = stage.all_rows.select(held_out_mask)
     if (
         settled
         and held_out_factor is not None
         and contradicts_held_out(
-            held_out_observations, stage.final.values, fitter.criteria, judgement.says.scatter
+            held_out_observations, stage.final_fit.values, fitter.criteria, judgement.answer.ratio_scatter
         )
     ):
         notes.append(words.not_predicted_note(held_out_factor))
     examined, limits = test_candidates(stage, effects)
     corrected = _corrected_losses(stage)
-    nuisances = {fitter.losses[j].parameter.name for j in fitter.nuisances}
+    nuisances = {fitter.losses[j].parameter.name for j in fitter.nuisance_indices}
     damping = Damping(
         verdict=judgement.verdict.word,
         reason=words.damping_clause(fitter, judgement, effects),
@@ -97,13 +99,13 @@ def with_damping_result(result: Diagnosis, data: Measurements, stage: DampingSta
         candidates=tuple(examined),
         notes=tuple(notes),
         stability=_stability(stage),
-        fitted=int(used.sum()),
-        scatter=judgement.says.scatter,
-        before=_rms_factor(before[used & resolved]),
-        after=_rms_factor(after[used & resolved]),
+        fitted=int(used_mask.sum()),
+        scatter=judgement.answer.ratio_scatter,
+        before=_rms_factor(before[used_mask & resolved]),
+        after=_rms_factor(after[used_mask & resolved]),
         held_out=held_out_factor,
         corrected=corrected,
-        correlation=tuple(map(tuple, stage.final.correlation.tolist())),
+        correlation=tuple(map(tuple, stage.final_fit.correlation.tolist())),
     )
     return replace(result, rows=_rows(result, data, stage), damping=damping)
 
@@ -116,8 +118,8 @@ def _rms_factor(log_differences: Array) -> float | None:
 
 
 def _rows(result: Diagnosis, data: Measurements, stage: DampingStage) -> tuple[Row, ...]:
-    """Return every measured mode with its damping beside that of the model."""
-    all_rows, used = stage.all_rows, stage.used
+    """Return every measured mode with its measured damping and that of the model."""
+    all_rows, used_mask = stage.all_rows, stage.used_mask
     rows = list(result.rows)
     for i in np.flatnonzero(~np.isnan(data.damping)).tolist():
         measured, sigma = float(data.damping[i]), float(data.damping_sigma[i])
@@ -128,19 +130,19 @@ def _rows(result: Diagnosis, data: Measurements, stage: DampingStage) -> tuple[R
             damping_used=False,
             damping_remark="the mode has no partner",
         )
-    before, after = stage.predicted
-    sigma_used, informative = stage.sigma_used, usable_mask(all_rows)
+    before, after = stage.ratios_before_and_after
+    comparison_sigma, is_informative = stage.comparison_sigma, informative_mask(all_rows)
     for k, i in enumerate(all_rows.index.tolist()):
         ratio_before, ratio_after, sigma_of_row = (
-            float(value[k]) if np.isfinite(value[k]) else None for value in (before, after, sigma_used)
+            float(value[k]) if np.isfinite(value[k]) else None for value in (before, after, comparison_sigma)
         )
         remark: str | None = None
-        if not used[k]:
+        if not used_mask[k]:
             if rows[i].held_out:
                 remark = "held out"
-            elif not informative[k]:
+            elif not is_informative[k]:
                 remark = "it says nothing about the losses"
-            elif stage.other_shape[k]:
+            elif stage.mismatched_shape_mask[k]:
                 remark = f"the shape is not that of its mode (MAC {rows[i].mac:.2f})"
             else:
                 remark = "the frequency is an outlier" if rows[i].outlier else "set aside"
@@ -148,7 +150,7 @@ def _rows(result: Diagnosis, data: Measurements, stage: DampingStage) -> tuple[R
             rows[i],
             damping_before=ratio_before,
             damping_after=ratio_after,
-            damping_used=bool(used[k]),
+            damping_used=bool(used_mask[k]),
             sigma_damping_used=sigma_of_row,
             damping_remark=remark,
         )
@@ -174,7 +176,7 @@ def _stability(stage: DampingStage) -> tuple[Stability, ...]:
 
 def _corrected_losses(stage: DampingStage) -> tuple[Corrected, ...]:
     """Return the fitted losses."""
-    fitter, final, corrected = stage.fitter, stage.final, []
+    fitter, final, corrected = stage.fitter, stage.final_fit, []
     for j in final.free:
         p, value = fitter.losses[j].parameter, loss_value(fitter, final, j)
         at_bound = value.value >= AT_BOUND_FRACTION * p.upper
@@ -213,12 +215,12 @@ def surviving_classes(fitter: LossFitter, judgement: DampingJudgement) -> tuple[
     class_members = (
         [fit for class_fits in judgement.classes for fit in class_fits] if len(judgement.classes) == 1 else []
     )
-    remaining = [
+    remaining_fits = [
         *class_members,
-        *(fit for fit in judgement.says.rivals if not any(fit is member for member in class_members)),
+        *(fit for fit in judgement.answer.rivals if not any(fit is member for member in class_members)),
     ]
     threshold = fitter.criteria.claim.told_apart
-    groups = grouped(remaining, lambda member, fit: fitter.difference(fit, member) < threshold)
+    groups = grouped(remaining_fits, lambda member, fit: fitter.squared_difference(fit, member) < threshold)
     return tuple(tuple(loss_names(fitter, fit) for fit in group) for group in groups)
 
 
@@ -233,8 +235,8 @@ def test_candidates(
     """Return the tests and limits of the candidates that are not claimed."""
     fitter, judgement, claimed = stage.fitter, stage.judgement, member_names(findings)
     tests, limits = [], {}
-    base_fits = judgement.says.rivals[:MAX_EXPLANATIONS] or (judgement.final,)
-    remaining_names = {fitter.losses[j].candidate for fit in judgement.says.rivals for j in fit.causes}
+    base_fits = judgement.answer.rivals[:MAX_EXPLANATIONS] or (judgement.final,)
+    remaining_names = {fitter.losses[j].candidate for fit in judgement.answer.rivals for j in fit.causes}
     remaining_names = remaining_names if judgement.verdict is AMBIGUOUS else set()
     for j, loss in enumerate(fitter.losses):
         if not loss.candidate or not loss.claimable:
@@ -287,7 +289,7 @@ def _profile_limit(fitter: LossFitter, fit: LossFit, loss: int) -> float | None:
     )
 
     def excess(value: float) -> float:
-        return fitter.fit(other_causes, {loss: value}).chi2 - least_chi2 - ONE_SIDED**2
+        return fitter.fit(other_causes, {loss: value}).chi2 - least_chi2 - ONE_SIDED_SIGMAS**2
 
     upper = max(start, 1e-3 * fitter.typical_values[loss])
     for _ in range(MAX_DOUBLINGS):
@@ -299,19 +301,19 @@ def _profile_limit(fitter: LossFitter, fit: LossFit, loss: int) -> float | None:
     upper = min(upper, critical)
     if excess(upper) <= 0.0:
         return None
-    highest = (
+    upper_end = (
         float(brentq(excess, min(start, upper), upper, rtol=1e-4)) if excess(min(start, upper)) < 0 else upper
     )
     if not declared:
-        return highest
-    lowest = 0.0 if excess(0.0) <= 0.0 else float(brentq(excess, 0.0, start, rtol=1e-4))
-    return max(highest - declared, declared - lowest)
+        return upper_end
+    lower_end = 0.0 if excess(0.0) <= 0.0 else float(brentq(excess, 0.0, start, rtol=1e-4))
+    return max(upper_end - declared, declared - lower_end)
 
 
 def _test_of_loss(
     fitter: LossFitter, final: LossFit, loss: int, p_value: float, *, is_bounded: bool, explains: bool
 ) -> Examined:
-    """Return the test of a loss, its smallest visible value beside a fit, and whether it is detectable.
+    """Return the test of a loss, its smallest visible value when added to a fit, and whether it is detectable.
 
     - is_bounded: whether the data bound it
     - explains: whether it is claimed, in the class of a claim, or remains as an explanation
@@ -325,8 +327,8 @@ def _test_of_loss(
     norm = float(np.linalg.norm(remainder))
     sigma = 1.0 / norm if norm > 1e-6 * float(np.linalg.norm(signature)) > 0.0 else np.inf
     size = c.claim.seen * sigma
-    detectable = explains or is_bounded or p_value <= c.gate.surely
+    is_detectable = explains or is_bounded or p_value <= c.gate.surely
     if not (is_bounded or explains) or not np.isfinite(size) or size > suspect.parameter.upper:
-        return Examined(suspect.candidate, p_value, (), detectable, suspect.sentence)
-    visible = Value(suspect.parameter.name, float(size), float(sigma), suspect.parameter.unit)
-    return Examined(suspect.candidate, p_value, (visible,), detectable, suspect.sentence)
+        return Examined(suspect.candidate, p_value, (), is_detectable, suspect.sentence)
+    visible_value = Value(suspect.parameter.name, float(size), float(sigma), suspect.parameter.unit)
+    return Examined(suspect.candidate, p_value, (visible_value,), is_detectable, suspect.sentence)

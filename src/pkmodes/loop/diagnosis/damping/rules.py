@@ -18,9 +18,9 @@ from pkmodes.core.base.numbers import plain
 from pkmodes.loop.diagnosis.damping import words
 from pkmodes.loop.diagnosis.damping.evidence import (
     DampingJudgement,
+    LossAnswer,
     LossEvidence,
     LossRules,
-    LossSays,
     contradicts_held_out,
 )
 from pkmodes.loop.diagnosis.damping.explanation import (
@@ -52,7 +52,7 @@ def judge(evidence: LossEvidence, rules: LossRules) -> DampingJudgement:
         final=explanation.best if explanation else evidence.base,
         classes=explanation.classes if explanation else (),
         p_values=explanation.p_values if explanation else (),
-        says=decision.answer,
+        answer=decision.answer,
     )
 
 
@@ -62,32 +62,32 @@ def judge(evidence: LossEvidence, rules: LossRules) -> DampingJudgement:
 def too_few(e: LossEvidence) -> str:
     """The resolved ratios are too few for the uncertain losses, a cause, and a test of it."""
     count = e.resolved_count
-    if count >= len(e.fitter.nuisances) + 1 + e.criteria.claim.redundancy:
+    if count >= len(e.fitter.nuisance_indices) + 1 + e.criteria.claim.redundancy:
         return ""
     subject = "1 resolved damping ratio is" if count == 1 else f"{count} resolved damping ratios are"
     return f"{subject} too few"
 
 
-def as_declared(e: LossEvidence) -> LossSays | None:
+def as_declared(e: LossEvidence) -> LossAnswer | None:
     """The ratios are those of the declared losses, and no other loss improves on them."""
     level = e.criteria.gate.level
-    return LossSays("") if e.base.p_value > level and e.p_one_more > level else None
+    return LossAnswer("") if e.base.p_value > level and e.p_one_more > level else None
 
 
 # Several explanations, or none that names a joint --------------------------------------------------------------
 
 
-def several(e: LossEvidence) -> LossSays | None:
+def several(e: LossEvidence) -> LossAnswer | None:
     """Several explanations remain that do not form one class."""
     explanation = e.explanation
     return (
-        LossSays("", rivals=(explanation.best, *explanation.rivals))
+        LossAnswer("", rivals=(explanation.best, *explanation.rivals))
         if explanation and explanation.rivals
         else None
     )
 
 
-def nearly_declared(e: LossEvidence) -> LossSays | None:
+def nearly_declared(e: LossEvidence) -> LossAnswer | None:
     """A common ratio other than the declared one explains them, and differs from it as repeated tests do."""
     if e.claim is None or not e.declares_losses or e.common_loss is None or len(e.claim.classes) != 1:
         return None
@@ -97,7 +97,7 @@ def nearly_declared(e: LossEvidence) -> LossSays | None:
     ratio, declared = _fitted_loss(fit, e.common_loss), float(e.fitter.declared[e.common_loss])
     if not declared or abs(math.log(ratio[0] / declared)) > e.criteria.damping.scatter:
         return None
-    return LossSays(words.nearly_declared_sentence(*ratio, declared), scatter=e.scatter_about(e.base))
+    return LossAnswer(words.nearly_declared_sentence(*ratio, declared), ratio_scatter=e.scatter_about(e.base))
 
 
 def common_ratio(e: LossEvidence) -> str:
@@ -114,7 +114,7 @@ def common_ratio(e: LossEvidence) -> str:
     return words.common_ratio_sentence(*_fitted_loss(fit, e.common_loss)) if is_only_explanation else ""
 
 
-def scattered(e: LossEvidence) -> LossSays | None:
+def scattered(e: LossEvidence) -> LossAnswer | None:
     """Nothing is claimed, and ratios scatter about a common one, or about those declared, as in repeated tests."""
     if e.claim is not None:
         return None
@@ -128,7 +128,7 @@ def scattered(e: LossEvidence) -> LossSays | None:
     scatter = e.scatter_about(fit)
     if scatter > e.criteria.damping.scatter:
         return None
-    return LossSays(words.scatter_sentence(center_ratio, scatter), scatter=scatter)
+    return LossAnswer(words.scatter_sentence(center_ratio, scatter), ratio_scatter=scatter)
 
 
 def _fitted_loss(fit: LossFit, loss: int) -> tuple[float, float]:
@@ -145,7 +145,7 @@ def tells_nothing(e: LossEvidence) -> str:
     if explanation is None or len(explanation.best.causes) != 1:
         return ""
     class_fits = explanation.classes[0]
-    differ = any(e.fitter.difference(class_fits[0], fit) >= MIN_SEPARATION for fit in class_fits)
+    differ = any(e.fitter.squared_difference(class_fits[0], fit) >= MIN_SEPARATION for fit in class_fits)
     if not differ or {fit.causes[0] for fit in class_fits} != set(e.fitter.candidates):
         return ""
     return "the damping ratios are too few or too uncertain to tell any of the losses apart"
@@ -197,14 +197,14 @@ def unexplained(e: LossEvidence) -> str:
 # Claims --------------------------------------------------------------------------------------------------------
 
 
-def other_errors(e: LossEvidence) -> LossSays | None:
+def other_errors(e: LossEvidence) -> LossAnswer | None:
     """With errors halved or doubled, or priors twice as wide, another loss takes the place of a claimed one."""
     explanation = e.explanation
-    assert explanation is not None  # `unexplained` stands before
+    assert explanation is not None  # the rule `unexplained` comes before
     for change, trial in e.trials.items():
         if trial.verdict is EFFECT_FOUND and not set(trial.final.causes) <= explanation.losses_of_classes:
             text = f"with {change}, {loss_names(e.fitter, trial.final)} would explain it better"
-            return LossSays(text, rivals=(explanation.best, e.fitter.fit(trial.final.causes)))
+            return LossAnswer(text, rivals=(explanation.best, e.fitter.fit(trial.final.causes)))
     return None
 
 
@@ -221,9 +221,9 @@ def not_predicted(e: LossEvidence) -> str:
     return f"{name} would explain that of the fitted poses, but not that of the held-out ones"
 
 
-def found(e: LossEvidence) -> LossSays:
+def found(e: LossEvidence) -> LossAnswer:
     """One class of losses is left for each cause."""
-    return LossSays("")
+    return LossAnswer("")
 
 
 # The tables ----------------------------------------------------------------------------------------------------
@@ -236,8 +236,10 @@ _BEFORE_DOUBTS: LossRules = (
     Rule("damping.common_ratio", ADEQUATE, common_ratio),
     Rule("damping.scattered", ADEQUATE, scattered),
 )
-_TELLS_NOTHING: Rule[LossEvidence, LossSays] = Rule("damping.tells_nothing", INSUFFICIENT_DATA, tells_nothing)
-_UNEXPLAINED: Rule[LossEvidence, LossSays] = Rule("damping.unexplained", UNEXPLAINED, unexplained)
+_TELLS_NOTHING: Rule[LossEvidence, LossAnswer] = Rule(
+    "damping.tells_nothing", INSUFFICIENT_DATA, tells_nothing
+)
+_UNEXPLAINED: Rule[LossEvidence, LossAnswer] = Rule("damping.unexplained", UNEXPLAINED, unexplained)
 #: An explanation that does not predict the held-out poses.
 NOT_PREDICTED = "damping.held_out"
 _FOUND = Rule("damping.found", EFFECT_FOUND, found)

@@ -29,7 +29,8 @@ def damping_clause(fitter: LossFitter, judgement: DampingJudgement, findings: Se
     """
     if judgement.verdict is ADEQUATE:
         return (
-            judgement.says.text or f"the damping is that of the model ({p_in_words(judgement.base.p_value)})"
+            judgement.answer.text
+            or f"the damping is that of the model ({p_in_words(judgement.base.p_value)})"
         )
     if judgement.verdict is EFFECT_FOUND:
         sentences = {loss.candidate: loss.sentence for loss in fitter.losses if loss.candidate}
@@ -38,11 +39,11 @@ def damping_clause(fitter: LossFitter, judgement: DampingJudgement, findings: Se
         ]
         return f"the damping is not that of the declared model; explanation: {' and '.join(causes)}"
     if judgement.verdict is AMBIGUOUS:
-        remaining = "; ".join(loss_names(fitter, fit) for fit in judgement.says.rivals)
-        return f"of the damping, {len(judgement.says.rivals)} different explanations remain: {remaining}"
+        remaining = "; ".join(loss_names(fitter, fit) for fit in judgement.answer.rivals)
+        return f"of the damping, {len(judgement.answer.rivals)} different explanations remain: {remaining}"
     if judgement.verdict is INSUFFICIENT_DATA:
-        return f"the damping is not diagnosed: {judgement.says.text}"
-    return f"the damping is not that of the model: {judgement.says.text}"
+        return f"the damping is not diagnosed: {judgement.answer.text}"
+    return f"the damping is not that of the model: {judgement.answer.text}"
 
 
 def common_ratio_sentence(ratio: float, sigma: float) -> str:

@@ -37,8 +37,8 @@ def deleted_residual(basis: Array, white: Array) -> Array:
     With H the projection onto the derivatives, it is (1 - H_ii)^-1 r_i: no refit is needed (Cook and Weisberg,
     Residuals and Influence in Regression, 1982).
 
-    - basis: their rows of an orthonormal basis of the derivatives, (n, k)
-    - white: their whitened residual r_i, (n,)
+    - basis: rows of these data in an orthonormal basis of the derivatives, (n, k)
+    - white: whitened residual r_i of these data, (n,)
     """
     # (1 - B B^T)^-1 r = r + B (1 - B^T B)^-1 B^T r: as many equations as parameters, not as data.
     gram = basis.T @ basis

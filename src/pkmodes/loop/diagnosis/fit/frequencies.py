@@ -18,7 +18,7 @@ REPEATED_GAP = 1e-7
 class FrequencyRows:
     """The logarithms of R measured frequencies as data of a fit, a `ComparedQuantity`.
 
-    - sigma: their standard deviations, (R, 1)
+    - sigma: standard deviations of the logarithms, (R, 1)
     """
 
     pairer: Pairer
@@ -44,11 +44,11 @@ class FrequencyRows:
         """Return the same for predictions of `count` times the setups."""
         return FrequencyRows(self.pairer.tiled(count), np.tile(self.sigma, (count, 1)))
 
-    def residual(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> Array:
+    def residual(self, prediction: Prediction, pairing: Pairing, used_row_mask: NDArray[np.bool_]) -> Array:
         """Return measured minus model in ln f, (R, 1); 0 for rows that are not used."""
-        return np.where(used, self.pairer.differences(prediction, pairing), 0.0)[:, None]
+        return np.where(used_row_mask, self.pairer.differences(prediction, pairing), 0.0)[:, None]
 
-    def rates(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> Array:
+    def rates(self, prediction: Prediction, pairing: Pairing, used_row_mask: NDArray[np.bool_]) -> Array:
         """Return the derivatives of ln f with respect to the requested parameters, (R, 1, T).
 
         Repeated modes, whose derivatives are not defined, have the mean of their group.
@@ -62,4 +62,4 @@ class FrequencyRows:
                 if np.isfinite(rates_of_modes[setup, members]).all():  # rigid modes have none at 0 Hz
                     rates_of_modes[setup, members] = rates_of_modes[setup, members].mean(axis=0)
         rates = rates_of_modes[self.pairer.pose, np.maximum(pairing.partner, 0)]
-        return np.where(((pairing.partner >= 0) & used)[:, None], rates, 0.0)[:, None]
+        return np.where(((pairing.partner >= 0) & used_row_mask)[:, None], rates, 0.0)[:, None]

@@ -42,13 +42,13 @@ class Hypothesis:
     """Assumptions beyond the declared model and its nuisances.
 
     - causes: added causes
-    - excluded: rows treated as outliers
-    - scatter: whether the modes of a setup share an error
+    - excluded_rows: rows treated as outliers
+    - has_shared_error: whether the modes of a setup share an error
     """
 
     causes: tuple[Candidate, ...] = ()
-    excluded: frozenset[int] = frozenset()
-    scatter: bool = False
+    excluded_rows: frozenset[int] = frozenset()
+    has_shared_error: bool = False
 
     @property
     def remote(self) -> bool:
@@ -129,8 +129,8 @@ class Fit(Fitted):
     The data are those of `Observations` (0 where not measured), then the priors.
 
     - free: nuisances first, then the parameters of the causes
-    - log_determinant: that of the covariance V of the data
-    - scatter: standard deviation of the error shared in a setup, tau
+    - log_determinant: log determinant of the covariance V of the data
+    - shared_error: standard deviation of the error shared in a setup, tau
     - residual: measured minus model, of ln f clipped if unmatched, (D,); 0 if excluded
     - at_bound: parameters of causes at a bound other than their null value
     - converged: whether the solver converged
@@ -138,7 +138,7 @@ class Fit(Fitted):
 
     hypothesis: Hypothesis
     log_determinant: float
-    scatter: float
+    shared_error: float
     prediction: Prediction
     pairing: Pairing
     residual: Array
@@ -163,8 +163,8 @@ def parallel_parameters(rates: Array) -> NDArray[np.bool_]:
     """
     finite = rates[np.isfinite(rates).all(axis=-1)]
     size = np.linalg.norm(finite, axis=0)
-    unit = finite / np.where(size > 0.0, size, 1.0)
-    return np.asarray(np.abs(unit.T @ unit) >= MIN_COSINE)
+    unit_columns = finite / np.where(size > 0.0, size, 1.0)
+    return np.asarray(np.abs(unit_columns.T @ unit_columns) >= MIN_COSINE)
 
 
 def orthonormal(columns: Array) -> Array:

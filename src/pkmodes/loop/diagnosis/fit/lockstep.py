@@ -47,14 +47,14 @@ class Descent:
 
     - values: values of all parameters, (P,)
     - free: indices of the free parameters
-    - used: used rows, (R,)
+    - used_row_mask: used rows, (R,)
     - evaluation: evaluation at these values; None if the structure cannot be evaluated
     - converged: whether the descent has converged
     """
 
     values: Array
     free: tuple[int, ...]
-    used: NDArray[np.bool_]
+    used_row_mask: NDArray[np.bool_]
     evaluation: DescentEvaluation | None = None
     damping: float = INITIAL_DAMPING
     converged: bool = False
@@ -68,8 +68,8 @@ class Descent:
 class Lockstep:
     """Rough fits of many hypotheses about one structure and one set of measurements.
 
-    - bounds: of all parameters, each (P,)
-    - observations: their errors are taken as uncorrelated
+    - bounds: lower and upper bounds of all parameters, each (P,)
+    - observations: measurements, whose errors are taken as uncorrelated
     """
 
     def __init__(
@@ -87,7 +87,8 @@ class Lockstep:
     ) -> list[Descent]:
         """Take at most `steps` steps from each start: values, free parameters, and used rows."""
         fits = [
-            Descent(np.clip(values, self._lower, self._upper), free, used) for values, free, used in starts
+            Descent(np.clip(values, self._lower, self._upper), free, used_row_mask)
+            for values, free, used_row_mask in starts
         ]
         for fit, evaluation in zip(fits, self._evaluate(fits, [fit.values for fit in fits]), strict=True):
             fit.evaluation = evaluation
@@ -120,7 +121,7 @@ class Lockstep:
         evaluations: list[DescentEvaluation | None] = [None] * len(fits)
         free_parameters, sigma = [fit.free for fit in fits], self._observations.noise.stated_sigma
         evaluated_sets = self._observations.evaluate_many(
-            self._structure, np.array(values), free_parameters, [fit.used for fit in fits]
+            self._structure, np.array(values), free_parameters, [fit.used_row_mask for fit in fits]
         )
         for k, residual, rate, prediction in evaluated_sets:
             white = np.concatenate([residual / sigma, self._priors.residual(values[k])])

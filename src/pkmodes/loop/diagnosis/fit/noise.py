@@ -75,28 +75,30 @@ class Noise:
                 index_list.append(components[rows[quantity.known[rows]]].ravel())
         self._data_of_setups = [np.concatenate(index_list) for index_list in index_lists]
 
-    def whitening(self, motion: Array | None, used: NDArray[np.bool_], tau: float) -> Whitening:
+    def whitening(
+        self, position_rates: Array | None, used_row_mask: NDArray[np.bool_], tau: float
+    ) -> Whitening:
         """Return the square root of V.
 
-        - motion: derivatives of the data with respect to the d components of their setup's position, (D, d), if it is
-          uncertain
-        - used: rows that are not excluded, (R,)
+        - position_rates: derivatives of the data with respect to the d components of their setup's position, (D, d);
+          None if no position is uncertain
+        - used_row_mask: rows that are not excluded, (R,)
         - tau: standard deviation of the shared error
         """
         log_variances = 2.0 * np.log(self.sigma)
-        if motion is None and tau == 0.0:
+        if position_rates is None and tau == 0.0:
             return Whitening(self.stated_sigma, (), float(log_variances.sum()))
         blocks, log_determinant = [], 0.0
         for setup, rows in enumerate(self.rows):
-            indices = rows if motion is None else self._data_of_setups[setup]
+            indices = rows if position_rates is None else self._data_of_setups[setup]
             V: Array = np.diag(self.stated_sigma[indices] ** 2)
-            if motion is not None:
-                V += (motion[indices] * self._position_sigma[setup] ** 2) @ motion[indices].T
+            if position_rates is not None:
+                V += (position_rates[indices] * self._position_sigma[setup] ** 2) @ position_rates[indices].T
             frequencies = np.arange(len(rows))
             V[np.ix_(frequencies, frequencies)] += tau**2
-            excluded = np.flatnonzero(~used[rows])
-            V[excluded] = V[:, excluded] = 0.0
-            V[excluded, excluded] = self.sigma[rows][excluded] ** 2
+            excluded_rows = np.flatnonzero(~used_row_mask[rows])
+            V[excluded_rows] = V[:, excluded_rows] = 0.0
+            V[excluded_rows, excluded_rows] = self.sigma[rows][excluded_rows] ** 2
             factor = np.linalg.cholesky(V).astype(float)
             blocks.append((indices, factor))
             log_determinant += float(
@@ -105,32 +107,34 @@ class Noise:
             )
         return Whitening(self.stated_sigma, tuple(blocks), log_determinant)
 
-    def standard_deviations(self, motion: Array | None) -> Array:
+    def standard_deviations(self, position_rates: Array | None) -> Array:
         """Return the standard deviations of ln f, (R,), including uncertain positions."""
-        if motion is None:
+        if position_rates is None:
             return self.sigma
         by_position = np.empty_like(self.sigma)
         for setup, rows in enumerate(self.rows):
-            by_position[rows] = ((motion[rows] * self._position_sigma[setup]) ** 2).sum(axis=1)
+            by_position[rows] = ((position_rates[rows] * self._position_sigma[setup]) ** 2).sum(axis=1)
         return np.asarray(np.sqrt(self.sigma**2 + by_position))
 
-    def shared_error(self, residual: Array, motion: Array | None, used: NDArray[np.bool_]) -> float:
+    def shared_error(
+        self, residual: Array, position_rates: Array | None, used_row_mask: NDArray[np.bool_]
+    ) -> float:
         """Return the most likely standard deviation of the error that the modes of a setup share."""
 
         def deviance(log_tau: float) -> float:
-            if motion is None:
-                return self._deviance(residual, used, float(np.exp(log_tau)))
-            whitening = self.whitening(motion, used, float(np.exp(log_tau)))
+            if position_rates is None:
+                return self._deviance(residual, used_row_mask, float(np.exp(log_tau)))
+            whitening = self.whitening(position_rates, used_row_mask, float(np.exp(log_tau)))
             white = whitening.whitened(residual)
             return float(white @ white) + whitening.log_determinant
 
-        smallest = np.log(0.01 * np.median(self.sigma))
-        minimum = minimize_scalar(deviance, bounds=(smallest, np.log(self._most_shared)), method="bounded")
+        min_log_tau = np.log(0.01 * np.median(self.sigma))
+        minimum = minimize_scalar(deviance, bounds=(min_log_tau, np.log(self._most_shared)), method="bounded")
         return float(np.exp(minimum.x))
 
-    def _deviance(self, residual: Array, used: NDArray[np.bool_], tau: float) -> float:
+    def _deviance(self, residual: Array, used_row_mask: NDArray[np.bool_], tau: float) -> float:
         """Return the deviance if tau is the only correlation, by the matrix determinant lemma."""
-        weights = np.where(used, self.sigma**-2, 0.0)
+        weights = np.where(used_row_mask, self.sigma**-2, 0.0)
         r = residual[: len(self.sigma)]
         weight_sums = np.bincount(self._setup, weights, len(self.rows))
         weighted_sums = np.bincount(self._setup, weights * r, len(self.rows))

@@ -29,22 +29,22 @@ from pkmodes.loop.measured.quantities import FREQUENCY
 class ObservationInput(NamedTuple):
     """Arguments from which the data of a quantity are made.
 
-    - scatter: standard deviation of shape components for which none is stated, relative to the largest component of
-      the row
+    - shape_scatter: standard deviation of shape components for which none is stated, relative to the largest
+      component of the row
     """
 
     data: Measurements
     structure: Structure
     pairer: Pairer
-    scatter: float
+    shape_scatter: float
     criteria: Criteria
 
 
 def shape_rows(measured: ObservationInput) -> ShapeRows:
     """Return the shapes of measured modes."""
-    data, structure, pairer, scatter, criteria = measured
+    data, structure, pairer, shape_scatter, criteria = measured
     units = [structure.channel_units[i] for i in pairer.columns]
-    return ShapeRows(data, pairer.columns, units, pairer.motion, scatter, criteria)
+    return ShapeRows(data, pairer.columns, units, pairer.motion, shape_scatter, criteria)
 
 
 SHAPE = "shape"
@@ -69,12 +69,12 @@ class Observations:
     """Measured modes at the setups of a structure.
 
     - reference: prediction of the declared model; the motion of its channels weights the channels of the shapes
-    - scatter: see `ObservationInput`
+    - shape_scatter: see `ObservationInput`
 
     Its attributes:
     - log_frequencies, sigma: ln f and its stated standard deviation, (R,)
     - size: number D of data
-    - frequency_rows: the data that are frequencies
+    - frequency_slice: the data that are frequencies
     - other_quantities: those other than the frequencies, by name
     """
 
@@ -83,21 +83,23 @@ class Observations:
         data: Measurements,
         structure: Structure,
         reference: Prediction,
-        scatter: float,
+        shape_scatter: float,
         criteria: Criteria,
     ) -> None:
         self.log_frequencies = FREQUENCY.transformed(data)
         pairer = Pairer(data, structure.channels, reference, criteria)
         self.sigma = FREQUENCY.transformed_sigma(data)
         self.frequencies = FrequencyRows(pairer, self.sigma[:, None])
-        measured = ObservationInput(data, structure, pairer, scatter, criteria)
+        measured = ObservationInput(data, structure, pairer, shape_scatter, criteria)
         self.other_quantities: Mapping[str, ComparedQuantity] = {
             name: make(measured) for name, make in QUANTITIES.items()
         }
         self._quantities: tuple[ComparedQuantity, ...] = (self.frequencies, *self.other_quantities.values())
         sizes = [quantity.sigma.size for quantity in self._quantities]
         ends = np.cumsum(sizes).tolist()
-        self.frequency_rows, *ranges = (slice(end - size, end) for size, end in zip(sizes, ends, strict=True))
+        self.frequency_slice, *ranges = (
+            slice(end - size, end) for size, end in zip(sizes, ends, strict=True)
+        )
         self._slices = dict(zip(self.other_quantities, ranges, strict=True))
         self.size: int = ends[-1]
         self.shape_rates = any(quantity.shape_rates for quantity in self._quantities)
@@ -123,25 +125,27 @@ class Observations:
         """A mask of all rows, (R,)."""
         return np.ones(len(self.log_frequencies), dtype=bool)
 
-    def degrees_of_freedom(self, used: Mask) -> int:
+    def degrees_of_freedom(self, used_row_mask: Mask) -> int:
         """Return the degrees of freedom of the data of some rows."""
-        return sum(int(quantity.count[used].sum()) for quantity in self._quantities)
+        return sum(int(quantity.count[used_row_mask].sum()) for quantity in self._quantities)
 
-    def mask_of_stated(self, used: Mask) -> tuple[Mask, int]:
+    def mask_of_stated(self, used_row_mask: Mask) -> tuple[Mask, int]:
         """Return the data of some rows with a stated error, as a mask (D,), and their degrees of freedom."""
-        rows = [used & quantity.known & quantity.stated for quantity in self._quantities]
+        rows = [used_row_mask & quantity.known & quantity.stated for quantity in self._quantities]
         masked = list(zip(self._quantities, rows, strict=True))
         mask = np.concatenate([np.repeat(row_mask, quantity.sigma.shape[1]) for quantity, row_mask in masked])
         return mask, sum(int(quantity.count[row_mask].sum()) for quantity, row_mask in masked)
 
-    def data_mask(self, used: Mask) -> Mask:
+    def data_mask(self, used_row_mask: Mask) -> Mask:
         """Return a mask of the data of some rows, (D,)."""
-        return np.concatenate([np.repeat(used, quantity.sigma.shape[1]) for quantity in self._quantities])
+        return np.concatenate(
+            [np.repeat(used_row_mask, quantity.sigma.shape[1]) for quantity in self._quantities]
+        )
 
     def data_indices(self, rows: NDArray[np.intp]) -> NDArray[np.intp]:
         """Return the indices of the data of some rows."""
         indices = np.arange(self.size)
-        parts = [self.frequency_rows, *self._slices.values()]
+        parts = [self.frequency_slice, *self._slices.values()]
         return np.concatenate(
             [indices[part].reshape(len(self.log_frequencies), -1)[rows].ravel() for part in parts]
         )
@@ -160,16 +164,18 @@ class Observations:
 
     # Comparison with predictions ---------------------------------------------------------------------------
 
-    def residual(self, prediction: Prediction, pairing: Pairing, used: Mask) -> Array:
+    def residual(self, prediction: Prediction, pairing: Pairing, used_row_mask: Mask) -> Array:
         """Return measured minus model, (D,); 0 for rows that are not used."""
         return np.concatenate(
-            [quantity.residual(prediction, pairing, used).ravel() for quantity in self._quantities]
+            [quantity.residual(prediction, pairing, used_row_mask).ravel() for quantity in self._quantities]
         )
 
-    def rates(self, prediction: Prediction, pairing: Pairing, used: Mask) -> Array:
+    def rates(self, prediction: Prediction, pairing: Pairing, used_row_mask: Mask) -> Array:
         """Return the derivatives of the predictions with respect to the requested parameters, (D, T)."""
         by_quantity = [
-            quantity.rates(prediction, pairing, used) for quantity in self._quantities if quantity.sigma.size
+            quantity.rates(prediction, pairing, used_row_mask)
+            for quantity in self._quantities
+            if quantity.sigma.size
         ]
         rates = np.vstack(
             [rate.reshape(rate.shape[0] * rate.shape[1], rate.shape[2]) for rate in by_quantity]
@@ -201,7 +207,7 @@ class Observations:
         structure: Structure,
         values: Array,
         free_parameters: Sequence[tuple[int, ...]],
-        used: Sequence[Mask],
+        used_row_masks: Sequence[Mask],
     ) -> Iterator[EvaluatedSet]:
         """Yield residuals and derivatives for several sets of parameter values, evaluated together.
 
@@ -209,7 +215,7 @@ class Observations:
 
         - values: (B, P)
         - free_parameters: indices of the parameters with respect to which each set is differentiated
-        - used: used rows of each set
+        - used_row_masks: used rows of each set
         """
         if not len(values):
             return
@@ -217,12 +223,15 @@ class Observations:
         for batch in structure.predict_many(values, free_parameters, shape_rates=shape_rates):
             if not np.isfinite(batch.prediction.eigenvalues).all():
                 continue
-            copies, used_rows = self.tiled(len(batch.sets)), np.concatenate([used[k] for k in batch.sets])
-            pairing = copies.pairer.pair(batch.prediction, used_rows, compare=False)
-            residuals = copies.split_copies(copies.residual(batch.prediction, pairing, used_rows))
+            copies, used_row_mask = (
+                self.tiled(len(batch.sets)),
+                np.concatenate([used_row_masks[k] for k in batch.sets]),
+            )
+            pairing = copies.pairer.pair(batch.prediction, used_row_mask, compare=False)
+            residuals = copies.split_copies(copies.residual(batch.prediction, pairing, used_row_mask))
             rates = np.zeros((*residuals.shape, 0))
             if any(free_parameters):
-                rates = copies.split_copies(copies.rates(batch.prediction, pairing, used_rows))
+                rates = copies.split_copies(copies.rates(batch.prediction, pairing, used_row_mask))
             prediction_of_all = batch.prediction
             setup_count = len(prediction_of_all.eigenvalues) // len(batch.sets)
             for k, set_index in enumerate(batch.sets.tolist()):

@@ -24,7 +24,7 @@ MIN_EIGENVALUE, MAX_ROUNDING = 1e-8, 1e-6
 class Priors:
     """Normal and log-normal priors of the parameters that have one.
 
-    - widened: factor on all standard deviations
+    - prior_factor: factor on all standard deviations
 
     Its attributes:
     - index: indices of the parameters with a prior, (P,)
@@ -36,7 +36,7 @@ class Priors:
     """
 
     def __init__(
-        self, parameters: Sequence[Parameter], candidates: Sequence[Candidate], widened: float = 1.0
+        self, parameters: Sequence[Parameter], candidates: Sequence[Candidate], prior_factor: float = 1.0
     ) -> None:
         sigmas = {i: p.sigma for i, p in enumerate(parameters) if p.sigma}
         names = {p.name: i for i, p in enumerate(parameters)}
@@ -58,7 +58,7 @@ class Priors:
                     raise PkmodesError(problem, where, "give the same one in every candidate")
         self.index: NDArray[np.intp] = np.array(sorted(sigmas), dtype=np.intp)
         self._row = {i: row for row, i in enumerate(self.index.tolist())}
-        self.sigma = widened * np.array([sigmas[i] for i in sorted(sigmas)], dtype=float)
+        self.sigma = prior_factor * np.array([sigmas[i] for i in sorted(sigmas)], dtype=float)
         self._declared = np.array([parameters[i].value for i in self.index])
         self._log = np.array([parameters[i].log for i in self.index], dtype=bool)
         for i in self.index[self._log & (self._declared <= 0.0)]:

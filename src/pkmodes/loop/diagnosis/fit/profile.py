@@ -33,8 +33,8 @@ END_TOLERANCE = 0.1
 #: Largest step outwards, relative to the size reached.
 MAX_GROWTH = 8.0
 #: Part of a step that remains after a retreat, where the model cannot be evaluated, and where it is lost.
-RETREAT = 0.5
-FAR_RETREAT = 0.125
+RETREAT_FRACTION = 0.5
+FAR_RETREAT_FRACTION = 0.125
 #: The model is lost where more than this part of the rise of its sum of squares comes from measured modes without a
 #: partner: their residuals depend on no value, so no refit leads back.
 LOST_FRACTION = 0.5
@@ -78,7 +78,7 @@ class Side:
     - sign: side of the declared value
     - free: indices of all free parameters
     - without_prior: parameters to be taken without their priors
-    - largest: largest plausible size on this side
+    - max_size: largest plausible size on this side
     - minimum: point of the smallest sum of squares
     - target: sum of squares at the end
     """
@@ -88,7 +88,7 @@ class Side:
     sign: int
     free: tuple[int, ...]
     without_prior: tuple[int, ...]
-    largest: float
+    max_size: float
     minimum: ProfilePoint
     target: float
 
@@ -142,15 +142,20 @@ class Profiles:
 
     def __init__(self, fitter: Fitter, fit: Fit) -> None:
         self.fitter, self.fit = fitter, fit
-        self._used, self._whitening = fitter.used_rows(fit.hypothesis), fitter.whitening(fit)
+        self._used_row_mask, self._whitening = fitter.used_row_mask(fit.hypothesis), fitter.whitening(fit)
 
     def points(self, requests: Sequence[ModelRequest]) -> list[ProfilePoint | None]:
         """Evaluate the model at several values, each with its free parameters and those without a prior."""
         points: list[ProfilePoint | None] = [None] * len(requests)
-        fitter, by = self.fitter, [request.free for request in requests]
-        values, used = np.array([request.values for request in requests]), [self._used] * len(requests)
+        fitter, free_parameters = self.fitter, [request.free for request in requests]
+        values, used_row_masks = (
+            np.array([request.values for request in requests]),
+            [self._used_row_mask] * len(requests),
+        )
         priors, whitened = fitter.priors, self._whitening.whitened
-        for evaluation in fitter.observations.evaluate_many(fitter.structure, values, by, used):
+        for evaluation in fitter.observations.evaluate_many(
+            fitter.structure, values, free_parameters, used_row_masks
+        ):
             request = requests[evaluation.set_index]
             white = np.concatenate([whitened(evaluation.residual), priors.residual(request.values)])
             jacobian = np.vstack([-whitened(evaluation.rates), priors.rates(request.values, request.free)])
@@ -162,8 +167,8 @@ class Profiles:
     def linear_end(self, side: Side) -> End:
         """Return an end of the model linearised at the least sum of squares."""
         step = self._step(side, side.minimum)
-        size = min(_outer_size(side, side.minimum, step), side.largest)
-        return End(self._values_at_size(side, side.minimum, step, size), size, size < side.largest)
+        size = min(_outer_size(side, side.minimum, step), side.max_size)
+        return End(self._values_at_size(side, side.minimum, step, size), size, size < side.max_size)
 
     def ends(self, sides: Sequence[Side]) -> list[End]:
         """Return the ends of all sides."""
@@ -187,7 +192,7 @@ class Profiles:
         side, size = search.side, search.size
         if point is None:
             search.outside, search.astray = size, False
-            search.retreat(RETREAT)
+            search.retreat(RETREAT_FRACTION)
             return
         step = self._step(side, point)
         refitted_values = self._values_at_size(side, point, step, size)
@@ -197,18 +202,18 @@ class Profiles:
             search.next_values = refitted_values
         elif abs(error) <= END_TOLERANCE * side.rise:
             search.end = End(refitted_values, size, True)
-        elif error < 0.0 and size >= side.largest:
+        elif error < 0.0 and size >= side.max_size:
             search.end = End(refitted_values, size, False)
         else:
             search.bracket(refitted_values, error < 0.0)
             largest_size = size + MAX_GROWTH * max(abs(size), abs(search.linear_size))
-            next_size = min(_outer_size(side, point, step), side.largest, largest_size)
+            next_size = min(_outer_size(side, point, step), side.max_size, largest_size)
             is_lost = point.fixed_squares - side.minimum.fixed_squares > LOST_FRACTION * (
                 point.squares - side.minimum.squares
             )
             if error > 0.0 and is_lost:
                 search.astray |= search.outside == size
-                search.retreat(FAR_RETREAT)
+                search.retreat(FAR_RETREAT_FRACTION)
                 return
             if not search.inside < next_size < search.outside:
                 next_size = 0.5 * (search.inside + search.outside)
@@ -304,7 +309,9 @@ class _EndSearch:
     def unreached_end(self) -> End:
         """Return the end as far as it is known, too large rather than too small."""
         bounded = bool(np.isfinite(self.outside)) and not self.astray
-        return End(self.inside_values, self.outside if bounded else self.side.largest, bounded, reached=False)
+        return End(
+            self.inside_values, self.outside if bounded else self.side.max_size, bounded, reached=False
+        )
 
 
 def without_priors(
@@ -313,7 +320,7 @@ def without_priors(
     """Return residual and derivatives without the priors of some parameters."""
     rows = fitter.priors.rows(index)
     if rows:
-        prior_rows = fitter.prior_rows.start + np.array(rows)
+        prior_rows = fitter.prior_slice.start + np.array(rows)
         white, jacobian = white.copy(), jacobian.copy()
         white[prior_rows], jacobian[prior_rows] = 0.0, 0.0
     return white, jacobian

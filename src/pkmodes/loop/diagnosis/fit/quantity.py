@@ -39,8 +39,8 @@ class ComparedQuantity(Protocol):
     def tiled(self, count: int) -> ComparedQuantity:
         """Return the same for predictions of `count` times the setups, the first copy first."""
 
-    def residual(self, prediction: Prediction, pairing: Pairing, used: Mask) -> Array:
+    def residual(self, prediction: Prediction, pairing: Pairing, used_row_mask: Mask) -> Array:
         """Return measured minus model, (R, n); 0 for rows that are not used."""
 
-    def rates(self, prediction: Prediction, pairing: Pairing, used: Mask) -> Array:
+    def rates(self, prediction: Prediction, pairing: Pairing, used_row_mask: Mask) -> Array:
         """Return the derivatives of what the model predicts with respect to the requested parameters, (R, n, T)."""

@@ -42,7 +42,7 @@ class ShapeRows:
     - columns: indices of the measured channels among the model's, (C,)
     - units: units of the measured channels, length C
     - motion: motion of each channel in the declared model, see `support.mac.channel_motion`, (S, C)
-    - scatter: standard deviation of the components of rows without a stated one
+    - shape_scatter: standard deviation of the components of rows without a stated one
 
     Its attributes:
     - known: rows with a usable shape, (R,)
@@ -57,7 +57,7 @@ class ShapeRows:
         columns: NDArray[np.intp],
         units: Sequence[str],
         motion: Array,
-        scatter: float,
+        shape_scatter: float,
         criteria: Criteria,
     ) -> None:
         self._columns, self._pose, self._setups = columns, data.pose, len(data.labels)
@@ -72,7 +72,7 @@ class ShapeRows:
         self.known = (components >= 2) & (largest[:, 0] > 0.0)
         self._shapes[~self.known] = 0.0
         self.count = np.where(self.known, components - 1, 0)
-        row_sigma = np.where(self.stated, shape_errors(data, criteria), scatter)
+        row_sigma = np.where(self.stated, shape_errors(data, criteria), shape_scatter)
         self.sigma = np.broadcast_to(row_sigma[:, None], data.shapes.shape)
         self._close = criteria.pairing.close
         # Rows that are compared with the modes of several rows at once.
@@ -101,17 +101,19 @@ class ShapeRows:
         """Whether any shape was measured, whose derivatives need those of the shapes of the model."""
         return self._shapes.size > 0
 
-    def residual(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> Array:
+    def residual(self, prediction: Prediction, pairing: Pairing, used_row_mask: NDArray[np.bool_]) -> Array:
         """Return the residuals with respect to the shapes of the partners, (R, C)."""
         if not self._shapes.size:
             return self._shapes
-        return self._project(prediction, pairing, used)[0]
+        return self._project(prediction, pairing, used_row_mask)[0]
 
-    def rates(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> Array:
+    def rates(self, prediction: Prediction, pairing: Pairing, used_row_mask: NDArray[np.bool_]) -> Array:
         """Return the derivatives of what the model predicts, the measured shape less the residual, (R, C, T)."""
         if prediction.shape_rates is None or not self._shapes.size:
             return np.zeros((*self._shapes.shape, prediction.rates.shape[-1]))
-        _, phi, amplitude, (space_rows, basis, amplitudes, modes) = self._project(prediction, pairing, used)
+        _, phi, amplitude, (space_rows, basis, amplitudes, modes) = self._project(
+            prediction, pairing, used_row_mask
+        )
         row_modes = self._pose, np.maximum(pairing.partner, 0)
         changes = prediction.shape_rates[row_modes][:, self._columns] * self._weights[..., None]
         size = np.maximum((phi**2).sum(axis=1), 1e-300)
@@ -124,11 +126,11 @@ class ShapeRows:
             )
             derivatives[space_rows] = change - np.swapaxes(basis, -1, -2) @ (basis @ change)
         return np.asarray(
-            np.where((self.known & used & (pairing.partner >= 0))[:, None, None], derivatives, 0.0)
+            np.where((self.known & used_row_mask & (pairing.partner >= 0))[:, None, None], derivatives, 0.0)
         )
 
     def _project(
-        self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]
+        self, prediction: Prediction, pairing: Pairing, used_row_mask: NDArray[np.bool_]
     ) -> tuple[Array, Array, Array, _ModeSpaces]:
         """Return residuals, the partners' shapes in the rows' weighting, their amplitude in each row, and spaces."""
         partner = np.maximum(pairing.partner, 0)
@@ -136,15 +138,17 @@ class ShapeRows:
         phi = np.where((pairing.partner >= 0)[:, None], phi, 0.0)
         amplitude = (phi * self._shapes).sum(axis=1) / np.maximum((phi**2).sum(axis=1), 1e-300)
         residual = self._shapes - phi * amplitude[:, None]
-        spaces = self._spaces(prediction, pairing, used)
+        spaces = self._spaces(prediction, pairing, used_row_mask)
         rows, basis = spaces.rows, spaces.basis
         if len(rows):
             projection = (np.swapaxes(basis, -1, -2) @ (basis @ self._shapes[rows][..., None]))[..., 0]
             residual[rows] = self._shapes[rows] - projection
-        return np.where((self.known & used)[:, None], residual, 0.0), phi, amplitude, spaces
+        return np.where((self.known & used_row_mask)[:, None], residual, 0.0), phi, amplitude, spaces
 
-    def _spaces(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> _ModeSpaces:
-        partner = np.where(used, pairing.partner, -1)
+    def _spaces(
+        self, prediction: Prediction, pairing: Pairing, used_row_mask: NDArray[np.bool_]
+    ) -> _ModeSpaces:
+        partner = np.where(used_row_mask, pairing.partner, -1)
         unpaired_modes = unpaired_close_modes(prediction, partner, self._pose, self._close)
         has_several_modes = (
             (self._close_rows[:, 1:] >= 0).any(axis=1) | (unpaired_modes >= 0).any(axis=1)

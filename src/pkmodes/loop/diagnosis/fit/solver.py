@@ -15,7 +15,7 @@ MAX_UNIT_RANGES = 1e6
 #: Largest unit of a variable, in multiples of its start value: in larger units that value would be lost to rounding.
 MAX_UNIT_MULTIPLE = 1e9
 #: Smallest length of the first step, in standard deviations.
-FIRST_STEP = 10.0
+MIN_FIRST_STEP = 10.0
 
 
 def bounded_least_squares(
@@ -29,10 +29,10 @@ def bounded_least_squares(
     """Minimise the sum of squares over some of the values.
 
     - residual: whitened residual (D,) for all values
-    - rates: its derivatives (D, k) with respect to the free values
+    - rates: derivatives of the residual with respect to the free values, (D, k)
     - values: start values, (P,)
     - free: indices of the k free values
-    - bounds: each (k,)
+    - bounds: lower and upper bounds of the free values, each (k,)
     - steps: largest number of evaluations of the residual
 
     Returns, in this order:
@@ -54,7 +54,7 @@ def bounded_least_squares(
         1.0 / np.where(column_norms > 0.0, column_norms, 1.0), MAX_UNIT_RANGES * (upper - lower)
     )
     unit = np.where(start_values != 0.0, np.minimum(unit, MAX_UNIT_MULTIPLE * np.abs(start_values)), unit)
-    origin = start_values - np.maximum(np.abs(start_values), FIRST_STEP * unit)
+    origin = start_values - np.maximum(np.abs(start_values), MIN_FIRST_STEP * unit)
 
     def values_at(u: Array) -> Array:
         all_values = values.copy()

@@ -22,7 +22,7 @@ Key = tuple[frozenset[str], frozenset[int], bool]
 
 def key(hypothesis: Hypothesis) -> Key:
     """Return a key of a hypothesis that is independent of the order of its causes."""
-    return frozenset(c.name for c in hypothesis.causes), hypothesis.excluded, hypothesis.scatter
+    return frozenset(c.name for c in hypothesis.causes), hypothesis.excluded_rows, hypothesis.has_shared_error
 
 
 class FitStore:
@@ -77,11 +77,14 @@ class FitStore:
     def rough_fits(self, jobs: Sequence[tuple[Hypothesis, Sequence[Array]]]) -> list[Fit]:
         """Fit several hypotheses roughly, each from the best of several starts, and return those that succeed."""
         starts = [(hypothesis, values) for hypothesis, guesses in jobs for values in guesses]
-        reached, fits = iter(self.fitter.rough_descents(starts)), []
+        descents, fits = iter(self.fitter.rough_descents(starts)), []
         for hypothesis, guesses in jobs:
-            best, k = min((next(reached) for _ in guesses), key=lambda descent: descent.chi2), key(hypothesis)
+            best, k = (
+                min((next(descents) for _ in guesses), key=lambda descent: descent.chi2),
+                key(hypothesis),
+            )
             if (
-                hypothesis.scatter or self.fitter.observations.noise.uncertain
+                hypothesis.has_shared_error or self.fitter.observations.noise.uncertain
             ):  # correlated errors: the rough fit is only a start
                 self._fits[k] = self.fitter.fit(hypothesis, best.values)
             else:
@@ -135,7 +138,7 @@ class FitStore:
         values = fit.values.copy()
         for cause in fit.causes:
             if cause not in hypothesis.causes:
-                index = list(self.fitter.indices(cause))
+                index = list(self.fitter.parameter_indices(cause))
                 values[index] = self.fitter.declared[index]
         return values
 
@@ -144,9 +147,11 @@ class FitStore:
     def degrees(self, fit: Fit) -> int:
         """Return the degrees of freedom: data less parameters without prior, excluded rows and the shared error."""
         h, fitter = fit.hypothesis, self.fitter
-        count = fitter.observations.degrees_of_freedom(fitter.used_rows(h))
+        count = fitter.observations.degrees_of_freedom(fitter.used_row_mask(h))
         return (
-            count - sum(fitter.priors.row_of(i) is None for i in self.added_parameters(fit)) - int(h.scatter)
+            count
+            - sum(fitter.priors.row_of(i) is None for i in self.added_parameters(fit))
+            - int(h.has_shared_error)
         )
 
     def p_value(self, fit: Fit) -> float:
@@ -163,14 +168,14 @@ class FitStore:
 
     def frequency_misfit(self, fit: Fit) -> Misfit:
         """Return the misfit of the frequencies and priors."""
-        fitter, h, rows = self.fitter, fit.hypothesis, self.fitter.observations.frequency_rows
+        fitter, h, rows = self.fitter, fit.hypothesis, self.fitter.observations.frequency_slice
         if rows.stop == fitter.observations.size:
             return Misfit(fit.chi2, float(self.degrees(fit)))
         priors = fitter.priors.rows(fit.free)
-        parts = [fit.leverage[rows], fit.leverage[fitter.prior_rows][priors]]
-        white = [fit.white[rows], fit.white[fitter.prior_rows]]
+        parts = [fit.leverage[rows], fit.leverage[fitter.prior_slice][priors]]
+        white = [fit.white[rows], fit.white[fitter.prior_slice]]
         leverage = sum(float(part.sum()) for part in parts)
-        count = self._rows - len(h.excluded) + len(priors) - int(h.scatter)
+        count = self._rows - len(h.excluded_rows) + len(priors) - int(h.has_shared_error)
         return Misfit(sum(float(part @ part) for part in white), count - leverage)
 
     def criterion(self, fit: Fit) -> float:
@@ -188,14 +193,14 @@ class FitStore:
                 price += per_parameter
             else:
                 k = fit.free.index(i)
-                width = fitter.priors.sigmas_in_units(fit.values)[row]
-                price += max(float(np.log(width**2 / max(fit.covariance[k, k], 1e-300))), 0.0)
-        count = int(h.scatter) + fitter.criteria.search.price_of_row * len(h.excluded)
+                prior_sigma = fitter.priors.sigmas_in_units(fit.values)[row]
+                price += max(float(np.log(prior_sigma**2 / max(fit.covariance[k, k], 1e-300))), 0.0)
+        count = int(h.has_shared_error) + fitter.criteria.search.price_of_row * len(h.excluded_rows)
         return fit.deviance + price + per_parameter * count
 
     def price(self, candidate: Candidate) -> float:
         """Return the penalty of a candidate in the criterion, for its parameters without prior and its odds."""
-        free = [i for i in self.fitter.indices(candidate) if self.fitter.priors.row_of(i) is None]
+        free = [i for i in self.fitter.parameter_indices(candidate) if self.fitter.priors.row_of(i) is None]
         return self.parameter_price * len(free) + _odds(candidate)
 
     @property
@@ -208,7 +213,7 @@ class FitStore:
         reduced = self.fit_without(fit, len(fit.causes) - 1 if index is None else index)
         if reduced is None:
             return True
-        data_indices, priors = self.fitter.observations.data_indices_by_setup(), self.fitter.prior_rows
+        data_indices, priors = self.fitter.observations.data_indices_by_setup(), self.fitter.prior_slice
         squares, leverage = predict_left_out(fit, data_indices)
         is_predicted = leverage < self.fitter.criteria.claim.alone
         baseline = predict_left_out(reduced, data_indices)[0]
@@ -230,19 +235,19 @@ class FitStore:
 
         A further parameter of a term that is 0, such as the mass of a support, has no effect and is left out.
         """
-        added: list[int] = []
+        added_indices: list[int] = []
         for cause in fit.causes:
-            first, *further_indices = self.fitter.indices(cause)
-            added.append(first)
+            first, *further_indices = self.fitter.parameter_indices(cause)
+            added_indices.append(first)
             for i in further_indices:
-                absent = (
+                is_absent = (
                     cause.form
                     and self.fitter.parameters[i].value == 0.0
                     and abs(float(fit.values[i])) <= ABSENT_SIGMAS * fit.sigma_of(i)
                 )
-                if not absent:
-                    added.append(i)
-        return added
+                if not is_absent:
+                    added_indices.append(i)
+        return added_indices
 
 
 def _odds(candidate: Candidate) -> float:

@@ -130,24 +130,26 @@ class Pairer:
         copies._close_rows = tile_indices(self._close_rows, count, rows)
         return copies
 
-    def pair(self, prediction: Prediction, used: NDArray[np.bool_], *, compare: bool = True) -> Pairing:
+    def pair(
+        self, prediction: Prediction, used_row_mask: NDArray[np.bool_], *, compare: bool = True
+    ) -> Pairing:
         """Pair the used rows; the others get no partner.
 
-        - used: (R,)
+        - used_row_mask: (R,)
         - compare: whether to compute the MAC with the partners, which takes time
         """
         c, rigid = self._criteria, prediction.rigid
-        logs = prediction.log_frequencies[:, rigid:]
+        log_frequencies = prediction.log_frequencies[:, rigid:]
         row = self._row
-        present = (row >= 0) & used[row]
+        is_present = (row >= 0) & used_row_mask[row]
         shapes = self._shapes(prediction) if len(self.columns) else None
         with np.errstate(invalid="ignore"):
-            distance = np.abs(self._log[row][..., None] - logs[:, None])
-            close = np.diff(logs, axis=1) < c.pairing.close
+            distance = np.abs(self._log[row][..., None] - log_frequencies[:, None])
+            is_close_to_next = np.diff(log_frequencies, axis=1) < c.pairing.close
         cost = distance**2
         if shapes is not None:
             single_macs = shapes.single_macs()
-            macs = self._macs_with_close_modes(single_macs, shapes, logs, close)
+            macs = self._macs_with_close_modes(single_macs, shapes, log_frequencies, is_close_to_next)
             explained = explained_difference(shapes.rows, shapes.errors, c.pairing.shape_sigmas)[..., None]
             explained = np.minimum(explained, 1.0 - c.shapes.good_mac)
             shape_distance = np.maximum(1.0 - macs - explained, 0.0) / (1.0 - explained)
@@ -155,12 +157,12 @@ class Pairer:
         # The assignment may take a mode that is too far away, which is then no partner.  Its cost is constant:
         # otherwise a mode that the model lacks would shift the others.
         cost = np.where(distance <= c.pairing.reach, cost, c.pairing.reach**2 + c.pairing.shape_weight**2)
-        partner = _assign(cost, present, np.isfinite(logs))
+        partner = _assign(cost, is_present, np.isfinite(log_frequencies))
         entries = np.arange(len(row))[:, None], np.arange(row.shape[1]), np.maximum(partner, 0)
         with np.errstate(invalid="ignore"):
             partner = np.where(distance[entries] <= c.pairing.reach, partner, -1)
-        if close.any():
-            partner = _reorder_close_modes(partner, self._log[row], close)
+        if is_close_to_next.any():
+            partner = _reorder_close_modes(partner, self._log[row], is_close_to_next)
         partners = np.full(len(self._log), -1, dtype=np.intp)
         is_paired = partner >= 0
         partners[row[is_paired]] = partner[is_paired] + rigid
@@ -180,8 +182,8 @@ class Pairer:
     def differences(self, prediction: Prediction, pairing: Pairing) -> Array:
         """Return measured minus model in ln f, (R,); an unmatched mode counts as the reach of the pairing."""
         reach = self._criteria.pairing.reach
-        logs = prediction.log_frequencies[self.pose, np.maximum(pairing.partner, 0)]
-        differences = np.clip(FREQUENCY.residual(self._log, logs), -reach, reach)
+        partner_logs = prediction.log_frequencies[self.pose, np.maximum(pairing.partner, 0)]
+        differences = np.clip(FREQUENCY.residual(self._log, partner_logs), -reach, reach)
         return np.asarray(np.where(pairing.partner >= 0, differences, reach))
 
     def _shapes(self, prediction: Prediction) -> _Shapes:
@@ -191,21 +193,22 @@ class Pairer:
         rows = self._normalised * weights
         # A stated error is relative to the largest component; the scatter used otherwise, to the largest in units of
         # each channel's motion.
-        stated = self._errors[..., None] * weights
+        stated_errors = self._errors[..., None] * weights
         scatter = self._criteria.shapes.scatter * np.abs(rows).max(axis=-1, keepdims=True)
-        errors = np.where(np.isnan(stated), scatter, stated) * self._measured
+        errors = np.where(np.isnan(stated_errors), scatter, stated_errors) * self._measured
         return _Shapes(rows, model[:, prediction.rigid :] * weights, self._measured, errors)
 
     def _macs_with_close_modes(
-        self, single_macs: Array, shapes: _Shapes, logs: Array, close: NDArray[np.bool_]
+        self, single_macs: Array, shapes: _Shapes, log_frequencies: Array, is_close_to_next: NDArray[np.bool_]
     ) -> Array:
         """Return the MAC of each row with each mode of the model, or with the subspace of the modes close to it."""
-        setups = np.flatnonzero(close.any(axis=1))
+        setups = np.flatnonzero(is_close_to_next.any(axis=1))
         if not len(setups):
             return single_macs
         with np.errstate(invalid="ignore"):
             is_close = (
-                np.abs(logs[setups][:, :, None] - logs[setups][:, None, :]) < self._criteria.pairing.close
+                np.abs(log_frequencies[setups][:, :, None] - log_frequencies[setups][:, None, :])
+                < self._criteria.pairing.close
             )
         setup_index, mode = np.nonzero(is_close.sum(axis=-1) > 1)
         # Every row of a setup with a known shape, with every mode that has close neighbours.
@@ -224,14 +227,14 @@ class Pairer:
     ) -> Array:
         """Return the MAC of each row with its partner, or with the subspace of the partners and modes close to it."""
         pose, column = self.pose, self._column
-        paired = partner >= 0
-        macs = np.where(paired, single_macs[pose, column, np.maximum(partner, 0)], np.nan)
+        is_paired = partner >= 0
+        macs = np.where(is_paired, single_macs[pose, column, np.maximum(partner, 0)], np.nan)
         has_close_modes = (self._close_rows[:, 1:] >= 0).any(axis=1) | (unpaired_modes >= 0).any(axis=1)
-        crowded_rows = np.flatnonzero(paired & has_close_modes)
+        crowded_rows = np.flatnonzero(is_paired & has_close_modes)
         if len(crowded_rows):
             rows = self._close_rows[crowded_rows]
             members = np.zeros((len(crowded_rows), shapes.model.shape[1]), dtype=bool)
-            entry, member = np.nonzero((rows >= 0) & paired[rows])
+            entry, member = np.nonzero((rows >= 0) & is_paired[rows])
             members[entry, partner[rows[entry, member]]] = True
             entry, member = np.nonzero(unpaired_modes[crowded_rows] >= 0)
             members[entry, unpaired_modes[crowded_rows][entry, member]] = True
@@ -284,53 +287,59 @@ def close_rows(data: Measurements, criteria: Criteria) -> Index:
     return padded
 
 
-def unpaired_close_modes(prediction: Prediction, partner: Index, pose: Index, close: float) -> Index:
+def unpaired_close_modes(
+    prediction: Prediction, partner: Index, pose: Index, max_log_difference: float
+) -> Index:
     """Return the unpaired modes that nearly coincide with a row's partner.
 
     A measured mode may be any mixture of the two, so its pairing with one of them is arbitrary.
 
     - partner, pose: (R,)
-    - close: largest difference of the logarithms of their frequencies
+    - max_log_difference: largest difference of the logarithms of their frequencies
 
     Returns (R, 4): mode numbers, counted from 0, rigid ones included; padded with -1.
     """
-    logs = prediction.log_frequencies
-    is_paired = np.zeros(logs.shape, dtype=bool)
-    paired = partner >= 0
-    is_paired[pose[paired], partner[paired]] = True
+    log_frequencies = prediction.log_frequencies
+    is_paired_mode = np.zeros(log_frequencies.shape, dtype=bool)
+    is_paired_row = partner >= 0
+    is_paired_mode[pose[is_paired_row], partner[is_paired_row]] = True
     candidates = np.maximum(partner, 0)[:, None] + np.array([-2, -1, 1, 2])
-    exists = (candidates >= prediction.rigid) & (candidates < logs.shape[1]) & paired[:, None]
+    exists = (
+        (candidates >= prediction.rigid) & (candidates < log_frequencies.shape[1]) & is_paired_row[:, None]
+    )
     candidates = np.where(exists, candidates, 0)
-    partner_logs = logs[pose, np.maximum(partner, 0)][:, None]
+    partner_logs = log_frequencies[pose, np.maximum(partner, 0)][:, None]
     with np.errstate(invalid="ignore"):
-        is_close = np.abs(logs[pose[:, None], candidates] - partner_logs) < close
-    return np.where(exists & is_close & ~is_paired[pose[:, None], candidates], candidates, -1)
+        is_close = np.abs(log_frequencies[pose[:, None], candidates] - partner_logs) < max_log_difference
+    return np.where(exists & is_close & ~is_paired_mode[pose[:, None], candidates], candidates, -1)
 
 
-def _assign(cost: Array, present: NDArray[np.bool_], available: NDArray[np.bool_]) -> Index:
+def _assign(cost: Array, is_present: NDArray[np.bool_], is_available: NDArray[np.bool_]) -> Index:
     """Assign the rows of each setup one-to-one to modes (S, r) with the least sum of costs; -1 for unassigned rows.
 
     - cost: (S, r, m)
-    - present: rows to assign, (S, r)
-    - available: modes available, (S, m)
+    - is_present: rows to assign, (S, r)
+    - is_available: modes available, (S, m)
     """
-    cost = np.where(available[:, None], cost, np.inf)
+    cost = np.where(is_available[:, None], cost, np.inf)
     best: Index = cost.argmin(axis=2)
-    best[~(present & available.any(axis=1, keepdims=True))] = -1
+    best[~(is_present & is_available.any(axis=1, keepdims=True))] = -1
     # If every row can have its best mode, the sum is least.
     ordered = np.sort(best, axis=1)
     contested = ((np.diff(ordered, axis=1) == 0) & (ordered[:, 1:] >= 0)).any(axis=1)
     for setup in np.flatnonzero(contested):
-        rows, modes = np.flatnonzero(present[setup]), np.flatnonzero(available[setup])
+        rows, modes = np.flatnonzero(is_present[setup]), np.flatnonzero(is_available[setup])
         i, k = linear_sum_assignment(cost[setup][np.ix_(rows, modes)])
         best[setup] = -1
         best[setup, rows[i]] = modes[k]
     return best
 
 
-def _reorder_close_modes(partner: Index, measured: Array, close: NDArray[np.bool_]) -> Index:
+def _reorder_close_modes(partner: Index, measured: Array, is_close_to_next: NDArray[np.bool_]) -> Index:
     """Reorder the partners (S, r) in each group of close modes by the measured frequencies."""
-    group = np.concatenate([np.zeros((len(close), 1), dtype=np.intp), np.cumsum(~close, axis=1)], axis=1)
+    group = np.concatenate(
+        [np.zeros((len(is_close_to_next), 1), dtype=np.intp), np.cumsum(~is_close_to_next, axis=1)], axis=1
+    )
     row_group = np.where(partner >= 0, np.take_along_axis(group, np.maximum(partner, 0), axis=1), -1)
     # Groups ascend with the modes, so rows sorted by group and frequency get the partners in ascending order.
     ordered = np.empty_like(partner)

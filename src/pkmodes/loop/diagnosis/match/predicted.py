@@ -12,55 +12,57 @@ from pkmodes.loop.diagnosis.problem import Array, Prediction
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.measured.quantities import FREQUENCY
 
-#: Modes above this multiple of the highest measured frequency are padding of a setup with fewer modes than others.
+#: A setup with fewer modes than others is padded with modes above this multiple of the highest measured frequency.
 PADDING_MULTIPLE = 1e6
 
 
 @dataclass(frozen=True, eq=False)
-class Predicted:
+class PartnerPredictions:
     """Predictions of one model for all R measured modes at S setups, with m elastic modes each.
 
     - frequency: frequency of the partner, (R,) [Hz], NaN if the mode is unmatched
-    - mode: number of the partner among the elastic modes of its setup, from 1, (R,); 0 if unmatched
-    - sigmas: ln(f_model / f_measured) in standard deviations of the measurement, including its position error, (R,);
-      NaN if unmatched
-    - mac: MAC with the partner, or with the subspace of the partners of close modes, (R,); NaN without shape or
-      partner
-    - macs: MAC with each elastic mode of the setup, (R, m); NaN without shape
-    - spectrum: frequencies of the elastic modes of each setup, (S, m) [Hz], ascending; modes that pad a setup are NaN
+    - partner_mode: number of the partner among the elastic modes of its setup, from 1, (R,); 0 if unmatched
+    - normalised_differences: ln(f_model / f_measured) in standard deviations of the measurement, including its
+      position error, (R,); NaN if unmatched
+    - partner_mac: MAC with the partner, or with the subspace of the partners of close modes, (R,); NaN without shape
+      or partner
+    - mac_by_mode: MAC with each elastic mode of the setup, (R, m); NaN without shape
+    - elastic_frequencies: those of each setup, (S, m) [Hz], ascending; modes that pad a setup are NaN
     """
 
     frequency: Array
-    mode: NDArray[np.intp]
-    sigmas: Array
-    mac: Array
-    macs: Array
-    spectrum: Array
+    partner_mode: NDArray[np.intp]
+    normalised_differences: Array
+    partner_mac: Array
+    mac_by_mode: Array
+    elastic_frequencies: Array
 
     @classmethod
-    def of(
+    def from_pairing(
         cls, pairer: Pairer, data: Measurements, prediction: Prediction, pairing: Pairing, sigma: Array
-    ) -> Predicted:
+    ) -> PartnerPredictions:
         """Return the predictions for paired measurements.
 
-        - pairing: of all rows
+        - pairing: pairing of all rows
         - sigma: standard deviations of ln f, (R,)
         """
-        paired = pairing.partner >= 0
-        logs = prediction.log_frequencies
-        partner_logs = np.where(paired, logs[data.pose, np.maximum(pairing.partner, 0)], np.nan)
+        is_paired = pairing.partner >= 0
+        log_frequencies = prediction.log_frequencies
+        partner_logs = np.where(is_paired, log_frequencies[data.pose, np.maximum(pairing.partner, 0)], np.nan)
         return cls(
             frequency=np.exp(partner_logs),
-            mode=np.where(paired, pairing.partner - prediction.rigid + 1, 0),
-            sigmas=(partner_logs - FREQUENCY.transformed(data)) / sigma,
-            mac=pairing.mac,
-            macs=pairer.macs(prediction),
-            spectrum=spectrum_of(prediction, data),
+            partner_mode=np.where(is_paired, pairing.partner - prediction.rigid + 1, 0),
+            normalised_differences=(partner_logs - FREQUENCY.transformed(data)) / sigma,
+            partner_mac=pairing.mac,
+            mac_by_mode=pairer.macs(prediction),
+            elastic_frequencies=elastic_frequencies_of(prediction, data),
         )
 
 
-def spectrum_of(prediction: Prediction, data: Measurements) -> Array:
-    """Return the frequencies of the elastic modes of each setup [Hz], (S, m), see `Predicted`."""
+def elastic_frequencies_of(prediction: Prediction, data: Measurements) -> Array:
+    """Return the frequencies of the elastic modes of each setup [Hz], (S, m), see `PartnerPredictions`."""
     with np.errstate(over="ignore"):
-        spectrum = np.exp(prediction.log_frequencies[:, prediction.rigid :])
-    return np.where(spectrum < PADDING_MULTIPLE * data.frequency.max(), spectrum, np.nan)
+        elastic_frequencies = np.exp(prediction.log_frequencies[:, prediction.rigid :])
+    return np.where(
+        elastic_frequencies < PADDING_MULTIPLE * data.frequency.max(), elastic_frequencies, np.nan
+    )

@@ -23,10 +23,10 @@ def shape_errors(data: Measurements, criteria: Criteria) -> Array:
     is_too_small = data.shape_sigma < criteria.shapes.least_sigma
     if not is_too_small.any():
         return data.shape_sigma
-    logs, errors = np.log(data.frequency), data.sigma / data.frequency
-    squares = np.zeros(len(logs))
+    log_frequencies, errors = np.log(data.frequency), data.sigma / data.frequency
+    squares = np.zeros(len(log_frequencies))
     for a, b in pairs_of_setups(data.pose, np.argsort(data.pose, kind="stable")):
-        log_differences = np.abs(logs[a] - logs[b])
+        log_differences = np.abs(log_frequencies[a] - log_frequencies[b])
         is_separate = log_differences > criteria.pairing.mixed
         angles = (errors[a] ** 2 + errors[b] ** 2) / np.where(is_separate, log_differences, np.inf) ** 2
         squares[a] += angles  # each row once in `a`, and once in `b`

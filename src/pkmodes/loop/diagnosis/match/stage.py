@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from pkmodes.loop.diagnosis.match.pairing import Pairer, Pairing
-from pkmodes.loop.diagnosis.match.predicted import Predicted
+from pkmodes.loop.diagnosis.match.predicted import PartnerPredictions
 from pkmodes.loop.diagnosis.problem import Array, Prediction, Structure
 from pkmodes.loop.measured.measurements import Measurements
 
@@ -36,8 +36,8 @@ class MatchStage:
     def frequencies(self) -> Array:
         """Frequencies of the partners [Hz], (R,); NaN if unmatched."""
         partner = self.pairing.partner
-        logs = self.prediction.log_frequencies[self.data.pose, np.maximum(partner, 0)]
-        return np.where(partner >= 0, np.exp(logs), np.nan)
+        partner_logs = self.prediction.log_frequencies[self.data.pose, np.maximum(partner, 0)]
+        return np.where(partner >= 0, np.exp(partner_logs), np.nan)
 
     @cached_property
     def sigma(self) -> Array:
@@ -51,6 +51,8 @@ class MatchStage:
         return np.sqrt(variance)
 
     @cached_property
-    def predicted(self) -> Predicted:
+    def predicted(self) -> PartnerPredictions:
         """Partners, differences and MAC, for figures."""
-        return Predicted.of(self.pairer, self.data, self.prediction, self.pairing, self.sigma)
+        return PartnerPredictions.from_pairing(
+            self.pairer, self.data, self.prediction, self.pairing, self.sigma
+        )

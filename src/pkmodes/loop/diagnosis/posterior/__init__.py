@@ -1,1 +1,1 @@
-"""The posterior probabilities of all explanations: a second opinion beside the verdict."""
+"""The posterior probabilities of all explanations: a second opinion in addition to the verdict."""

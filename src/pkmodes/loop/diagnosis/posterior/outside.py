@@ -20,11 +20,15 @@ from scipy import special
 
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.posterior.linearised import LinearisedFit
-from pkmodes.loop.diagnosis.posterior.marginal import LOG_SCALE, marginal_log_likelihood, prior_of_scale
+from pkmodes.loop.diagnosis.posterior.marginal import (
+    LOG_ERROR_FACTORS,
+    marginal_log_likelihood,
+    prior_of_error_factor,
+)
 from pkmodes.loop.diagnosis.problem import Array
 
 #: Smallest signal of a change, largest relative change of the frequencies, and number of sizes in the quadrature.
-MIN_SIGNAL, MAX_FREQUENCY_CHANGE, SIZES = 5.0, 0.3, 15
+MIN_SIGNAL, MAX_FREQUENCY_CHANGE, SIZE_COUNT = 5.0, 0.3, 15
 #: Prior probability of a change that looks like scatter, and its largest factor on the errors.
 P_SCATTER, MAX_ERROR_FACTOR = 0.5, 20.0
 #: Directions with less than this variance at the largest size are left out as noise; smaller relative variances are
@@ -33,9 +37,9 @@ MIN_VARIANCE, ROUNDING = 0.1, 1e-12
 
 
 def log_evidence_outside(fitter: Fitter, model: LinearisedFit) -> float:
-    """Return the logarithm of the evidence of something outside the catalogue beside a fit."""
-    wide = ((LOG_SCALE >= 0.0) & (np.log(MAX_ERROR_FACTOR) >= LOG_SCALE)).astype(float)
-    prior = (1.0 - P_SCATTER) * prior_of_scale() + P_SCATTER * wide / wide.sum()
+    """Return the logarithm of the evidence of something outside the catalogue in addition to a fit."""
+    wide = ((LOG_ERROR_FACTORS >= 0.0) & (np.log(MAX_ERROR_FACTOR) >= LOG_ERROR_FACTORS)).astype(float)
+    prior = (1.0 - P_SCATTER) * prior_of_error_factor() + P_SCATTER * wide / wide.sum()
     frequencies, *other_squares, priors = model.squares
     max_signal = float(np.linalg.norm(MAX_FREQUENCY_CHANGE / fitter.observations.sigma))
     log_evidence_of_changes = log_evidence_of_frequencies(
@@ -55,17 +59,17 @@ def log_evidence_of_frequencies(
     - g, c: variances of changes of unit size along their principal directions, and the squares along each, (k,)
     - squares, degrees: sum of squares of all frequencies, and its degrees of freedom
     - max_signal: largest signal of a change
-    - prior: of the factors `LOG_SCALE` on the errors, (85,)
+    - prior: prior probabilities of the factors `LOG_ERROR_FACTORS` on the errors, (85,)
     """
-    sizes = np.geomspace(MIN_SIGNAL, max(max_signal, 2.0 * MIN_SIGNAL), SIZES)
+    sizes = np.geomspace(MIN_SIGNAL, max(max_signal, 2.0 * MIN_SIGNAL), SIZE_COUNT)
     is_visible = sizes[-1] ** 2 * g > MIN_VARIANCE
     g, c = g[is_visible], c[is_visible]
     remainder, count = max(squares - float(c.sum()), 0.0), max(degrees - len(g), 0.0)
-    log_scale, weights = LOG_SCALE[::2], prior[::2] / prior[::2].sum()
-    variance = np.exp(2.0 * log_scale)[:, None, None] + sizes[:, None] ** 2 * g
+    log_error_factors, weights = LOG_ERROR_FACTORS[::2], prior[::2] / prior[::2].sum()
+    variance = np.exp(2.0 * log_error_factors)[:, None, None] + sizes[:, None] ** 2 * g
     exponent = -0.5 * (np.log(variance) + c / variance).sum(axis=-1)
-    exponent -= (0.5 * remainder * np.exp(-2.0 * log_scale) + count * log_scale)[:, None]
-    return float(special.logsumexp(exponent, b=weights[:, None] / SIZES))
+    exponent -= (0.5 * remainder * np.exp(-2.0 * log_error_factors) + count * log_error_factors)[:, None]
+    return float(special.logsumexp(exponent, b=weights[:, None] / SIZE_COUNT))
 
 
 def spectrum(fitter: Fitter, model: LinearisedFit) -> tuple[Array, Array]:
@@ -73,19 +77,19 @@ def spectrum(fitter: Fitter, model: LinearisedFit) -> tuple[Array, Array]:
 
     The directions are orthogonal to the derivatives with respect to all fitted parameters.
     """
-    fit, rows, partner = model.fit, fitter.observations.frequency_rows, model.fit.pairing.partner
+    fit, rows, partner = model.fit, fitter.observations.frequency_slice, model.fit.pairing.partner
     mode_index = fitter.observations.pairer.pose, np.maximum(partner, 0)
     shapes, eigenvalues = fit.prediction.shapes[mode_index], np.abs(fit.prediction.eigenvalues[mode_index])
     i, j = np.triu_indices(shapes.shape[1])
     products = shapes[:, i] * shapes[:, j]
     is_used = partner >= 0
     is_used[list(model.set_aside)] = False
-    data = np.zeros((fitter.prior_rows.start, 2 * len(i)))
+    data = np.zeros((fitter.prior_slice.start, 2 * len(i)))
     data[rows] = np.hstack([products, products / np.maximum(eigenvalues, 1e-300)[:, None]]) * is_used[:, None]
     whitened = fitter.whitening(fit).whitened(data)[rows]
     norms = np.linalg.norm(whitened, axis=0)
     unit_signatures = whitened[:, norms > 0.0] / norms[norms > 0.0]
-    # A root of the covariance with few columns, then that of its part beside what is fitted.
+    # A root of the covariance with few columns, then that of its part orthogonal to what is fitted.
     values, vectors = np.linalg.eigh(unit_signatures @ unit_signatures.T / max(unit_signatures.shape[1], 1))
     significant = values > ROUNDING * max(values[-1], ROUNDING)
     root = vectors[:, significant] * np.sqrt(values[significant])

@@ -1,10 +1,10 @@
-"""The posterior probabilities that nothing is missing, of each class, of each pair, and of something outside.
+"""The posterior probabilities of nothing missing, of each class and pair, and of something outside the catalogue.
 
 The best fits of a search are weighed by their evidence and by a prior, the same for each candidate, and for each
-pair.  A cause that the search did not refit, because the linear model promised little, gets the evidence of the
-linear model; so does a second cause beside the best single one if that pair was not refitted.  Causes with several
-parameters are penalised by their Occam factors alone.  Remote candidates, such as those of a single joint, are part
-of what is outside.
+pair.  A cause that the search did not refit, because the linear model predicted little improvement, gets the
+evidence of the linear model; so does a second cause added to the best single one if that pair was not refitted.
+Causes with several parameters are penalised by their Occam factors alone.  Remote candidates, such as those of a
+single joint, are part of what is outside.
 """
 
 from __future__ import annotations
@@ -37,14 +37,13 @@ from pkmodes.loop.diagnosis.search.unmeasured import p_unmeasured
 
 #: Prior probabilities that nothing is missing, one cause, two, or something outside the catalogue.
 P_NOTHING, P_ONE_CAUSE, P_TWO_CAUSES, P_OUTSIDE = 0.55, 0.25, 0.04, 0.16
-#: Doubts: the part of its probability that every explanation loses to something outside, which may look like it: if
-#: the diagnosis accepts an explanation, if one leaves only noise but is not accepted, and if none leaves only noise.
-#: With these the most probable explanation of 266 cases, not those of the published table, had the best logarithmic
-#: score.
+#: Fraction of every explanation's probability given to something outside that may mimic it, when the diagnosis
+#: accepts an explanation, accepts none although one leaves only noise, or finds none that leaves only noise.  Chosen
+#: for the best logarithmic score over 266 cases that are not in the published table.
 DOUBT_IF_ACCEPTED, DOUBT_IF_REFUSED, DOUBT_IF_UNEXPLAINED = 0.03, 0.25, 0.55
-#: Fits are weighed up to this capped deviance above the smallest, and at most this many of them; something outside is
-#: tried beside this many fits without causes, and as many with causes.
-MAX_DEVIANCE_ABOVE_BEST, MAX_FITS, MAX_FITS_BESIDE_OUTSIDE = 60.0, 24, 3
+#: Fits are weighed if their capped deviance exceeds the smallest by at most the first, and at most the second number
+#: of them.  Something outside is combined with the best fits, the third number each with and without causes.
+MAX_DEVIANCE_ABOVE_BEST, MAX_FITS, MAX_FITS_WITH_OUTSIDE = 60.0, 24, 3
 #: Prior probability, given something outside, that it is in a single joint.
 P_SINGLE_JOINT = 0.1
 #: Classes less probable than the first are not reported, and members less probable than the second are left out.
@@ -63,13 +62,13 @@ class WeightedExplanation:
     """An explanation with its weight.
 
     - causes: names of its causes
-    - weight: logarithm of prior times evidence, not normalised
-    - data: its fit, or its whitened effect on the data in the linear model, (D,)
+    - log_weight: logarithm of prior times evidence, not normalised
+    - fit_or_effect: its fit, or its whitened effect on the data in the linear model, (D,)
     """
 
     causes: tuple[str, ...]
-    weight: float
-    data: Fit | Array
+    log_weight: float
+    fit_or_effect: Fit | Array
 
 
 def probabilities(
@@ -78,11 +77,17 @@ def probabilities(
     """Return the probabilities of all explanations; None if no fit is plausible.
 
     - max_deviations: largest plausible deviations of parameters of candidates
-    - outcome: of the search
-    - accepted: whether the verdict accepts an explanation, or leaves a few
+    - outcome: outcome of the search
+    - accepted: whether the verdict accepts one explanation or narrows the choice to a few
     """
-    fitter, nuisance_fit, count = search.store.fitter, outcome.nuisance_fit, max(len(search.candidates), 1)
-    priors = np.log([P_NOTHING, P_ONE_CAUSE / count, P_TWO_CAUSES / max(comb(count, 2), 1)])
+    fitter, nuisance_fit, candidate_count = (
+        search.store.fitter,
+        outcome.nuisance_fit,
+        max(len(search.candidates), 1),
+    )
+    log_priors = np.log(
+        [P_NOTHING, P_ONE_CAUSE / candidate_count, P_TWO_CAUSES / max(comb(candidate_count, 2), 1)]
+    )
     ranked = sorted(
         (
             (capped_deviance(fitter, fit), k, fit)
@@ -101,92 +106,106 @@ def probabilities(
     models.sort(key=lambda model: -model.log_evidence)
     catalogue_models = [model for model in models if not model.fit.hypothesis.remote]
     explanations = [
-        WeightedExplanation(_names(model.fit), priors[len(model.fit.causes)] + model.log_evidence, model.fit)
+        WeightedExplanation(
+            _cause_names(model.fit), log_priors[len(model.fit.causes)] + model.log_evidence, model.fit
+        )
         for model in catalogue_models
     ]
     for cause_count in (0, 1):
-        base = next((model for model in catalogue_models if len(model.fit.causes) == cause_count), None)
-        if base is not None:
-            explanations += _linear_explanations(search, max_deviations, base, priors[cause_count + 1])
-    log_weight_outside = _log_weight_outside(search, nuisance_fit, priors, models)
+        base_model = next((model for model in catalogue_models if len(model.fit.causes) == cause_count), None)
+        if base_model is not None:
+            explanations += _linear_explanations(
+                search, max_deviations, base_model, log_priors[cause_count + 1]
+            )
+    log_weight_outside = _log_weight_outside(search, nuisance_fit, log_priors, models)
     doubt = DOUBT_IF_REFUSED if outcome.last_gate.passed else DOUBT_IF_UNEXPLAINED
     merged = _merge_same_causes(search, nuisance_fit, explanations)
     return _normalise(fitter, merged, log_weight_outside, DOUBT_IF_ACCEPTED if accepted else doubt)
 
 
-def _names(fit: Fit, *added: str) -> tuple[str, ...]:
+def _cause_names(fit: Fit, *added: str) -> tuple[str, ...]:
     return tuple(sorted([*(cause.name for cause in fit.causes), *added]))
 
 
 def _linear_explanations(
-    search: Search, max_deviations: Mapping[int, float], base: LinearisedFit, prior: float
+    search: Search, max_deviations: Mapping[int, float], base_model: LinearisedFit, log_prior: float
 ) -> list[WeightedExplanation]:
-    """Return the explanations with one more cause than a fit that were not fitted, in the linear model.
+    """Return, from the linear model, the explanations that add one unfitted cause to a fit.
 
     A second cause whose effect the data cannot distinguish from none counts as the first cause alone.
 
     - max_deviations: largest plausible deviations of parameters of candidates
-    - prior: logarithm of the prior of each
+    - log_prior: logarithm of the prior of each
     """
-    fitted_names = {_names(fit) for fit in search.store.all_fits()}
-    scores = search.scores(base.fit)
-    directions = zip(
-        (candidate_score for candidate_score in scores.by_candidate if candidate_score.visible),
-        scores.directions,
-        strict=True,
-    )
+    fitted_names = {_cause_names(fit) for fit in search.store.all_fits()}
+    scores = search.scores(base_model.fit)
+    visible_scores = [
+        candidate_score for candidate_score in scores.by_candidate if candidate_score.is_visible
+    ]
     untried = [
         (candidate_score, axes)
-        for candidate_score, (axes, _) in directions
-        if _names(base.fit, candidate_score.candidate.name) not in fitted_names
+        for candidate_score, (axes, _) in zip(visible_scores, scores.directions, strict=True)
+        if _cause_names(base_model.fit, candidate_score.candidate.name) not in fitted_names
     ]
     if not untried:
         return []
-    removed_residuals = np.stack(
-        [axes @ (axes.T @ base.white) * (candidate_score.gain > 0.0) for candidate_score, axes in untried],
+    effects = np.stack(
+        [
+            axes @ (axes.T @ base_model.white) * (candidate_score.gain > 0.0)
+            for candidate_score, axes in untried
+        ],
         axis=1,
     )
     leverages = np.stack([(axes**2).sum(axis=1) for _, axes in untried], axis=1)
-    weights = (
-        prior
-        + base.log_evidence_with(removed_residuals, leverages)
+    log_weights = (
+        log_prior
+        + base_model.log_evidence_with(effects, leverages)
         + _log_occam_factors(search, [candidate_score for candidate_score, _ in untried], max_deviations)
     )
-    is_hidden = (removed_residuals**2).sum(axis=0) < search.criteria.claim.told_apart
-    return [
-        WeightedExplanation(_names(base.fit), weight, base.fit)
-        if base.fit.causes and is_unseen
-        else WeightedExplanation(_names(base.fit, candidate_score.candidate.name), weight, effect)
-        for (candidate_score, _), weight, effect, is_unseen in zip(
-            untried, weights.tolist(), removed_residuals.T, is_hidden, strict=True
-        )
-    ]
+    is_undetectable = (effects**2).sum(axis=0) < search.criteria.claim.told_apart
+    explanations = []
+    for k, (candidate_score, _) in enumerate(untried):
+        fit_or_effect: Fit | Array
+        if base_model.fit.causes and is_undetectable[k]:
+            causes, fit_or_effect = _cause_names(base_model.fit), base_model.fit
+        else:
+            causes = _cause_names(base_model.fit, candidate_score.candidate.name)
+            fit_or_effect = effects[:, k]
+        explanations.append(WeightedExplanation(causes, float(log_weights[k]), fit_or_effect))
+    return explanations
 
 
 def _log_occam_factors(search: Search, scores: Sequence[Score], max_deviations: Mapping[int, float]) -> Array:
     """Return the logarithms of the Occam factors of n causes in the linear model, (n,)."""
     fitter, signal = search.store.fitter, np.sqrt([candidate_score.gain for candidate_score in scores])
-    signals = [
+    max_signals_by_cause = [
         [
             min(max_deviations.get(i, np.inf) / sigma, MAX_SIGNAL)
             for i, sigma in zip(
-                fitter.indices(candidate_score.candidate), candidate_score.sigma.tolist(), strict=True
+                fitter.parameter_indices(candidate_score.candidate),
+                candidate_score.sigma.tolist(),
+                strict=True,
             )
             if np.isfinite(sigma)
         ]
         for candidate_score in scores
     ]
     max_signals = np.maximum(
-        [max(limits, default=MAX_SIGNAL) for limits in signals], MIN_SIGNAL_RATIO * signal
+        [max(parameter_max_signals, default=MAX_SIGNAL) for parameter_max_signals in max_signals_by_cause],
+        MIN_SIGNAL_RATIO * signal,
     )
-    degrees = np.array([max(len(limits), 1) for limits in signals])
-    signs = np.array([allowed_sign(fitter, candidate_score.candidate) != 0 for candidate_score in scores])
-    log_factors = log_occam_factor(signal, degrees, max_signals, signs)
-    width = fitter.priors.sigmas_in_units(fitter.declared)
+    dimensions = np.array(
+        [max(len(parameter_max_signals), 1) for parameter_max_signals in max_signals_by_cause]
+    )
+    is_one_sided = np.array(
+        [allowed_sign(fitter, candidate_score.candidate) != 0 for candidate_score in scores]
+    )
+    log_factors = log_occam_factor(signal, dimensions, max_signals, is_one_sided)
+    prior_sigmas = fitter.priors.sigmas_in_units(fitter.declared)
     for k, candidate_score in enumerate(scores):
         if candidate_score.candidate.sigma is not None:
-            rows = fitter.priors.rows(fitter.indices(candidate_score.candidate))
-            log_factors[k] = float(np.log(candidate_score.sigma / width[rows]).sum())
+            prior_indices = fitter.priors.rows(fitter.parameter_indices(candidate_score.candidate))
+            log_factors[k] = float(np.log(candidate_score.sigma / prior_sigmas[prior_indices]).sum())
     return log_factors
 
 
@@ -197,13 +216,13 @@ def _log_p_missed(search: Search, nuisance_fit: Fit, fit: Fit) -> float:
 
 
 def _log_weight_outside(
-    search: Search, nuisance_fit: Fit, priors: Array, models: Sequence[LinearisedFit]
+    search: Search, nuisance_fit: Fit, log_priors: Array, models: Sequence[LinearisedFit]
 ) -> float:
-    """Return the log of prior times evidence of something outside: changes beside the best fits, and remote causes.
+    """Return the log of prior times evidence of something outside: changes added to the best fits, and remote causes.
 
-    Changes are independent of the causes beside them.
+    A change outside the catalogue is taken as independent of the causes in the fit.
 
-    - priors: logarithms of the priors of fits with no cause, one and two, (3,)
+    - log_priors: logarithms of the priors of fits with no cause, one and two, (3,)
     """
     fitter, remote_models = search.store.fitter, [model for model in models if model.fit.hypothesis.remote]
     without_causes = [model for model in models if not model.fit.causes]
@@ -214,14 +233,15 @@ def _log_weight_outside(
             P_SINGLE_JOINT * P_OUTSIDE / max(len(search.remote_candidates), 1),
         ]
     )
-    weights_and_models = [(log_p_joint + model.log_evidence, model) for model in remote_models]
-    for model in (*without_causes[:MAX_FITS_BESIDE_OUTSIDE], *with_causes[:MAX_FITS_BESIDE_OUTSIDE]):
-        weight = log_p_change + priors[len(model.fit.causes)] + log_evidence_outside(fitter, model)
-        weights_and_models.append((weight, model))
-    weights = [
-        weight + _log_p_missed(search, nuisance_fit, model.fit) for weight, model in weights_and_models
+    log_weights_and_models = [(log_p_joint + model.log_evidence, model) for model in remote_models]
+    for model in (*without_causes[:MAX_FITS_WITH_OUTSIDE], *with_causes[:MAX_FITS_WITH_OUTSIDE]):
+        log_weight = log_p_change + log_priors[len(model.fit.causes)] + log_evidence_outside(fitter, model)
+        log_weights_and_models.append((log_weight, model))
+    log_weights = [
+        log_weight + _log_p_missed(search, nuisance_fit, model.fit)
+        for log_weight, model in log_weights_and_models
     ]
-    return float(special.logsumexp(weights))
+    return float(special.logsumexp(log_weights))
 
 
 def _merge_same_causes(
@@ -229,26 +249,28 @@ def _merge_same_causes(
 ) -> list[WeightedExplanation]:
     """Return the explanations, the weights of all fits with the same causes added up, the most probable first."""
     explanations_by_causes: dict[tuple[str, ...], list[WeightedExplanation]] = {}
-    for explanation in sorted(explanations, key=lambda explanation: -explanation.weight):
+    for explanation in sorted(explanations, key=lambda explanation: -explanation.log_weight):
         explanations_by_causes.setdefault(explanation.causes, []).append(explanation)
     merged = [
         WeightedExplanation(
-            causes, float(special.logsumexp([explanation.weight for explanation in group])), group[0].data
+            causes,
+            float(special.logsumexp([explanation.log_weight for explanation in group])),
+            group[0].fit_or_effect,
         )
         for causes, group in explanations_by_causes.items()
     ]
-    min_weight = max((explanation.weight for explanation in merged), default=0.0) - MAX_WEIGHT_DEFICIT
+    min_log_weight = max((explanation.log_weight for explanation in merged), default=0.0) - MAX_WEIGHT_DEFICIT
     weighted = [
         WeightedExplanation(
             explanation.causes,
-            explanation.weight + _log_p_missed(search, nuisance_fit, explanation.data),
-            explanation.data,
+            explanation.log_weight + _log_p_missed(search, nuisance_fit, explanation.fit_or_effect),
+            explanation.fit_or_effect,
         )
-        if isinstance(explanation.data, Fit) and explanation.weight > min_weight
+        if isinstance(explanation.fit_or_effect, Fit) and explanation.log_weight > min_log_weight
         else explanation
         for explanation in merged
     ]
-    return sorted(weighted, key=lambda explanation: -explanation.weight)
+    return sorted(weighted, key=lambda explanation: -explanation.log_weight)
 
 
 def _normalise(
@@ -259,30 +281,30 @@ def _normalise(
     - log_weight_outside: logarithm of prior times evidence of something outside
     - doubt: additional probability of something outside
     """
-    total = float(
-        special.logsumexp([log_weight_outside, *(explanation.weight for explanation in explanations)])
+    log_total = float(
+        special.logsumexp([log_weight_outside, *(explanation.log_weight for explanation in explanations)])
     )
-    if not np.isfinite(total):
+    if not np.isfinite(log_total):
         return None
-    probability_of = {
-        explanation.causes: (1.0 - doubt) * _probability(explanation.weight - total)
+    probability_by_causes = {
+        explanation.causes: (1.0 - doubt) * _probability(explanation.log_weight - log_total)
         for explanation in explanations
     }
     with_causes = [
         explanation
         for explanation in explanations
-        if explanation.causes and probability_of[explanation.causes] >= MIN_MEMBER_PROBABILITY
+        if explanation.causes and probability_by_causes[explanation.causes] >= MIN_MEMBER_PROBABILITY
     ]
     groups = grouped(with_causes, functools.partial(_are_indistinguishable, fitter), MAX_MEMBERS_COMPARED)
     groups_and_probabilities = [
-        (group, sum(probability_of[explanation.causes] for explanation in group)) for group in groups
+        (group, sum(probability_by_causes[explanation.causes] for explanation in group)) for group in groups
     ]
     reported = sorted(
-        (pair for pair in groups_and_probabilities if pair[1] >= MIN_CLASS_PROBABILITY),
-        key=lambda pair: -pair[1],
+        (entry for entry in groups_and_probabilities if entry[1] >= MIN_CLASS_PROBABILITY),
+        key=lambda group_and_probability: -group_and_probability[1],
     )
-    p_nothing = probability_of.get((), 0.0)
-    p_outside = doubt + (1.0 - doubt) * _probability(log_weight_outside - total)
+    p_nothing = probability_by_causes.get((), 0.0)
+    p_outside = doubt + (1.0 - doubt) * _probability(log_weight_outside - log_total)
     total_reported = p_nothing + p_outside + sum(probability for _, probability in reported)
     return Probabilities(
         nothing_missing=p_nothing / total_reported,
@@ -311,13 +333,13 @@ def _probability(logarithm: float) -> float:
 
 
 def _are_indistinguishable(fitter: Fitter, first: WeightedExplanation, second: WeightedExplanation) -> bool:
-    """Return whether the data cannot tell two explanations apart that are both fitted or both linear."""
+    """Return whether the data cannot distinguish two explanations; False if one is fitted and the other linear."""
     if len(first.causes) != len(second.causes):
         return False
-    if isinstance(first.data, Fit) and isinstance(second.data, Fit):
-        difference = fitter.difference(first.data, second.data)
-    elif isinstance(first.data, Fit) or isinstance(second.data, Fit):
+    if isinstance(first.fit_or_effect, Fit) and isinstance(second.fit_or_effect, Fit):
+        difference = fitter.squared_difference(first.fit_or_effect, second.fit_or_effect)
+    elif isinstance(first.fit_or_effect, Fit) or isinstance(second.fit_or_effect, Fit):
         return False
     else:
-        difference = float(((first.data - second.data) ** 2).sum())
+        difference = float(((first.fit_or_effect - second.fit_or_effect) ** 2).sum())
     return difference < fitter.criteria.claim.told_apart

@@ -46,8 +46,8 @@ def level_dependence(fitter: Fitter, values: Array) -> AmplitudeDependence | Non
 def format_level_dependence(trend: AmplitudeDependence, data: Measurements) -> str:
     """Return how frequencies depend on the level."""
     unit, row = f" {data.level_unit}" if data.level_unit else "", trend.clearest.row
-    smallest, largest = (format_signed(100.0 * change) for change in trend.range)
-    change = smallest if smallest == largest else f"{smallest} to {largest}"
+    min_change, max_change = (format_signed(100.0 * change) for change in trend.range)
+    change = min_change if min_change == max_change else f"{min_change} to {max_change}"
     mode = f"mode {data.mode[row]}" if data.mode[row] else f"{plain(data.frequency[row], 4)} Hz"
     clearest = f", clearest in line {data.lines[row]} ({data.labels[data.pose[row]]}, {mode})"
     change_words, likely_cause = TREND_WORDS[trend.direction]
@@ -80,16 +80,18 @@ def _setups_that_differ_in_level(stage: MatchStage) -> Iterator[list[int]]:
 
     Setups without positions are the same if the model has the same modes there.
     """
-    data, logs = stage.data, stage.prediction.log_frequencies
+    data, log_frequencies = stage.data, stage.prediction.log_frequencies
     conditions, has_positions = data.conditions, bool(data.points.any())
-    remaining = [int(i) for i in np.flatnonzero(np.isfinite(data.level))]
-    while remaining:
-        setup = remaining[0]
+    remaining_setups = [int(i) for i in np.flatnonzero(np.isfinite(data.level))]
+    while remaining_setups:
+        setup = remaining_setups[0]
         if has_positions:
             tolerance = POSITION_TOLERANCE + np.hypot(data.point_sigma, data.point_sigma[setup])
             at_same_position = (np.abs(data.points - data.points[setup]) <= tolerance).all(axis=1)
         else:
-            at_same_position = np.isclose(logs, logs[setup], rtol=0.0, atol=1e-9, equal_nan=True).all(axis=1)
-        group = [i for i in remaining if at_same_position[i] and conditions[i] == conditions[setup]]
-        remaining = [i for i in remaining if i not in group]
+            at_same_position = np.isclose(
+                log_frequencies, log_frequencies[setup], rtol=0.0, atol=1e-9, equal_nan=True
+            ).all(axis=1)
+        group = [i for i in remaining_setups if at_same_position[i] and conditions[i] == conditions[setup]]
+        remaining_setups = [i for i in remaining_setups if i not in group]
         yield group

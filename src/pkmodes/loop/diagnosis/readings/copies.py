@@ -49,11 +49,11 @@ def poses_at_one_position(stage: MatchStage, criteria: ReadingCriteria) -> Itera
         distances = np.linalg.norm(data.points[neighbours] - data.points[i], axis=1)
         for k in neighbours[distances <= POSITION_TOLERANCE]:
             first, second = sorted((int(i), int(k)))
-            largest = _largest_difference(stage, criteria.same_place, first, second)
-            if largest:
+            max_difference = _largest_difference(stage, criteria.same_place, first, second)
+            if max_difference:
                 yield (
                     f"poses {data.labels[first]} and {data.labels[second]} are at the same position, but "
-                    f"their frequencies differ by up to {plain(100 * largest, 2)} %: is one of them somewhere "
+                    f"their frequencies differ by up to {plain(100 * max_difference, 2)} %: is one of them somewhere "
                     "else?"
                 )
 
@@ -63,10 +63,10 @@ def _largest_difference(stage: MatchStage, limits: tuple[float, float], first: i
     data, sigma, (min_sigmas, min_difference) = stage.data, stage.sigma, limits
     partner = stage.pairing.partner
     rows_by_mode = [{int(partner[r]): r for r in np.flatnonzero(data.pose == p)} for p in (first, second)]
-    common = sorted({mode for mode in rows_by_mode[0] if mode >= 0} & set(rows_by_mode[1]))
-    if not common:
+    common_modes = sorted({mode for mode in rows_by_mode[0] if mode >= 0} & set(rows_by_mode[1]))
+    if not common_modes:
         return 0.0
-    a, b = (np.array([by_mode[mode] for mode in common]) for by_mode in rows_by_mode)
+    a, b = (np.array([by_mode[mode] for mode in common_modes]) for by_mode in rows_by_mode)
     difference = np.abs(np.log(data.frequency[a] / data.frequency[b]))
     is_clear = (difference > min_sigmas * np.hypot(sigma[a], sigma[b])) & (difference > min_difference)
     return float(np.expm1(difference.max())) if is_clear.mean() >= 0.5 else 0.0
@@ -77,13 +77,15 @@ def setups_with_equal_shapes(data: Measurements, min_mac: float) -> tuple[str, .
     labels = []
     for setup, label in enumerate(data.labels):
         shapes = data.shapes[data.pose == setup]
-        common = np.isfinite(shapes).all(axis=0)
-        compared: Array = shapes[:, common]
-        if len(compared) < 3 or common.sum() < 2:
+        is_common = np.isfinite(shapes).all(axis=0)
+        compared_shapes: Array = shapes[:, is_common]
+        if len(compared_shapes) < 3 or is_common.sum() < 2:
             continue
-        largest = np.abs(compared).max(axis=1, keepdims=True)  # shapes have any scale
-        compared = compared / np.where(largest > 0.0, largest, 1.0)
-        compared *= rotation_weights([data.channels[k] for k in np.flatnonzero(common)], compared)
-        if mac(compared, compared, np.ones(compared.shape, dtype=bool)).min() > min_mac:
+        max_components = np.abs(compared_shapes).max(axis=1, keepdims=True)  # shapes have any scale
+        compared_shapes = compared_shapes / np.where(max_components > 0.0, max_components, 1.0)
+        compared_shapes *= rotation_weights(
+            [data.channels[k] for k in np.flatnonzero(is_common)], compared_shapes
+        )
+        if mac(compared_shapes, compared_shapes, np.ones(compared_shapes.shape, dtype=bool)).min() > min_mac:
             labels.append(label)
     return tuple(labels)

@@ -103,7 +103,7 @@ def _suspected_setups(fitter: Fitter) -> dict[tuple[int, ...], ModelDistances]:
 def _mean_difference(fitter: Fitter, setups: Sequence[int], residual: Array) -> float:
     """Return the mean difference of the frequencies at some setups."""
     return float(
-        np.abs(residual[fitter.observations.frequency_rows][np.isin(fitter.data.pose, setups)]).mean()
+        np.abs(residual[fitter.observations.frequency_slice][np.isin(fitter.data.pose, setups)]).mean()
     )
 
 

@@ -46,15 +46,15 @@ class WiringMisfit:
     difference: float
 
     @classmethod
-    def of(cls, fitter: Fitter, used: NDArray[np.bool_], residual: Array) -> WiringMisfit:
+    def of(cls, fitter: Fitter, used_row_mask: NDArray[np.bool_], residual: Array) -> WiringMisfit:
         """Return the misfit of unwhitened residuals of all data, (R + R C,), of which some rows count."""
         observations = fitter.observations
         shapes, whitened = observations.shapes, residual / observations.noise.stated_sigma
-        rows_with_shape = used & shapes.known
+        rows_with_shape = used_row_mask & shapes.known
         masks = rows_with_shape & shapes.stated, rows_with_shape & ~shapes.stated
         squares_by_row = (observations.by_row(SHAPE, whitened) ** 2).sum(axis=1)
-        frequencies = (whitened[observations.frequency_rows][used] ** 2).sum()
-        count = np.array([used.sum(), *(shapes.count[mask].sum() for mask in masks)], dtype=float)
+        frequencies = (whitened[observations.frequency_slice][used_row_mask] ** 2).sum()
+        count = np.array([used_row_mask.sum(), *(shapes.count[mask].sum() for mask in masks)], dtype=float)
         min_scatter = fitter.criteria.shapes.least_scatter / fitter.shape_scatter
         mean_square = (residual[observations.data_slice(SHAPE)] ** 2).sum() / max(count[1:].sum(), 1.0)
         return cls(
@@ -83,12 +83,12 @@ class WiringMisfit:
     @property
     def squares_per_value(self) -> tuple[float, float]:
         """Sums of squares per value of the frequencies and of the shapes with stated errors; 0 if there are none."""
-        frequency, stated = (self.squares / np.maximum(self.count, 1.0))[:2]
-        return float(frequency), float(stated)
+        frequency_squares, stated_shape_squares = (self.squares / np.maximum(self.count, 1.0))[:2]
+        return float(frequency_squares), float(stated_shape_squares)
 
 
 def misfits_at_prediction(
-    fitter: Fitter, used: NDArray[np.bool_], prediction: Prediction, wirings: Sequence[Wiring]
+    fitter: Fitter, used_row_mask: NDArray[np.bool_], prediction: Prediction, wirings: Sequence[Wiring]
 ) -> list[WiringMisfit]:
     """Return the misfit of each wiring with the modes of a model, many evaluated together; none without modes."""
     if not np.isfinite(prediction.eigenvalues).all():
@@ -99,7 +99,10 @@ def misfits_at_prediction(
     )
     batch_size, results = max(MAX_ARRAY_SIZE // max(size_of_wiring, 1), 1), list[WiringMisfit]()
     for batch in (wirings[start : start + batch_size] for start in range(0, len(wirings), batch_size)):
-        tiled_observations, tiled_mask = fitter.observations.tiled(len(batch)), np.tile(used, len(batch))
+        tiled_observations, tiled_mask = (
+            fitter.observations.tiled(len(batch)),
+            np.tile(used_row_mask, len(batch)),
+        )
         column_orders = [[fitter.structure.channels.index(name) for name in w.channels] for w in batch]
         tiled_observations.pairer.motion = np.concatenate([motion[:, columns] for columns in column_orders])
         # The modes once for each wiring, with its channels in the columns of the file.
@@ -112,7 +115,7 @@ def misfits_at_prediction(
         residuals = tiled_observations.split_copies(
             tiled_observations.residual(tiled_prediction, pairing, tiled_mask)
         )
-        results += [WiringMisfit.of(fitter, used, residual) for residual in residuals]
+        results += [WiringMisfit.of(fitter, used_row_mask, residual) for residual in residuals]
     return results
 
 
@@ -128,21 +131,26 @@ def is_rewiring_promising(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -
     squares = (fitter.observations.by_row(SHAPE, fit.white) ** 2).sum(axis=1)
     sums = np.bincount(pose, squares, setups) / np.maximum(np.bincount(pose, shapes.count, setups), 1.0)
     worst_setups = np.sort(np.argsort(sums)[-SETUPS_TRIED_FIRST:])
-    worst_fitter = fitter.at(worst_setups.tolist())
-    all_wirings, used = [as_in_file(fitter.data.channels), *wirings], worst_fitter.observations.all_rows
+    worst_fitter = fitter.at_setups(worst_setups.tolist())
+    all_wirings, used_row_mask = (
+        [as_in_file(fitter.data.channels), *wirings],
+        worst_fitter.observations.all_rows,
+    )
     fitted_prediction = _prediction_without_rates(
         fit.prediction.eigenvalues[worst_setups], fit.prediction.shapes[worst_setups], fit.prediction.rigid
     )
     declared_prediction = worst_fitter.structure.predict(worst_fitter.declared, ())
     misfits_by_model = [
-        misfits_at_prediction(worst_fitter, used, prediction, all_wirings)
+        misfits_at_prediction(worst_fitter, used_row_mask, prediction, all_wirings)
         for prediction in (declared_prediction, fitted_prediction)
     ]
-    smallest = [
+    mean_differences = [
         min(misfit.shape_squares for misfit in alternatives)
         for alternatives in zip(*filter(None, misfits_by_model), strict=True)
     ]
-    return bool(smallest) and ModelDistances(smallest[0], min(smallest[1:])).far_better(MIN_GAIN_TO_EXAMINE)
+    return bool(mean_differences) and ModelDistances(
+        mean_differences[0], min(mean_differences[1:])
+    ).far_better(MIN_GAIN_TO_EXAMINE)
 
 
 def misfits_by_wiring(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> dict[Wiring, WiringMisfit]:
@@ -150,9 +158,9 @@ def misfits_by_wiring(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> di
 
     These are the declared ones, those of the fit, and those refitted with the best few wirings.
     """
-    as_filed, used = as_in_file(fitter.data.channels), fitter.used_rows(fit.hypothesis)
+    as_filed, used_row_mask = as_in_file(fitter.data.channels), fitter.used_row_mask(fit.hypothesis)
     all_wirings = [as_filed, *wirings]
-    by_wiring = {as_filed: WiringMisfit.of(fitter, used, fit.residual)}
+    by_wiring = {as_filed: WiringMisfit.of(fitter, used_row_mask, fit.residual)}
 
     def keep_best(misfits: Iterable[tuple[Wiring, WiringMisfit]]) -> None:
         for wiring, misfit in misfits:
@@ -161,11 +169,18 @@ def misfits_by_wiring(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> di
 
     for prediction in (fitter.structure.predict(fitter.declared, ()), fit.prediction):
         keep_best(
-            zip(all_wirings, misfits_at_prediction(fitter, used, prediction, all_wirings), strict=False)
+            zip(
+                all_wirings,
+                misfits_at_prediction(fitter, used_row_mask, prediction, all_wirings),
+                strict=False,
+            )
         )
     best = sorted((w for w in by_wiring if w != as_filed), key=lambda wiring: by_wiring[wiring].deviance())
     max_deviance = by_wiring[best[0]].deviance() + MAX_DEVIANCE_ABOVE_BEST
-    hypotheses = [Hypothesis(excluded=fit.hypothesis.excluded), *([fit.hypothesis] if fit.causes else [])]
+    hypotheses = [
+        Hypothesis(excluded_rows=fit.hypothesis.excluded_rows),
+        *([fit.hypothesis] if fit.causes else []),
+    ]
     refits: list[tuple[float, Prediction]] = []
     for wiring in [w for w in best if by_wiring[w].deviance() < max_deviance][:MAX_REFITS]:
         rewired = Fitter(
@@ -178,13 +193,17 @@ def misfits_by_wiring(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> di
         for hypothesis in hypotheses:
             refit = rewired.fit(hypothesis, fit.values if hypothesis.causes else None)
             if refit is not None:
-                misfit = WiringMisfit.of(fitter, used, refit.residual)
+                misfit = WiringMisfit.of(fitter, used_row_mask, refit.residual)
                 keep_best([(wiring, misfit)])
                 refits.append((misfit.deviance(), refit.prediction))
     if refits:  # the parameters do not depend on the wiring
         prediction = min(refits, key=lambda entry: entry[0])[1]
         keep_best(
-            zip(all_wirings, misfits_at_prediction(fitter, used, prediction, all_wirings), strict=False)
+            zip(
+                all_wirings,
+                misfits_at_prediction(fitter, used_row_mask, prediction, all_wirings),
+                strict=False,
+            )
         )
     return by_wiring
 

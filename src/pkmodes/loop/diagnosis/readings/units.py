@@ -64,12 +64,12 @@ def other_unit(fitter: Fitter) -> str:
         distances, paired_part = frequency_differences(fitter, declared, reading)
         return float(np.median(np.abs(distances))), float(paired_part.mean())
 
-    smallest, paired_part, unit = min(
+    min_difference, paired_part, unit = min(
         ((*compare(unit.applied_to(data)), unit) for unit in other_meanings(data.unit)),
         key=lambda trial: trial[0],
     )
-    distances = ModelDistances(compare(data)[0], smallest)
+    distances = ModelDistances(compare(data)[0], min_difference)
     if paired_part < c.unit_paired or not distances.far_better(c.unit_gain, c.unit_difference):
         return ""
     claim = f"the header says {data.unit}, but the numbers" if data.unit else "the frequencies"
-    return f"{claim} fit the declared model as {unit.meaning} ({plain(100 * smallest, 2)} %): {unit.remedy}"
+    return f"{claim} fit the declared model as {unit.meaning} ({plain(100 * min_difference, 2)} %): {unit.remedy}"

@@ -75,8 +75,8 @@ def dead_channels(fitter: Fitter, fit: Fit) -> str:
         rows = measured[:, k]
         if not rows.any() or np.nan_to_num(data.shapes[:, k]).any():
             continue
-        largest = np.where(measured & (units == units[k]), model, 0.0).max(axis=1)
-        if (model[rows, k] > min_motion * largest[rows]).mean() >= min_share and largest[rows].any():
+        max_motions = np.where(measured & (units == units[k]), model, 0.0).max(axis=1)
+        if (model[rows, k] > min_motion * max_motions[rows]).mean() >= min_share and max_motions[rows].any():
             dead_names.append(name)
     if len(dead_names) == 1:
         return f"channel {dead_names[0]} is 0 in every row: is the sensor connected? If not, leave the column out"
@@ -87,7 +87,7 @@ def dead_channels(fitter: Fitter, fit: Fit) -> str:
 def find_better_wirings(fitter: Fitter, fit: Fit) -> BetterWirings | None:
     """Return the wirings that fit far better than that of the file; None if there is none.
 
-    - fit: with the wiring of the file
+    - fit: fit with the wiring of the file
     """
     c, columns = fitter.criteria.readings, fitter.data.channels
     sensors = tuple(fitter.structure.sensors) if isinstance(fitter.structure, Instrumented) else ()
@@ -101,17 +101,17 @@ def find_better_wirings(fitter: Fitter, fit: Fit) -> BetterWirings | None:
     )
     deviance = {wiring: misfit.deviance(model_is_complete) for wiring, misfit in by_wiring.items()}
     ranked = sorted(deviance, key=deviance.__getitem__)
-    lowest, best = deviance[ranked[0]], by_wiring[ranked[0]]
-    is_far_better = ModelDistances(as_filed.shape_squares, best.shape_squares).far_better(c.rewired)
-    if not is_far_better or as_filed.deviance(model_is_complete) - lowest < c.rewired_certain:
+    min_deviance, best_misfit = deviance[ranked[0]], by_wiring[ranked[0]]
+    is_far_better = ModelDistances(as_filed.shape_squares, best_misfit.shape_squares).far_better(c.rewired)
+    if not is_far_better or as_filed.deviance(model_is_complete) - min_deviance < c.rewired_certain:
         return None
-    remaining = [w for w in ranked if deviance[w] - lowest < c.rewired_told_apart]
+    remaining_wirings = [w for w in ranked if deviance[w] - min_deviance < c.rewired_told_apart]
     certain = (
-        best.squares_per_value[1] < c.rewired_noise
-        and best.difference < fitter.criteria.shapes.most_scatter / 2.0
+        best_misfit.squares_per_value[1] < c.rewired_noise
+        and best_misfit.difference < fitter.criteria.shapes.most_scatter / 2.0
     )
     mistakes = []
-    for wiring in remaining:
+    for wiring in remaining_wirings:
         # The simplest of several mistakes that shapes cannot tell apart, and turned sensors.
         equivalent_mistakes = sorted(
             mistakes_by_wiring[wiring], key=lambda mistake: simplicity(mistake, columns)
@@ -120,9 +120,11 @@ def find_better_wirings(fitter: Fitter, fit: Fit) -> BetterWirings | None:
         mistakes.append([first, *(text for text in alternatives if " is turned by " in text)])
     simplest = min(mistakes_by_wiring[ranked[0]], key=lambda wiring: simplicity(wiring, columns))
     change = remedy(simplest, columns) + hint(simplest, columns, sensors)
-    if not (certain and best.squares_per_value[0] < c.rewired_noise):
+    if not (certain and best_misfit.squares_per_value[0] < c.rewired_noise):
         change += "; something else is wrong too: correct this, and diagnose again"
-    return BetterWirings(remaining, certain, _sentence(mistakes, as_filed, best, certain, change))
+    return BetterWirings(
+        remaining_wirings, certain, _sentence(mistakes, as_filed, best_misfit, certain, change)
+    )
 
 
 def _shapes_disagree(fitter: Fitter, fit: Fit) -> bool:

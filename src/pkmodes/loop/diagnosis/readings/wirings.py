@@ -167,10 +167,10 @@ def _axis_matrix(wiring: Wiring, columns: Sequence[str], sensor: Sensor) -> Arra
     measured = [k for k, name in enumerate(columns) if name in sensor.channels]
     for k in measured:
         W[sensor.channels.index(columns[k]), sensor.channels.index(wiring.channels[k])] = wiring.signs[k]
-    missing = np.flatnonzero(~W.any(axis=1))
-    if len(missing) > 1:
+    missing_axes = np.flatnonzero(~W.any(axis=1))
+    if len(missing_axes) > 1:
         return None
-    for row in missing:
+    for row in missing_axes:
         W[row] = np.cross(W[(row + 1) % 3], W[(row + 2) % 3])
         if len(sensor.channels) == 2:
             W[row, row] = 1.0

@@ -34,7 +34,7 @@ class Additions:
 
     def allows_another_kind(self, fit: Fit) -> bool:
         """Return whether another kind of addition is allowed."""
-        kinds = len(fit.causes) + bool(fit.hypothesis.excluded) + fit.hypothesis.scatter
+        kinds = len(fit.causes) + bool(fit.hypothesis.excluded_rows) + fit.hypothesis.has_shared_error
         return kinds < self.criteria.search.most_additions
 
     def with_errors(self, fit: Fit, *, as_rivals: bool = False) -> list[Fit]:
@@ -48,15 +48,17 @@ class Additions:
         if has_enough_rows and self._is_hopeless(fit):
             return []
         has_room = self.allows_another_kind(fit) and not h.remote
-        if has_room and not h.scatter and self._setups >= 4 and self._rows >= 2 * self._setups:
-            options.append(self.store.fit(replace(h, scatter=True), fit.values))
+        if has_room and not h.has_shared_error and self._setups >= 4 and self._rows >= 2 * self._setups:
+            options.append(self.store.fit(replace(h, has_shared_error=True), fit.values))
         max_excluded = self._most_outliers if has_enough_rows or as_rivals else 0
-        if (has_room or h.excluded) and len(h.excluded) < max_excluded:
-            worst, sigmas = self.fitter.worst_rows(fit)
-            for row in worst[:3]:
+        if (has_room or h.excluded_rows) and len(h.excluded_rows) < max_excluded:
+            ranked_rows, normalised_residuals = self.fitter.rows_by_residual(fit)
+            for row in ranked_rows[:3]:
                 # A row that the others do not predict is not set aside: nothing shows that it is wrong.
-                if sigmas[row] > 3.0 and (as_rivals or fit.leverage[row] < c.search.redundant):
-                    options.append(self.store.fit(replace(h, excluded=h.excluded | {int(row)}), fit.values))
+                if normalised_residuals[row] > 3.0 and (as_rivals or fit.leverage[row] < c.search.redundant):
+                    options.append(
+                        self.store.fit(replace(h, excluded_rows=h.excluded_rows | {int(row)}), fit.values)
+                    )
         return [option for option in options if option is not None]
 
     def without_distant_rows(self, fit: Fit) -> list[Fit]:
@@ -66,14 +68,16 @@ class Additions:
         and distort all fits: no cause helps until it is removed.  Where a cause helps by itself, no row is removed.
         """
         c, fits = self.criteria, list[Fit]()
-        if self._rows < c.search.rows_to_set_aside or fit.causes or fit.hypothesis.excluded:
+        if self._rows < c.search.rows_to_set_aside or fit.causes or fit.hypothesis.excluded_rows:
             return fits
         for _ in range(self._most_outliers):
-            worst, sigmas = self.fitter.worst_rows(fit)
-            if sigmas[worst[0]] < c.search.strange:
+            ranked_rows, normalised_residuals = self.fitter.rows_by_residual(fit)
+            if normalised_residuals[ranked_rows[0]] < c.search.strange:
                 break
             h = fit.hypothesis
-            reduced_fit = self.store.fit(replace(h, excluded=h.excluded | {int(worst[0])}), fit.values)
+            reduced_fit = self.store.fit(
+                replace(h, excluded_rows=h.excluded_rows | {int(ranked_rows[0])}), fit.values
+            )
             if reduced_fit is None:
                 break
             fit = reduced_fit
@@ -88,12 +92,14 @@ class Additions:
         if not self._is_far_from_noise(fit):
             return False
         h = fit.hypothesis
-        worst = self.fitter.worst_rows(fit)[0][: self._most_outliers]
-        reduced_fit = self.store.fit(replace(h, excluded=h.excluded | set(worst.tolist())), fit.values)
+        ranked_rows = self.fitter.rows_by_residual(fit)[0][: self._most_outliers]
+        reduced_fit = self.store.fit(
+            replace(h, excluded_rows=h.excluded_rows | set(ranked_rows.tolist())), fit.values
+        )
         return reduced_fit is None or self._is_far_from_noise(reduced_fit)
 
     def _is_far_from_noise(self, fit: Fit) -> bool:
-        residual = np.array(fit.residual[self.fitter.observations.frequency_rows])
+        residual = np.array(fit.residual[self.fitter.observations.frequency_slice])
         for rows in self.fitter.observations.noise.rows:
             residual[rows] -= np.median(residual[rows])  # robust against one outlier
         residual /= self.fitter.observations.sigma
@@ -114,8 +120,12 @@ class Additions:
             best = min(options, key=self.store.criterion, default=fit)
             gain = self.store.criterion(fit) - self.store.criterion(best)
             # Rows are set aside one by one, the worst first: later ones gain less.
-            remaining = self._most_outliers - len(best.hypothesis.excluded) + (not best.hypothesis.scatter)
-            is_reachable = self.store.criterion(best) - gain * remaining <= max_criterion
+            remaining_additions = (
+                self._most_outliers
+                - len(best.hypothesis.excluded_rows)
+                + (not best.hypothesis.has_shared_error)
+            )
+            is_reachable = self.store.criterion(best) - gain * remaining_additions <= max_criterion
             fit = best if gain > 0.0 and is_reachable else None
         return error_fits
 
@@ -130,7 +140,7 @@ class Additions:
         promising = [
             (fit, candidate_score)
             for candidate_score in scores.by_candidate
-            if candidate_score.visible
+            if candidate_score.is_visible
             and (candidate_score.gain >= min_gain or allowed_sign(self.fitter, candidate_score.candidate))
         ]
         return self.store.complete(
@@ -171,7 +181,7 @@ class Additions:
         for single in singles:
             other_candidates = [candidate for candidate in self.candidates if candidate not in single.causes]
             for candidate_score in score(self.fitter, single, other_candidates).by_candidate:
-                if candidate_score.visible and self._testable(single, candidate_score.candidate):
+                if candidate_score.is_visible and self._testable(single, candidate_score.candidate):
                     expected_criterion = (
                         store.criterion(single)
                         - candidate_score.gain
@@ -206,7 +216,9 @@ class Additions:
 
     def _testable(self, fit: Fit, candidate: Candidate) -> bool:
         """Return whether a cause may be added, with enough data left to test it: otherwise it would fit anything."""
-        free_parameters = sum(self.fitter.priors.row_of(i) is None for i in self.fitter.indices(candidate))
+        free_parameters = sum(
+            self.fitter.priors.row_of(i) is None for i in self.fitter.parameter_indices(candidate)
+        )
         return fit.hypothesis.allows(candidate) and self.store.degrees(fit) > free_parameters
 
     def refit(self, additions: Sequence[tuple[Fit, Score]]) -> list[Fit]:

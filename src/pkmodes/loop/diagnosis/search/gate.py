@@ -17,14 +17,14 @@ class Gate:
     - p_value: p-value of the sum of squares: the smaller one of frequencies with priors, and of shapes with stated
       errors
     - p_candidates: p-value of the best candidate, calibrated for their number
-    - unpaired: number of unmatched measured modes
+    - unpaired_count: number of unmatched measured modes
     - p_unmeasured: p-value of the unmeasured modes that causes add between the measured ones
     - level: level of the tests
     """
 
     p_value: float
     p_candidates: float
-    unpaired: int
+    unpaired_count: int
     p_unmeasured: float
     scores: Scores
     level: float
@@ -36,20 +36,20 @@ class Gate:
 
     def passes_at(self, level: float) -> bool:
         """Return whether all tests pass at a level."""
-        return self.unpaired == 0 and min(self.p_value, self.p_candidates, self.p_unmeasured) > level
+        return self.unpaired_count == 0 and min(self.p_value, self.p_candidates, self.p_unmeasured) > level
 
 
 def gate(store: FitStore, fit: Fit, scores: Scores) -> Gate:
     """Test the residual of a fit.
 
-    - scores: of the candidates to which the residual may point
+    - scores: scores of the candidates to which the residual may point
     """
     fitter, criteria = store.fitter, store.fitter.criteria
-    unpaired = int((fit.pairing.partner[fitter.used_rows(fit.hypothesis)] < 0).sum())
+    unpaired_count = int((fit.pairing.partner[fitter.used_row_mask(fit.hypothesis)] < 0).sum())
     one_cause = len(fit.causes) == 1 and not fit.hypothesis.remote
     level = criteria.gate.surely if one_cause else criteria.gate.level
     p_unmeasured_modes = p_unmeasured(fitter, store.fit(Hypothesis()) or fit, fit)
     p_value = store.p_value(fit)
     # If the residual is already too large for noise, the bound suffices and no draws are needed.
     p_candidates = scores.p_value if p_value > criteria.gate.surely else scores.bound
-    return Gate(p_value, p_candidates, unpaired, p_unmeasured_modes, scores, level)
+    return Gate(p_value, p_candidates, unpaired_count, p_unmeasured_modes, scores, level)

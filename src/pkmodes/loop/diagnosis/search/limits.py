@@ -1,4 +1,4 @@
-r"""How large candidates may still be beside a fit, and what they would do to the fitted values.
+r"""How large candidates added to a fit may still be, and what they would do to the fitted values.
 
 The limit of a parameter is the end, at 95 % and one-sided, of its profile likelihood (`fit.profile`): the largest
 size at which the candidate, fitted together with everything that was fitted before, leaves a sum of squares at most
@@ -31,10 +31,10 @@ from pkmodes.loop.diagnosis.fit.profile import (
 )
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.problem import Array, Assumption, Candidate
-from pkmodes.loop.diagnosis.search.ranges import largest_rates, plausible_size
+from pkmodes.loop.diagnosis.search.ranges import largest_rates, max_plausible_deviation
 
 #: Standard deviations of a one-sided bound at 95 %.
-ONE_SIDED = float(stats.norm.ppf(0.95))
+ONE_SIDED_SIGMAS = float(stats.norm.ppf(0.95))
 #: Factor by which a value that nobody declared may be wrong, such as the mass of the frame of a small printer.
 DEFAULT_FACTOR = 10.0
 #: If the linear model promises less than this sum of squares, the fit without the candidate is as good as with it.
@@ -69,7 +69,7 @@ class Bound:
 
 @dataclass(frozen=True)
 class _AddedCandidate:
-    """A candidate beside a fit.
+    """A candidate added to a fit.
 
     - free, without_prior, rates: free parameters, those to be taken without their priors, and the largest derivatives
       of ln f by parameter
@@ -96,7 +96,7 @@ class _AddedCandidate:
 def bounds(
     store: FitStore, fit: Fit, candidates: Sequence[Candidate], *, noise: bool = True, linear: bool = False
 ) -> list[Bound]:
-    """Return the bounds of all parameters of some candidates beside a fit.
+    """Return the bounds of all parameters of some candidates added to a fit.
 
     - noise: whether the residual of the fit is noise.  If not, errors are scaled to what each candidate leaves.
     - linear: whether to use the model linearised at the fit only, for models that are slow to evaluate
@@ -105,21 +105,21 @@ def bounds(
     if not candidates:
         return []
     profiles = Profiles(fitter, fit)
-    added = _added_candidates(fitter, fit, candidates)
+    additions = _added_candidates(fitter, fit, candidates)
     minima = (
-        [(addition.linear_minimum, 0.0) for addition in added]
+        [(addition.linear_minimum, 0.0) for addition in additions]
         if linear
-        else _minima(store, profiles, added, fit)
+        else _minima(store, profiles, additions, fit)
     )
     sides, owners = [], []
-    for addition, (point, gain) in zip(added, minima, strict=True):
+    for addition, (point, gain) in zip(additions, minima, strict=True):
         variance_ratio = 1.0
         if not noise:  # chi2 per degree of freedom that the candidate leaves
             free = sum(fitter.priors.row_of(i) is None for i in addition.free if i not in fit.free)
             variance_ratio = max(1.0, point.squares / max(store.degrees(fit) - free, 1))
-        for i in fitter.indices(addition.candidate):
+        for i in fitter.parameter_indices(addition.candidate):
             for sign in (1, -1):
-                side = _side(fitter, addition, point, i, sign, variance_ratio * ONE_SIDED**2 - gain)
+                side = _side(fitter, addition, point, i, sign, variance_ratio * ONE_SIDED_SIGMAS**2 - gain)
                 if side is not None:
                     sides.append(side)
                     owners.append(addition)
@@ -137,8 +137,8 @@ def bounds(
         ends_by_parameter.setdefault((addition.candidate.name, side.index), []).append((side, end))
     return [
         _bound(fitter, fit, addition, i, ends_by_parameter.get((addition.candidate.name, i), []))
-        for addition in added
-        for i in fitter.indices(addition.candidate)
+        for addition in additions
+        for i in fitter.parameter_indices(addition.candidate)
     ]
 
 
@@ -161,10 +161,10 @@ def value_shifts_by_default(store: FitStore, fit: Fit) -> dict[Assumption, Array
             (1, (DEFAULT_FACTOR - 1.0) * declared),
             (-1, (1.0 - 1.0 / DEFAULT_FACTOR) * declared),
         )
-        start, limit = addition.start, addition.start.squares + ONE_SIDED**2
+        start, limit = addition.start, addition.start.squares + ONE_SIDED_SIGMAS**2
         sides = [
-            Side(index, declared, sign, addition.free, (), largest, start, limit)
-            for sign, largest in signs_and_ranges
+            Side(index, declared, sign, addition.free, (), max_deviation, start, limit)
+            for sign, max_deviation in signs_and_ranges
         ]
         ends = Profiles(fitter, fit).ends(sides)
         shift = np.max([np.abs(end.values - fit.values) for end in ends], axis=0)
@@ -174,13 +174,13 @@ def value_shifts_by_default(store: FitStore, fit: Fit) -> dict[Assumption, Array
 
 
 def _added_candidates(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> list[_AddedCandidate]:
-    indices = list(dict.fromkeys(i for candidate in candidates for i in fitter.indices(candidate)))
+    indices = list(dict.fromkeys(i for candidate in candidates for i in fitter.parameter_indices(candidate)))
     _, signatures = fitter.signatures(fit, indices)
     prediction = fitter.structure.predict(fit.values, indices, shape_rates=fitter.observations.shape_rates)
     rates = dict(zip(indices, largest_rates(prediction).tolist(), strict=True))
     additions = []
     for candidate in candidates:
-        candidate_indices = fitter.indices(candidate)
+        candidate_indices = fitter.parameter_indices(candidate)
         new_parameters = [i for i in candidate_indices if i not in fit.free]
         free = (*fit.free, *new_parameters)
         without_prior = candidate_indices if candidate.sigma is not None else ()
@@ -208,33 +208,33 @@ def _added_candidates(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate])
 
 
 def _minima(
-    store: FitStore, profiles: Profiles, added: Sequence[_AddedCandidate], fit: Fit
+    store: FitStore, profiles: Profiles, additions: Sequence[_AddedCandidate], fit: Fit
 ) -> list[tuple[ProfilePoint, float]]:
     """Return the point where each candidate leaves the smallest sum of squares, and the decrease still possible.
 
     It is the fit itself if a candidate promises little.
     """
     fitter = store.fitter
-    minima = [(addition.start, addition.gain if addition.gain <= MIN_GAIN else 0.0) for addition in added]
+    minima = [(addition.start, addition.gain if addition.gain <= MIN_GAIN else 0.0) for addition in additions]
     worthwhile = [
         k
-        for k, addition in enumerate(added)
+        for k, addition in enumerate(additions)
         if addition.gain > MIN_GAIN and set(addition.free) != set(fit.free)
     ]
     values: dict[int, Array] = {}
     starts = []
     for k in worthwhile:
-        hypothesis = fit.hypothesis.with_cause(added[k].candidate)
+        hypothesis = fit.hypothesis.with_cause(additions[k].candidate)
         previous = store.fit(hypothesis) if store.is_fitted(hypothesis) else None
         if previous is not None:
             values[k] = previous.values
         else:
-            start = np.clip(fit.values + added[k].step, fitter.lower, fitter.upper)
+            start = np.clip(fit.values + additions[k].step, fitter.lower, fitter.upper)
             starts.append((k, hypothesis, start))
     descents = fitter.rough_descents([(hypothesis, start) for _, hypothesis, start in starts])
     values |= {k: descent.values for (k, _, _), descent in zip(starts, descents, strict=True)}
     points = profiles.points(
-        [ModelRequest(values[k], added[k].free, added[k].without_prior) for k in worthwhile]
+        [ModelRequest(values[k], additions[k].free, additions[k].without_prior) for k in worthwhile]
     )
     for k, point in zip(worthwhile, points, strict=True):
         if point is not None and point.squares < minima[k][0].squares:
@@ -246,18 +246,28 @@ def _side(
     fitter: Fitter, addition: _AddedCandidate, minimum: ProfilePoint, i: int, sign: int, rise: float
 ) -> Side | None:
     """Return one side of a parameter; None if there is nothing on that side."""
-    p, largest = fitter.parameters[i], plausible_size(fitter, addition.candidate, i, sign, addition.rates[i])
-    if not 0.0 < largest < np.inf:
+    p, max_deviation = (
+        fitter.parameters[i],
+        max_plausible_deviation(fitter, addition.candidate, i, sign, addition.rates[i]),
+    )
+    if not 0.0 < max_deviation < np.inf:
         return None
     return Side(
-        i, p.value, sign, addition.free, addition.without_prior, largest, minimum, minimum.squares + rise
+        i,
+        p.value,
+        sign,
+        addition.free,
+        addition.without_prior,
+        max_deviation,
+        minimum,
+        minimum.squares + rise,
     )
 
 
 def _linear_model_suffices(fitter: Fitter, side: Side, addition: _AddedCandidate, end: End) -> bool:
     """Return whether the end of the linear model is accurate: a small change of a declared value, or no change."""
     column = side.minimum.jacobian[:, side.free.index(side.index)]
-    if not column[: fitter.prior_rows.start].any():
+    if not column[: fitter.prior_slice.start].any():
         return True
     p = fitter.parameters[side.index]
     starts_at_bound = p.value <= p.lower or p.value >= p.upper
@@ -281,15 +291,17 @@ def _bound(
         factor = 1.0
         if addition.without_prior:  # the prior of the candidate limits its effect
             row = fitter.priors.row_of(i)
-            width = np.inf if row is None else ONE_SIDED * fitter.priors.sigmas_in_units(fit.values)[row]
-            factor = float(1.0 / np.hypot(1.0, end.size / width))
+            prior_limit = (
+                np.inf if row is None else ONE_SIDED_SIGMAS * fitter.priors.sigmas_in_units(fit.values)[row]
+            )
+            factor = float(1.0 / np.hypot(1.0, end.size / prior_limit))
         shift = factor * np.abs(end.values - fit.values)[nuisances]
         is_determined = has_prior | (end.bounded and end.reached)
         value_shifts[nuisances] = np.maximum(value_shifts[nuisances], np.where(is_determined, shift, 0.0))
         unbounded_shifts[nuisances] = np.maximum(
             unbounded_shifts[nuisances], np.where(is_determined, 0.0, shift)
         )
-    max_deviation = max((side.largest for side, _ in ends), default=np.inf)
+    max_deviation = max((side.max_size for side, _ in ends), default=np.inf)
     return Bound(
         addition.candidate,
         i,

@@ -1,11 +1,11 @@
 """Plausible ranges of candidates: beyond them, the model would describe another machine.
 
-A limit beyond this range is meaningless.  The range of a parameter ends
+A limit outside its plausible range is meaningless.  The range of a parameter ends
 
-* at its bounds, such as a third and three times the declared value of a robot;
+* at its bounds, such as a third of and three times a robot parameter's declared value;
 * at three standard deviations of its prior, if the candidate has one;
-* otherwise, mainly for absent effects, at the size that in the linear model changes some frequency of the model,
-  measured or not, by as much as the largest size from which a search starts.
+* otherwise, mainly for absent effects, at the size that, in the linear model, changes some frequency of the model,
+  measured or not, by the largest change from which a search starts (`START_FREQUENCY_CHANGES[-1]`).
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ import numpy as np
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.problem import Array, Candidate, Prediction
-from pkmodes.loop.diagnosis.search.starts import SIZES
+from pkmodes.loop.diagnosis.search.starts import START_FREQUENCY_CHANGES
 
 
 def largest_rates(prediction: Prediction) -> Array:
@@ -27,34 +27,35 @@ def largest_rates(prediction: Prediction) -> Array:
     return np.asarray(rates.max(axis=(0, 1), initial=0.0))
 
 
-def plausible_size(fitter: Fitter, candidate: Candidate, i: int, sign: int, rate: float) -> float:
+def max_plausible_deviation(
+    fitter: Fitter, candidate: Candidate, parameter_index: int, side: int, max_rate: float
+) -> float:
     """Return the largest plausible deviation of a parameter of a candidate from its declared value, on one side.
 
-    - i: the parameter
-    - sign: the side
-    - rate: its `largest_rates`
+    - side: 1 for larger values than the declared one, -1 for smaller ones
+    - max_rate: entry of `largest_rates` for this parameter
     """
-    p = fitter.parameters[i]
-    distance_to_bound = p.upper - p.value if sign > 0 else p.value - p.lower
+    p = fitter.parameters[parameter_index]
+    distance_to_bound = p.upper - p.value if side > 0 else p.value - p.lower
     if candidate.sigma is not None:
         sigma = candidate.sigma[candidate.parameters.index(p.name)]
-        largest = fitter.criteria.reasons.far * sigma * (abs(p.value) if p.log else 1.0)
+        max_deviation = fitter.criteria.reasons.far * sigma * (abs(p.value) if p.log else 1.0)
     elif np.isfinite(p.lower) and np.isfinite(p.upper):
-        largest = np.inf  # the bounds are the plausible range
+        max_deviation = np.inf  # the bounds are the plausible range
     else:
-        largest = SIZES[-1] / rate if rate > 0.0 else np.inf
-    return float(min(distance_to_bound, largest))
+        max_deviation = START_FREQUENCY_CHANGES[-1] / max_rate if max_rate > 0.0 else np.inf
+    return float(min(distance_to_bound, max_deviation))
 
 
-def plausible_sizes(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> dict[int, float]:
+def max_plausible_deviations(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> dict[int, float]:
     """Return the largest plausible deviation of each parameter of some candidates, on either side."""
-    indices = list(dict.fromkeys(i for candidate in candidates for i in fitter.indices(candidate)))
+    indices = list(dict.fromkeys(i for candidate in candidates for i in fitter.parameter_indices(candidate)))
     if not indices:
         return {}
     prediction = fitter.structure.predict(fit.values, indices, shape_rates=False)
     rates = dict(zip(indices, largest_rates(prediction).tolist(), strict=True))
     return {
-        i: max(plausible_size(fitter, candidate, i, sign, rates[i]) for sign in (1, -1))
+        i: max(max_plausible_deviation(fitter, candidate, i, side, rates[i]) for side in (1, -1))
         for candidate in candidates
-        for i in fitter.indices(candidate)
+        for i in fitter.parameter_indices(candidate)
     }

@@ -45,7 +45,7 @@ class Score:
     - step: corresponding change of the candidate's parameters, within their signs, (k,)
     - sigma: standard deviations of the parameters from these data, (k,); infinite if the data do not determine them
     - largest_rates: largest relative change of a measured frequency per unit of each parameter, (k,)
-    - visible: whether any signature remains after the projection
+    - is_visible: whether any signature remains after the projection
     """
 
     candidate: Candidate
@@ -54,7 +54,7 @@ class Score:
     step: Array
     sigma: Array
     largest_rates: Array
-    visible: bool
+    is_visible: bool
 
 
 @dataclass(frozen=True)
@@ -82,7 +82,7 @@ class Scores:
 
 def score(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> Scores:
     """Test candidates that the hypothesis does not have yet."""
-    indices = [i for candidate in candidates for i in fitter.indices(candidate)]
+    indices = [i for candidate in candidates for i in fitter.parameter_indices(candidate)]
     if not indices:
         return Scores((), ())
     rates, signatures = fitter.signatures(fit, indices)
@@ -97,7 +97,7 @@ def score(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> Scores:
             fitter, fit, candidate, signatures[:, columns], remainder[:, columns], rate_magnitudes[:, columns]
         )
         scores.append(candidate_score)
-        if candidate_score.visible:
+        if candidate_score.is_visible:
             directions.append((axes, allowed_sign(fitter, candidate)))
     return Scores(tuple(scores), tuple(directions))
 
@@ -110,21 +110,21 @@ def _score_of(
     remainder: Array,
     rate_magnitudes: Array,
 ) -> tuple[Score, Array]:
-    remainder_norms, data = np.linalg.norm(remainder, axis=0), slice(0, fitter.prior_rows.start)
+    remainder_norms, data = np.linalg.norm(remainder, axis=0), slice(0, fitter.prior_slice.start)
     norms = np.linalg.norm(signatures[data], axis=0)
-    visible = np.linalg.norm(remainder[data], axis=0) > MIN_REMAINDER * np.maximum(norms, 1e-300)
-    largest = rate_magnitudes.max(axis=0, initial=0.0)
+    is_visible = np.linalg.norm(remainder[data], axis=0) > MIN_REMAINDER * np.maximum(norms, 1e-300)
+    largest_rates = rate_magnitudes.max(axis=0, initial=0.0)
     step = np.zeros(remainder.shape[1])
-    if not visible.any():
-        return Score(candidate, 1.0, 0.0, step, np.full(len(step), np.inf), largest, False), remainder
+    if not is_visible.any():
+        return Score(candidate, 1.0, 0.0, step, np.full(len(step), np.inf), largest_rates, False), remainder
     # Parameters may have the same effect, or none: the degrees of freedom are the directions that they span.
-    u, s, vt = thin_svd(remainder[:, visible] / remainder_norms[visible])
+    u, s, vt = thin_svd(remainder[:, is_visible] / remainder_norms[is_visible])
     axes, s, vt = u[:, s > MIN_REMAINDER], s[s > MIN_REMAINDER], vt[s > MIN_REMAINDER]
     sigma = np.full(len(step), np.inf)
-    if len(s) == visible.sum():
-        sigma[visible] = np.linalg.norm(vt / s[:, None], axis=0) / remainder_norms[visible]
+    if len(s) == is_visible.sum():
+        sigma[is_visible] = np.linalg.norm(vt / s[:, None], axis=0) / remainder_norms[is_visible]
     projection = axes.T @ fit.white
-    step[visible] = (vt.T @ (projection / s)) / remainder_norms[visible]
+    step[is_visible] = (vt.T @ (projection / s)) / remainder_norms[is_visible]
     sign = allowed_sign(fitter, candidate)
     gain = float(projection @ projection)
     if sign:
@@ -135,21 +135,21 @@ def _score_of(
         axes = axes * (np.sign(vt[0, 0]) * sign)
     else:
         p_value = float(stats.chi2.sf(gain, axes.shape[1]))
-    return Score(candidate, p_value, gain, step, sigma, largest, True), axes
+    return Score(candidate, p_value, gain, step, sigma, largest_rates, True), axes
 
 
 def allowed_sign(fitter: Fitter, candidate: Candidate) -> int:
     """Return the sign that physics allows, 0 for both: a single parameter whose declared value is its bound."""
     if len(candidate.parameters) != 1:
         return 0
-    p = fitter.parameters[fitter.indices(candidate)[0]]
+    p = fitter.parameters[fitter.parameter_indices(candidate)[0]]
     return 1 if p.value <= p.lower else -1 if p.value >= p.upper else 0
 
 
 def p_of_smallest(directions: Sequence[tuple[Array, int]], observed: float) -> float:
     """Return the probability under the hypothesis that the smallest p-value is at most the observed one.
 
-    - directions: of everything that was tried, see `Scores`
+    - directions: directions of all candidates that were tried, see `Scores`
     """
     if not directions:
         return 1.0

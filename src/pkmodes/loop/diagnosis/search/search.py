@@ -4,7 +4,7 @@ Each step makes the addition that lowers the criterion most: a cause, an error t
 exclusion of an outlier, so that no cause gets credit for what a bad measurement explains.  When the gate passes,
 additions that are not needed are removed again, and every cause is compared with all others in its place.
 
-There are many hundred pairs of causes; with measurement errors beside them they would explain anything.  A pair is
+There are many hundred pairs of causes; with measurement errors added, they would explain anything.  A pair is
 sought only if one cause clearly leaves a residual and no single remote cause explains everything, and never together
 with outliers or shared errors.
 """
@@ -187,9 +187,11 @@ class Search:
         store, c = self.store, self.criteria
         starts = [option.values for option in options if store.criterion(option) < store.criterion(fit)]
         # Also from fits without the worst rows, for several numbers of rows.
-        rows, h = store.fitter.worst_rows(fit)[0].tolist(), fit.hypothesis
+        rows, h = store.fitter.rows_by_residual(fit)[0].tolist(), fit.hypothesis
         counts = [count for count in (1, 2, 4, 8) if count <= int(c.search.misled * len(rows))]
-        reduced_hypotheses = [replace(h, excluded=h.excluded | set(rows[:count])) for count in counts]
+        reduced_hypotheses = [
+            replace(h, excluded_rows=h.excluded_rows | set(rows[:count])) for count in counts
+        ]
         starts += [
             rough_fit.values
             for rough_fit in store.fitter.rough_descents(
@@ -225,8 +227,10 @@ class Search:
     def _remove_unneeded(self, fit: Fit) -> Fit:
         """Remove additions that are not needed to pass the gate."""
         h, store = fit.hypothesis, self.store
-        reduced_hypotheses = [replace(h, excluded=h.excluded - {row}) for row in sorted(h.excluded)]
-        reduced_hypotheses += [replace(h, scatter=False)] if h.scatter else []
+        reduced_hypotheses = [
+            replace(h, excluded_rows=h.excluded_rows - {row}) for row in sorted(h.excluded_rows)
+        ]
+        reduced_hypotheses += [replace(h, has_shared_error=False)] if h.has_shared_error else []
         reduced_hypotheses += [h.without(position) for position in range(len(h.causes))]
         for hypothesis in reduced_hypotheses:
             reduced_fit = store.fit(hypothesis, store.values_without(fit, hypothesis))

@@ -17,15 +17,15 @@ from pkmodes.loop.diagnosis.problem import Array
 from pkmodes.loop.diagnosis.search.score import Score, allowed_sign
 
 #: Sizes of a one-sided cause that are tried first, as the frequency change that the linear model predicts.
-SIZES = np.geomspace(0.003, 30.0, 12)
+START_FREQUENCY_CHANGES = np.geomspace(0.003, 30.0, 12)
 #: The same for a cause that adds modes: these change a frequency only when they come near it.  Neighbouring sizes
 #: differ by a quarter, and the frequencies of the added modes by an eighth.
-CLOSE_SIZES = np.geomspace(5e-5, 0.5, 42)
+CLOSE_FREQUENCY_CHANGES = np.geomspace(5e-5, 0.5, 42)
 #: The grid is refined by HALVINGS bisections around the best MAX_VALLEYS sizes with sums of squares up to
 #: MAX_COST_RATIO times the least: such a mode fits in a narrow valley, and a grid hits only its slopes.
 MAX_VALLEYS, MAX_COST_RATIO = 6, 4.0
 HALVINGS = 3
-#: Part of the size of a one-sided cause that is kept when another cause is tried beside it.
+#: Part of the size of a one-sided cause that is kept when another cause is tried in addition.
 KEPT_PART_OF_SIZE = 0.4
 #: Number of starts from which a cause that adds modes is refitted.
 MAX_STARTS = 3
@@ -42,7 +42,7 @@ def starts(fitter: Fitter, additions: Sequence[tuple[Fit, Score, Hypothesis]]) -
 
     - additions: fit to which a cause is added, score of that cause at this fit, and hypothesis with the cause
     """
-    scout, starts_of_addition = fitter.scout, [list[Array]() for _ in additions]
+    subsample_fitter, starts_of_addition = fitter.subsample_fitter, [list[Array]() for _ in additions]
     searches = {k: _search_starts(fitter, *addition) for k, addition in enumerate(additions)}
     costs: dict[int, list[float] | None] = dict.fromkeys(searches)
     while searches:
@@ -56,9 +56,10 @@ def starts(fitter: Fitter, additions: Sequence[tuple[Fit, Score, Hypothesis]]) -
                 del searches[k]
         # Excluded rows are dropped for fewer setups, where rows are numbered differently.
         hypotheses = {
-            k: h if scout is fitter else Hypothesis(h.causes) for k, (_, _, h) in enumerate(additions)
+            k: h if subsample_fitter is fitter else Hypothesis(h.causes)
+            for k, (_, _, h) in enumerate(additions)
         }
-        evaluated = scout.chi2_of_many(
+        evaluated = subsample_fitter.chi2_of_many(
             [(hypotheses[k], values) for k, points in trials.items() for values in points]
         )
         results = iter(evaluated)
@@ -68,20 +69,20 @@ def starts(fitter: Fitter, additions: Sequence[tuple[Fit, Score, Hypothesis]]) -
 
 def _search_starts(fitter: Fitter, fit: Fit, candidate_score: Score, hypothesis: Hypothesis) -> Trials:
     """Yield trial values of one refit, and return its starts."""
-    index = list(fitter.indices(candidate_score.candidate))
+    index = list(fitter.parameter_indices(candidate_score.candidate))
     # The first parameter of a cause determines its size.
     sign = allowed_sign(
         fitter, replace(candidate_score.candidate, parameters=candidate_score.candidate.parameters[:1])
     )
-    unit, sizes = np.zeros(len(index)), SIZES
+    unit, sizes = np.zeros(len(index)), START_FREQUENCY_CHANGES
     has_size = bool(sign) and candidate_score.largest_rates[0] > 0.0
     if has_size:
         unit[0] = sign / candidate_score.largest_rates[0]
         values = fit.values.copy()
-        values[index[0]] += float(SIZES[0] * unit[0])
+        values[index[0]] += float(START_FREQUENCY_CHANGES[0] * unit[0])
         count = fitter.structure.predict(values, ()).eigenvalues.shape[1]
         if count > fit.prediction.eigenvalues.shape[1]:  # the cause adds modes
-            sizes = CLOSE_SIZES
+            sizes = CLOSE_FREQUENCY_CHANGES
     ranked: list[tuple[float, Array]] = []
     for origin in _origins(fitter, fit, sign):
 
@@ -91,17 +92,17 @@ def _search_starts(fitter: Fitter, fit: Fit, candidate_score: Score, hypothesis:
             return all_values
 
         steps = [candidate_score.step, 0.5 * candidate_score.step]
-        if has_size and sizes is CLOSE_SIZES and not fit.causes:
-            best = yield from _best_sizes(CLOSE_SIZES, unit, values_at)
+        if has_size and sizes is CLOSE_FREQUENCY_CHANGES and not fit.causes:
+            best = yield from _best_sizes(CLOSE_FREQUENCY_CHANGES, unit, values_at)
             steps += [size * unit for size in best]
         elif has_size:  # there are many pairs, and only those that the linear model favours are tried
-            costs = yield [values_at(size * unit) for size in SIZES]
-            steps.append(SIZES[int(np.argmin(costs))] * unit)
+            costs = yield [values_at(size * unit) for size in START_FREQUENCY_CHANGES]
+            steps.append(START_FREQUENCY_CHANGES[int(np.argmin(costs))] * unit)
         trials = [values_at(step) for step in steps]
         sums = yield trials
         ranked_trials = sorted(zip(sums, trials, strict=True), key=lambda pair: pair[0])
         # Near the distorted values of the fit, a large cause ends where it began: one best start for each origin.
-        ranked += ranked_trials if sizes is CLOSE_SIZES and not fit.causes else ranked_trials[:1]
+        ranked += ranked_trials if sizes is CLOSE_FREQUENCY_CHANGES and not fit.causes else ranked_trials[:1]
     ranked.sort(key=lambda pair: pair[0])
     return [values for _, values in ranked[:MAX_STARTS]]
 
@@ -110,12 +111,12 @@ def _origins(fitter: Fitter, fit: Fit, sign: int) -> list[Array]:
     """Return values of the other parameters for trying a cause: those of the fit, and less distorted ones."""
     less_distorted = fit.values.copy()
     if not fit.causes:  # a large missing cause drives the nuisances far from their declared values
-        nuisances = list(fitter.nuisances)
+        nuisances = list(fitter.nuisance_indices)
         less_distorted[nuisances] = fitter.declared[nuisances]
     elif sign:  # a cause fitted in place of two is too large
         for cause in fit.causes:
             if allowed_sign(fitter, cause):
-                index = list(fitter.indices(cause))
+                index = list(fitter.parameter_indices(cause))
                 less_distorted[index] = fitter.declared[index] + KEPT_PART_OF_SIZE * (
                     fit.values[index] - fitter.declared[index]
                 )

@@ -27,24 +27,26 @@ class ModeCounts(NamedTuple):
 
 def count_modes(fitter: Fitter, fit: Fit) -> ModeCounts:
     """Count the modes of a fit between the lowest and highest measured ones of each setup."""
-    margin, logs = fitter.criteria.gate.margin, fit.prediction.log_frequencies
-    used, visible = fitter.used_rows(fit.hypothesis), _visible(fitter, fit)
-    observations, paired, unmeasured = fitter.observations, int((fit.pairing.partner >= 0).sum()), 0
+    margin, log_frequencies = fitter.criteria.gate.margin, fit.prediction.log_frequencies
+    used_row_mask, is_visible = fitter.used_row_mask(fit.hypothesis), _visible_modes(fitter, fit)
+    observations, paired_count, unmeasured = fitter.observations, int((fit.pairing.partner >= 0).sum()), 0
     for setup, rows in enumerate(observations.noise.rows):
         if not len(rows):
             continue
         # A test may have stopped after the highest mode, whatever its band: modes above it carry no information.
         low = observations.log_frequencies[rows].min() + margin
         high = observations.log_frequencies[rows].max() - margin
-        modes_between = np.flatnonzero((logs[setup] > low) & (logs[setup] < high) & visible[setup])
+        modes_between = np.flatnonzero(
+            (log_frequencies[setup] > low) & (log_frequencies[setup] < high) & is_visible[setup]
+        )
         modes_between = modes_between[modes_between >= fit.prediction.rigid]
-        unpaired = modes_between[~np.isin(modes_between, fit.pairing.partner[rows])]
+        unpaired_modes = modes_between[~np.isin(modes_between, fit.pairing.partner[rows])]
         # An excluded row may have measured one of them.
-        unmeasured += max(len(unpaired) - int((~used[rows]).sum()), 0)
-    return ModeCounts(paired + unmeasured, unmeasured)
+        unmeasured += max(len(unpaired_modes) - int((~used_row_mask[rows]).sum()), 0)
+    return ModeCounts(paired_count + unmeasured, unmeasured)
 
 
-def _visible(fitter: Fitter, fit: Fit) -> NDArray[np.bool_]:
+def _visible_modes(fitter: Fitter, fit: Fit) -> NDArray[np.bool_]:
     """Return a mask of the modes that move the sensors enough; all if no sensor is known."""
     pairer = fitter.observations.pairer
     shapes, moves = fit.prediction.shapes[..., pairer.columns], pairer.motion
@@ -85,25 +87,27 @@ def never_measured(fitter: Fitter, fit: Fit) -> list[NeverMeasured]:
 
     Modes with free motors differ from those with held motors, even if they have the same number.
     """
-    margin, logs = fitter.criteria.gate.margin, fit.prediction.log_frequencies
-    visible, missing_modes = _visible(fitter, fit), []
-    measured = np.zeros(logs.shape, dtype=bool)
-    paired = fit.pairing.partner >= 0
-    measured[fitter.data.pose[paired], fit.pairing.partner[paired]] = True
-    low, high = (np.full(len(logs), value) for value in (np.inf, -np.inf))
+    margin, log_frequencies = fitter.criteria.gate.margin, fit.prediction.log_frequencies
+    is_visible, missing_modes = _visible_modes(fitter, fit), []
+    is_measured = np.zeros(log_frequencies.shape, dtype=bool)
+    is_paired = fit.pairing.partner >= 0
+    is_measured[fitter.data.pose[is_paired], fit.pairing.partner[is_paired]] = True
+    low, high = (np.full(len(log_frequencies), value) for value in (np.inf, -np.inf))
     if fitter.data.band is None:
         np.minimum.at(low, fitter.data.pose, fitter.observations.log_frequencies)
         np.maximum.at(high, fitter.data.pose, fitter.observations.log_frequencies)
     else:
         low[:], high[:] = np.log(fitter.data.band)
-    is_inside = (logs > low[:, None] + margin) & (logs < high[:, None] - margin) & visible
+    is_inside = (
+        (log_frequencies > low[:, None] + margin) & (log_frequencies < high[:, None] - margin) & is_visible
+    )
     for drives in dict.fromkeys(fitter.data.drives):
         same_drives = np.array(fitter.data.drives) == drives
-        for k in range(fit.prediction.rigid, logs.shape[1]):
+        for k in range(fit.prediction.rigid, log_frequencies.shape[1]):
             is_expected = is_inside[:, k] & same_drives
             count = int(is_expected.sum())
-            if count >= max(2, same_drives.sum() / 2) and not measured[same_drives, k].any():
-                frequencies = np.exp(logs[is_expected, k])
+            if count >= max(2, same_drives.sum() / 2) and not is_measured[same_drives, k].any():
+                frequencies = np.exp(log_frequencies[is_expected, k])
                 missing_modes.append(
                     NeverMeasured(float(frequencies.min()), float(frequencies.max()), count, drives)
                 )

@@ -42,8 +42,8 @@ S = TypeVar("S", bound=Structure)
 class TrustedState:
     """The trusted state, with the model fitted to it.
 
-    - fitter: of its measurements
-    - fit: of the uncertain values
+    - fitter: fits hypotheses to the measurements of this state
+    - fit: fit of the uncertain values
     """
 
     name: str
@@ -68,7 +68,9 @@ class TrustedState:
     @property
     def values(self) -> dict[str, float]:
         """Fitted uncertain values, by name."""
-        return {self.fitter.parameters[i].name: float(self.fit.values[i]) for i in self.fitter.nuisances}
+        return {
+            self.fitter.parameters[i].name: float(self.fit.values[i]) for i in self.fitter.nuisance_indices
+        }
 
     @property
     def shape_error(self) -> float:
@@ -88,7 +90,9 @@ class TrustedState:
     @property
     def remaining_error(self) -> float:
         """Root mean square of the relative error of the model with its values fitted."""
-        return _rms(self.fit.residual[self.fitter.observations.frequency_rows][self.fit.pairing.partner >= 0])
+        return _rms(
+            self.fit.residual[self.fitter.observations.frequency_slice][self.fit.pairing.partner >= 0]
+        )
 
     def diagnose_change(
         self,
@@ -110,7 +114,7 @@ class TrustedState:
         same rows.
         """
         self._check(name, data)
-        nuisances = tuple(self.fitter.nuisances)
+        nuisances = tuple(self.fitter.nuisance_indices)
         names = tuple(self.fitter.parameters[i].name for i in nuisances)
         fitted_values = FittedValues(names, self.fit.covariance_of(nuisances))
         shared = shared_errors(self.fitter, self.fit.values, structure, data, self.shape_error, fitted_values)
@@ -162,19 +166,19 @@ class TrustedState:
 
     def _notes(self, name: str, data: Measurements, shared: SharedErrors) -> list[str]:
         """Return how the states were compared."""
-        rows, compared = len(shared.offset), int(shared.compared.sum())
-        declared_error, remaining = (
+        rows, compared_count = len(shared.offset), int(shared.compared.sum())
+        declared_error, remaining_error = (
             f"{plain(100 * error, 2)} %" for error in (self.model_error, self.remaining_error)
         )
         notes = [
             f"the declared model differs from {self.name} by {declared_error} (rms); its values are "
-            f"fitted to {self.name}, and the remaining {remaining} is subtracted from {name} too: "
+            f"fitted to {self.name}, and the remaining {remaining_error} is subtracted from {name} too: "
             "standard deviations are those of the difference"
         ]
-        if compared < rows:
+        if compared_count < rows:
             notes.append(
-                f"{rows - compared} of {rows} rows of {name} have no counterpart at the same pose in {self.name}: "
-                "the error of the model is less certain there, and their standard deviations are larger"
+                f"{rows - compared_count} of {rows} rows of {name} have no counterpart at the same pose in "
+                f"{self.name}: the error of the model is less certain there, and their standard deviations are larger"
             )
         if not np.isnan(data.damping).all():
             notes.append("damping ratios of two states are not compared")
@@ -246,14 +250,16 @@ def setups_by_state(
         raise PkmodesError(problem, "states", f"write for example {example}")
     for label in states:
         if label not in data.labels:
-            nearest = difflib.get_close_matches(label, data.labels, n=1)
+            nearest_labels = difflib.get_close_matches(label, data.labels, n=1)
             remedy = (
-                f'did you mean "{nearest[0]}"?' if nearest else f"measured: {', '.join(data.labels[:10])}"
+                f'did you mean "{nearest_labels[0]}"?'
+                if nearest_labels
+                else f"measured: {', '.join(data.labels[:10])}"
             )
             raise PkmodesError(f"no setup is called {shown(label)}", "states", remedy)
-    missing = [label for label in data.labels if label not in states]
-    if missing:
-        problem = f"the setup {shown(missing[0])} has no state"
+    missing_labels = [label for label in data.labels if label not in states]
+    if missing_labels:
+        problem = f"the setup {shown(missing_labels[0])} has no state"
         raise PkmodesError(problem, "states", "give the state of every measured setup")
     setups_of: dict[str, list[int]] = {state: [] for state in states.values()}
     for i, label in enumerate(data.labels):

@@ -57,27 +57,30 @@ def expected_modes(
     - sigma: standard deviation of the logarithms
     - channels: names of these channels
     - partner: mode of the model of each row of the trusted state, (R,); -1 for none
-    - setup: of the trusted state; -1 if it has none like this
+    - setup: index of the setup in the trusted state; -1 if it has none like this
     """
     count = len(log)
     rows = np.flatnonzero(trusted.pose == setup)
-    unpaired = rows[partner[rows] < 0]
-    logs = np.concatenate([log, FREQUENCY.transformed(trusted)[unpaired]])
-    sigmas, row = np.full(len(logs), sigma), np.concatenate([np.full(count, -1), unpaired]).astype(np.intp)
-    all_shapes = np.vstack([shapes, np.full((len(unpaired), len(channels)), np.nan)])
-    mode = np.concatenate([np.arange(count), np.full(len(unpaired), -1)]).astype(np.intp)
+    unpaired_rows = rows[partner[rows] < 0]
+    log_frequencies = np.concatenate([log, FREQUENCY.transformed(trusted)[unpaired_rows]])
+    sigmas, row = (
+        np.full(len(log_frequencies), sigma),
+        np.concatenate([np.full(count, -1), unpaired_rows]).astype(np.intp),
+    )
+    all_shapes = np.vstack([shapes, np.full((len(unpaired_rows), len(channels)), np.nan)])
+    mode = np.concatenate([np.arange(count), np.full(len(unpaired_rows), -1)]).astype(np.intp)
     for trusted_row in rows:
-        paired = partner[trusted_row] >= 0
+        is_paired = partner[trusted_row] >= 0
         index = int(partner[trusted_row])
-        if not paired:
-            index = count + int(np.flatnonzero(unpaired == trusted_row)[0])
-        logs[index], row[index] = FREQUENCY.transformed(trusted)[trusted_row], trusted_row
+        if not is_paired:
+            index = count + int(np.flatnonzero(unpaired_rows == trusted_row)[0])
+        log_frequencies[index], row[index] = FREQUENCY.transformed(trusted)[trusted_row], trusted_row
         sigmas[index] = FREQUENCY.transformed_sigma(trusted)[trusted_row]
         measured = dict(zip(trusted.channels, trusted.shapes[trusted_row], strict=True))
         measured_shape = np.array([measured.get(name, np.nan) for name in channels])
-        if np.isfinite(measured_shape).sum() >= 2 or not paired:
+        if np.isfinite(measured_shape).sum() >= 2 or not is_paired:
             all_shapes[index] = measured_shape
-    return ExpectedModes(logs, sigmas, all_shapes, mode, row)
+    return ExpectedModes(log_frequencies, sigmas, all_shapes, mode, row)
 
 
 def pair_with_expected(
@@ -93,8 +96,8 @@ def pair_with_expected(
     for group in np.unique(groups):
         in_group = groups == group
         of_group = shape_difference[in_group]
-        smallest = np.where(np.isnan(of_group), np.inf, of_group).min(axis=0)
-        shape_difference[in_group] = np.where(np.isfinite(smallest), smallest, np.nan)
+        min_difference = np.where(np.isnan(of_group), np.inf, of_group).min(axis=0)
+        shape_difference[in_group] = np.where(np.isfinite(min_difference), min_difference, np.nan)
     cost = (log_difference / UNIT_LOG_DIFFERENCE) ** 2 + np.nan_to_num(shape_difference)
     pairs = zip(*linear_sum_assignment(np.where(log_difference > MAX_LOG_DIFFERENCE, 1e6, cost)), strict=True)
     return [(int(rows[k]), int(i)) for i, k in pairs if log_difference[i, k] <= MAX_LOG_DIFFERENCE]

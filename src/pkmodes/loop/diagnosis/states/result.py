@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from msgspec import structs
 
-from pkmodes.loop.diagnosis.match.predicted import Predicted
+from pkmodes.loop.diagnosis.match.predicted import PartnerPredictions
 from pkmodes.loop.diagnosis.problem import Array
 from pkmodes.loop.diagnosis.states.shared_errors import SharedErrors
 from pkmodes.loop.diagnosis.states.words import reword_result
@@ -44,8 +44,8 @@ VERDICT_PRECEDENCE = (UNEXPLAINED, AMBIGUOUS, INSUFFICIENT_DATA, EFFECT_FOUND, A
 class Counterpart:
     """The same mode at the same setup in the trusted state.
 
-    - line: of the row in its file
-    - measured, sigma: its frequency and the standard deviation [Hz]
+    - line: line of the row in its file
+    - measured, sigma: frequency and its standard deviation [Hz]
     """
 
     line: int
@@ -62,9 +62,9 @@ class Change(Diagnosis):
 
     - states: the trusted state first
     - changed: whether anything changed; None where the data do not tell
-    - counterparts: of each row
+    - counterparts: counterpart of each row
     - model_error: root mean square of the relative error of the model in the trusted state, which both states share
-    - by_state: of several later states, each by itself; empty for a single one
+    - by_state: changes of several later states, each by itself; empty for a single one
     """
 
     states: tuple[str, ...] = ()
@@ -113,10 +113,10 @@ class Change(Diagnosis):
 
         Returns what ``pkmodes changed --json`` writes.
         """
-        by_state = {name: result._of_one_state() for name, result in self.by_state.items()}
-        return {**self._of_one_state(), "by_state": by_state}
+        by_state = {name: result._json_of_one_state() for name, result in self.by_state.items()}
+        return {**self._json_of_one_state(), "by_state": by_state}
 
-    def _of_one_state(self) -> dict[str, object]:
+    def _json_of_one_state(self) -> dict[str, object]:
         content: dict[str, Any] = super().as_json()
         for cause, effect in zip(content["effects"], self.effects, strict=True):
             cause["state"] = effect.state
@@ -141,10 +141,10 @@ def change_from_difference(
 ) -> Change:
     """Return the diagnosis of a difference as a change.
 
-    - result: of measurements without the errors that the model has in the trusted state
-    - states: the trusted state, and the other one
-    - data: of the other one, as measured
-    - shared: these errors
+    - result: diagnosis of measurements without the errors that the model has in the trusted state
+    - states: the trusted state, and the later one
+    - data: measurements of the later state, as they were made
+    - shared: the errors of the model in the trusted state
     """
     trusted, later = states
     content = {attribute.name: getattr(result, attribute.name) for attribute in fields(Diagnosis)}
@@ -183,19 +183,19 @@ def _stages_with_model_errors(stages: Stages, shared: SharedErrors) -> Stages:
         errors[:, :count] = shared.mode_offsets[:, :count]
         return np.asarray(frequencies * np.exp(errors))
 
-    def stage(predicted: Predicted | None) -> Predicted | None:
+    def stage(predicted: PartnerPredictions | None) -> PartnerPredictions | None:
         if predicted is None:
             return None
         return replace(
             predicted,
             frequency=predicted.frequency * np.exp(shared.offset),
-            spectrum=spectrum(predicted.spectrum),
+            elastic_frequencies=spectrum(predicted.elastic_frequencies),
         )
 
     before = stage(stages.before)
     assert before is not None
-    without = None if stages.without is None else spectrum(stages.without)
-    return Stages(before, stage(stages.refit), stage(stages.after), without)
+    without_causes = None if stages.without is None else spectrum(stages.without)
+    return Stages(before, stage(stages.refit), stage(stages.after), without_causes)
 
 
 def _has_changed(result: Diagnosis) -> bool | None:

@@ -34,7 +34,7 @@ MODE_SIGMA = 0.3
 MIN_SIGMA = 0.02
 MIN_DIFFERENCES = 3
 #: The scatter between setups is taken at this upper confidence limit.
-CONFIDENCE = 0.9
+CONFIDENCE_LEVEL = 0.9
 #: Setups are the same if no component of the pose differs by more than this part of the range of the trusted poses,
 #: or by more than this [m or rad]; without positions, if the model has the same modes to this accuracy.
 NEAR_PART_OF_RANGE, NEAR_DISTANCE, EIGENVALUE_TOLERANCE = 0.02, 5e-4, 1e-9
@@ -46,7 +46,7 @@ MAX_SIGMA = 0.9
 class SharedErrors:
     """The error of the model in each row of a later state, as determined by the trusted state.
 
-    - offset, variance: of ln f, and its variance given the trusted state, large enough to treat the errors of
+    - offset, variance: error of ln f, and its variance given the trusted state, large enough to treat the errors of
       different rows as independent, (R,)
     - measured_before: rows whose mode was measured in the trusted state, at any setup, (R,)
     - counterpart: row of the trusted state with the same mode at the same setup, (R,); -1 where there is none
@@ -99,8 +99,8 @@ def shared_errors(
 ) -> SharedErrors:
     """Return the errors that the rows of a later state share with the trusted one.
 
-    - trusted: of the trusted state
-    - values: of its parameters, fitted to it
+    - trusted: fitter of the trusted state
+    - values: values of its parameters, fitted to it
     - structure: at the setups of the later state, with these values as declared
     - shape_error: standard deviation of the components of shapes by which the model differs from the trusted state
     - fitted_values: the uncertainty of these values
@@ -134,16 +134,16 @@ def shared_errors(
             if expected.model_mode[position] >= 0:
                 partner[row] = expected.model_mode[position] + later_prediction.rigid
             counterpart[row] = expected.trusted_row[position]
-    offset, variance = mode_errors.of_rows(partner, later.pose)
+    offset, variance = mode_errors.errors_of_rows(partner, later.pose)
     model_shapes = later_prediction.shapes[later.pose, np.maximum(partner, 0)][:, columns]
     paired_shapes = np.where((partner >= 0)[:, None], model_shapes, np.nan)
     value_spread = np.zeros(len(partner))
-    paired = np.flatnonzero(partner >= 0)
-    if fitted_values is not None and fitted_values.names and len(paired):
-        of_logs, of_shapes = fitted_values.variances(structure, partner[paired], later.pose[paired])
-        variance[paired] += of_logs
-        value_spread[paired] = _relative_spread(
-            weights * np.sqrt(of_shapes[:, columns]), weights * model_shapes[paired]
+    paired_rows = np.flatnonzero(partner >= 0)
+    if fitted_values is not None and fitted_values.names and len(paired_rows):
+        of_logs, of_shapes = fitted_values.variances(structure, partner[paired_rows], later.pose[paired_rows])
+        variance[paired_rows] += of_logs
+        value_spread[paired_rows] = _relative_spread(
+            weights * np.sqrt(of_shapes[:, columns]), weights * model_shapes[paired_rows]
         )
     shapes, shape_sigma = corrected_shapes(data, later, counterpart, paired_shapes, weights)
     unmatched = counterpart < 0
@@ -207,8 +207,8 @@ class TrustedRows(NamedTuple):
 class ModeErrors(NamedTuple):
     """The errors of the model in the modes at S setups of a later state.
 
-    - mean: of ln f, (S, m)
-    - covariances: of each mode at all setups, (m, S, S)
+    - mean: mean error of ln f, (S, m)
+    - covariances: covariance of each mode's error at all setups, (m, S, S)
     - scatter: standard deviation of the part that differs between setups
     - unknown_sigma: standard deviation for a mode that the trusted state does not determine
     """
@@ -218,7 +218,7 @@ class ModeErrors(NamedTuple):
     scatter: float
     unknown_sigma: float
 
-    def of_rows(self, partner: NDArray[np.intp], pose: NDArray[np.int_]) -> tuple[Array, Array]:
+    def errors_of_rows(self, partner: NDArray[np.intp], pose: NDArray[np.int_]) -> tuple[Array, Array]:
         """Return the errors of rows with these modes at these setups, and their variances as if independent.
 
         The sum of the moduli in a row of a covariance bounds it by a diagonal one.
@@ -263,8 +263,8 @@ def _nearest_setups(
 ) -> NDArray[np.intp]:
     """Return the trusted setup that is the same as each later one, the nearest if there are several; -1 if none."""
     distance = np.linalg.norm(later.points[:, None] - trusted.points[None], axis=-1)
-    nearest = np.where(same_setup, distance, np.inf).argmin(axis=1)
-    return np.where(same_setup.any(axis=1), nearest, -1)
+    nearest_setups = np.where(same_setup, distance, np.inf).argmin(axis=1)
+    return np.where(same_setup.any(axis=1), nearest_setups, -1)
 
 
 def scatter_between_setups(
@@ -276,7 +276,7 @@ def scatter_between_setups(
 ) -> float:
     """Return an upper limit of the standard deviation, between setups, of the error of the model in one mode.
 
-    - residual, sigma: of ln f, (R,)
+    - residual, sigma: residual of ln f, and its standard deviation, (R,)
     - partner, pose: mode and setup of each row, (R,)
     - same_setup: which setups are the same, (S, S)
     """
@@ -289,7 +289,7 @@ def scatter_between_setups(
         degrees += int(np.linalg.matrix_rank(same_setup[np.ix_(pose[rows], pose[rows])].astype(float))) - 1
     if degrees < MIN_DIFFERENCES:
         return MIN_SIGMA
-    upper_ratio = squares / float(stats.chi2.ppf(1.0 - CONFIDENCE, degrees))
+    upper_ratio = squares / float(stats.chi2.ppf(1.0 - CONFIDENCE_LEVEL, degrees))
     return float(np.sqrt(max(upper_ratio - 1.0, 0.0)) * np.median(sigma))
 
 
@@ -314,8 +314,8 @@ def same_setups(
         return np.asarray(same_conditions & (distance <= tolerance).all(axis=-1))
     count = min(modes.eigenvalues.shape[1], other_modes.eigenvalues.shape[1])
     a, b = modes.eigenvalues[None, :, :count], other_modes.eigenvalues[:, None, :count]
-    largest = np.abs(a).max(axis=-1, keepdims=True)
-    return np.asarray(same_conditions & (np.abs(a - b) <= EIGENVALUE_TOLERANCE * largest).all(axis=-1))
+    max_magnitude = np.abs(a).max(axis=-1, keepdims=True)
+    return np.asarray(same_conditions & (np.abs(a - b) <= EIGENVALUE_TOLERANCE * max_magnitude).all(axis=-1))
 
 
 def without_shared_errors(data: Measurements, shared: SharedErrors) -> Measurements:

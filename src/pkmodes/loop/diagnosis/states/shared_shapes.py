@@ -43,26 +43,31 @@ def corrected_shapes(
         before, after = trusted.shapes[trusted_rows[row]][trusted_columns], later.shapes[row][later_columns]
         model_shape, channel_weights = model_shapes[row][later_columns], weights[later_columns]
         shapes[row] = np.nan
-        common = np.isfinite(before) & np.isfinite(after) & np.isfinite(model_shape)
-        if common.sum() < 2:
+        is_common = np.isfinite(before) & np.isfinite(after) & np.isfinite(model_shape)
+        if is_common.sum() < 2:
             continue
         scales = [
-            _scale(channel_weights[common] * model_shape[common], channel_weights[common] * measured[common])
+            _scale(
+                channel_weights[is_common] * model_shape[is_common],
+                channel_weights[is_common] * measured[is_common],
+            )
             for measured in (after, before)
         ]
         if None in scales:
             continue
         later_scale, trusted_scale = (float(scale or 0.0) for scale in scales)
-        compared = np.where(common, model_shape + later_scale * after - trusted_scale * before, np.nan)
-        shapes[row, later_columns] = compared
-        largest = np.nanmax(np.abs(channel_weights * compared))
+        compared_shape = np.where(
+            is_common, model_shape + later_scale * after - trusted_scale * before, np.nan
+        )
+        shapes[row, later_columns] = compared_shape
+        max_component = np.nanmax(np.abs(channel_weights * compared_shape))
         spread = np.hypot(
-            later_scale * later.shape_sigma[row] * np.nanmax(np.abs(channel_weights * after)[common]),
+            later_scale * later.shape_sigma[row] * np.nanmax(np.abs(channel_weights * after)[is_common]),
             trusted_scale
             * trusted.shape_sigma[trusted_rows[row]]
-            * np.nanmax(np.abs(channel_weights * before)[common]),
+            * np.nanmax(np.abs(channel_weights * before)[is_common]),
         )
-        sigma[row] = min(spread / largest, MAX_SIGMA) if largest > 0.0 else np.nan
+        sigma[row] = min(spread / max_component, MAX_SIGMA) if max_component > 0.0 else np.nan
     return shapes, sigma
 
 

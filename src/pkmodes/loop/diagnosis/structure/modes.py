@@ -143,9 +143,12 @@ def setup_modes(pair: MatrixPair, rigid: int) -> SetupModes:
     except np.linalg.LinAlgError as error:
         raise UnusableError(f"no modes: {error}", "M", "check the masses") from error
     # A structure that buckles does not vibrate: sqrt(|lambda|) would not be a frequency.
-    lowest = eigenvalues[rigid : rigid + 1].min(initial=np.inf)
-    if not np.isfinite(eigenvalues).all() or lowest < -EIGENVALUE_TOLERANCE * np.abs(eigenvalues).max():
-        problem = f"expected a stable structure, found the eigenvalue {lowest:.6g} 1/s^2"
+    lowest_eigenvalue = eigenvalues[rigid : rigid + 1].min(initial=np.inf)
+    if (
+        not np.isfinite(eigenvalues).all()
+        or lowest_eigenvalue < -EIGENVALUE_TOLERANCE * np.abs(eigenvalues).max()
+    ):
+        problem = f"expected a stable structure, found the eigenvalue {lowest_eigenvalue:.6g} 1/s^2"
         remedy = "check the sign of K, and that rigid counts every free motion"
         raise UnstableError(problem, "K", remedy)
     return SetupModes(eigenvalues, shapes if condensed.T is None else shapes @ condensed.T.T, condensed.N)

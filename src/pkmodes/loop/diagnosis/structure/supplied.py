@@ -229,8 +229,8 @@ class SuppliedMatrices:
                 for difference, reference in zip(pair, centre, strict=True)
             )
             if change > 0.0:
-                width = ahead[i] - behind[i]
-                rates = [MatrixPair(pair.M / width, pair.K / width) for pair in evaluated]
+                step_width = ahead[i] - behind[i]
+                rates = [MatrixPair(pair.M / step_width, pair.K / step_width) for pair in evaluated]
             spans_range = ahead[i] == p.upper and behind[i] == p.lower
             if abs(np.log(max(change, 1e-300) / TARGET_CHANGE)) <= np.log(MAX_CHANGE_FACTOR) or (
                 change < TARGET_CHANGE and (step > MAX_STEP or spans_range)
@@ -249,12 +249,16 @@ class SuppliedMatrices:
         return {p.name: float(value) for p, value in zip(self.parameters, values, strict=True)}
 
     def _location(self, values: Array, setup: str) -> str:
-        changed = [(p.name, v) for p, v in zip(self.parameters, values, strict=True) if v != p.value]
+        changed_values = [(p.name, v) for p, v in zip(self.parameters, values, strict=True) if v != p.value]
         values_in_words = (
-            ", ".join(f"{name} = {value:.10g}" for name, value in changed[:MAX_VALUES_NAMED])
+            ", ".join(f"{name} = {value:.10g}" for name, value in changed_values[:MAX_VALUES_NAMED])
             or "the declared values"
         )
-        suffix = f" and {len(changed) - MAX_VALUES_NAMED} more" if len(changed) > MAX_VALUES_NAMED else ""
+        suffix = (
+            f" and {len(changed_values) - MAX_VALUES_NAMED} more"
+            if len(changed_values) > MAX_VALUES_NAMED
+            else ""
+        )
         return f"matrices for setup {shown(setup)} at {values_in_words}{suffix}"
 
     def _check_pair(self, returned: Any, names: tuple[str, str], location: str) -> MatrixPair:

@@ -44,7 +44,7 @@ def coordinate_terms(
 ) -> Iterator[CoordinateTerm]:
     """Yield all terms of some coordinates.
 
-    - units: of M and of K
+    - units: units of M and of K
     - used_names: names of candidates and parameters: a term with one of these names is left out
     """
     forms_and_indices: list[tuple[str, tuple[int, ...]]] = [

@@ -1,4 +1,4 @@
-"""A model beside all measured modes, including the held-out ones, and its errors."""
+"""A model compared with all measured modes, including the held-out ones, and its errors."""
 
 from __future__ import annotations
 

@@ -31,12 +31,16 @@ def _chi2_to_compare(e: Evidence) -> float:
     if not e.outcome.last_gate.passed:
         # The best explanation without errors of the measurement and without remote causes.
         fits = [
-            fit for fit in e.store.all_fits() if not ((h := fit.hypothesis).remote or h.excluded or h.scatter)
+            fit
+            for fit in e.store.all_fits()
+            if not ((h := fit.hypothesis).remote or h.excluded_rows or h.has_shared_error)
         ]
         best = min(fits, key=e.store.criterion, default=declared)
-        unexplained = misfit.of_frequencies(e.store, best).squares
-        return max(unexplained, misfit.of_frequencies(e.store, declared).squares - unexplained)
+        unexplained = misfit.frequency_misfit_without_priors(e.store, best).squares
+        return max(
+            unexplained, misfit.frequency_misfit_without_priors(e.store, declared).squares - unexplained
+        )
     if final.causes:
         return declared.deviance - final.deviance
-    errors = final.hypothesis.excluded or final.hypothesis.scatter
-    return misfit.of_frequencies(e.store, declared).squares if errors else math.inf
+    errors = final.hypothesis.excluded_rows or final.hypothesis.has_shared_error
+    return misfit.frequency_misfit_without_priors(e.store, declared).squares if errors else math.inf

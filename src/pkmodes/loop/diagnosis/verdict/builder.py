@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.fit.store import FitStore
-from pkmodes.loop.diagnosis.match.predicted import spectrum_of
+from pkmodes.loop.diagnosis.match.predicted import elastic_frequencies_of
 from pkmodes.loop.diagnosis.match.stage import MatchStage
 from pkmodes.loop.diagnosis.posterior.probabilities import probabilities
 from pkmodes.loop.diagnosis.problem import Array, reached_bounds
@@ -21,7 +21,7 @@ from pkmodes.loop.diagnosis.readings.amplitude import (
     notes_on_amplitude,
 )
 from pkmodes.loop.diagnosis.readings.table import answer_for_declared_model, reading_remarks
-from pkmodes.loop.diagnosis.search.ranges import plausible_sizes
+from pkmodes.loop.diagnosis.search.ranges import max_plausible_deviations
 from pkmodes.loop.diagnosis.verdict import caveats, held_out, limits
 from pkmodes.loop.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.loop.diagnosis.verdict.claim import fitted_values, name_of_last_cause
@@ -44,14 +44,14 @@ NO_STAGE: tuple[None, None] = (None, None)
 
 @dataclass(frozen=True)
 class _Models:
-    """The models of a result beside all rows, with their errors: as declared, refitted, and with the causes.
+    """The models of a result for all rows, with their errors: as declared, refitted, and with the causes.
 
-    - last_fit: of the last model; None if there are too few data to fit any
-    - outlying: rows that it sets aside, (R,)
+    - last_fit: fit of the last model; None if there are too few data to fit any
+    - outlying: mask of the rows that this fit sets aside, (R,)
     - corrected: values of the last model
-    - notes: on its fit
-    - spectrum_without_causes: its spectrum without its causes, (S, m)
-    - limits: of the candidates that are not claimed
+    - notes: notes on its fit
+    - spectrum_without_causes: spectrum of the last model without its causes, (S, m)
+    - limits: limits of the candidates that are not claimed
     """
 
     last_fit: Fit | None
@@ -105,11 +105,11 @@ class DiagnosisBuilder:
         search, outcome, claim = evidence.search, evidence.outcome, evidence.claim
         verdict, final = decision.verdict, claim.final
         findings = claim.findings(self.fitter, evidence.single_joints) if verdict is EFFECT_FOUND else ()
-        remaining = (
+        remaining_explanations = (
             claim.remaining_explanations(decision.answer.better_explanation) if verdict is AMBIGUOUS else []
         )
         candidate_limits, max_deviations, examined_candidates = self._candidates(
-            evidence, decision, findings, remaining
+            evidence, decision, findings, remaining_explanations
         )
         undetectable = tuple(test.name for test in examined_candidates if not test.detectable)
         refit = final if verdict is ADEQUATE else outcome.nuisance_fit
@@ -119,10 +119,12 @@ class DiagnosisBuilder:
         explanation_probabilities, accepted = None, verdict is not UNEXPLAINED
         if not decision.answer.decided_by_reading:
             explanation_probabilities = probabilities(search, max_deviations, outcome, accepted=accepted)
-        undecided = remaining
+        undecided = remaining_explanations
         if verdict is EFFECT_FOUND:
             # The class of the first cause that the data cannot tell from others.
-            claimed_class = next((fits for fits in claim.own_classes if len(fits) > 1), claim.own_classes[0])
+            claimed_class = next(
+                (fits for fits in claim.class_of_each_cause if len(fits) > 1), claim.class_of_each_cause[0]
+            )
             undecided = [[(name_of_last_cause(fit), fit) for fit in claimed_class]]
         proposal, not_separated = next_measurement(search.store, explanation_probabilities, undecided)
         if verdict.settled:
@@ -142,12 +144,12 @@ class DiagnosisBuilder:
         return replace(
             self._result(decision, models),
             effects=findings,
-            survivors=tuple(tuple(name for name, _ in named) for named in remaining),
+            survivors=tuple(tuple(name for name, _ in named) for named in remaining_explanations),
             undetectable=undetectable,
             next_measurement=proposal,
             not_separated=not_separated,
             candidates=examined_candidates,
-            alone=evidence.single_joints if findings or remaining else {},
+            alone=evidence.single_joints if findings or remaining_explanations else {},
             notes=tuple(self._notes(evidence, decision, models, findings)),
             stability=tuple(trial.stability for trial in evidence.trials),
             probabilities=explanation_probabilities,
@@ -158,11 +160,11 @@ class DiagnosisBuilder:
         evidence: Evidence,
         decision: Decision[Evidence, Answer],
         findings: Sequence[Finding],
-        remaining: Sequence[NamedFits],
+        remaining_explanations: Sequence[NamedFits],
     ) -> tuple[CandidateLimits, dict[int, float], tuple[Examined, ...]]:
         """Return the limits of the candidates that are not claimed, all plausible sizes, and all tests.
 
-        - findings, remaining: the claimed causes, and the explanations that remain
+        - findings, remaining_explanations: the claimed causes, and the explanations that remain
         """
         search, outcome, claim = evidence.search, evidence.outcome, evidence.claim
         # Beside a claimed cause, the other members of its class are not detectable; they are listed with it.
@@ -174,13 +176,15 @@ class DiagnosisBuilder:
             )
             last_scores = claim.last_gate.scores
         else:
-            open_fits = [fit for named in remaining for _, fit in named] or [outcome.nuisance_fit]
+            open_fits = [fit for named in remaining_explanations for _, fit in named] or [
+                outcome.nuisance_fit
+            ]
             candidate_limits = limits.limits_beside(
                 search.store, open_fits, unclaimed, residual_is_noise=False
             )
             last_scores = outcome.first_gate.scores
         named_candidates = claimed | {
-            cause.name for named in remaining for _, fit in named for cause in fit.causes
+            cause.name for named in remaining_explanations for _, fit in named for cause in fit.causes
         }
         named_candidates |= {
             *decision.answer.named,
@@ -190,7 +194,7 @@ class DiagnosisBuilder:
             candidate for candidate in search.candidates if candidate.name not in candidate_limits.candidates
         ]
         max_deviations = {
-            **plausible_sizes(self.fitter, outcome.nuisance_fit, without_limits),
+            **max_plausible_deviations(self.fitter, outcome.nuisance_fit, without_limits),
             **candidate_limits.max_deviations,
         }
         examined_candidates = examine_candidates(
@@ -253,14 +257,14 @@ class DiagnosisBuilder:
     ) -> _Models:
         """Return the models of a result.
 
-        - refit: of the nuisances
-        - causes: with the claimed causes
-        - candidate_limits: of the candidates that are not claimed
-        - is_settled: whether the last one leaves only noise
+        - refit: fit of the nuisances
+        - causes: fit with the claimed causes
+        - candidate_limits: limits of the candidates that are not claimed
+        - is_settled: whether the last model leaves only noise
         """
         setups, last_fit = self.setups, causes or refit
-        excluded = [] if last_fit is None else sorted(last_fit.hypothesis.excluded)
-        outlying = np.isin(setups.data.lines, self.fitter.data.lines[excluded])
+        excluded_rows = [] if last_fit is None else sorted(last_fit.hypothesis.excluded_rows)
+        outlying = np.isin(setups.data.lines, self.fitter.data.lines[excluded_rows])
 
         def stage_and_error(fit: Fit | None) -> tuple[MatchStage, Error] | None:
             if fit is None:
@@ -270,10 +274,10 @@ class DiagnosisBuilder:
 
         declared, spectrum_without_causes = setups.stage(self.fitter.declared), None
         if causes is not None:
-            index = [i for cause in causes.causes for i in self.fitter.indices(cause)]
+            index = [i for cause in causes.causes for i in self.fitter.parameter_indices(cause)]
             values = causes.values.copy()
             values[index] = self.fitter.declared[index]
-            spectrum_without_causes = spectrum_of(setups.stage(values).prediction, setups.data)
+            spectrum_without_causes = elastic_frequencies_of(setups.stage(values).prediction, setups.data)
         return _Models(
             last_fit=last_fit,
             outlying=outlying,
@@ -291,7 +295,7 @@ class DiagnosisBuilder:
         """Return what every result has: the decision with its reason, the errors, and the values of the models."""
         last_fit, (declared, before) = models.last_fit, models.declared
         (refit, refit_error), (after, after_error) = models.refit or NO_STAGE, models.after or NO_STAGE
-        nuisances = {self.fitter.parameters[i].name for i in self.fitter.nuisances}
+        nuisances = {self.fitter.parameters[i].name for i in self.fitter.nuisance_indices}
         stages = Stages(
             declared.predicted,
             None if refit is None else refit.predicted,
@@ -314,7 +318,7 @@ class DiagnosisBuilder:
             next_measurement=None,
             candidates=(),
             rows=self.setups.rows(declared, refit, after, models.outlying),
-            scatter=0.0 if last_fit is None else last_fit.scatter,
+            scatter=0.0 if last_fit is None else last_fit.shared_error,
             corrected=models.corrected,
             correlation=() if last_fit is None else tuple(map(tuple, last_fit.correlation.tolist())),
             shape_scatter=models.shape_scatter,
@@ -325,7 +329,7 @@ class DiagnosisBuilder:
     def corrected_values(self, fit: Fit, candidate_limits: CandidateLimits) -> tuple[Corrected, ...]:
         """Return all fitted parameters with their declared values, priors, and unseen influences."""
         prior_widths, corrected = self.fitter.priors.sigmas_in_units(fit.values), []
-        max_deviations = plausible_sizes(self.fitter, fit, fit.causes)
+        max_deviations = max_plausible_deviations(self.fitter, fit, fit.causes)
         for i, v in zip(fit.free, fitted_values(self.fitter, fit, fit.free), strict=True):
             p, row = self.fitter.parameters[i], self.fitter.priors.row_of(i)
             corrected.append(

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pkmodes.core.base.numbers import plain
 from pkmodes.core.support.ordering import listed
 from pkmodes.loop.diagnosis.criteria import Criteria
-from pkmodes.loop.diagnosis.search.limits import ONE_SIDED
+from pkmodes.loop.diagnosis.search.limits import ONE_SIDED_SIGMAS
 from pkmodes.loop.diagnosis.verdict.findings import Corrected
 
 #: Smallest distance of a conspicuous refitted value from its declared one, in standard deviations of prior or fit.
@@ -82,7 +82,7 @@ def _may_be_due_to_unseen(value: Corrected) -> bool:
     return (
         value.prior_sigma is not None
         and value.unseen is not None
-        and MIN_CONSPICUOUS_SIGMAS * value.sigma < change <= ONE_SIDED * value.unseen.sigma
+        and MIN_CONSPICUOUS_SIGMAS * value.sigma < change <= ONE_SIDED_SIGMAS * value.unseen.sigma
     )
 
 

@@ -15,7 +15,7 @@ from scipy import stats
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.search.gate import Gate
-from pkmodes.loop.diagnosis.search.ranges import plausible_sizes
+from pkmodes.loop.diagnosis.search.ranges import max_plausible_deviations
 from pkmodes.loop.diagnosis.search.score import allowed_sign
 from pkmodes.loop.diagnosis.search.search import Outcome, Search
 from pkmodes.loop.diagnosis.verdict.classes import classes, other_pairs, survivors
@@ -24,7 +24,7 @@ from pkmodes.loop.diagnosis.verdict.joints import JointAlone
 from pkmodes.loop.diagnosis.verdict.possible import describe_member, split_possible, violated_usual_range
 
 #: Largest number of times that a cause is replaced by a better survivor.
-MAX_PREFERENCES = 4
+MAX_REPLACEMENTS = 4
 #: For each cause, the classes of fits that have another cause in its place.
 ClassesByCause = tuple[list[list[Fit]], ...]
 
@@ -54,7 +54,7 @@ class Claim:
     implausible_names: frozenset[str] = frozenset()
 
     @property
-    def own_classes(self) -> list[list[Fit]]:
+    def class_of_each_cause(self) -> list[list[Fit]]:
         """The class of each cause."""
         return [groups[0] for groups in self.classes_by_cause if groups]
 
@@ -85,7 +85,7 @@ class Claim:
             self.final.causes, self.p_values, self.classes_by_cause, strict=True
         ):
             fits = {name_of_last_cause(fit): fit for fit in groups[0]}
-            index = {name: fitter.indices(fit.causes[-1]) for name, fit in fits.items()}
+            index = {name: fitter.parameter_indices(fit.causes[-1]) for name, fit in fits.items()}
             values = {name: fitted_values(fitter, fit, index[name]) for name, fit in fits.items()}
             names = [cause.name, *(name for name in fits if name != cause.name)]
             joint = single_joints.get(cause.name)
@@ -127,7 +127,7 @@ def claim_of(search: Search, outcome: Outcome) -> Claim:
             classes_by_cause = ([nameable_fits, *classes_by_cause[0][1:]], *classes_by_cause[1:])
     all_classes = classes_by_cause
     members = dict.fromkeys(fit.causes[-1] for groups in classes_by_cause if groups for fit in groups[0])
-    max_deviations = plausible_sizes(search.store.fitter, outcome.nuisance_fit, list(members))
+    max_deviations = max_plausible_deviations(search.store.fitter, outcome.nuisance_fit, list(members))
     final_fit, classes_by_cause, left_out = _without_impossible(
         search, final_fit, classes_by_cause, max_deviations
     )
@@ -217,7 +217,7 @@ def _order_by_plausibility(
 
 def _prefer_best_survivor(search: Search, final: Fit) -> tuple[Fit, list[list[Fit]]]:
     """Return the best survivor, and for each of its causes the survivors with another cause in its place."""
-    for _ in range(MAX_PREFERENCES):
+    for _ in range(MAX_REPLACEMENTS):
         rivals = [search.rivals(final, place) for place in range(len(final.causes))]
         survivors_by_cause = [survivors(search, fits) for fits in rivals]
         causes_and_survivors = zip(final.causes, survivors_by_cause, strict=True)

@@ -51,7 +51,7 @@ def survivors(search: Search, rivals: Sequence[Fit]) -> list[Fit]:
     deviance_of_alike = {
         i: passing_fits[i].deviance
         for i in order
-        if best_fits and store.fitter.difference(best_fits[0], passing_fits[i]) < c.claim.told_apart
+        if best_fits and store.fitter.squared_difference(best_fits[0], passing_fits[i]) < c.claim.told_apart
     }
     lowest_deviance = min(deviance_of_alike.values(), default=0.0)
     further_fits = [
@@ -94,7 +94,7 @@ def are_added_modes_credible(search: Search, fit: Fit) -> bool:
 
 
 def other_pairs(search: Search, final: Fit, classes_by_cause: Sequence[Sequence[Sequence[Fit]]]) -> list[Fit]:
-    """Return the survivors beside a pair of causes: pairs outside its classes, and single remote causes.
+    """Return the survivors other than a pair of causes: pairs outside its classes, and single remote causes.
 
     Both causes may differ at once, as between a structure and its mirror image.  If there are many pairs within its
     classes, each of them also survives separately.
@@ -106,7 +106,8 @@ def other_pairs(search: Search, final: Fit, classes_by_cause: Sequence[Sequence[
         fit
         for fit in store.all_fits()
         if len(fit.causes) == len(final.causes) == c.search.most_causes
-        and (fit.hypothesis.excluded, fit.hypothesis.scatter) == (h.excluded, h.scatter)
+        and (fit.hypothesis.excluded_rows, fit.hypothesis.has_shared_error)
+        == (h.excluded_rows, h.has_shared_error)
     ]
     names_by_cause = [{fit.causes[-1].name for fit in groups[0]} for groups in classes_by_cause if groups]
     are_many = int(np.prod([len(names) for names in names_by_cause])) > c.claim.most_pairs
@@ -140,7 +141,7 @@ def classes(store: FitStore, fits: Sequence[Fit]) -> list[list[Fit]]:
     def are_alike(member: Fit, fit: Fit) -> bool:
         is_whole_and_part = _is_part_of_cause(fit, member) or _is_part_of_cause(member, fit)
         difference = abs(store.criterion(fit) - store.criterion(member)) if is_whole_and_part else math.inf
-        return min(difference, store.fitter.difference(fit, member)) < max_difference
+        return min(difference, store.fitter.squared_difference(fit, member)) < max_difference
 
     return grouped(fits, are_alike)
 
@@ -194,9 +195,9 @@ def find_more_general(search: Search, final: Fit) -> tuple[Candidate, Candidate]
 
 def _is_special(fitter: Fitter, fit: Fit, special: Candidate, general: Candidate) -> bool:
     """Return whether the signature of one cause lies in the span of another's, and the data can resolve this."""
-    used_rows = fitter.used_rows(fit.hypothesis)
+    used_row_mask = fitter.used_row_mask(fit.hypothesis)
     if (
-        fitter.observations.degrees_of_freedom(used_rows)
+        fitter.observations.degrees_of_freedom(used_row_mask)
         < len(general.parameters) + fitter.criteria.claim.redundancy
     ):
         return False
@@ -207,4 +208,4 @@ def _is_special(fitter: Fitter, fit: Fit, special: Candidate, general: Candidate
 
 def _rates(fitter: Fitter, fit: Fit, cause: Candidate) -> Array:
     """Return the whitened derivatives of the data, without priors, with respect to a cause's parameters."""
-    return fitter.signatures(fit, fitter.indices(cause))[1][: fitter.prior_rows.start]
+    return fitter.signatures(fit, fitter.parameter_indices(cause))[1][: fitter.prior_slice.start]

@@ -48,13 +48,13 @@ def examine_candidates(
     scores_beside_claims = {entry.candidate.name: entry for entry in last_scores.by_candidate}
     tests = []
     for candidate_score in first_scores.by_candidate:
-        name, index = candidate_score.candidate.name, fitter.indices(candidate_score.candidate)
+        name, index = candidate_score.candidate.name, fitter.parameter_indices(candidate_score.candidate)
         current_score = candidate_score if name in named else scores_beside_claims.get(name, candidate_score)
         max_of_candidate = np.array([max_deviations.get(i, np.inf) for i in index])
         p_value = p_value_within_range(fitter, candidate_score, max_of_candidate)
         sizes = c.claim.seen * current_score.sigma
         is_visible = (
-            current_score.visible
+            current_score.is_visible
             and name not in unbounded
             and bool((np.isfinite(sizes) & (sizes <= max_of_candidate)).all())
         )

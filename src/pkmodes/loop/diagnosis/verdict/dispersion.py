@@ -22,7 +22,7 @@ STIFFNESSES = ("N/m", "N*m/rad")
 class Dispersion(NamedTuple):
     """A declared stiffness that changes with the frequency.
 
-    - name: of its parameter
+    - name: name of the parameter
     - criterion: criterion of the model with it in place of the causes; smaller is better
     - rises: whether it is larger for modes of high frequency
     """
@@ -52,7 +52,7 @@ def frequency_dependent_stiffness(e: Evidence) -> str:
 def dispersion(store: FitStore, final: Fit) -> Dispersion | None:
     """Return the stiffness that explains the data best by a change with the frequency; None if none is declared.
 
-    - final: with causes, in the place of which it is tried
+    - final: the final fit, whose causes the stiffness replaces
     """
     fitter, hypothesis = store.fitter, replace(final.hypothesis, causes=())
     fit_without_causes = store.fit(hypothesis, store.values_without(final, hypothesis))
@@ -61,7 +61,7 @@ def dispersion(store: FitStore, final: Fit) -> Dispersion | None:
     ]
     if fit_without_causes is None or not declared:
         return None
-    rows, log_frequencies = fitter.observations.frequency_rows, fitter.observations.log_frequencies
+    rows, log_frequencies = fitter.observations.frequency_slice, fitter.observations.log_frequencies
     laws = (log_frequencies - log_frequencies.mean(), np.exp(2.0 * (log_frequencies - log_frequencies.max())))
     _, signatures = fitter.signatures(fit_without_causes, [i for i, _ in declared])
     trials = []

@@ -14,7 +14,7 @@ import numpy as np
 from pkmodes.core.base.drives import HELD, Drives, other_drives
 from pkmodes.loop.diagnosis.fit.fitter import Fitter
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
-from pkmodes.loop.diagnosis.posterior.marginal import marginal_log_likelihood, prior_of_scale
+from pkmodes.loop.diagnosis.posterior.marginal import marginal_log_likelihood, prior_of_error_factor
 from pkmodes.loop.diagnosis.problem import Array, Driven, Loadable, Structure
 from pkmodes.loop.diagnosis.verdict.information import separations
 
@@ -83,33 +83,35 @@ def predict_elsewhere(fitter: Fitter, condition: MeasuringCondition, fit: Fit) -
     """
     structure, sigma = condition.structure, float(np.median(fitter.observations.sigma))
     prediction = structure.predict(fit.values, fit.free)
-    paired = fit.pairing.partner[fit.pairing.partner >= 0]
-    modes_below_measured = int(paired.min()) - fit.prediction.rigid if len(paired) else 0
+    partners = fit.pairing.partner[fit.pairing.partner >= 0]
+    modes_below_measured = int(partners.min()) - fit.prediction.rigid if len(partners) else 0
     first_mode = max(
         prediction.rigid
         + (min(modes_below_measured, 0) if condition.has_other_drives else modes_below_measured),
         0,
     )
-    lowest = slice(first_mode, first_mode + int(np.median(np.bincount(fitter.data.pose))))
-    mean = prediction.log_frequencies[:, lowest] / sigma
+    lowest_modes = slice(first_mode, first_mode + int(np.median(np.bincount(fitter.data.pose))))
+    mean = prediction.log_frequencies[:, lowest_modes] / sigma
     if condition.load.keys() & {name for cause in fit.causes for name in cause.parameters}:
         mean = np.full_like(mean, np.nan)
-    errors = _mean_square_error_factor(fitter, fit) * np.eye(mean.shape[1]) + (fit.scatter / sigma) ** 2
+    errors = _mean_square_error_factor(fitter, fit) * np.eye(mean.shape[1]) + (fit.shared_error / sigma) ** 2
     position_rates = structure.position_rates(fit.values) if fitter.observations.noise.uncertain else None
     if position_rates is not None:
-        motion = position_rates.log_rates[:, lowest] / sigma * np.median(fitter.data.point_sigma, axis=0)
+        motion = (
+            position_rates.log_rates[:, lowest_modes] / sigma * np.median(fitter.data.point_sigma, axis=0)
+        )
         errors = errors + motion @ motion.swapaxes(1, 2)
     errors = np.broadcast_to(errors, (*mean.shape, mean.shape[1]))
-    return PredictionElsewhere(fit, mean, prediction.log_rates[:, lowest] / sigma, errors)
+    return PredictionElsewhere(fit, mean, prediction.log_rates[:, lowest_modes] / sigma, errors)
 
 
 def _mean_square_error_factor(fitter: Fitter, fit: Fit) -> float:
     """Return the mean of the square of the factor by which the stated errors of frequencies may be wrong."""
-    rows = fitter.observations.frequency_rows
+    rows = fitter.observations.frequency_slice
     squares = np.array((fit.white[rows] ** 2).sum())
-    degrees = max(fitter.used_rows(fit.hypothesis).sum() - fit.leverage[rows].sum(), 0.0)
-    logs = marginal_log_likelihood(squares, degrees - np.array([2.0, 0.0]), prior_of_scale())
-    return float(np.exp(logs[0] - logs[1]))
+    degrees = max(fitter.used_row_mask(fit.hypothesis).sum() - fit.leverage[rows].sum(), 0.0)
+    log_evidences = marginal_log_likelihood(squares, degrees - np.array([2.0, 0.0]), prior_of_error_factor())
+    return float(np.exp(log_evidences[0] - log_evidences[1]))
 
 
 def explanation_distances(

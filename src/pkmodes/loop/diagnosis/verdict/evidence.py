@@ -14,13 +14,13 @@ from pkmodes.loop.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.problem import Assumption, Candidate
 from pkmodes.loop.diagnosis.readings.amplitude import level_dependence
-from pkmodes.loop.diagnosis.search.limits import ONE_SIDED, value_shifts_by_default
+from pkmodes.loop.diagnosis.search.limits import ONE_SIDED_SIGMAS, value_shifts_by_default
 from pkmodes.loop.diagnosis.search.search import Outcome, Search
 from pkmodes.loop.diagnosis.verdict import misfit, reasons
 from pkmodes.loop.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.loop.diagnosis.verdict.caveats import Caveats
 from pkmodes.loop.diagnosis.verdict.claim import Claim, claim_of, name_of_last_cause
-from pkmodes.loop.diagnosis.verdict.findings import NOTICEABLE
+from pkmodes.loop.diagnosis.verdict.findings import MIN_NOTICEABLE_RATIO
 from pkmodes.loop.diagnosis.verdict.held_out import HeldOut, check_held_out
 from pkmodes.loop.diagnosis.verdict.joint_alone import joint_alone
 from pkmodes.loop.diagnosis.verdict.joints import JointAlone
@@ -35,7 +35,7 @@ MAX_HINTS = 4
 
 
 class Start:
-    """The declared model beside the fitted setups, before any search.
+    """The declared model compared with the fitted setups, before any search.
 
     - store: fits of the declared model
     - claimable: candidates that may be claimed
@@ -65,8 +65,8 @@ class Start:
         its prior holds.
         """
         if self.declared_fit is None:
-            return float(len(self.fitter.nuisances))
-        return float(self.declared_fit.leverage[: self.fitter.prior_rows.start].sum())
+            return float(len(self.fitter.nuisance_indices))
+        return float(self.declared_fit.leverage[: self.fitter.prior_slice.start].sum())
 
     @cached_property
     def is_contradicted(self) -> bool:
@@ -88,7 +88,7 @@ class Start:
 class Evidence:
     """The result of a search, and what else decides; costly results are computed when a rule first needs them.
 
-    - claim: by default, of the outcome of the search
+    - claim: by default, the claim that follows from the outcome of the search
     - term_instead: returns the fit with one term that explains the data in place of this evidence's causes; None if
       none does
 
@@ -138,7 +138,7 @@ class Evidence:
     @property
     def members(self) -> list[str]:
         """The names of a single cause and of all that the data cannot tell from it; empty for several causes."""
-        classes = self.claim.own_classes
+        classes = self.claim.class_of_each_cause
         if len(self.final.causes) != 1 or not classes:
             return []
         own_name = name_of_last_cause(self.final)
@@ -147,7 +147,7 @@ class Evidence:
     @cached_property
     def trials(self) -> list[Trial]:
         """The explanations with other errors and priors."""
-        return trials(self.search, self.final, self.claim.own_classes)
+        return trials(self.search, self.final, self.claim.class_of_each_cause)
 
     @cached_property
     def held_out(self) -> HeldOut:
@@ -190,12 +190,13 @@ class Evidence:
     def defaults(self) -> list[Assumption]:
         """The defaults on which values of the causes depend noticeably."""
         shifts = value_shifts_by_default(self.store, self.final)
-        indices = [i for cause in self.final.causes for i in self.fitter.indices(cause)]
+        indices = [i for cause in self.final.causes for i in self.fitter.parameter_indices(cause)]
         return [
             assumption
             for assumption, shift in shifts.items()
             if any(
-                math.hypot(self.final.sigma_of(i), shift[i] / ONE_SIDED) > NOTICEABLE * self.final.sigma_of(i)
+                math.hypot(self.final.sigma_of(i), shift[i] / ONE_SIDED_SIGMAS)
+                > MIN_NOTICEABLE_RATIO * self.final.sigma_of(i)
                 for i in indices
             )
         ]
@@ -220,16 +221,18 @@ class Evidence:
             fit_without_errors = store.fit(Hypothesis())
             pattern = (
                 reasons.variation_with_pose(store.fitter, fit_without_errors)
-                if fit_without_errors is not None and best.hypothesis.scatter
+                if fit_without_errors is not None and best.hypothesis.has_shared_error
                 else ""
             )
             return f"{errors}; {pattern}" if pattern else errors
         hypothesis = final.hypothesis
-        declared_fit = store.fit(Hypothesis(excluded=hypothesis.excluded, scatter=hypothesis.scatter))
+        declared_fit = store.fit(
+            Hypothesis(excluded_rows=hypothesis.excluded_rows, has_shared_error=hypothesis.has_shared_error)
+        )
         if declared_fit is None:
             return ""
         rows = len(store.fitter.observations.log_frequencies)
-        squares, count = store.frequency_misfit(declared_fit)[0], rows - len(hypothesis.excluded)
+        squares, count = store.frequency_misfit(declared_fit)[0], rows - len(hypothesis.excluded_rows)
         ratio = max(squares / count, 1.0)
         criterion_with_larger_errors = store.criterion(declared_fit) - squares + count * (1.0 + np.log(ratio))
         if criterion_with_larger_errors + np.log(rows) > max_criterion or ratio > c.claim.wrong_errors**2:
@@ -238,7 +241,7 @@ class Evidence:
 
     def _causes_show_only_in_these_rows(self, errors: Hypothesis) -> bool:
         """Return whether each row set aside is the only one in which a cause shows (`shows_in_one_row_only`)."""
-        rows = errors.excluded - self.final.hypothesis.excluded
+        rows = errors.excluded_rows - self.final.hypothesis.excluded_rows
         return bool(rows) and all(
             any(shows_in_one_row_only(self.search, self.final, cause, row) for cause in self.final.causes)
             for row in rows

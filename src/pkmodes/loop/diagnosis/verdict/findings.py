@@ -42,8 +42,8 @@ class Limit:
 class Unseen:
     """What a candidate that is not claimed, or another value of a default, could have done to a fitted value.
 
-    - sigma: as a standard deviation of the value, at the candidate's limit; for a value with a prior also without a
-      limit
+    - sigma: the effect as a standard deviation of the value, at the candidate's limit; for a value with a prior also
+      without a limit
     - candidate: the candidate with the largest possible effect; empty if a default has it
     - default: the default with the largest possible effect, such as "a frame.mass of 50 kg"; empty if a candidate has
       it
@@ -111,7 +111,7 @@ class Value:
 
 
 #: Smallest ratio of a saved standard deviation to that of the fit that is explained to the reader.
-NOTICEABLE = 1.05
+MIN_NOTICEABLE_RATIO = 1.05
 
 
 @dataclass(frozen=True)
@@ -147,7 +147,7 @@ class Corrected(Value):
     @property
     def widened(self) -> bool:
         """Whether the saved standard deviation is noticeably larger than that of the fit."""
-        return self.saved_sigma > NOTICEABLE * self.sigma
+        return self.saved_sigma > MIN_NOTICEABLE_RATIO * self.sigma
 
 
 def saved_as(value: Value, corrected: Sequence[Corrected]) -> Corrected | None:
@@ -250,7 +250,7 @@ class Finding:
     def relative(self, member: str = "") -> tuple[Value, ...]:
         """Return the parameters relative to their mean, where the data determine these far better than each.
 
-        - member: of the class; by default the cause itself
+        - member: name of a member of the class; by default the cause itself
 
         Their mean is 0; empty where the parameters themselves are as well determined.
         """

@@ -50,8 +50,8 @@ def check_held_out(
 ) -> HeldOut:
     """Test whether a result predicts the held-out setups.
 
-    - search: of the fitted setups
-    - final: its result, with or without causes
+    - search: the search at the fitted setups
+    - final: the fit that it ends with, with or without causes
     - rivals: other explanations of the fitted setups; by default remote causes are tried
     """
     if not setups.is_held_out.any():
@@ -74,7 +74,7 @@ def check_held_out(
                 f"{names(final.causes)} would explain all poses, but {names(better_fit.causes)} explains them "
                 "better: look there"
             )
-        excluded_rows = (row for row in sorted(full_fit.hypothesis.excluded) if setups.is_held_out[row])
+        excluded_rows = (row for row in sorted(full_fit.hypothesis.excluded_rows) if setups.is_held_out[row])
         remark = "does not agree with the other held-out rows: check it"
         return HeldOut(notes=tuple(f"{_row_in_words(setups.data, row)} {remark}" for row in excluded_rows))
     other_cause = better_fit
@@ -98,8 +98,8 @@ def check_held_out(
 def p_of_held_out(setups: AllSetups, search: Search, final: Fit) -> float:
     """Return the p-value of the prediction errors of the held-out setups at a fit, as in the test of a result.
 
-    - search: of the fitted setups
-    - final: to these
+    - search: the search at the fitted setups
+    - final: the final fit to these setups
     """
     if not setups.is_held_out.any():
         return 1.0
@@ -119,9 +119,9 @@ def p_held_out(setups: AllSetups, fitter: Fitter, hypothesis: Hypothesis, final:
     - hypothesis: about all setups; the causes are those of the fit
     - final: to the setups that are not held out
     """
-    is_tested = setups.is_held_out & fitter.used_rows(hypothesis)
+    is_tested = setups.is_held_out & fitter.used_row_mask(hypothesis)
     rows, count = fitter.observations.mask_of_stated(is_tested)
-    predictions = fitter.fit_at_values(hypothesis, final.values, final.scatter)
+    predictions = fitter.fit_at_values(hypothesis, final.values, final.shared_error)
     if predictions is None:
         return 0.0
     data_part = slice(0, len(rows))
@@ -139,9 +139,9 @@ def _fit_all_setups(setups: AllSetups, search: Search, final: Fit) -> tuple[Sear
     """
     fitter = search.store.fitter
     # Excluded rows have other indices among all rows.
-    lines = fitter.data.lines[sorted(final.hypothesis.excluded)]
-    excluded = frozenset(np.flatnonzero(np.isin(setups.data.lines, lines)).tolist())
-    hypothesis = replace(final.hypothesis, excluded=excluded)
+    lines = fitter.data.lines[sorted(final.hypothesis.excluded_rows)]
+    excluded_rows = frozenset(np.flatnonzero(np.isin(setups.data.lines, lines)).tolist())
+    hypothesis = replace(final.hypothesis, excluded_rows=excluded_rows)
 
     def fit_with_scatter(scatter: float) -> tuple[FitStore, Fit | None]:
         store = FitStore(Fitter(setups.structure, setups.data, fitter.criteria, scatter))
@@ -163,12 +163,16 @@ def _without_one_row(
     and the others predict it.
     """
     fitter, c, h = store.fitter, store.fitter.criteria, full_fit.hypothesis
-    worst, sigmas = fitter.worst_rows(full_fit)
-    row = next(int(r) for r in worst if setups.is_held_out[r])
+    ranked_rows, normalised_residuals = fitter.rows_by_residual(full_fit)
+    row = next(int(r) for r in ranked_rows if setups.is_held_out[r])
     has_enough_rows = len(fitter.observations.log_frequencies) >= c.search.rows_to_set_aside
-    if not has_enough_rows or sigmas[row] <= c.reasons.far or full_fit.leverage[row] >= c.search.redundant:
+    if (
+        not has_enough_rows
+        or normalised_residuals[row] <= c.reasons.far
+        or full_fit.leverage[row] >= c.search.redundant
+    ):
         return full_fit, p_value
-    fit_without_row = store.fit(replace(h, excluded=h.excluded | {row}), full_fit.values)
+    fit_without_row = store.fit(replace(h, excluded_rows=h.excluded_rows | {row}), full_fit.values)
     p_without_row = (
         0.0 if fit_without_row is None else p_held_out(setups, fitter, fit_without_row.hypothesis, final)
     )
@@ -182,11 +186,11 @@ def _without_one_row(
 def _better_remote_cause(search: Search, full_fit: Fit) -> Fit | None:
     """Return the remote cause that explains all setups better than the claimed causes do; None if none does."""
     c = search.criteria
-    has_single_cause = len(full_fit.causes) == 1 and not full_fit.hypothesis.excluded
+    has_single_cause = len(full_fit.causes) == 1 and not full_fit.hypothesis.excluded_rows
     if not full_fit.causes or (has_single_cause and search.gate(full_fit).passes_at(c.gate.plainly)):
         return None
     # A remote cause with the same predictions is listed in the class of the cause.
-    difference = search.store.fitter.difference
+    difference = search.store.fitter.squared_difference
     return next(
         (
             fit
@@ -207,7 +211,7 @@ def _best_rival(search: Search, full_fit: Fit, rivals: Sequence[Fit]) -> Fit | N
     ]
     limit = store.criterion(full_fit) - c.search.survives
     fitted_rivals = sorted((fit for fit in fits if fit is not None), key=store.criterion)
-    difference = store.fitter.difference
+    difference = store.fitter.squared_difference
     return next(
         (
             fit

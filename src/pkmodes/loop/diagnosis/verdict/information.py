@@ -24,7 +24,7 @@ def pairs(count: int) -> list[tuple[int, int]]:
 def separations(means: Array, covariances: Array) -> tuple[Array, Array, Array]:
     """Return how far normal distributions are apart at S places, for each of their `pairs`.
 
-    - means, covariances: of n distributions, (n, S, m) and (n, S, m, m); not finite where there is none
+    - means, covariances: those of n distributions, (n, S, m) and (n, S, m, m); not finite where there is none
 
     Returns distances, certain and overlaps, (P, S): distances of their means; the same in standard deviations of the
     mean of both covariances; and Bhattacharyya coefficients.  Distances are 0 and overlaps 1 where either is missing,
@@ -53,8 +53,8 @@ def separations(means: Array, covariances: Array) -> tuple[Array, Array, Array]:
 def information(probabilities: Array, overlaps: Array) -> Array:
     """Return a lower bound of the expected information at S places [nat], (S,).
 
-    - probabilities: of the explanations, with the sum 1, (n,)
-    - overlaps: of their predictions, see `separations`, (P, S)
+    - probabilities: probabilities of the explanations, which add up to 1, (n,)
+    - overlaps: overlaps of the predictions of each pair of explanations, see `separations`, (P, S)
     """
     count = len(probabilities)
     similarities, (i, j) = np.ones((count, count, overlaps.shape[1])), np.array(pairs(count)).T

@@ -58,6 +58,6 @@ def joint_alone(setups: AllSetups, search: Search, fit: Fit) -> JointAlone | Non
     if not separate_search.gate(best).passed or p_of_held_out(setups, separate_search, best) <= c.gate.surely:
         return None
     (name,) = best.causes[-1].parameters
-    (i,) = fitter.indices(best.causes[-1])
+    (i,) = fitter.parameter_indices(best.causes[-1])
     joint = next(part for part in cause.joints if part.parameter == name)
     return JointAlone(joint, float(best.values[i]), best.sigma_of(i), len(cause.joints) - 1)

@@ -8,7 +8,7 @@ from pkmodes.core.base.numbers import plain
 from pkmodes.loop.diagnosis.problem import Joint
 
 #: Comparatives for a part with less, and with more, of a quantity than the others.
-COMPARED = {"stiffness": ("softer", "stiffer"), "mass": ("lighter", "heavier")}
+COMPARATIVES = {"stiffness": ("softer", "stiffer"), "mass": ("lighter", "heavier")}
 
 
 @dataclass(frozen=True)
@@ -29,8 +29,8 @@ class JointAlone:
         """How it differs from the others: "25 % softer than the others"."""
         percent, is_larger = plain(100.0 * abs(self.change), 2), self.change > 0.0
         others, quantity = "the others" if self.number_of_others > 1 else "the other", self.joint.quantity
-        if quantity in COMPARED:
-            return f"{percent} % {COMPARED[quantity][is_larger]} than {others}"
+        if quantity in COMPARATIVES:
+            return f"{percent} % {COMPARATIVES[quantity][is_larger]} than {others}"
         return f"{percent} % {'above' if is_larger else 'below'} {others} in {quantity}"
 
     @property

@@ -30,10 +30,10 @@ from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.fit.store import FitStore
 from pkmodes.loop.diagnosis.matrices import slow_call_remark
 from pkmodes.loop.diagnosis.problem import Array, Assumption, Candidate, Parameter
-from pkmodes.loop.diagnosis.search.limits import ONE_SIDED, Bound, bounds, value_shifts_by_default
-from pkmodes.loop.diagnosis.verdict.findings import NOTICEABLE, Limit, Unseen
+from pkmodes.loop.diagnosis.search.limits import ONE_SIDED_SIGMAS, Bound, bounds, value_shifts_by_default
+from pkmodes.loop.diagnosis.verdict.findings import MIN_NOTICEABLE_RATIO, Limit, Unseen
 
-#: Largest number of remaining explanations beside which limits are determined.
+#: Largest number of remaining explanations for which limits are determined.
 MAX_EXPLANATIONS = 4
 
 
@@ -41,8 +41,8 @@ MAX_EXPLANATIONS = 4
 class CandidateLimits:
     """The limits of all candidates that are not claimed.
 
-    - by_parameter: by the names of their parameters
-    - unseen: their possible effects on the fitted values, by parameter
+    - by_parameter: limits by the names of parameters
+    - unseen: possible effects of the candidates on the fitted values, by parameter
     - max_deviations: largest plausible deviations, by parameter
     - candidates, unbounded: names of the candidates, and of those with a parameter that the data do not bound
     """
@@ -66,7 +66,7 @@ NO_LIMITS = CandidateLimits({}, {}, {}, frozenset(), frozenset())
 def unknown_limits(store: FitStore, candidates: Iterable[Candidate]) -> CandidateLimits:
     """Return the limits where the data are uninformative because of an obvious mistake."""
     fitter = store.fitter
-    index = [(candidate, i) for candidate in candidates for i in fitter.indices(candidate)]
+    index = [(candidate, i) for candidate in candidates for i in fitter.parameter_indices(candidate)]
     names = frozenset(candidate.name for candidate, _ in index)
     limits = {limit_key(p := fitter.parameters[i]): Limit(c.name, None, p.unit) for c, i in index}
     return CandidateLimits(limits, {}, {}, names, names)
@@ -75,7 +75,7 @@ def unknown_limits(store: FitStore, candidates: Iterable[Candidate]) -> Candidat
 def limits_beside(
     store: FitStore, fits: Sequence[Fit], candidates: Iterable[Candidate], *, residual_is_noise: bool
 ) -> CandidateLimits:
-    """Return the limits of candidates beside fits that explain the measurements: the largest over all of them.
+    """Return the limits of candidates added to fits that explain the measurements: the largest over all of them.
 
     - candidates: a candidate that is a cause of some of the fits is bounded in those alone
     - residual_is_noise: whether the residuals of the fits are noise
@@ -100,7 +100,7 @@ def limits_beside(
     unseen = {}
     if residual_is_noise and len(fits) == 1:
         unseen = _unseen_effects(fits[0], all_bounds, value_shifts_by_default(store, fits[0]))
-    ordered = (limit_key(fitter.parameters[i]) for c in all_candidates for i in fitter.indices(c))
+    ordered = (limit_key(fitter.parameters[i]) for c in all_candidates for i in fitter.parameter_indices(c))
     return CandidateLimits(
         {name: by_name[name] for name in ordered if name in by_name},
         unseen,
@@ -123,17 +123,18 @@ def _unseen_effects(
     for i in fit.free if all_bounds else ():
         largest_shift = max(all_bounds, key=lambda bound: bound.value_shifts[i])
         largest_unbounded = max(all_bounds, key=lambda bound: bound.unbounded_shifts[i])
-        sigma = float(largest_shift.value_shifts[i]) / ONE_SIDED
-        farther_sigma = float(largest_unbounded.unbounded_shifts[i]) / ONE_SIDED
+        sigma = float(largest_shift.value_shifts[i]) / ONE_SIDED_SIGMAS
+        farther_sigma = float(largest_unbounded.unbounded_shifts[i]) / ONE_SIDED_SIGMAS
         total_sigma = math.hypot(fit.sigma_of(i), sigma)
         is_farther = (
-            farther_sigma > sigma and math.hypot(fit.sigma_of(i), farther_sigma) > NOTICEABLE * total_sigma
+            farther_sigma > sigma
+            and math.hypot(fit.sigma_of(i), farther_sigma) > MIN_NOTICEABLE_RATIO * total_sigma
         )
         effects[i] = Unseen(
             sigma, largest_shift.candidate.name, largest_unbounded.candidate.name if is_farther else ""
         )
         for default, shifts in shifts_by_default.items():
-            if shifts[i] / ONE_SIDED > effects[i].sigma:
-                sigma = float(shifts[i]) / ONE_SIDED
+            if shifts[i] / ONE_SIDED_SIGMAS > effects[i].sigma:
+                sigma = float(shifts[i]) / ONE_SIDED_SIGMAS
                 effects[i] = replace(effects[i], sigma=sigma, candidate="", default=default.words)
     return effects

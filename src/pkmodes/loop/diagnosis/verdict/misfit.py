@@ -12,12 +12,14 @@ from pkmodes.loop.diagnosis.fit.observations import SHAPE
 from pkmodes.loop.diagnosis.fit.store import FitStore
 
 
-def of_frequencies(store: FitStore, fit: Fit) -> Misfit:
+def frequency_misfit_without_priors(store: FitStore, fit: Fit) -> Misfit:
     """Return the misfit of the measured frequencies, without the priors."""
     fitter = store.fitter
-    rows = fitter.observations.frequency_rows
+    rows = fitter.observations.frequency_slice
     count = (
-        len(fitter.observations.log_frequencies) - len(fit.hypothesis.excluded) - int(fit.hypothesis.scatter)
+        len(fitter.observations.log_frequencies)
+        - len(fit.hypothesis.excluded_rows)
+        - int(fit.hypothesis.has_shared_error)
     )
     return Misfit(float(fit.white[rows] @ fit.white[rows]), count - float(fit.leverage[rows].sum()))
 
@@ -25,9 +27,9 @@ def of_frequencies(store: FitStore, fit: Fit) -> Misfit:
 def p_declared(store: FitStore, fit: Fit) -> float:
     """Return the p-value of the frequencies of the model as declared, over the rows that a fit used."""
     fitter = store.fitter
-    used = fitter.used_rows(fit.hypothesis)
-    *_, chi2 = fitter.evaluate(fitter.declared, used)
-    return float(stats.chi2.sf(chi2, max(int(used.sum()), 1)))
+    used_row_mask = fitter.used_row_mask(fit.hypothesis)
+    *_, chi2 = fitter.evaluate(fitter.declared, used_row_mask)
+    return float(stats.chi2.sf(chi2, max(int(used_row_mask.sum()), 1)))
 
 
 def farthest_value(store: FitStore, fit: Fit, indices: Sequence[int]) -> tuple[str, float]:

@@ -11,14 +11,14 @@ from collections.abc import Iterator, Sequence
 from pkmodes.loop.diagnosis.verdict.findings import Finding, Member
 
 #: Numbers as words; larger ones are written in digits.
-NUMBERS = ("none", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
+NUMBER_WORDS = ("none", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
 #: Largest number of characters for a class in a headline; members that do not fit are counted, and listed below it.
 MAX_CLASS_LENGTH = 120
 
 
 def number_in_words(number: int) -> str:
     """Return a number in words."""
-    return NUMBERS[number] if number < len(NUMBERS) else str(number)
+    return NUMBER_WORDS[number] if number < len(NUMBER_WORDS) else str(number)
 
 
 def found_in_words(effects: Sequence[Finding], max_length: int | None = None) -> str:

@@ -49,7 +49,7 @@ def next_measurement(
 
     Motors that give way in all remaining explanations are not to be held, unless they were in a measurement.
 
-    - probabilities, classes: of the explanations, see `explanations`
+    - probabilities, classes: probabilities and classes of the explanations, see `explanations`
 
     Returns, in this order:
     - None if no measurement separates any two of them
@@ -131,7 +131,7 @@ def _hiding_value(fitter: Fitter, predictions: Sequence[PredictionElsewhere], po
     def separation(exact: int | None = None) -> float:
         return float(explanation_distances(predictions, [pose], exact)[1].item())
 
-    hiding_index = max(fitter.nuisances, key=separation, default=None)
+    hiding_index = max(fitter.nuisance_indices, key=separation, default=None)
     if (
         hiding_index is None
         or separation() >= min_sigmas

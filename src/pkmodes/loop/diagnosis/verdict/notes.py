@@ -26,7 +26,7 @@ from pkmodes.loop.diagnosis.verdict.unevaluated import unevaluated
 MAX_FREQUENCY_RATIO, MIN_SETUPS = 0.7, 2
 #: Stated errors that are too small by more than the first factor are reported, and those that are too large by more
 #: than the second, but only if the probability of such a small residual is below the third number.
-MAX_TOO_SMALL, MAX_TOO_LARGE, MAX_P_OF_SMALL_RESIDUAL = 3.0, 2.0, 1e-4
+MAX_UNDERSTATEMENT, MAX_OVERSTATEMENT, MAX_P_OF_SMALL_RESIDUAL = 3.0, 2.0, 1e-4
 
 
 def notes(store: FitStore, fit: Fit, adequate: bool) -> list[str]:
@@ -37,11 +37,11 @@ def notes(store: FitStore, fit: Fit, adequate: bool) -> list[str]:
     """
     fitter = store.fitter
     return [
-        *_shapes(store, fit),
-        *_stated_errors(store, fit, adequate),
-        *_nuisances(fitter, fit),
-        *_set_aside(fitter, fit),
-        *_unmeasured(fitter, fit),
+        *_shape_notes(store, fit),
+        *_stated_error_notes(store, fit, adequate),
+        *_nuisance_notes(fitter, fit),
+        *_set_aside_notes(fitter, fit),
+        *_unmeasured_mode_notes(fitter, fit),
         *unevaluated(store, fit),
     ]
 
@@ -63,7 +63,7 @@ def motors_that_give_way(fitter: Fitter, claimed: Set[str]) -> Iterator[str]:
         )
 
 
-def _shapes(store: FitStore, fit: Fit) -> Iterator[str]:
+def _shape_notes(store: FitStore, fit: Fit) -> Iterator[str]:
     data, c = store.fitter.data, store.fitter.criteria
     labels_of_equal_shapes = setups_with_equal_shapes(data, c.readings.same_shape)
     if labels_of_equal_shapes:
@@ -93,19 +93,19 @@ def _shapes(store: FitStore, fit: Fit) -> Iterator[str]:
         )
 
 
-def _stated_errors(store: FitStore, fit: Fit, adequate: bool) -> Iterator[str]:
+def _stated_error_notes(store: FitStore, fit: Fit, adequate: bool) -> Iterator[str]:
     squares, degrees = store.frequency_misfit(fit)
     if degrees < 1.0:
         return
     ratio = (squares / degrees) ** 0.5
-    if ratio < 1.0 / MAX_TOO_LARGE and stats.chi2.cdf(squares, degrees) < MAX_P_OF_SMALL_RESIDUAL:
+    if ratio < 1.0 / MAX_OVERSTATEMENT and stats.chi2.cdf(squares, degrees) < MAX_P_OF_SMALL_RESIDUAL:
         factor = format_factor(1.0 / ratio) if ratio > 1e-6 else "far"
         yield f"the stated errors of the frequencies are {factor} too large: the residual scatters much less"
-    elif adequate and ratio > MAX_TOO_SMALL:
+    elif adequate and ratio > MAX_UNDERSTATEMENT:
         yield f"the stated errors of the frequencies are {format_factor(ratio)} too small"
 
 
-def _nuisances(fitter: Fitter, fit: Fit) -> Iterator[str]:
+def _nuisance_notes(fitter: Fitter, fit: Fit) -> Iterator[str]:
     deviations = fitter.priors.distances(fit.values)
     for i, deviation in zip(fitter.priors.index, deviations, strict=True):
         p = fitter.parameters[i]
@@ -124,17 +124,17 @@ def _nuisances(fitter: Fitter, fit: Fit) -> Iterator[str]:
                 yield f"{p.name} is at its bound, {plain(bound, 4)}"
 
 
-def _set_aside(fitter: Fitter, fit: Fit) -> Iterator[str]:
-    for row in sorted(fit.hypothesis.excluded):
+def _set_aside_notes(fitter: Fitter, fit: Fit) -> Iterator[str]:
+    for row in sorted(fit.hypothesis.excluded_rows):
         data = fitter.data
         yield (
             f"line {data.lines[row]} ({data.labels[data.pose[row]]}, {data.frequency[row]:g} Hz) is set aside "
             "as an outlier: check it"
         )
-    if fit.hypothesis.scatter:
+    if fit.hypothesis.has_shared_error:
         pattern = drift(fitter, fit)
         drift_clause = f": {pattern}" if pattern else ""
-        error_clause = f"the modes of a pose share an error of {plain(100 * fit.scatter, 2)} %"
+        error_clause = f"the modes of a pose share an error of {plain(100 * fit.shared_error, 2)} %"
         yield f"{error_clause} that the file does not state{drift_clause}"
 
 
@@ -143,24 +143,24 @@ def low_modes(declared: MatchStage) -> list[str]:
 
     Such modes have no partner, whatever its parameter values: something stands on a spring that the model lacks.
     """
-    data, spectrum = declared.data, declared.predicted.spectrum
+    data, spectrum = declared.data, declared.predicted.elastic_frequencies
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RuntimeWarning)  # of a setup without any mode
-        lowest = np.nanmin(spectrum, axis=1)
-    is_below = data.frequency < MAX_FREQUENCY_RATIO * lowest[data.pose]
-    counts = np.bincount(data.pose[is_below], minlength=len(lowest))
+        lowest_frequencies = np.nanmin(spectrum, axis=1)
+    is_below = data.frequency < MAX_FREQUENCY_RATIO * lowest_frequencies[data.pose]
+    counts = np.bincount(data.pose[is_below], minlength=len(lowest_frequencies))
     measured = np.unique(data.pose)
     setups = int((counts[measured] > 0).sum())
     if setups < max(MIN_SETUPS, len(measured) / 2.0):
         return []
-    largest, low, high = int(counts.max()), data.frequency[is_below].min(), data.frequency[is_below].max()
+    max_count, low, high = int(counts.max()), data.frequency[is_below].min(), data.frequency[is_below].max()
     frequency_range = (
         f"at {plain(low, 3)} Hz"
         if np.isclose(low, high, rtol=1e-2)
         else f"from {plain(low, 3)} to {plain(high, 3)} Hz"
     )
     modes_in_words = (
-        "a measured mode lies" if largest == 1 else f"up to {number_in_words(largest)} measured modes lie"
+        "a measured mode lies" if max_count == 1 else f"up to {number_in_words(max_count)} measured modes lie"
     )
     poses = "every pose" if setups == len(measured) else f"{setups} of {len(measured)} poses"
     explanation = "something stands on a spring, such as the machine on its base"
@@ -173,19 +173,19 @@ def low_modes(declared: MatchStage) -> list[str]:
 
 def drift(fitter: Fitter, fit: Fit) -> str:
     """Return a sentence if the error that the modes of a pose share drifts with the order of the poses."""
-    residual = fit.residual[fitter.observations.frequency_rows]
+    residual = fit.residual[fitter.observations.frequency_slice]
     means = np.array([residual[rows].mean() for rows in fitter.observations.noise.rows if len(rows)])
     if len(means) < 5:
         return ""
-    order = np.arange(len(means))
-    if stats.spearmanr(order, means).pvalue > fitter.criteria.gate.level:
+    pose_order = np.arange(len(means))
+    if stats.spearmanr(pose_order, means).pvalue > fitter.criteria.gate.level:
         return ""
-    slope = float(np.polyfit(order, means, 1)[0])
+    slope = float(np.polyfit(pose_order, means, 1)[0])
     drift = format_signed(100 * slope * (len(means) - 1))
     return f"it drifts with the order of the poses, by {drift} % from first to last"
 
 
-def _unmeasured(fitter: Fitter, fit: Fit) -> Iterator[str]:
+def _unmeasured_mode_notes(fitter: Fitter, fit: Fit) -> Iterator[str]:
     is_mixed = len(set(fitter.data.drives)) > 1
     for low, high, setups, drives in never_measured(fitter, fit):
         frequency_range = (

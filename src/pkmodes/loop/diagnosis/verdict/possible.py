@@ -42,7 +42,7 @@ def describe_member(
 
 def violated_plausible_range(fitter: Fitter, fit: Fit, max_deviations: Mapping[int, float]) -> str:
     """Return the plausible range of a value of the last cause of a fit, if the value is beyond it; else empty."""
-    for i in fitter.indices(fit.causes[-1]):
+    for i in fitter.parameter_indices(fit.causes[-1]):
         p, max_deviation = fitter.parameters[i], max_deviations.get(i, np.inf)
         if abs(float(fit.values[i]) - p.value) > (1.0 + RANGE_TOLERANCE) * max_deviation:
             declared = _with_unit(plain(p.value, 3), p)
@@ -52,7 +52,7 @@ def violated_plausible_range(fitter: Fitter, fit: Fit, max_deviations: Mapping[i
 
 def violated_usual_range(fitter: Fitter, fit: Fit) -> str:
     """Return the usual range of a value of the last cause of a fit, if the value is outside it; else empty."""
-    for i in fitter.indices(fit.causes[-1]):
+    for i in fitter.parameter_indices(fit.causes[-1]):
         p = fitter.parameters[i]
         if p.usual is not None and not p.usual[0] <= fit.values[i] <= p.usual[1]:
             low, high = (plain(end, 3) for end in p.usual)
@@ -85,7 +85,7 @@ def split_possible(
             possible_fits.append(fit)
             continue
         parameters_and_values = [
-            (fitter.parameters[i], float(fit.values[i])) for i in fitter.indices(fit.causes[-1])
+            (fitter.parameters[i], float(fit.values[i])) for i in fitter.parameter_indices(fit.causes[-1])
         ]
         values = ", ".join(
             f"{p.name} = {_with_unit(plain(value, 3), p)}" for p, value in parameters_and_values

@@ -36,13 +36,13 @@ def explains(causes: Sequence[Candidate]) -> str:
 
 def errors_in_words(fit: Fit, lines: NDArray[np.int_]) -> str:
     """Return the measurement errors of a fit, in words."""
-    parts, excluded = [], [str(lines[row]) for row in sorted(fit.hypothesis.excluded)]
-    if len(excluded) == 1:
-        parts.append(f"line {excluded[0]} set aside as an outlier")
-    elif excluded:
-        parts.append(f"lines {', '.join(excluded)} set aside as outliers")
-    if fit.hypothesis.scatter:
-        parts.append(f"an error of {plain(100 * fit.scatter, 2)} % that the modes of a pose share")
+    parts, excluded_lines = [], [str(lines[row]) for row in sorted(fit.hypothesis.excluded_rows)]
+    if len(excluded_lines) == 1:
+        parts.append(f"line {excluded_lines[0]} set aside as an outlier")
+    elif excluded_lines:
+        parts.append(f"lines {', '.join(excluded_lines)} set aside as outliers")
+    if fit.hypothesis.has_shared_error:
+        parts.append(f"an error of {plain(100 * fit.shared_error, 2)} % that the modes of a pose share")
     return " and ".join(parts)
 
 
@@ -58,22 +58,22 @@ def ratio_in_words(ratio: float) -> str:
 
 def variation_with_pose(fitter: Fitter, fit: Fit) -> str:
     """Return how the frequency residual varies with the setup; empty if it does not."""
-    residual = fit.residual[fitter.observations.frequency_rows]
+    residual = fit.residual[fitter.observations.frequency_slice]
     rows = [r for r in fitter.observations.noise.rows if len(r) >= 2]
     if len(rows) < 3:
         return ""
     means = np.array([residual[r].mean() for r in rows])
-    between = sum(
+    squares_between = sum(
         len(r) * (m - residual[np.concatenate(rows)].mean()) ** 2 for r, m in zip(rows, means, strict=True)
     )
-    within = sum(float(((residual[r] - m) ** 2).sum()) for r, m in zip(rows, means, strict=True))
+    squares_within = sum(float(((residual[r] - m) ** 2).sum()) for r, m in zip(rows, means, strict=True))
     count = sum(map(len, rows))
-    ratio = (between / (len(rows) - 1)) / max(within / (count - len(rows)), 1e-300)
+    ratio = (squares_between / (len(rows) - 1)) / max(squares_within / (count - len(rows)), 1e-300)
     if stats.f.sf(ratio, len(rows) - 1, count - len(rows)) > MAX_P_UNEVEN:
         return ""
     labels = [fitter.data.labels[fitter.data.pose[r[0]]] for r in rows]
-    highest, lowest = int(means.argmax()), int(means.argmin())
+    highest_setup, lowest_setup = int(means.argmax()), int(means.argmin())
     return (
-        f"the residual varies with the pose, from {format_signed(100 * means[highest])} % at {labels[highest]} to "
-        f"{format_signed(100 * means[lowest])} % at {labels[lowest]}"
+        f"the residual varies with the pose, from {format_signed(100 * means[highest_setup])} % at "
+        f"{labels[highest_setup]} to {format_signed(100 * means[lowest_setup])} % at {labels[lowest_setup]}"
     )

@@ -27,7 +27,7 @@ def relative_to_mean(
 ) -> tuple[Array, Array] | None:
     """Return values relative to their mean, with standard deviations.
 
-    - values: of one unit, length n
+    - values: n values in one unit
     - covariance: n by n
 
     Returns relative and sigma, (n,); None where they are not far better determined than the values themselves.

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pkmodes.core.base.attached import Attached
 from pkmodes.core.base.numbers import p_in_words, plain
 from pkmodes.core.support.documents import Document
-from pkmodes.loop.diagnosis.match.predicted import Predicted
+from pkmodes.loop.diagnosis.match.predicted import PartnerPredictions
 from pkmodes.loop.diagnosis.posterior.document import Probabilities
 from pkmodes.loop.diagnosis.problem import Array
 from pkmodes.loop.diagnosis.verdict.document import (
@@ -42,15 +42,15 @@ from pkmodes.loop.diagnosis.verdict.verdicts import NOT_MEASURED, VERDICTS, Damp
 
 @dataclass(frozen=True)
 class Stages:
-    """The model beside all measured modes, at each stage.
+    """The model compared with all measured modes, at each stage.
 
     - before, refit, after: as declared, with the nuisances refitted, and with the causes
     - without: spectrum of the last model without its causes, at its values, (S, m); None where it has none
     """
 
-    before: Predicted
-    refit: Predicted | None
-    after: Predicted | None
+    before: PartnerPredictions
+    refit: PartnerPredictions | None
+    after: PartnerPredictions | None
     without: Array | None = None
 
 

@@ -1,4 +1,4 @@
-"""Measured modes beside their predictions, and the errors of one stage over all of them."""
+"""Measured modes with their predictions, and the errors of one stage over all of them."""
 
 from __future__ import annotations
 

@@ -1,10 +1,9 @@
-"""The rules of the verdict, in tables: of those that are tried, the first that applies decides.
+"""The rules of the verdict, in tables (docs/reference/verdicts.md): the first of those tried that applies decides.
 
 A rule has a name, which begins with that of its table, the verdict that it gives, and a function of the evidence,
 whose docstring says when the rule applies, and which returns the reason of the verdict.  Those of
 `rules_before_search` are tried first; if one applies, there is no search.  After a search come `rules_after_search`,
-then `ADEQUACY` where the declared model leaves noise, `CLAIMS` where causes do, and `OPEN` (`unexplained`) where
-nothing does.  docs/reference/verdicts.md has the tables.
+then `ADEQUACY_RULES` where the declared model leaves noise, `CLAIM_RULES` where causes do, else `UNEXPLAINED_RULES`.
 """
 
 from __future__ import annotations
@@ -18,7 +17,7 @@ from pkmodes.core.base.numbers import p_in_words, p_text, plain
 from pkmodes.loop.diagnosis.readings import table
 from pkmodes.loop.diagnosis.verdict.amplitude import depends_on_amplitude
 from pkmodes.loop.diagnosis.verdict.classes import count_distinct_causes, find_more_general, lacks_whole
-from pkmodes.loop.diagnosis.verdict.defaults import by_a_default
+from pkmodes.loop.diagnosis.verdict.defaults import rests_on_undeclared_default
 from pkmodes.loop.diagnosis.verdict.dispersion import frequency_dependent_stiffness
 from pkmodes.loop.diagnosis.verdict.evidence import Answer, Decision, Evidence, Rule, Start, T, first_decision
 from pkmodes.loop.diagnosis.verdict.naming import explanation_in_words
@@ -27,7 +26,7 @@ from pkmodes.loop.diagnosis.verdict.reasons import causes_in_words, errors_in_wo
 from pkmodes.loop.diagnosis.verdict.shapes import better_by_shape, shapes_disagree
 from pkmodes.loop.diagnosis.verdict.specificity import p_coincidence
 from pkmodes.loop.diagnosis.verdict.too_few import too_few
-from pkmodes.loop.diagnosis.verdict.unexplained import OPEN, reason_of_refusal
+from pkmodes.loop.diagnosis.verdict.unexplained import UNEXPLAINED_RULES, reason_of_refusal
 from pkmodes.loop.diagnosis.verdict.values import deciding_row, insignificant_value, single_row_in_words
 from pkmodes.loop.diagnosis.verdict.verdicts import (
     ADEQUATE,
@@ -48,8 +47,8 @@ def decide_before_search(start: Start) -> Decision[Start, Answer] | None:
 
 def decide(evidence: Evidence) -> Decision[Evidence, Answer]:
     """Return the verdict after a search, and why it is given."""
-    table_if_noise = CLAIMS if evidence.final.causes else ADEQUACY
-    last_table = table_if_noise if evidence.outcome.last_gate.passed else OPEN
+    table_if_noise = CLAIM_RULES if evidence.final.causes else ADEQUACY_RULES
+    last_table = table_if_noise if evidence.outcome.last_gate.passed else UNEXPLAINED_RULES
     decision = first_decision((*rules_after_search(), *last_table), evidence)
     assert decision is not None  # the last rule of each table always applies
     return decision
@@ -68,7 +67,7 @@ def modes_of_other_shapes(e: Evidence) -> str:
 def extra_modes(e: Evidence) -> str:
     """A row was set aside near which the model has no mode left: it is a mode that the model lacks."""
     fitter, final, lines = e.fitter, e.final, []
-    for row in sorted(final.hypothesis.excluded):
+    for row in sorted(final.hypothesis.excluded_rows):
         setup = fitter.data.pose[row]
         # Modes that an error could have moved here, without those that were measured as well.
         difference = final.prediction.log_frequencies[setup] - fitter.observations.log_frequencies[row]
@@ -81,23 +80,23 @@ def extra_modes(e: Evidence) -> str:
     if not lines:
         return ""
     several = f"lines {', '.join(map(str, lines))} are modes"
-    extra = several if len(lines) > 1 else f"line {lines[0]} is a mode"
+    row_clause = several if len(lines) > 1 else f"line {lines[0]} is a mode"
     return (
-        f"the declared model explains all other rows, but {extra} that it does not have: all its modes near there "
-        "were measured as well"
+        f"the declared model explains all other rows, but {row_clause} that it does not have: all its modes near "
+        "there were measured as well"
     )
 
 
 def unstated_error(e: Evidence) -> str:
     """The residual is noise only with an error that the modes of a pose share and the file does not state."""
-    if not e.final.hypothesis.scatter:
+    if not e.final.hypothesis.has_shared_error:
         return ""
     pattern = drift(e.fitter, e.final)
     drift_clause = f"; {pattern}" if pattern else ""
     return (
-        f"the declared model explains the residual only with an error of {plain(100 * e.final.scatter, 2)} % that "
-        f"the modes of a pose share and the file does not state{drift_clause}: something changed between the poses, "
-        "or an effect is missing"
+        f"the declared model explains the residual only with an error of {plain(100 * e.final.shared_error, 2)} % "
+        f"that the modes of a pose share and the file does not state{drift_clause}: something changed between the "
+        "poses, or an effect is missing"
     )
 
 
@@ -182,7 +181,7 @@ def not_significant(e: Evidence) -> str:
 
 def two_of_few(e: Evidence) -> str:
     """Two causes would be claimed from fewer than ten measured modes, or two changes at once."""
-    rows, needed = len(e.fitter.observations.log_frequencies), e.criteria.claim.rows_for_two
+    rows, needed_rows = len(e.fitter.observations.log_frequencies), e.criteria.claim.rows_for_two
     if len(e.final.causes) < 2:
         return ""
     if not e.criteria.claim.claims_several:
@@ -190,11 +189,11 @@ def two_of_few(e: Evidence) -> str:
             f"{names(e.final.causes)} together would explain the residual, but two changes at once are not claimed: "
             "measure a state between them"
         )
-    if rows >= needed:
+    if rows >= needed_rows:
         return ""
     return (
         f"{names(e.final.causes)} together would explain the residual, but two causes are not claimed from {rows} "
-        f"measured modes: measure {needed} or more"
+        f"measured modes: measure {needed_rows} or more"
     )
 
 
@@ -261,20 +260,22 @@ def not_settled(e: Evidence) -> Answer | str:
 def several_explanations(e: Evidence) -> Answer | None:
     """Several classes or pairs survive, or one class of more than five members, or of directions without a whole."""
     claim, limit = e.claim, e.criteria.claim.most_members
-    is_large = any(count_distinct_causes(fits) > limit or lacks_whole(fits) for fits in claim.own_classes)
+    is_large = any(
+        count_distinct_causes(fits) > limit or lacks_whole(fits) for fits in claim.class_of_each_cause
+    )
     are_several = claim.rivals or any(len(groups) > 1 for groups in claim.classes_by_cause)
     if not are_several and not is_large:
         return None
     single_joints = {name: joint.sentence for name, joint in e.single_joints.items()}
     remarks = single_joints | dict.fromkeys(claim.implausible_names, "implausible")
-    remaining = [
+    remaining_names = [
         [f"{name} ({remarks[name]})" if name in remarks else name for name, _ in group]
         for group in claim.remaining_explanations()
     ]
-    listed = "; ".join(" or ".join(group) for group in remaining)
-    if len(remaining) == 1:
-        return Answer(f"these data cannot tell {len(remaining[0])} explanations apart: {listed}")
-    return Answer(f"{len(remaining)} different explanations remain: {listed}")
+    listed = "; ".join(" or ".join(group) for group in remaining_names)
+    if len(remaining_names) == 1:
+        return Answer(f"these data cannot tell {len(remaining_names[0])} explanations apart: {listed}")
+    return Answer(f"{len(remaining_names)} different explanations remain: {listed}")
 
 
 def another_with_other_errors(e: Evidence) -> Answer | None:
@@ -312,13 +313,13 @@ def one_term(e: Evidence) -> str:
 def causes_found(e: Evidence) -> Answer:
     """One class for each cause is left."""
     gate, errors = e.outcome.first_gate, errors_in_words(e.final, e.fitter.data.lines)
-    smallest = min(gate.p_value, gate.p_candidates)
+    min_p_value = min(gate.p_value, gate.p_candidates)
     errors_clause = f"; {errors}" if errors else ""
     explanation = explanation_in_words(e.claim.findings(e.fitter, e.single_joints))
     single_row = single_row_in_words(e.search, e.final)
     single_row_clause = f"; {single_row}" if single_row else ""
     return Answer(
-        f"the residual of the declared model is not noise ({p_in_words(smallest)}); "
+        f"the residual of the declared model is not noise ({p_in_words(min_p_value)}); "
         f"{explanation}{single_row_clause}{errors_clause}"
     )
 
@@ -329,23 +330,23 @@ def causes_found(e: Evidence) -> Answer:
 def rules_before_search() -> tuple[Rule[Start, Answer], ...]:
     """Return the rules that are tried before a search."""
     return (
-        *_of_readings(
+        *_reading_rules(
             "before", lambda reading: None if reading.refitted else reading.declared, lambda s: (s.fitter,)
         ),
         Rule("before.too_few", INSUFFICIENT_DATA, too_few),
-        *_of_readings("before", lambda reading: reading.refitted, lambda s: (s.store,)),
+        *_reading_rules("before", lambda reading: reading.refitted, lambda s: (s.store,)),
     )
 
 
 def rules_after_search() -> tuple[Rule[Evidence, Answer], ...]:
     """Return the rules that are tried after a search, whatever its result."""
     return (
-        *_of_readings("after", lambda reading: reading.explained, lambda e: (e.fitter, e.final)),
+        *_reading_rules("after", lambda reading: reading.explained, lambda e: (e.fitter, e.final)),
         Rule[Evidence, Answer]("after.amplitude", UNEXPLAINED, depends_on_amplitude),
     )
 
 
-def _of_readings(
+def _reading_rules(
     prefix: str,
     question: Callable[[table.Reading], Callable[..., str] | None],
     arguments: Callable[[T], tuple[object, ...]],
@@ -366,7 +367,7 @@ def _answer_of_reading(
 
 
 #: Tried if the declared model leaves noise.
-ADEQUACY: tuple[Rule[Evidence, Answer], ...] = (
+ADEQUACY_RULES: tuple[Rule[Evidence, Answer], ...] = (
     Rule("adequacy.shapes", UNEXPLAINED, modes_of_other_shapes),
     Rule("adequacy.extra_modes", UNEXPLAINED, extra_modes),
     Rule("adequacy.unstated_error", UNEXPLAINED, unstated_error),
@@ -375,7 +376,7 @@ ADEQUACY: tuple[Rule[Evidence, Answer], ...] = (
 )
 
 #: Tried if causes leave noise.
-CLAIMS: tuple[Rule[Evidence, Answer], ...] = (
+CLAIM_RULES: tuple[Rule[Evidence, Answer], ...] = (
     Rule("claims.remote", UNEXPLAINED, remote_cause),
     Rule("claims.one_joint", UNEXPLAINED, in_one_joint),
     Rule("claims.shapes", UNEXPLAINED, modes_of_other_shapes),
@@ -389,7 +390,7 @@ CLAIMS: tuple[Rule[Evidence, Answer], ...] = (
     Rule("claims.one_row", UNEXPLAINED, depends_on_one_row),
     Rule("claims.not_settled", UNEXPLAINED, not_settled),
     Rule("claims.several", AMBIGUOUS, several_explanations),
-    Rule("claims.default", AMBIGUOUS, by_a_default),
+    Rule("claims.default", AMBIGUOUS, rests_on_undeclared_default),
     Rule("claims.other_errors", AMBIGUOUS, another_with_other_errors),
     Rule("claims.priors", UNEXPLAINED, held_by_priors),
     Rule("claims.dispersion", UNEXPLAINED, frequency_dependent_stiffness),

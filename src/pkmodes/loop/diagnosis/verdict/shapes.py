@@ -17,9 +17,9 @@ def shapes_disagree(store: FitStore, fit: Fit) -> bool:
     Either more than a few are clearly shapes of another mode, or all of them scatter implausibly.
     """
     fitter, c = store.fitter, store.fitter.criteria
-    compared = np.isfinite(fit.pairing.mac) & fitter.used_rows(fit.hypothesis)
+    is_compared = np.isfinite(fit.pairing.mac) & fitter.used_row_mask(fit.hypothesis)
     scatter = store.shape_scatter(fit)
-    return len(strange_shapes(store, fit)) > int(compared.sum()) // c.shapes.strange_allowed or (
+    return len(strange_shapes(store, fit)) > int(is_compared.sum()) // c.shapes.strange_allowed or (
         scatter is not None and scatter > c.shapes.most_scatter
     )
 
@@ -31,11 +31,11 @@ def strange_shapes(store: FitStore, fit: Fit) -> NDArray[np.intp]:
     accepted because it raises the estimated scatter itself.
     """
     fitter, c = store.fitter, store.fitter.criteria
-    used = fitter.used_rows(fit.hypothesis)
-    mac = np.where(used, np.nan_to_num(fit.pairing.mac, nan=1.0), 1.0)
+    used_row_mask = fitter.used_row_mask(fit.hypothesis)
+    mac = np.where(used_row_mask, np.nan_to_num(fit.pairing.mac, nan=1.0), 1.0)
     observations = fitter.observations
     squares = (observations.by_row(SHAPE, fit.white) ** 2).sum(axis=1)
-    degrees = observations.shapes.count * used - observations.by_row(SHAPE, fit.leverage).sum(axis=1)
+    degrees = observations.shapes.count * used_row_mask - observations.by_row(SHAPE, fit.leverage).sum(axis=1)
     other_degrees = np.maximum(degrees.sum() - degrees, 1e-9)
     ratio = (squares / np.maximum(degrees, 1e-9)) / np.maximum(
         (squares.sum() - squares) / other_degrees, 1e-300
@@ -62,11 +62,11 @@ def better_by_shape(store: FitStore, fit: Fit) -> Fit | None:
         white = compared_fit.white[fitter.observations.data_slice(SHAPE)]
         return float(white @ white)
 
-    excluded = len(fit.hypothesis.excluded)
+    excluded_count = len(fit.hypothesis.excluded_rows)
     options = [
         option
         for option in store.all_fits()
-        if len(option.causes) <= len(fit.causes) and len(option.hypothesis.excluded) == excluded
+        if len(option.causes) <= len(fit.causes) and len(option.hypothesis.excluded_rows) == excluded_count
     ]
     best = min(options, key=squares, default=fit)
     misfits = (fitter.misfit(best, SHAPE, stated=stated) for stated in (True, False))

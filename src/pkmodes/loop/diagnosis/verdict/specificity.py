@@ -86,13 +86,17 @@ class PlausibleChanges:
 def p_coincidence(search: Search, final: Fit) -> float:
     """Return the probability that as many candidates explain a residual of this size although none caused it."""
     store, fitter, h = search.store, search.store.fitter, final.hypothesis
-    fit_without_causes = store.fit(Hypothesis(excluded=h.excluded, scatter=h.scatter))
+    fit_without_causes = store.fit(
+        Hypothesis(excluded_rows=h.excluded_rows, has_shared_error=h.has_shared_error)
+    )
     if fit_without_causes is None or not final.causes:
         return 0.0
     rng = np.random.default_rng(SEED)
     gain, directions = fit_without_causes.chi2 - final.chi2, search.gate(fit_without_causes).scores.directions
-    used, data = fitter.used_rows(h), slice(0, fitter.prior_rows.start)
-    degrees = float(fitter.observations.degrees_of_freedom(used) - fit_without_causes.leverage[data].sum())
+    used_row_mask, data = fitter.used_row_mask(h), slice(0, fitter.prior_slice.start)
+    degrees = float(
+        fitter.observations.degrees_of_freedom(used_row_mask) - fit_without_causes.leverage[data].sum()
+    )
     changes = arbitrary_draws(fitter, fit_without_causes, DRAWS, rng)
     p_value = coincidence(search, final, gain, changes, directions, degrees, final.chi2)
     # A few candidates do not represent what else may be wrong: their combinations are not informative.
@@ -167,7 +171,7 @@ def arbitrary_draws(fitter: Fitter, fit: Fit, count: int, rng: np.random.Generat
     so twelve shape values carry less information than twelve independent ones.  The changes in different setups are
     independent, as if the structure differed between them.
     """
-    data, modal_effects = fitter.prior_rows.start, modal_changes(fitter, fit)
+    data, modal_effects = fitter.prior_slice.start, modal_changes(fitter, fit)
     effects = np.zeros((len(fit.white), count))
     for rows in fitter.observations.data_indices_by_setup():
         effects[rows] = modal_effects[rows] @ rng.standard_normal((modal_effects.shape[1], count))
@@ -177,7 +181,7 @@ def arbitrary_draws(fitter: Fitter, fit: Fit, count: int, rng: np.random.Generat
 
 def modal_changes(fitter: Fitter, fit: Fit) -> Array:
     """Return the effects of relative changes of the modal stiffnesses and masses on the whitened data, (D, k)."""
-    used = fitter.used_rows(fit.hypothesis)
+    used_row_mask = fitter.used_row_mask(fit.hypothesis)
     # Modes far above the measured ones do not contribute to their shapes.
     modes = int(fit.pairing.partner.max(initial=0)) + 1 + MODES_ABOVE
     eigenvalues, shapes = fit.prediction.eigenvalues[:, :modes], fit.prediction.shapes[:, :modes]
@@ -206,5 +210,6 @@ def modal_changes(fitter: Fitter, fit: Fit) -> Array:
     )
     observations = fitter.observations
     return np.asarray(
-        observations.rates(changed_modes, fit.pairing, used) / observations.noise.stated_sigma[:, None]
+        observations.rates(changed_modes, fit.pairing, used_row_mask)
+        / observations.noise.stated_sigma[:, None]
     )

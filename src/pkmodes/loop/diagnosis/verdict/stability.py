@@ -81,7 +81,7 @@ def _run_trial(
     as_stated = search.store.fitter
     data = as_stated.data if error_factor == 1.0 else with_errors(as_stated.data, error_factor)
     fitter = Fitter(
-        as_stated.structure, data, as_stated.criteria, as_stated.shape_scatter, widened=prior_factor
+        as_stated.structure, data, as_stated.criteria, as_stated.shape_scatter, prior_factor=prior_factor
     )
     store, c = FitStore(fitter), fitter.criteria
     fit_without_causes = store.fit(replace(final.hypothesis, causes=()))
@@ -95,7 +95,7 @@ def _run_trial(
     if claimed is not None and best is not None:
         ranked = sorted(with_as_many_causes, key=store.criterion)
         for fit in ranked[: [rival is claimed for rival in ranked].index(True)]:
-            are_alike = fitter.difference(claimed, fit) < c.claim.told_apart
+            are_alike = fitter.squared_difference(claimed, fit) < c.claim.told_apart
             if are_alike and store.criterion(claimed) <= store.criterion(fit) + c.search.survives:
                 best = claimed if fit is best else best  # one class, named after the claimed cause
                 break
@@ -113,7 +113,7 @@ def _run_trial(
         for fit in with_as_many_causes
         if store.criterion(fit) <= store.criterion(best) + c.search.survives
         and store.p_value(fit) > c.gate.surely
-        and fitter.difference(best, fit) >= c.claim.told_apart
+        and fitter.squared_difference(best, fit) >= c.claim.told_apart
     ]
     names = tuple(cause.name for cause in best.causes)
     verdict = AMBIGUOUS if rivals else EFFECT_FOUND
@@ -122,7 +122,7 @@ def _run_trial(
 
 def _has_moved(fitter: Fitter, final: Fit, refit: Fit) -> bool:
     """Return whether the value of a claimed cause changes by far more than its standard deviation."""
-    for i in (i for cause in final.causes for i in fitter.indices(cause)):
+    for i in (i for cause in final.causes for i in fitter.parameter_indices(cause)):
         k = final.free.index(i)
         if (
             abs(refit.values[i] - final.values[i])

@@ -13,28 +13,28 @@ from pkmodes.loop.diagnosis.verdict.verdicts import (
     VERDICTS,
 )
 
-HALVED, DOUBLED, WIDENED = "sigma x 0.5", "sigma x 2", "priors x 2"
+HALVED_ERRORS, DOUBLED_ERRORS, WIDENED_PRIORS = "sigma x 0.5", "sigma x 2", "priors x 2"
 #: What explains the residual, or the part that the best explanation leaves, under each change.
 EXPLAINED_BY_CHANGE = {
-    DOUBLED: "errors twice as large would explain {what}",
-    WIDENED: "the uncertain values would then make up for {what}",
+    DOUBLED_ERRORS: "errors twice as large would explain {what}",
+    WIDENED_PRIORS: "the uncertain values would then make up for {what}",
 }
 #: Why nothing explains the residual any more: with halved errors even the right explanation leaves too much.
 UNEXPLAINED_BY_CHANGE = {
-    HALVED: "usual where the stated sigma is right",
-    WIDENED: "the priors hold the explanation together",
+    HALVED_ERRORS: "usual where the stated sigma is right",
+    WIDENED_PRIORS: "the priors hold the explanation together",
 }
 #: Why other explanations are as good.
 AMBIGUOUS_BY_CHANGE = {
-    HALVED: "smaller errors make noise look significant",
-    DOUBLED: "errors twice as large no longer tell it from others",
-    WIDENED: "the uncertain values would then make up for the differences",
+    HALVED_ERRORS: "smaller errors make noise look significant",
+    DOUBLED_ERRORS: "errors twice as large no longer tell it from others",
+    WIDENED_PRIORS: "the uncertain values would then make up for the differences",
 }
 
 
 #: Changes of the verdict that the errors themselves explain: smaller errors turn noise into a residual, larger errors
 #: turn a residual into noise.
-EXPECTED_CHANGES = {(HALVED, UNEXPLAINED.word), (DOUBLED, ADEQUATE.word)}
+EXPECTED_CHANGES = {(HALVED_ERRORS, UNEXPLAINED.word), (DOUBLED_ERRORS, ADEQUATE.word)}
 
 
 def is_stable(result: Diagnosis) -> bool:
@@ -67,9 +67,9 @@ def reason_of_change(result: Diagnosis, entry: Stability) -> str:
     if result.verdict == UNEXPLAINED.word:
         return EXPLAINED_BY_CHANGE.get(entry.change, "").format(what="what it leaves")
     if result.verdict == ADEQUATE.word:
-        return AMBIGUOUS_BY_CHANGE[HALVED] if entry.change == HALVED else ""
+        return AMBIGUOUS_BY_CHANGE[HALVED_ERRORS] if entry.change == HALVED_ERRORS else ""
     if entry.verdict == AMBIGUOUS.word:
         return AMBIGUOUS_BY_CHANGE.get(entry.change, "")
     if result.verdict == AMBIGUOUS.word and entry.verdict == EFFECT_FOUND.word:
-        return "smaller errors would decide" if entry.change == HALVED else ""
+        return "smaller errors would decide" if entry.change == HALVED_ERRORS else ""
     return ""

@@ -22,7 +22,7 @@ def too_few(start: Start) -> str:
         >= start.effective_parameters - MAX_DETERMINED_PART + start.criteria.claim.redundancy
     ):
         return ""
-    uncertain = [fitter.parameters[i].name for i in fitter.nuisances]
+    uncertain = [fitter.parameters[i].name for i in fitter.nuisance_indices]
     modes = "1 measured mode" if rows == 1 else f"{rows} measured modes"
     modes += f" with {shapes} shape values" if shapes else ""
     modes += " is" if rows == 1 else " are"

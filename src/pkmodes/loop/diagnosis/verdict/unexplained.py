@@ -1,4 +1,4 @@
-"""Rules for a residual that nothing explains: `OPEN`, a table (`rules`)."""
+"""Rules for a residual that nothing explains: `UNEXPLAINED_RULES`, a table (`rules`)."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def added_modes(e: Evidence) -> str:
 
 def unmatched_modes(e: Evidence) -> Answer | None:
     """Measured modes are unmatched, and no candidate adds one there."""
-    count = e.outcome.last_gate.unpaired
+    count = e.outcome.last_gate.unpaired_count
     if not count:
         return None
     modes_in_words = "1 measured mode is" if count == 1 else f"{count} measured modes are"
@@ -42,7 +42,7 @@ def value_far_away(e: Evidence) -> Answer | None:
     store, nuisance_fit, gate, c = e.store, e.outcome.nuisance_fit, e.outcome.first_gate, e.criteria
     if min(part.p_value for part in _misfits(store, nuisance_fit)) <= c.gate.surely:
         return None
-    name, sigmas = misfit.farthest_value(store, nuisance_fit, e.fitter.nuisances)
+    name, sigmas = misfit.farthest_value(store, nuisance_fit, e.fitter.nuisance_indices)
     if gate.p_value > c.gate.level or sigmas <= c.reasons.far:
         return None
     text = (
@@ -75,7 +75,7 @@ def beyond_prior(e: Evidence) -> Answer | None:
     for fit in _fits_without_errors(store):
         if len(fit.causes) != 1:
             continue
-        index = e.fitter.indices(fit.causes[0])
+        index = e.fitter.parameter_indices(fit.causes[0])
         _, sigmas = misfit.farthest_value(store, fit, index)
         explained = min(part.p_value for part in _misfits(store, fit))
         if sigmas > c.reasons.far and explained > c.gate.level:
@@ -176,7 +176,7 @@ def real_residual(e: Evidence) -> Answer:
 
 
 #: Tried if nothing leaves noise.
-OPEN: tuple[Rule[Evidence, Answer], ...] = (
+UNEXPLAINED_RULES: tuple[Rule[Evidence, Answer], ...] = (
     Rule("open.added_modes", UNEXPLAINED, added_modes),
     Rule("open.unmatched", UNEXPLAINED, unmatched_modes),
     Rule("open.value_far_away", UNEXPLAINED, value_far_away),
@@ -225,8 +225,11 @@ def _best_explanation(e: Evidence) -> tuple[str, list[Candidate]] | None:
 def reason_of_refusal(e: Evidence, fit: Fit) -> tuple[str, list[Candidate]]:
     """Return why the gate refuses an explanation, empty if it does not, and the candidates to which this points."""
     gate = e.search.gate(fit)
-    if gate.unpaired:
-        return f"it leaves {gate.unpaired} measured mode{'' if gate.unpaired == 1 else 's'} unmatched", []
+    if gate.unpaired_count:
+        return (
+            f"it leaves {gate.unpaired_count} measured mode{'' if gate.unpaired_count == 1 else 's'} unmatched",
+            [],
+        )
     if gate.p_value <= gate.level:
         factor = ratio_in_words(_larger_ratio(e.store, fit) ** 0.5)
         return f"it leaves a residual {factor} the stated errors ({p_in_words(gate.p_value)})", []
@@ -249,7 +252,11 @@ def _indicated_candidate(gate: Gate) -> Candidate:
 def _fits_without_errors(store: FitStore) -> list[Fit]:
     """Return the explanations tried without errors of the measurement and without remote causes."""
     fits = store.all_fits()
-    return [fit for fit in fits if (h := fit.hypothesis).causes and not (h.remote or h.excluded or h.scatter)]
+    return [
+        fit
+        for fit in fits
+        if (h := fit.hypothesis).causes and not (h.remote or h.excluded_rows or h.has_shared_error)
+    ]
 
 
 def _priced_criterion(e: Evidence) -> Callable[[Fit], float]:
@@ -265,4 +272,4 @@ def _larger_ratio(store: FitStore, fit: Fit) -> float:
 
 def _misfits(store: FitStore, fit: Fit) -> tuple[Misfit, Misfit]:
     """Return the misfit of the frequencies, without the priors, and of the shapes with stated errors."""
-    return misfit.of_frequencies(store, fit), store.fitter.misfit(fit, SHAPE, stated=True)
+    return misfit.frequency_misfit_without_priors(store, fit), store.fitter.misfit(fit, SHAPE, stated=True)

@@ -20,7 +20,7 @@ def insignificant_value(search: Search, final: Fit) -> str:
     """Return which cause has a value at a bound, or one not distinct from the declared one; empty if none has."""
     fitter, c = search.store.fitter, search.criteria
     for cause in final.causes:
-        for i in fitter.indices(cause):
+        for i in fitter.parameter_indices(cause):
             p, value, sigma = fitter.parameters[i], float(final.values[i]), final.sigma_of(i)
             for bound in (p.lower, p.upper):
                 if bound != p.value and np.isfinite(bound) and abs(value - bound) < c.claim.bounded * sigma:
@@ -43,7 +43,7 @@ def p_absent(search: Search, final: Fit, cause: Candidate) -> float:
     If the sum of squares has no smooth minimum, it may fall by far more than such a change of values can explain.
     """
     fitter = search.store.fitter
-    index = list(fitter.indices(cause))
+    index = list(fitter.parameter_indices(cause))
     sigma = np.array([final.sigma_of(i) or 1.0 for i in index])
     deviations = (final.values[index] - fitter.declared[index]) / sigma
     information = np.linalg.pinv(final.covariance_of(index) / np.outer(sigma, sigma), hermitian=True)
@@ -56,16 +56,16 @@ def deciding_row(search: Search, final: Fit) -> str:
     """Return which single row determines a cause or its value; empty if none does."""
     store, c = search.store, search.criteria
     fitter, h = store.fitter, final.hypothesis
-    used = fitter.used_rows(h)
-    leverage = np.where(used, final.leverage[fitter.observations.frequency_rows], 0.0)
+    used_row_mask = fitter.used_row_mask(h)
+    leverage = np.where(used_row_mask, final.leverage[fitter.observations.frequency_slice], 0.0)
     rows = [int(row) for row in np.argsort(leverage)[::-1] if leverage[row] > c.search.redundant]
     for cause in final.causes:
-        index = list(fitter.indices(cause))
+        index = list(fitter.parameter_indices(cause))
         sigma = [final.sigma_of(i) for i in index]
         for row in rows:
             if shows_in_one_row_only(search, final, cause, row):
                 continue
-            hypothesis = replace(h, excluded=h.excluded | {row})
+            hypothesis = replace(h, excluded_rows=h.excluded_rows | {row})
             hypothesis_without_cause = replace(
                 hypothesis, causes=tuple(other for other in h.causes if other != cause)
             )
@@ -105,13 +105,13 @@ def shows_in_one_row_only(search: Search, final: Fit, cause: Candidate, row: int
         return False
     hypothesis = replace(final.hypothesis, causes=tuple(other for other in final.causes if other != cause))
     fit_without_cause = fitter.fit_at_values(
-        hypothesis, store.values_without(final, hypothesis), final.scatter
+        hypothesis, store.values_without(final, hypothesis), final.shared_error
     )
     if fit_without_cause is None:
         return False
-    rows, used = fitter.observations.frequency_rows, fitter.used_rows(final.hypothesis)
+    rows, used_row_mask = fitter.observations.frequency_slice, fitter.used_row_mask(final.hypothesis)
     change = (fit_without_cause.residual - final.residual)[rows] / fitter.observations.sigma
-    squares = np.where(used, change**2, 0.0)
+    squares = np.where(used_row_mask, change**2, 0.0)
     return bool(squares[row] > MIN_PART_OF_SQUARES * squares.sum())
 
 
