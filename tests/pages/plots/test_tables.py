@@ -14,9 +14,9 @@ from helpers.pages.report_examples import made_up
 from pkmodes.pages.plots.drawing import Drawing
 from pkmodes.pages.plots.evidence import PlottedEvidence
 from pkmodes.pages.plots.panel import Panel
+from pkmodes.pages.plots.setup_frequencies import setup_frequencies
 from pkmodes.pages.plots.shapers import over_plane
 from pkmodes.pages.plots.sheet import Sheet
-from pkmodes.pages.plots.spectrum import spectrum
 
 
 def table(draw: Callable[[Sheet], Any]) -> list[dict[str, str]]:
@@ -236,7 +236,7 @@ def test_each_frequency_has_the_limits_of_its_own_band() -> None:
     result, data = made_up(1, 2)
     evidence = PlottedEvidence.of(result, data)
     frequencies, sigmas = evidence.stages[0].predicted.spectrum[0, :2], np.array([1.0, 3.0])
-    drawing = spectrum(replace(evidence, spread=sigmas[None]))
+    drawing = setup_frequencies(replace(evidence, spread=sigmas[None]))
     for end, limits in (("lower", frequencies - sigmas), ("upper", frequencies + sigmas)):
         rows = table(drawing.draw)
         found = of(rows, "frequency [Hz]", series=f"\u00b1 \u03c3 as declared, {end} limit")

@@ -13,7 +13,7 @@ from pkmodes.core.base.errors import OutputError
 from pkmodes.core.support.replacing import check_replaced, contains_mark
 from pkmodes.core.support.writing import write_files
 from pkmodes.pages.figures.pictures import PICTURES, Picture, pictures
-from pkmodes.pages.plots.style import GREY, styled
+from pkmodes.pages.plots.style import GREY, figure_style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -111,7 +111,7 @@ def image_bytes(picture: Picture, file_format: str) -> bytes:
         "png": {"Software": None, "Description": picture.description},
     }
     target = BytesIO()
-    with styled(), _with_caption_below(picture.figure, picture.about):
+    with figure_style(), _with_caption_below(picture.figure, picture.about):
         metadata = {**fixed_metadata[file_format], "Title": picture.title}
         picture.figure.savefig(
             target,

@@ -23,9 +23,9 @@ if TYPE_CHECKING:
 
 Array = NDArray[Any]
 #: Approximate number of poses in a map of sensitivities.
-SENSITIVITIES = 2_000
+SENSITIVITY_POSES = 2_000
 #: Heights at which the volume around a plane is outlined, and poses along each side of an outline.
-HEIGHTS, FINE = 16, 160
+OUTLINE_HEIGHTS, OUTLINE_POSES = 16, 160
 
 
 def relative_sensitivities(model: Model, plane: Plane, drives: str) -> tuple[list[str], Array]:
@@ -37,17 +37,19 @@ def relative_sensitivities(model: Model, plane: Plane, drives: str) -> tuple[lis
     - relative: d ln f / d ln p, (along, across, parameters, modes)
     """
     paths = scalable_quantities(model.robot)
-    few = coarser(plane)
-    points = points_of(model, few)
+    coarse = coarse_plane(plane)
+    poses = plane_poses(model, coarse)
     sensitivities = sensitivities_at(
-        model, points, paths, fields=["frequencies"], on_error="nan", drives=drives
+        model, poses, paths, fields=["frequencies"], on_error="nan", drives=drives
     )
     modes = plane.dataset.sizes["mode"]
     rates = sensitivities.frequencies[..., -modes:]
-    frequency = few.dataset["frequency"].values
-    relative = rates * sensitivities.values[:, None] / frequency[..., None, :]
-    groups = equivalent_parameters(relative)
-    return [group.name(paths) for group in groups], relative[..., [group.members[0] for group in groups], :]
+    frequency = coarse.dataset["frequency"].values
+    relative_rates = rates * sensitivities.values[:, None] / frequency[..., None, :]
+    groups = equivalent_parameters(relative_rates)
+    return [group.name(paths) for group in groups], relative_rates[
+        ..., [group.members[0] for group in groups], :
+    ]
 
 
 def median_spread(model: Model, plane: Plane, drives: str) -> Array | None:
@@ -55,25 +57,25 @@ def median_spread(model: Model, plane: Plane, drives: str) -> Array | None:
 
     Returns (modes,): in Hz, from those of the robot file; None where it states none.
     """
-    few = coarser(plane)
-    poses = points_of(model, few)[few.dataset["valid"].values]
+    coarse = coarse_plane(plane)
+    poses = plane_poses(model, coarse)[coarse.dataset["valid"].values]
     spread = spread_of(model, poses, drives, "nan")
     if spread is None:
         return None
-    middle: Array = np.nanmedian(spread[:, -plane.dataset.sizes["mode"] :], axis=0)
-    return middle
+    median: Array = np.nanmedian(spread[:, -plane.dataset.sizes["mode"] :], axis=0)
+    return median
 
 
-def coarser(plane: Plane) -> Plane:
+def coarse_plane(plane: Plane) -> Plane:
     """Return the plane with every second, third... pose, so that sensitivities take little time."""
-    step = max(1, int(np.ceil(np.sqrt(plane.dataset["valid"].size / SENSITIVITIES))))
+    step = max(1, int(np.ceil(np.sqrt(plane.dataset["valid"].size / SENSITIVITY_POSES))))
     dataset = plane.dataset.isel(
         {plane.along: slice(None, None, step), plane.across: slice(None, None, step)}
     )
     return replace(plane, dataset=dataset)
 
 
-def points_of(model: Model, plane: Plane) -> Array:
+def plane_poses(model: Model, plane: Plane) -> Array:
     """Return the poses of a plane, (along, across, d)."""
     along, across = np.meshgrid(
         plane.dataset[plane.along].values, plane.dataset[plane.across].values, indexing="ij"
@@ -84,40 +86,42 @@ def points_of(model: Model, plane: Plane) -> Array:
     return np.stack([values[component.name] for component in model.mechanism.pose], axis=-1)
 
 
-def volume_of(model: Model, plane: Plane) -> Volume | None:
+def reachable_volume(model: Model, plane: Plane) -> Volume | None:
     """Return where the robot is used around a plane, or where it can be if the plane itself is beyond its limits.
 
     None for a mechanism that moves in two directions, and for a plane in which the platform turns.
     """
     if plane.normal is None:
         return None
-    usable, here = limits_test(model), points_of(model, plane)[plane.dataset["valid"].values]
-    limited = bool(usable(here).all())
-    pose = here[len(here) // 2] if plane.rest and len(here) else None
-    low, high = usable_box(model, pose) if limited else box_of(model, pose)
+    is_usable, poses_in_plane = limits_test(model), plane_poses(model, plane)[plane.dataset["valid"].values]
+    is_limited = bool(is_usable(poses_in_plane).all())
+    pose = poses_in_plane[len(poses_in_plane) // 2] if plane.rest and len(poses_in_plane) else None
+    low, high = usable_box(model, pose) if is_limited else box_of(model, pose)
     names = [component.name for component in model.mechanism.pose]
-    counts = {plane.normal: HEIGHTS, plane.along: FINE, plane.across: FINE}
+    counts = {plane.normal: OUTLINE_HEIGHTS, plane.along: OUTLINE_POSES, plane.across: OUTLINE_POSES}
     axes = {}
     for i, name in enumerate(names):
         if name in counts:
-            around = 0.03 * (high[i] - low[i]) if name != plane.normal else 0.0  # so that outlines are closed
-            axes[name] = np.linspace(low[i] - around, high[i] + around, counts[name])
-    order = (plane.normal, plane.along, plane.across)
-    grid = dict(zip(order, np.meshgrid(*(axes[name] for name in order), indexing="ij"), strict=True))
+            margin = 0.03 * (high[i] - low[i]) if name != plane.normal else 0.0  # so that outlines are closed
+            axes[name] = np.linspace(low[i] - margin, high[i] + margin, counts[name])
+    axis_order = (plane.normal, plane.along, plane.across)
+    grid = dict(
+        zip(axis_order, np.meshgrid(*(axes[name] for name in axis_order), indexing="ij"), strict=True)
+    )
     grid |= {name: np.full(grid[plane.along].shape, value) for name, value in plane.rest.items()}
     poses = np.stack([grid[name] for name in names], axis=-1)
     valid = model.check(poses).valid
-    valid = valid & usable(poses) if limited else valid
+    valid = valid & is_usable(poses) if is_limited else valid
     return Volume(axes[plane.normal], axes[plane.along], axes[plane.across], valid)
 
 
-def motors_of(model: Model, plane: Plane) -> Array | None:
+def motor_positions(model: Model, plane: Plane) -> Array | None:
     """Return where the motors are, (N, 2): across and along in the drawn units; None if an axis is not a length."""
-    valid = points_of(model, plane)[plane.dataset["valid"].values]
+    poses = plane_poses(model, plane)[plane.dataset["valid"].values]
     names = ["x", "y", "z"]
-    if not len(valid) or not {plane.across, plane.along} <= set(names):
+    if not len(poses) or not {plane.across, plane.along} <= set(names):
         return None
-    motors = RobotDrawing(model.robot).motors(valid[:1])[0]
+    motors = RobotDrawing(model.robot).motors(poses[:1])[0]
     factors = [plane.unit(name)[1] for name in (plane.across, plane.along)]
     return np.asarray(motors[:, [names.index(plane.across), names.index(plane.along)]] * factors)
 
@@ -130,7 +134,7 @@ def smallest_mac(model: Model, plane: Plane) -> Array:
     Returns (along, across, modes); NaN where a pose or all of its neighbours cannot be evaluated.
     """
     shapes = plane.dataset["shape"].values
-    masses, _ = model.matrices(points_of(model, plane), "nan")
+    masses, _ = model.matrices(plane_poses(model, plane), "nan")
     smallest = np.full(shapes.shape[:3], np.inf)
     for axis in (0, 1):
         ahead = tuple(slice(1, None) if i == axis else slice(None) for i in (0, 1))

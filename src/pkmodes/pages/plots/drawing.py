@@ -10,29 +10,29 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.pages.plots.labels import visible
+from pkmodes.pages.plots.labels import visible_text
 from pkmodes.pages.plots.panel import Panel, Series, Side
 from pkmodes.pages.plots.sheet import Sheet
-from pkmodes.pages.plots.style import styled
+from pkmodes.pages.plots.style import figure_style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Array = NDArray[Any]
 #: Columns that every table begins with; a part is a piece of a broken curve.
-PANEL, SERIES, PART = "panel", "series", "part"
+PANEL_COLUMN, SERIES_COLUMN, PART_COLUMN = "panel", "series", "part"
 #: Significant digits of the positions of cells and bars: free of the rounding errors of unit conversion.
-PLACES = 12
+POSITION_DIGITS = 12
 #: Significant digits of values shown as colours, which resolve three; number of values above which fewer are written,
 #: and how many.
-DIGITS, MANY, FEWER = 7, 60_000, 5
+VALUE_DIGITS, MANY_VALUES, MANY_VALUES_DIGITS = 7, 60_000, 5
 #: Significant digits of the points of curves and marks, by the number of points above which they apply; below, all
 #: digits.
-LONG = ((20_000, 6), (2_000, 9))
+POINT_DIGITS = ((20_000, 6), (2_000, 9))
 #: First characters that make a spreadsheet read a text as a formula, including their East Asian full-width forms.
-FORMULA = tuple("=+-@\uff1d\uff0b\uff0d\uff20")
+FORMULA_STARTS = tuple("=+-@\uff1d\uff0b\uff0d\uff20")
 #: Characters for which a text is quoted; whole numbers below the limit are written without a decimal point.
-QUOTED, LARGEST = ',;"', 1e15
+QUOTED_CHARACTERS, MAX_WHOLE_NUMBER = ',;"', 1e15
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,24 +69,24 @@ class Drawing:
         panel_series = [(panel, series) for panel in self.wide.panels for series in panel.series]
         coloured_count = sum(len(series.x) for _, series in panel_series if series.values is not None)
         point_count = sum(len(series.x) for _, series in panel_series) - coloured_count
-        coordinate_digits = next((digits for count, digits in LONG if point_count > count), None)
-        value_digits = DIGITS if coloured_count <= MANY else FEWER
+        coordinate_digits = next((digits for count, digits in POINT_DIGITS if point_count > count), None)
+        value_digits = VALUE_DIGITS if coloured_count <= MANY_VALUES else MANY_VALUES_DIGITS
         tables = [_columns(panel, series, coordinate_digits, value_digits) for panel, series in panel_series]
         tables = [(count, columns) for count, columns in tables if count]
         titles = dict.fromkeys(title for _, columns in tables for title in columns)
-        order = [title for title in (PANEL, SERIES, PART) if title in titles]
+        order = [title for title in (PANEL_COLUMN, SERIES_COLUMN, PART_COLUMN) if title in titles]
         order += [title for title in titles if title not in order]
         table_columns = []
         for title in order:  # the columns of all series below each other
-            cells = [_cell(title)]
+            cells = [_cell_text(title)]
             for count, columns in tables:
-                cells += map(_cell, columns[title]) if title in columns else [""] * count
+                cells += map(_cell_text, columns[title]) if title in columns else [""] * count
             table_columns.append(cells)
         return table_columns
 
     def sheet(self, *, narrow: bool) -> Sheet:
         """Draw it, in the style of all figures."""
-        with styled():
+        with figure_style():
             sheet = Sheet(narrow=narrow)
             self.draw(sheet)
         return sheet
@@ -105,47 +105,62 @@ def _columns(
         is_drawn = np.isfinite(series.x) | np.isfinite(series.y)
     if series.values is not None:
         is_drawn &= np.isfinite(series.values)
-        coordinate_digits = PLACES
+        coordinate_digits = POSITION_DIGITS
     count = int(is_drawn.sum())
-    columns: dict[str, list[Any]] = {PANEL: [panel.title] * count, SERIES: [series.name] * count}
+    columns: dict[str, list[Any]] = {
+        PANEL_COLUMN: [panel.title] * count,
+        SERIES_COLUMN: [series.name] * count,
+    }
     if series.part is not None:
-        columns[PART] = series.part[is_drawn].tolist()
+        columns[PART_COLUMN] = series.part[is_drawn].tolist()
     sides: tuple[tuple[Side, Array], ...] = (("x", series.x), ("y", series.y))
     for side, coordinates in sides:
-        title, names, selected = visible(panel.labels[side]) or side, panel.names[side], coordinates[is_drawn]
+        title, names, drawn_coordinates = (
+            visible_text(panel.labels[side]) or side,
+            panel.names[side],
+            coordinates[is_drawn],
+        )
         if panel.labels["x"] == panel.labels["y"] != "":
             title = f"{side}: {title}"
         columns[title] = (
-            selected.tolist() if coordinate_digits is None else _rounded(selected, coordinate_digits)
+            drawn_coordinates.tolist()
+            if coordinate_digits is None
+            else _rounded_values(drawn_coordinates, coordinate_digits)
         )
         if any(name != f"{position:g}" for position, name in names.items()):  # they say more than the numbers
-            columns[f"{title} (name)"] = [_nearest(names, place) for place in selected.tolist()]
+            columns[f"{title} (name)"] = [
+                _nearest_name(names, coordinate) for coordinate in drawn_coordinates.tolist()
+            ]
     if series.values is not None:
         title, values = panel.labels["scale"] or "value", series.values[is_drawn]
-        columns[title] = _rounded(values, value_digits)
+        columns[title] = _rounded_values(values, value_digits)
         if series.meanings:
             columns[f"{title} (name)"] = [series.meanings[int(value)] for value in values.tolist()]
     return count, columns
 
 
-def _nearest(names: Mapping[float, str], position: float) -> str:
+def _nearest_name(names: Mapping[float, str], position: float) -> str:
     """Return the nearest name; names are at whole numbers, and marks may be beside each other there."""
-    nearest = min(names, key=lambda at: abs(at - position))
+    nearest = min(names, key=lambda name_position: abs(name_position - position))
     return names[nearest] if abs(nearest - position) <= 0.5 else ""
 
 
-def _rounded(values: Array, digits: int) -> list[float]:
+def _rounded_values(values: Array, digits: int) -> list[float]:
     return [float(f"{value:.{digits}g}") for value in values.tolist()]
 
 
-def _cell(value: Any) -> str:
+def _cell_text(value: Any) -> str:
     """Return the text of a cell: numbers so that they read back the same, and text that is not a formula."""
     if isinstance(value, float):
         if not np.isfinite(value):
             return ""
-        return str(int(value)) if value.is_integer() and abs(value) < LARGEST else repr(value)
+        return str(int(value)) if value.is_integer() and abs(value) < MAX_WHOLE_NUMBER else repr(value)
     if not isinstance(value, str):
         return str(value)
-    text = visible(value).strip()
-    text = f"'{text}" if text.startswith(FORMULA) else text
-    return '"' + text.replace('"', '""') + '"' if any(mark in text for mark in QUOTED) else text
+    text = visible_text(value).strip()
+    text = f"'{text}" if text.startswith(FORMULA_STARTS) else text
+    return (
+        '"' + text.replace('"', '""') + '"'
+        if any(character in text for character in QUOTED_CHARACTERS)
+        else text
+    )

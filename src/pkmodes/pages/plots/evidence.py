@@ -84,14 +84,14 @@ class PlottedEvidence:
         measured_labels = tuple(dict.fromkeys(row.pose for row in result.rows))
         order = natural_order(measured_labels)
         labels = tuple(measured_labels[i] for i in order)
-        index = {label: i for i, label in enumerate(labels)}
+        index_of_label = {label: i for i, label in enumerate(labels)}
         if data is not None and (
             data.labels != measured_labels or data.frequency.tolist() != [row.measured for row in result.rows]
         ):
             problem = f"expected the measurements of the result, found others ({shown(data.source)})"
             raise PkmodesError(problem, "data", "give those that were passed to diagnose or compare")
         # A structure without positions has all of them at 0.
-        placed = None if data is None or not data.points.any() else data
+        data_with_positions = None if data is None or not data.points.any() else data
         stages = _stages(result)
         if order != list(range(len(order))):
             stages = tuple(
@@ -100,15 +100,17 @@ class PlottedEvidence:
             )
         return cls(
             labels=labels,
-            setup=np.array([index[row.pose] for row in result.rows], dtype=np.intp),
+            setup=np.array([index_of_label[row.pose] for row in result.rows], dtype=np.intp),
             measured=np.array([row.measured for row in result.rows]),
             sigma=np.array([row.sigma for row in result.rows]),
             held_out=np.array([getattr(row, "held_out", False) for row in result.rows], dtype=bool),
             outlier=np.array([getattr(row, "outlier", False) for row in result.rows], dtype=bool),
             stages=stages,
-            points=np.empty((len(labels), 0)) if placed is None else placed.points[order],
-            components=() if placed is None else placed.components,
-            units=() if placed is None else placed.component_units,
+            points=np.empty((len(labels), 0))
+            if data_with_positions is None
+            else data_with_positions.points[order],
+            components=() if data_with_positions is None else data_with_positions.components,
+            units=() if data_with_positions is None else data_with_positions.component_units,
             place=place,
             spread=spread,
         )

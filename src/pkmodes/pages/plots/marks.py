@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.pages.plots.evidence import PlottedEvidence
-from pkmodes.pages.plots.labels import short
+from pkmodes.pages.plots.labels import short_label
 from pkmodes.pages.plots.panel import Panel
 from pkmodes.pages.plots.sheet import Sheet
 from pkmodes.pages.plots.style import BLUE, GREY, INK, PURPLE, VERMILLION
@@ -115,7 +115,7 @@ def label_setups(panel: Panel, evidence: PlottedEvidence, *, grid: bool = False)
 
     - grid: whether to draw a grid line at each named setup
     """
-    labels = [short(label) for label in evidence.labels]
+    labels = [short_label(label) for label in evidence.labels]
     if len(labels) > MAX_NAMED_SETUPS:
         return f"{evidence.place}, in the order of their labels"
     rotate_labels = len(labels) * max(map(len, labels)) > 90

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.pages.plots.labels import visible
+from pkmodes.pages.plots.labels import visible_text
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -20,11 +20,11 @@ if TYPE_CHECKING:
 
 Array = NDArray[Any]
 Side = Literal["x", "y"]
-Part = Literal["title", "x", "y"]
+LabelKind = Literal["title", "x", "y"]
 #: Characters per line of a title or label on a narrow sheet.
-LINE = 44
+MAX_LINE_LENGTH = 44
 #: Extra characters allowed per line, since lines break between words.
-WORD = 5
+EXTRA_LINE_LENGTH = 5
 
 
 @dataclass(frozen=True)
@@ -60,10 +60,15 @@ class Panel:
     """
 
     def __init__(
-        self, axes: Axes, *, narrow: bool = False, before: Panel | None = None, inner: Iterable[Part] = ()
+        self,
+        axes: Axes,
+        *,
+        narrow: bool = False,
+        before: Panel | None = None,
+        inner: Iterable[LabelKind] = (),
     ) -> None:
         self.axes, self.narrow, self.before = axes, narrow, before
-        self.inner: set[Part] = set(inner)
+        self.inner: set[LabelKind] = set(inner)
         self.title = ""
         self.labels = {"x": "", "y": "", "row": "", "scale": ""}
         self.names: dict[str, Mapping[float, str]] = {"x": {}, "y": {}}
@@ -88,7 +93,7 @@ class Panel:
         self.labels |= {"x": x, "y": y, "row": row}
         inner = self.inner
         if self.narrow:
-            title, x, inner = _filled(title), _filled(x), set()
+            title, x, inner = _wrapped(title), _wrapped(x), set()
             if self.before is not None and (self.before.labels["y"], self.before.labels["row"]) == (y, row):
                 inner = {"y"}
                 self.axes.tick_params(labelleft=False)
@@ -102,25 +107,28 @@ class Panel:
     def name_places(
         self,
         side: Side,
-        at: Sequence[float],
-        shown: Sequence[str],
-        names: Sequence[str] = (),
+        positions: Sequence[float],
+        tick_labels: Sequence[str],
+        table_names: Sequence[str] = (),
         **settings: Any,
     ) -> None:
         """Write names instead of numbers on an axis.
 
-        - shown, names: as on the axis, maybe in several lines, and in a table; by default the same in one line
+        - tick_labels: the names on the axis, possibly in several lines
+        - table_names: the names in the table under the figure; by default the tick labels, each on one line
         - settings: for the text on the axis
         """
         set_ticks = self.axes.set_xticks if side == "x" else self.axes.set_yticks
-        set_ticks(at, shown, **settings)
-        named = names or [", ".join(name.split("\n")) for name in shown]
-        self.names[side] = {float(place): name for place, name in zip(at, named, strict=True)}
+        set_ticks(positions, tick_labels, **settings)
+        names = table_names or [", ".join(name.split("\n")) for name in tick_labels]
+        self.names[side] = {float(position): name for position, name in zip(positions, names, strict=True)}
 
-    def plot(self, x: ArrayLike, y: ArrayLike, form: str = "-", *, name: str = "", **style: Any) -> None:
+    def plot(
+        self, x: ArrayLike, y: ArrayLike, line_format: str = "-", *, name: str = "", **style: Any
+    ) -> None:
         """Draw a curve, or marks that all look the same, in a form of `matplotlib.axes.Axes.plot`."""
-        self.axes.plot(np.asarray(x), np.asarray(y), form, **style)
-        self._keep("curve" if set(form) & set("-:") else "marks", name or style.get("label"), x, y)
+        self.axes.plot(np.asarray(x), np.asarray(y), line_format, **style)
+        self._keep("curve" if set(line_format) & set("-:") else "marks", name or style.get("label"), x, y)
 
     def scatter(
         self, x: ArrayLike, y: ArrayLike, *, values: ArrayLike | None = None, name: str = "", **style: Any
@@ -184,7 +192,7 @@ class Panel:
 
         - meanings: of the values 0, 1, 2... if they are kinds
         """
-        mesh = self.axes.pcolormesh(_edges(x), _edges(y), np.ma.masked_invalid(values), **style)
+        mesh = self.axes.pcolormesh(_cell_edges(x), _cell_edges(y), np.ma.masked_invalid(values), **style)
         self._keep_cells(x, y, values, tuple(meanings))
         return mesh
 
@@ -196,8 +204,8 @@ class Panel:
         return image
 
     def _keep_cells(self, x: Array, y: Array, values: Array, meanings: tuple[str, ...] = ()) -> None:
-        across, along = np.meshgrid(x, y)
-        self._keep("cells", "", across.ravel(), along.ravel(), values=values.ravel(), meanings=meanings)
+        cell_x, cell_y = np.meshgrid(x, y)
+        self._keep("cells", "", cell_x.ravel(), cell_y.ravel(), values=values.ravel(), meanings=meanings)
 
     def _keep(
         self,
@@ -211,23 +219,27 @@ class Panel:
         meanings: tuple[str, ...] = (),
     ) -> None:
         self._counts[kind] += 1
-        title = visible(name) if name else f"{kind} {self._counts[kind]}"
-        across, along = np.broadcast_arrays(np.atleast_1d(x).astype(float), np.atleast_1d(y).astype(float))
-        numbers = None if values is None else np.asarray(values, dtype=float)
-        self.series.append(Series(title, across, along, part, numbers, meanings))
+        title = visible_text(name) if name else f"{kind} {self._counts[kind]}"
+        x_values, y_values = np.broadcast_arrays(
+            np.atleast_1d(x).astype(float), np.atleast_1d(y).astype(float)
+        )
+        colour_values = None if values is None else np.asarray(values, dtype=float)
+        self.series.append(Series(title, x_values, y_values, part, colour_values, meanings))
 
 
-def _edges(places: Array) -> Array:
+def _cell_edges(centres: Array) -> Array:
     """Return the edges of cells, halfway between their places; of one cell 1 apart."""
-    half = 0.5 * np.diff(places) if len(places) > 1 else np.array([0.5])
+    half = 0.5 * np.diff(centres) if len(centres) > 1 else np.array([0.5])
     return np.concatenate(
-        [places[:1] - half[:1], places[:-1] + half[: len(places) - 1], places[-1:] + half[-1:]]
+        [centres[:1] - half[:1], centres[:-1] + half[: len(centres) - 1], centres[-1:] + half[-1:]]
     )
 
 
-def _filled(text: str) -> str:
+def _wrapped(text: str) -> str:
     """Return text in lines that are short enough for a narrow sheet, about equally long."""
     return "\n".join(
-        line if len(line) <= LINE else fill(line, len(line) // (len(line) // LINE + 1) + WORD)
+        line
+        if len(line) <= MAX_LINE_LENGTH
+        else fill(line, len(line) // (len(line) // MAX_LINE_LENGTH + 1) + EXTRA_LINE_LENGTH)
         for line in text.split("\n")
     )

@@ -22,14 +22,14 @@ if TYPE_CHECKING:
 Array = NDArray[Any]
 #: Fraction of the values at each end that the colour scale ignores: belts that become very short at the edge of the
 #: workspace would hide everything else.
-OUTLIERS = 0.02
+OUTLIER_FRACTION = 0.02
 #: Ratio of the extents above which the longer one is vertical.
-LONGER = 1.1
+UPRIGHT_RATIO = 1.1
 #: A quantity counts as the same everywhere if its range is below this fraction of its colour scale or size: the eye
 #: cannot distinguish two such colours.
-SAME = 0.005
+UNIFORM_FRACTION = 0.005
 #: Ratio of height to width above which maps stand side by side in one row.
-TALL = 1.6
+TALL_RATIO = 1.6
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,7 +68,7 @@ class Plane:
         normal = next(
             (dim for dim in constant_values if is_linear and dataset[dim].attrs["units"] == "m"), None
         )
-        across, along = sides_of(
+        across, along = abscissa_and_ordinate(
             {dim: dataset[dim].values for dim in plane_dims[::-1]},
             {dim: dataset[dim].attrs["units"] for dim in plane_dims},
         )
@@ -86,7 +86,7 @@ class Plane:
     @property
     def is_tall(self) -> bool:
         """Whether it is much higher than wide."""
-        return self.height > TALL
+        return self.height > TALL_RATIO
 
     @property
     def is_linear(self) -> bool:
@@ -142,8 +142,8 @@ class Plane:
         mesh = panel.cells(x, y, values, rasterized=True, **settings)
         if self.proportions:
             axes.set_aspect("equal")
-        axes.set_xlim(*_ends(x))
-        axes.set_ylim(*_ends(y))
+        axes.set_xlim(*_outer_edges(x))
+        axes.set_ylim(*_outer_edges(y))
         axes.grid(visible=False)
         axes.tick_params(length=2)
         axes.locator_params(axis="x", nbins=3)
@@ -158,7 +158,7 @@ class Plane:
             panel.axes.tick_params(labelleft="y" not in panel.inner, labelbottom="x" not in panel.inner)
 
 
-def sides_of(axes: Mapping[str, Array], units: Mapping[str, str]) -> tuple[str, str]:
+def abscissa_and_ordinate(axes: Mapping[str, Array], units: Mapping[str, str]) -> tuple[str, str]:
     """Return which of the two axes of a plane is drawn across, and which upright.
 
     - axes: the values of both, in the order of the components of the pose
@@ -166,16 +166,16 @@ def sides_of(axes: Mapping[str, Array], units: Mapping[str, str]) -> tuple[str, 
     """
     across, along = axes
     extent = {name: float(np.ptp(values)) for name, values in axes.items()}
-    longer = units[across] == units[along] and extent[across] > LONGER * extent[along]
+    longer = units[across] == units[along] and extent[across] > UPRIGHT_RATIO * extent[along]
     return (along, across) if longer else (across, along)
 
 
-def plane_axes(sizes: Mapping[str, int], components: Sequence[str], place: str) -> list[str]:
+def plane_axes(sizes: Mapping[str, int], components: Sequence[str], source: str) -> list[str]:
     """Return the two axes of a plane: they are components of the pose, and any other axis has one value.
 
     - sizes: number of values along each axis of poses and parameters
     - components: components of a pose
-    - place: what an error names as its place
+    - source: what an error names as its place
 
     Raises PkmodesError if the axes do not make a plane.
     """
@@ -184,11 +184,11 @@ def plane_axes(sizes: Mapping[str, int], components: Sequence[str], place: str) 
         lengths = ", ".join(f"{name}: {size}" for name, size in sizes.items())
         problem = f"expected a map over two components of the pose, found {lengths}"
         remedy = f"give several values for two of {', '.join(components)}, and one for everything else"
-        raise PkmodesError(problem, place, remedy)
+        raise PkmodesError(problem, source, remedy)
     return plane_dims
 
 
-def where(plane: Plane) -> str:
+def plane_location(plane: Plane) -> str:
     """Return where a plane lies, such as ``z = -245 mm``; for a mechanism that moves in a plane its components.
 
     Rotations that are 0 are left out.
@@ -202,31 +202,33 @@ def where(plane: Plane) -> str:
     return ", ".join(coordinates) or f"{plane.across} and {plane.along}"
 
 
-def limits_of(values: Array, outliers: float = OUTLIERS) -> tuple[float, float]:
+def colour_limits(values: Array, outlier_fraction: float = OUTLIER_FRACTION) -> tuple[float, float]:
     """Return the ends of a colour scale that leaves out this share of the values at each end."""
     finite = values[np.isfinite(values)]
     if not len(finite):
         return 0.0, 1.0
-    low, high = np.quantile(finite, [outliers, 1.0 - outliers])
+    low, high = np.quantile(finite, [outlier_fraction, 1.0 - outlier_fraction])
     return (float(low), float(high)) if high > low else (float(low) - 0.5, float(high) + 0.5)
 
 
-def same_everywhere(values: Array, axes: tuple[int, int] = (0, 1), scale: float | None = None) -> bool:
-    """Whether a picture of values would have one colour: they differ by less than `SAME` of a scale.
+def is_uniform(values: Array, axes: tuple[int, int] = (0, 1), scale: float | None = None) -> bool:
+    """Whether a picture of values would have one colour: they differ by less than `UNIFORM_FRACTION` of a scale.
 
     - values: NaN where there is none
     - axes: those of the plane
     - scale: by default the largest size of the values
     """
-    flat = np.moveaxis(values, axes, (0, 1)).reshape(values.shape[axes[0]] * values.shape[axes[1]], -1)
-    flat = flat[np.isfinite(flat).all(axis=1)]
-    if not len(flat):
+    values_by_pose = np.moveaxis(values, axes, (0, 1)).reshape(
+        values.shape[axes[0]] * values.shape[axes[1]], -1
+    )
+    values_by_pose = values_by_pose[np.isfinite(values_by_pose).all(axis=1)]
+    if not len(values_by_pose):
         return False
-    scale = float(np.abs(flat).max()) if scale is None else scale
-    return bool(np.ptp(flat, axis=0).max() <= SAME * scale)
+    scale = float(np.abs(values_by_pose).max()) if scale is None else scale
+    return bool(np.ptp(values_by_pose, axis=0).max() <= UNIFORM_FRACTION * scale)
 
 
-def _ends(values: Array) -> tuple[float, float]:
+def _outer_edges(values: Array) -> tuple[float, float]:
     """Return the outer edges of the cells around values."""
-    half = (values[-1] - values[0]) / max(len(values) - 1, 1) / 2
-    return float(values[0] - half), float(values[-1] + half)
+    half_cell = (values[-1] - values[0]) / max(len(values) - 1, 1) / 2
+    return float(values[0] - half_cell), float(values[-1] + half_cell)

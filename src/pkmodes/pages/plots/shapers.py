@@ -12,19 +12,30 @@ from numpy.typing import NDArray
 from pkmodes.pages.plots.drawing import Drawing
 from pkmodes.pages.plots.panel import Panel
 from pkmodes.pages.plots.sheet import Sheet
-from pkmodes.pages.plots.style import BLUE, GREEN, GREY, INK, ORANGE, PALETTE, PURPLE, SKY, VERMILLION, WIDTH
+from pkmodes.pages.plots.style import (
+    BLUE,
+    FIGURE_WIDTH,
+    GREEN,
+    GREY,
+    INK,
+    ORANGE,
+    PALETTE,
+    PURPLE,
+    SKY,
+    VERMILLION,
+)
 
 Array = NDArray[Any]
 #: Colours of the shapers that are not recommended.
-OTHERS = (GREEN, ORANGE, PURPLE, SKY)
+OTHER_COLOURS = (GREEN, ORANGE, PURPLE, SKY)
 #: Upper end of an axis that shows up to 100 %.
-TOP = 104.0
+PERCENT_AXIS_TOP = 104.0
 #: Fraction of a grid's points above which poses are drawn as that grid.
-FILLED = 0.25
+MIN_GRID_FRACTION = 0.25
 #: Smallest and largest ratio of height to width of a map; space for titles and labels [inch].
-SHAPES, AROUND = (0.3, 1.3), 0.75
+HEIGHT_TO_WIDTH_LIMITS, LABEL_HEIGHT = (0.3, 1.3), 0.75
 #: A single map is as wide as if this many stood side by side.
-ALONE = 1.6
+MIN_MAP_COLUMNS = 1.6
 
 
 def over_plane(
@@ -38,20 +49,22 @@ def over_plane(
     """
     x, y = (points[:, i] * units[i][1] for i in (0, 1))
     same_units = units[0][0] == units[1][0]
-    across, along = (f"{names[i]} [{units[i][0]}]" for i in (0, 1))
+    x_label, y_label = (f"{names[i]} [{units[i][0]}]" for i in (0, 1))
     ratio = float(np.ptp(y) / np.ptp(x))
-    shape = float(np.clip(ratio, *SHAPES)) if same_units else 0.8
-    equal_scales = same_units and SHAPES[0] <= ratio <= SHAPES[1]
+    height_to_width = float(np.clip(ratio, *HEIGHT_TO_WIDTH_LIMITS)) if same_units else 0.8
+    equal_scales = same_units and HEIGHT_TO_WIDTH_LIMITS[0] <= ratio <= HEIGHT_TO_WIDTH_LIMITS[1]
     highest = max(1e-9, *(float(values.max()) for values in remaining.values()))
 
     def draw(sheet: Sheet) -> None:
-        count, panel_shape = len(remaining), shape if equal_scales else 0.0
-        height = shape * (WIDTH - 1.2) / max(count, ALONE) + AROUND
-        sheet.groups(count, count, height, share_y=True, shape=panel_shape, scales="common")
+        count, panel_height_to_width = len(remaining), height_to_width if equal_scales else 0.0
+        height = height_to_width * (FIGURE_WIDTH - 1.2) / max(count, MIN_MAP_COLUMNS) + LABEL_HEIGHT
+        sheet.groups(
+            count, count, height, share_y=True, height_to_width=panel_height_to_width, scales="common"
+        )
         mesh: Any = None
         for panel, (title, values) in zip(sheet.panels, remaining.items(), strict=True):
-            mesh = _map(panel, x, y, values, highest, count)
-            panel.label(title, x=across, y=along)
+            mesh = _draw_map(panel, x, y, values, highest, count)
+            panel.label(title, x=x_label, y=y_label)
             panel.axes.grid(False)
             if equal_scales:
                 panel.axes.set_aspect("equal")
@@ -60,32 +73,37 @@ def over_plane(
     return Drawing(draw)
 
 
-def _map(panel: Panel, x: Array, y: Array, values: Array, highest: float, panels: int) -> Any:
+def _draw_map(panel: Panel, x: Array, y: Array, values: Array, highest: float, panel_count: int) -> Any:
     """Draw values over a plane: as cells of a grid where the points form one, else as squares."""
-    columns, i = np.unique(x.round(9), return_inverse=True)
-    rows, k = np.unique(y.round(9), return_inverse=True)
-    if len(x) >= FILLED * len(rows) * len(columns):
+    columns, column_index = np.unique(x.round(9), return_inverse=True)
+    rows, row_index = np.unique(y.round(9), return_inverse=True)
+    if len(x) >= MIN_GRID_FRACTION * len(rows) * len(columns):
         cells = np.full((len(rows), len(columns)), np.nan)
-        cells[np.ravel(k), np.ravel(i)] = values
+        cells[np.ravel(row_index), np.ravel(column_index)] = values
         return panel.cells(columns, rows, cells, vmin=0, vmax=highest, rasterized=True)
-    size = max(2.0, min(60.0, 9000.0 / len(x) / panels))
+    size = max(2.0, min(60.0, 9000.0 / len(x) / panel_count))
     style: dict[str, Any] = {"marker": "s", "linewidths": 0.0, "vmin": 0.0, "vmax": highest}
     return panel.scatter(x, y, values=values, s=size, rasterized=True, **style)
 
 
-def along_line(at: Array, name: str, unit: tuple[str, float], remaining: Mapping[str, Array]) -> Drawing:
+def along_line(
+    positions: Array, name: str, unit: tuple[str, float], remaining: Mapping[str, Array]
+) -> Drawing:
     """Draw what shapers leave at poses along a line.
 
-    - at: the component of the pose that changes, (N,) [SI]
+    - positions: the component of the pose that changes, (N,) [SI]
     - remaining: by shaper, each (N,) [%]
     """
-    order = np.argsort(at)
+    order = np.argsort(positions)
 
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(2.6)
         panel.label(x=f"{name} [{unit[0]}]", y="left [%]")
-        _curves(
-            sheet, panel, at[order] * unit[1], {title: values[order] for title, values in remaining.items()}
+        _draw_curves(
+            sheet,
+            panel,
+            positions[order] * unit[1],
+            {title: values[order] for title, values in remaining.items()},
         )
 
     return Drawing(draw)
@@ -104,12 +122,12 @@ def against_error(errors: Array, remaining: Mapping[str, Array], spread: float |
         if spread is not None:
             panel.axes.axvspan(-100.0 * spread, 100.0 * spread, color=GREY, alpha=0.2, linewidth=0.0)
         panel.label(x="frequencies, above those of the model [%]", y="left, rms [%]")
-        _curves(sheet, panel, 100.0 * errors, remaining)
+        _draw_curves(sheet, panel, 100.0 * errors, remaining)
 
     return Drawing(draw)
 
 
-def _curves(sheet: Sheet, panel: Panel, x: Array, remaining: Mapping[str, Array]) -> None:
+def _draw_curves(sheet: Sheet, panel: Panel, x: Array, remaining: Mapping[str, Array]) -> None:
     styles = ("-", "--", ":", "-.")
     for i, (name, values) in enumerate(remaining.items()):
         panel.plot(x, values, styles[i % len(styles)], color=PALETTE[i % len(PALETTE)], label=name)
@@ -163,10 +181,10 @@ def over_frequency(
             mode_panel = sheet.adopt(panel.axes.twinx(), inner={"x"})
             mode_panel.axes.grid(visible=False)
             mode_panel.axes.spines["right"].set_visible(True)
-            _spectrum(panel, spectrum)
+            _draw_spectrum(panel, spectrum)
             panel.label(x=frequency_label, y="amplitude of the spectrum [% of the highest]")
         mode_panel.label(x=frequency_label, y="left of a mode at this frequency [%]")
-        colours = iter(OTHERS)
+        colours = iter(OTHER_COLOURS)
         for curve in sorted(curves, key=lambda candidate: not candidate.marked):
             style: dict[str, Any] = {"color": VERMILLION, "linewidth": 2.0, "zorder": 3}
             if not curve.marked:
@@ -180,9 +198,11 @@ def over_frequency(
             mode_panel.lines(segment_x, segment_y, color=INK, linewidth=1.0, label=modes.within, zorder=4)
             dot_style: dict[str, Any] = {"marker": "o", "s": 14, "color": INK, "zorder": 5}
             mode_panel.scatter(modes.frequencies, modes.remaining, label="measured modes", **dot_style)
-        mode_panel.axes.set_ylim(0.0, TOP)
+        mode_panel.axes.set_ylim(0.0, PERCENT_AXIS_TOP)
         panel.axes.set_xlim(0.0, frequencies[-1])
-        legends = [part.axes.get_legend_handles_labels() for part in dict.fromkeys([panel, mode_panel])]
+        legends = [
+            axes_panel.axes.get_legend_handles_labels() for axes_panel in dict.fromkeys([panel, mode_panel])
+        ]
         handles, names = (
             [handle for legend in legends for handle in legend[0]],
             [name for legend in legends for name in legend[1]],
@@ -198,7 +218,7 @@ def over_frequency(
     return Drawing(draw)
 
 
-def _spectrum(panel: Panel, spectrum: Spectrum) -> None:
+def _draw_spectrum(panel: Panel, spectrum: Spectrum) -> None:
     """Draw the density, and what is left of it."""
     panel.axes.fill_between(spectrum.frequencies, 0.0, spectrum.before, color=GREY, alpha=0.25, linewidth=0.0)
     panel.plot(spectrum.frequencies, spectrum.before, color=GREY, linewidth=1.2, label="measured spectrum")
@@ -206,4 +226,4 @@ def _spectrum(panel: Panel, spectrum: Spectrum) -> None:
     panel.plot(
         spectrum.frequencies, spectrum.after, color=BLUE, linewidth=1.4, label="after the recommended shaper"
     )
-    panel.axes.set_ylim(0.0, TOP)
+    panel.axes.set_ylim(0.0, PERCENT_AXIS_TOP)

@@ -9,7 +9,7 @@ import numpy as np
 
 from pkmodes.loop.sensitivity.changes import PERCENT, SIGMA, Changes
 from pkmodes.pages.plots.drawing import Drawing
-from pkmodes.pages.plots.labels import typeset, visible
+from pkmodes.pages.plots.labels import typeset, visible_text
 from pkmodes.pages.plots.panel import Panel
 from pkmodes.pages.plots.sheet import Sheet
 from pkmodes.pages.plots.style import BLUE, GREY, INK, PAPER
@@ -70,7 +70,7 @@ def tornado(changes: Changes, modes: Sequence[int] | None = None) -> Drawing:
 
 def wrapped_name(name: str) -> str:
     """Return a name, wrapped to fit the space beside a panel."""
-    text = visible(name)
+    text = visible_text(name)
     if len(text) <= MAX_NAME_LENGTH or "." not in text:
         return text
     head, _, last = text.rpartition(".")
@@ -84,7 +84,7 @@ def _shown_quantities(changes: Changes, mode: int) -> list[int]:
 
 def _draw_panel(panel: Panel, changes: Changes, mode: int, bars: int) -> None:
     axes, largest = panel.axes, _shown_quantities(changes, mode)
-    names = [", ".join(map(visible, changes.names[i])) for i in largest]
+    names = [", ".join(map(visible_text, changes.names[i])) for i in largest]
     wrapped_labels = [",\n".join(map(wrapped_name, changes.names[i])) for i in largest]
     style: dict[str, Any] = {"height": 0.66, "linewidth": 0.8}
     step = STEP_LABELS[changes.by]

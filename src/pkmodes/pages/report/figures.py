@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from pkmodes.core.base.numbers import plain
-from pkmodes.pages.plots import differences, spectrum
+from pkmodes.pages.plots import differences
 from pkmodes.pages.plots.evidence import PlottedEvidence
 from pkmodes.pages.plots.labels import typeset
 from pkmodes.pages.plots.mac_matrices import mac_matrices, worst_setup
+from pkmodes.pages.plots.setup_frequencies import setup_frequencies
 from pkmodes.pages.report.blocks import Block, Paragraph, Picture, Section
 from pkmodes.pages.report.formatting import plural, shortened
 
@@ -33,7 +34,7 @@ def mode_figures(evidence: PlottedEvidence) -> list[Block]:
     where = plural(len(evidence.labels), evidence.place)
     single = len(evidence.stages) == 1
     overview = Picture.of(
-        spectrum.spectrum(evidence),
+        setup_frequencies(evidence),
         f"Frequencies at each {evidence.place}",
         f"{count} at {where}, with the modes of the model as lines. {_unmatched(evidence)}",
         f"Frequencies at each {evidence.place}: marks are measured, lines are the modes of the model. A line "
