@@ -151,12 +151,12 @@ def test_the_working_plane_and_the_volume_around_it_stay_inside() -> None:
     assert inside(DELTA, limits, np.stack(np.meshgrid(*plane.axes.values()), axis=-1))
     volume = reachable_volume(model, Plane.of(model.map(plane), ["x", "y", "z"]))
     assert volume is not None
-    x, z = volume.along if volume.along.min() > 0.3 else volume.across, volume.heights
+    x, z = volume.ordinates if volume.ordinates.min() > 0.3 else volume.abscissas, volume.heights
     assert (z.min(), z.max()) == (-0.3, -0.2)
     assert volume.valid.any()
     outside = (x < 0.5) | (x > 0.7)
     assert outside.any()
-    axis = 1 if x is volume.along else 2
+    axis = 1 if x is volume.ordinates else 2
     assert not np.moveaxis(volume.valid, axis, 0)[outside].any()
 
 

@@ -35,11 +35,11 @@ def plane(model: pkmodes.Model) -> Plane:
 
 
 def test_the_longer_side_of_a_plane_is_vertical(plane: Plane) -> None:
-    assert (plane.across, plane.along, plane.normal, plane.at) == ("y", "x", "z", -0.245)
+    assert (plane.abscissa, plane.ordinate, plane.normal, plane.normal_position) == ("y", "x", "z", -0.245)
     assert plane.dataset["frequency"].dims == ("x", "y", "mode")
-    assert plane.height == pytest.approx(0.9 / 0.24)
-    np.testing.assert_allclose(plane.drawn("x"), np.linspace(300.0, 1200.0, 13))
-    assert plane.label("x") == "x [mm]"
+    assert plane.height_to_width == pytest.approx(0.9 / 0.24)
+    np.testing.assert_allclose(plane.display_values("x"), np.linspace(300.0, 1200.0, 13))
+    assert plane.axis_label("x") == "x [mm]"
 
 
 @pytest.mark.parametrize(
@@ -140,7 +140,7 @@ def test_sensitivities_need_about_two_thousand_poses_with_the_same_spacing_both_
     few = coarse_plane(Plane(dataset, "y", "x", "z", -0.2))
     np.testing.assert_array_equal(few.dataset["x"], x[::2])
     np.testing.assert_array_equal(few.dataset["y"], y[::2])
-    assert (few.across, few.along, few.normal, few.at) == ("y", "x", "z", -0.2)
+    assert (few.abscissa, few.ordinate, few.normal, few.normal_position) == ("y", "x", "z", -0.2)
 
 
 def test_extremes_are_those_of_the_whole_plane(plane: Plane) -> None:
@@ -176,9 +176,9 @@ def test_the_volume_encloses_the_plane(model: pkmodes.Model, plane: Plane) -> No
     assert volume is not None
     for edge in (volume.valid[:, 0], volume.valid[:, -1], volume.valid[:, :, 0], volume.valid[:, :, -1]):
         assert not edge.any()
-    assert volume.heights[0] < plane.at < volume.heights[-1]
-    middle = int(np.abs(volume.heights - plane.at).argmin())
-    reached = volume.along[volume.valid[middle].any(axis=1)]
+    assert volume.heights[0] < plane.normal_position < volume.heights[-1]
+    middle = int(np.abs(volume.heights - plane.normal_position).argmin())
+    reached = volume.ordinates[volume.valid[middle].any(axis=1)]
     valid = plane.dataset["x"].values[plane.dataset["valid"].values.any(axis=1)]
     assert reached[0] <= valid[0] + 0.02
     assert reached[-1] >= valid[-1] - 0.02

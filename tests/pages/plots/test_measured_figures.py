@@ -42,16 +42,16 @@ AFTER = replace(
 )
 EVIDENCE = PlottedEvidence(
     labels=("A", "B"),
-    setup=np.array([0, 0, 0, 1, 1]),
+    setup_indices=np.array([0, 0, 0, 1, 1]),
     measured=np.array([100.0, 200.0, 300.0, 100.0, 200.0]),
     sigma=np.ones(5),
     held_out=np.array([False, False, False, True, True]),
     outlier=np.array([False, True, False, False, False]),
     stages=(ModelStage("before", "as declared", BEFORE), ModelStage("after", "with the cause", AFTER)),
-    points=np.array([[0.1, 0.0, -0.2], [0.3, 0.0, -0.2]]),
+    poses=np.array([[0.1, 0.0, -0.2], [0.3, 0.0, -0.2]]),
     components=("x", "y", "z"),
     units=("m", "m", "m"),
-    place="pose",
+    setup_noun="pose",
 )
 
 
@@ -160,7 +160,7 @@ def test_differences_by_setup_and_against_the_pose_are_in_standard_deviations() 
             assert low < np.nanmin(sigmas)
             assert high > np.nanmax(sigmas)
     assert against.axes[-1].get_xlabel() == "x [m]", "y and z do not vary"
-    assert differences.against_pose(replace(EVIDENCE, points=EVIDENCE.points[[0, 0]])) is None
+    assert differences.against_pose(replace(EVIDENCE, points=EVIDENCE.poses[[0, 0]])) is None
 
 
 def test_mac_matrices_have_the_measured_modes_in_rows_and_the_setup_with_the_lowest_mac_below() -> None:
@@ -210,9 +210,9 @@ def test_stages_are_named_as_they_are() -> None:
     assert found.stages[1].predicted is result.stages.after
     refitted = replace(result, stages=replace(result.stages, after=None))
     assert [stage.title for stage in PlottedEvidence.of(refitted).stages] == ["as declared", "refitted"]
-    assert PlottedEvidence.of(refitted).last.predicted is result.stages.refit
+    assert PlottedEvidence.of(refitted).last_stage.predicted is result.stages.refit
     twice = replace(result, effects=result.effects * 2)
-    assert PlottedEvidence.of(twice).last.title == "with the causes"
+    assert PlottedEvidence.of(twice).last_stage.title == "with the causes"
 
 
 def test_candidates_stand_in_the_order_of_their_scores_with_the_colour_of_their_standing() -> None:

@@ -18,7 +18,7 @@ def settled(drawing: Drawing) -> Sheet:
     """Return a narrow sheet after its layout; it fits."""
     with figure_style():
         sheet = drawing.sheet(narrow=True)
-        assert sheet.settle() is not None
+        assert sheet.lay_out_narrow() is not None
     return sheet
 
 
@@ -85,7 +85,7 @@ def test_names_that_would_lie_on_each_other_are_turned() -> None:
     def draw(sheet: Sheet, names: list[str]) -> None:
         panel = sheet.panel(3.0)
         panel.plot(range(len(names)), range(len(names)), "o")
-        panel.name_places("x", range(len(names)), names)
+        panel.set_tick_names("x", range(len(names)), names)
         panel.label(x="pose", y="f [Hz]")
 
     for names, turned in ((["P1", "P2", "P3"], 0.0), ([f"a long name {k}" for k in range(8)], 90.0)):
@@ -117,5 +117,5 @@ def test_a_figure_whose_texts_lie_on_each_other_does_not_fit() -> None:
         panel.axes.text(0.2, 0.5, "and another")
 
     with figure_style():
-        assert Drawing(draw).sheet(narrow=True).settle() is None
-        assert Drawing(lambda sheet: None).sheet(narrow=True).settle() is None
+        assert Drawing(draw).sheet(narrow=True).lay_out_narrow() is None
+        assert Drawing(lambda sheet: None).sheet(narrow=True).lay_out_narrow() is None

@@ -21,7 +21,7 @@ from pkmodes.pages.plots.panels import rows_and_columns
 from pkmodes.pages.plots.plane import Plane, plane_location
 from pkmodes.pages.plots.sheet import NARROW_WIDTH
 from pkmodes.pages.plots.style import figure_style
-from pkmodes.pages.plots.workspace import Volume, workspace
+from pkmodes.pages.plots.workspace import ReachableVolume, workspace
 
 X, Y = np.linspace(0.0, 0.4, 5), np.array([-0.1, 0.0, 0.1])
 #: At (x_i, y_j), mode m: 100 m + 10 i + j; the first pose cannot be evaluated.
@@ -235,7 +235,7 @@ def test_condition_number_and_outlines_of_the_volume(plane: Plane) -> None:
         np.linspace(-0.1, 0.2, 31),
     )
     inside = (along[:, None] > 0.1) & (along[:, None] < 0.3) & (across > -0.05) & (across < 0.1)
-    volume = Volume(heights, along, across, np.stack([inside, np.zeros_like(inside), inside]))
+    volume = ReachableVolume(heights, along, across, np.stack([inside, np.zeros_like(inside), inside]))
     figure = figure_of(workspace(plane, volume))
     assert plane_location(plane) == "z = \u2212200 mm"
     (flat,) = maps_of(figure)
@@ -256,7 +256,7 @@ def test_shards_of_a_volume_are_left_out(plane: Plane) -> None:
     along, across = np.linspace(0.0, 0.4, 81), np.linspace(-0.1, 0.2, 61)
     inside = (along[:, None] > 0.1) & (along[:, None] < 0.3) & (across > -0.05) & (across < 0.1)
     shard = (along[:, None] > 0.35) & (along[:, None] < 0.37) & (across > 0.15) & (across < 0.18)
-    volume = Volume(np.array([-0.3, -0.1]), along, across, np.stack([inside | shard, shard]))
+    volume = ReachableVolume(np.array([-0.3, -0.1]), along, across, np.stack([inside | shard, shard]))
     figure = figure_of(workspace(plane, volume))
     (solid,) = (axes for axes in figure.axes if axes.name == "3d")
     assert len(solid.lines) == 1
@@ -369,7 +369,7 @@ def test_what_is_the_same_everywhere_is_a_sentence(plane: Plane) -> None:
         "neighbouring pose is 0.999."
     )
     assert not isinstance(
-        workspace(level, Volume(np.array([-0.3, -0.1]), X, Y, np.zeros((2, 5, 3), bool))), str
+        workspace(level, ReachableVolume(np.array([-0.3, -0.1]), X, Y, np.zeros((2, 5, 3), bool))), str
     )
 
 
@@ -414,7 +414,7 @@ def test_on_a_narrow_screen_titles_ranges_labels_and_scales_lie_below_each_other
     assert isinstance(drawing, Drawing)
     with figure_style():
         sheet = drawing.sheet(narrow=True)
-        assert sheet.settle() is not None
+        assert sheet.lay_out_narrow() is not None
         figure = sheet.figure
         assert figure.get_tightbbox().width <= figure.get_figwidth() == NARROW_WIDTH
         for axes in panels(figure).values():

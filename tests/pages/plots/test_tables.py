@@ -58,7 +58,7 @@ def test_cells_are_at_the_places_and_have_the_values_that_were_given() -> None:
 
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(3.0)
-        sheet.scale(panel.cells(x, y, values), "f [Hz]")
+        sheet.colour_scale(panel.cells(x, y, values), "f [Hz]")
 
     rows = table(draw)
     found = {(float(r["x"]), float(r["y"])): float(r["f [Hz]"]) for r in rows}
@@ -81,7 +81,7 @@ def test_marks_have_their_values() -> None:
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(3.0)
         marks = panel.scatter([1.0, 2.0], [3.0, 4.0], values=[0.25, 0.75], label="poses")
-        sheet.scale(marks, "left [%]")
+        sheet.colour_scale(marks, "left [%]")
 
     assert of(table(draw), "left [%]", series="poses") == [0.25, 0.75]
 
@@ -166,8 +166,8 @@ def test_an_axis_of_names_has_them_beside_its_numbers() -> None:
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(3.0)
         panel.plot([-0.2, 0.2, 1.0], [1.0, 2.0, 3.0], "o")
-        panel.name_places("x", [0, 1], ["P1", "P\n2"], ["P1", "P2"])
-        panel.name_places("y", [1, 2, 3], ["1", "2", "3"])
+        panel.set_tick_names("x", [0, 1], ["P1", "P\n2"], ["P1", "P2"])
+        panel.set_tick_names("y", [1, 2, 3], ["1", "2", "3"])
         panel.label(x="pose")
 
     rows = table(draw)
@@ -179,7 +179,7 @@ def test_a_line_across_has_one_place() -> None:
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(3.0)
         panel.plot([1.0, 2.0], [1.0, 2.0], name="model")
-        panel.line_at(1.5, "mode")
+        panel.vertical_line(1.5, "mode")
 
     rows = table(draw)
     assert [row for row in rows if row["series"] == "mode"] == [{"series": "mode", "x": "1.5"}]

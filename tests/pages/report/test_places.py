@@ -111,7 +111,7 @@ def test_every_leg_of_a_hexapod_is_marked_and_what_is_not_is_counted(count: int,
         for joint in joints[:count]
     )
     found = replace(result, effects=effects)
-    evidence = replace(PlottedEvidence.of(result, data), points=np.tile(typical_pose(model), (4, 1)))
+    evidence = replace(PlottedEvidence.of(result, data), poses=np.tile(typical_pose(model), (4, 1)))
     (drawn,) = picture(found, evidence, ReportSetting("hexapod", robot, data, (), None))
     assert isinstance(drawn, Picture)
     assert f"in colour: {'; '.join(names[:6])}.{others}" in drawn.svg

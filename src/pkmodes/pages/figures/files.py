@@ -71,7 +71,7 @@ def write_pictures(
 def write_pictures_and_sentences(
     model: Model, folder: Path, grid: Any, formats: Sequence[str], *, drives: str | None, overwrite: bool
 ) -> tuple[list[Path], dict[str, str]]:
-    """Like `write_pictures`; return the files, and the sentences said instead of figures, by figure name."""
+    """Write as `write_pictures` does; return the files, and the sentences that replace figures, by figure name."""
     for file_format in formats:
         check_argument(file_format, one_of(FORMATS), "formats", "choose one of the three", OutputError)
     for kind in PICTURES:
@@ -95,7 +95,7 @@ def write_pictures_and_sentences(
         for file_format in formats:
             files[f"{picture.name}.{file_format}"] = image_bytes(picture, file_format)
     written = write_files(folder, files)
-    for kind in PICTURES:  # what an earlier run drew would pass for a picture of this robot
+    for kind in PICTURES:  # a figure left from an earlier run would be taken for one of this robot
         stale = [folder / f"{kind.name}.{file_format}" for file_format in formats if kind.name in sentences]
         for path in stale:
             if path.is_file() and contains_mark(kind.mark)(path):

@@ -1,7 +1,7 @@
 """The figures of a robot, for any mechanism.
 
-They show what figures 7 to 20 of the paper show, and what it does not: which parameter each frequency depends on, and
-where mode shapes change abruptly.
+They show what figures 7 to 20 of the paper show, and also which parameter each frequency depends on, and where mode
+shapes change abruptly.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ if TYPE_CHECKING:
 
     from pkmodes.core.model import Model
 
-#: Length of the longest robot name below a figure.
+#: Maximum length of the robot name below a figure.
 MAX_ROBOT_NAME_LENGTH = 60
 
 
@@ -59,15 +59,16 @@ class Picture:
     Attributes
     ----------
     name : str
-        Of its file, without a suffix.
+        Name of its file, without a suffix.
     title, description : str
     drawing : Drawing or None
-        What draws the figure, as wide as a page and for a narrow screen, with the table of what it shows; None for
-        words.
+        Draws the figure, as wide as a page and for a narrow screen, and has the table of its numbers; None if
+        `instead` replaces the figure.
     about : str
-        The robot and what of it is shown, which also stands below the figure in its file.
+        The robot, its motors and the plane, also written below the figure in its file.
     instead : str
-        What is said instead of a figure that would show the same everywhere; the figure then consists of these words.
+        The sentence that replaces a figure of one colour; empty for other figures. The figure then shows only this
+        sentence.
     """
 
     name: str
@@ -111,7 +112,7 @@ class RobotPlane:
 
     @cached_property
     def lengths(self) -> NDArray[Any] | None:
-        """What makes lengths of the components of the platform's motion, where it turns."""
+        """Factors that turn the components of the platform's motion into lengths; None if it does not rotate."""
         model = self.model
         return lengths_of(model.mechanism, model.robot.parameters) if model.mechanism.rotations else None
 
@@ -127,9 +128,9 @@ class PictureKind:
 
     - name, title, description: as those of the `Picture`; ``{body}`` in the title stands for what moves; the robot
       and its plane are added to the description
-    - draw: returns the figure, or a sentence where it would show the same everywhere
-    - planar: the description for a mechanism that moves in a plane, if it is another
-    - addition: returns what the description says besides of this robot
+    - draw: returns the figure, or a sentence if the figure would have one colour
+    - planar: the description for a mechanism that moves in a plane, if it differs
+    - addition: returns sentences about this robot that are added to the description
     """
 
     name: str
@@ -159,7 +160,7 @@ def frequency_uncertainty(spread: NDArray[Any] | None) -> str:
 
 
 def rotation_factor_sentence(lengths: NDArray[Any] | None) -> str:
-    """State how rotations of the platform count; empty if it does not turn."""
+    """Return the factor that turns rotations of the platform into lengths, as a sentence; empty without rotations."""
     return (
         "" if lengths is None else f" Rotations are multiplied by {typeset(f'{1e3 * lengths[-1]:.4g}')} mm."
     )

@@ -1,4 +1,4 @@
-"""The picture of frequency responses at a pose, measured ones over those of the model."""
+"""The picture of frequency responses at a pose, measured and of the model."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The tornado chart of a robot at a pose: which quantities its frequencies depend on most."""
+"""The tornado chart of a robot at a pose: the quantities on which its frequencies depend most."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def tornado_picture(
 
 
 def describe_changes(changes: Changes) -> str:
-    """Return how to read the chart."""
+    """Return how to read the chart, for its caption."""
     step = (
         "one per cent of each quantity" if changes.by == PERCENT else "one standard deviation of each value"
     )

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 #: Approximate number of poses in the plane, and in the volume in which it is chosen.
 PLANE_POSES, VOLUME_POSES = 8_000, 40_000
-#: Smallest area of the plane relative to the largest cross-section.
+#: Minimum area of the plane relative to the largest cross-section.
 MIN_AREA_FRACTION = 0.5
 
 

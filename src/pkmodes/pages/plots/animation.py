@@ -1,4 +1,4 @@
-"""A mode as a moving picture: a GIF for pages and slides that cannot hold the interactive view."""
+"""A mode as an animated GIF, for pages and slides that cannot hold the interactive view."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 FRAME_COUNT, FRAME_MILLISECONDS = 24, 50
-#: Width, smallest and largest height of the machine, and height of the title [inch]; then dots per inch and colours
-#: of the palette.
+#: Width of the image, minimum and maximum height of the machine in it, and height of the title [inch]; then the
+#: resolution, and the number of colours.
 IMAGE_WIDTH, MIN_HEIGHT, MAX_HEIGHT, TITLE_HEIGHT = 7.2, 2.0, 5.2, 0.62
 DOTS_PER_INCH, PALETTE_SIZE = 110, 64
-#: Line widths by kind of element; then the colours of those that are not springs.
+#: Line widths by kind of element; then colours of elements that are not springs.
 LINE_WIDTHS = {"rail": 2.5, "belt": 3.2, "link": 3.0, "arm": 6.0, "gantry": 6.0}
 STEEL_GREY, PALE_GREY, DARK_GREY = "#6b7683", "#b9c0c8", "#2f3944"
 #: Colour of the machine at rest, behind the moving one.
@@ -32,7 +32,7 @@ REST_COLOUR = "#e3e6ea"
 
 
 def animation(scene: Scene, mode: int | None = None, amplitude: float = AMPLITUDE) -> bytes:
-    """Return an animated GIF of a mode at the pose of a scene that is shown first.
+    """Return an animated GIF of a mode, at the pose of a scene that the view shows first.
 
     - mode: index among all modes, by default the first vibration mode
     - amplitude: largest displacement as a share of the robot's size

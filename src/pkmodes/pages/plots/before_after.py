@@ -1,4 +1,4 @@
-"""What changed between two measurements: the relative change of each mode, with its error."""
+"""What changed between two measurements: the relative change of each mode, with its standard deviation."""
 
 from __future__ import annotations
 
@@ -14,7 +14,10 @@ from pkmodes.pages.plots.style import BLUE, GREY, PAPER, VERMILLION
 
 
 def changes_of_modes(result: MeasurementsCompared) -> Drawing:
-    """Draw the relative change of each pair of modes over its first frequency, with one standard deviation."""
+    """Draw the relative change of each pair of modes over its frequency in the first measurement.
+
+    Bars are one standard deviation on either side.
+    """
     pairs = result.pairs
     f = np.array([pair.first for pair in pairs])
     change = 100.0 * np.array([pair.relative for pair in pairs])

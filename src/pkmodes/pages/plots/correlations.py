@@ -17,19 +17,19 @@ from pkmodes.pages.plots.sheet import Sheet
 from pkmodes.pages.plots.style import BLUE, VERMILLION, contrasting_ink
 
 Array = NDArray[np.float64]
-#: Most values in the matrix, and the length of the longest name, on a wide and on a narrow sheet.
+#: Maximum number of values in the matrix, and maximum length of a name, on a wide and on a narrow sheet.
 MAX_VALUES, MAX_NAME_LENGTH, MAX_NARROW_NAME_LENGTH = 16, 40, 16
 #: Correlation at which one value explains half of the variance of the other: its square is 0.5.
 NOTABLE_CORRELATION = 0.5**0.5
-#: Most pairs with ellipses, and number of points of an ellipse.
+#: Maximum number of pairs with ellipses, and number of points of an ellipse.
 MAX_PAIRS, ELLIPSE_POINTS = 4, 121
 #: Probabilities that an ellipse contains the true pair of values, each with its line style.
 PROBABILITY_LINE_STYLES = ((0.68, "-"), (0.95, "--"))
-#: A value is near 0 if it is at most this many of its standard deviations: then the ellipse of 95 % reaches 0.
+#: A value within this many standard deviations of 0 is near 0: the ellipse of 95 % may reach it.
 NEAR_ZERO_SIGMAS = 3.0
-#: The number of a part in a name, such as that of a leg, with the dot or underscore before it.
+#: The number of a part, such as a leg, in the name of a value, with the dot or underscore before it.
 PART_NUMBER = re.compile(r"[._]?\d+")
-#: Declared values are shown up to this many standard deviations of the fit away.
+#: Declared values further than this many standard deviations from the fitted ones are not drawn.
 MAX_DECLARED_SIGMAS = 6.0
 
 
@@ -49,8 +49,8 @@ def correlation_matrix(values: Sequence[Corrected], correlation: Array) -> Drawi
         names = [value.name.removeprefix("effects.") for value in values[:count]]
         max_length = MAX_NARROW_NAME_LENGTH if sheet.narrow else MAX_NAME_LENGTH
         labels = [f"{short_label(name, max_length)}  {k}" for k, name in enumerate(names, start=1)]
-        panel.name_places("y", cell_centres.tolist(), labels, names)
-        panel.name_places("x", cell_centres.tolist(), [str(k) for k in range(1, count + 1)], names)
+        panel.set_tick_names("y", cell_centres.tolist(), labels, names)
+        panel.set_tick_names("x", cell_centres.tolist(), [str(k) for k in range(1, count + 1)], names)
         panel.axes.invert_yaxis()
         panel.axes.grid(visible=False)
         panel.axes.tick_params(length=0)
@@ -60,7 +60,7 @@ def correlation_matrix(values: Sequence[Corrected], correlation: Array) -> Drawi
                 typeset(f"{value:+.2f}") if i != k else "1",
             )
             panel.axes.text(k + 1, i + 1, text, color=text_colour, ha="center", va="center", fontsize=7.5)
-        sheet.scale(mesh, "correlation [1]", aspect=25)
+        sheet.colour_scale(mesh, "correlation [1]", aspect=25)
 
     return Drawing(draw)
 
@@ -76,7 +76,7 @@ def notable_pairs(values: Sequence[Corrected], correlation: Array) -> list[tuple
 
 
 def drawn_pairs(values: Sequence[Corrected], correlation: Array) -> list[tuple[int, int]]:
-    """Return the notable pairs that tell something: not those of one quantity at two places, such as two legs."""
+    """Return the notable pairs of different quantities, except one quantity of two parts, such as two legs."""
     return [
         (i, k)
         for i, k in notable_pairs(values, correlation)
@@ -86,14 +86,14 @@ def drawn_pairs(values: Sequence[Corrected], correlation: Array) -> list[tuple[i
 
 
 def name_without_numbers(name: str) -> str:
-    """Return what a name has in common with those of the same quantity at other places: without its numbers."""
+    """Return the name of a quantity without the numbers of its parts, to be compared with that of another part."""
     return PART_NUMBER.sub("", name)
 
 
 def deviation_unit(value: Corrected) -> tuple[str, float]:
-    """Return the unit in which deviations from a value are drawn, and its factor: per cent, unless it is near 0.
+    """Return the unit in which deviations from a value are drawn, and the factor from SI units to it.
 
-    Of lengths it is mm, as in other figures.
+    The unit is per cent of the value; if the value is near 0, its own unit, mm for lengths.
     """
     if abs(value.value) > NEAR_ZERO_SIGMAS * value.sigma:
         return "%", 100.0 / abs(value.value)
@@ -101,7 +101,7 @@ def deviation_unit(value: Corrected) -> tuple[str, float]:
 
 
 def ellipse_points(sigma: tuple[float, float], correlation: float, probability: float) -> Array:
-    """Return points (2, P) on the ellipse about 0 that contains a normal pair of values with a probability."""
+    """Return points (2, P) on the ellipse about 0 that contains a normally distributed pair with a probability."""
     from scipy.stats import chi2
 
     angle = np.linspace(0.0, 2.0 * np.pi, ELLIPSE_POINTS)
@@ -112,7 +112,7 @@ def ellipse_points(sigma: tuple[float, float], correlation: float, probability: 
 
 
 def error_ellipses(values: Sequence[Corrected], correlation: Array) -> Drawing | None:
-    """Draw where each notable pair of values may lie, about the fitted ones; None without such a pair.
+    """Draw the error ellipses of each notable pair of values, about the fitted values; None without such a pair.
 
     Deviations are in per cent of the fitted value, or, where that is near 0, in its unit.
     """
@@ -153,7 +153,7 @@ def error_ellipses(values: Sequence[Corrected], correlation: Array) -> Drawing |
             names = [
                 short_label(value.name.removeprefix("effects."), MAX_NAME_LENGTH) for value in pair_values
             ]
-            panel.inner = set()
+            panel.omitted_labels = set()
             panel.label(
                 f"correlation {typeset(f'{correlation[i, k]:+.2f}')}",
                 x=f"{names[0]} [{x_unit}]",
@@ -164,7 +164,7 @@ def error_ellipses(values: Sequence[Corrected], correlation: Array) -> Drawing |
             for (panel,) in groups
             for legend_handle, name in zip(*panel.axes.get_legend_handles_labels(), strict=True)
         }
-        sheet.legend_of(
+        sheet.legend_from_handles(
             [*handle_by_label.values()],
             [*handle_by_label],
             loc="outside upper right",

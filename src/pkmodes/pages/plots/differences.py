@@ -16,21 +16,21 @@ from pkmodes.pages.plots.style import INK
 MODE_WIDTH, MEDIAN_HALF_LENGTH = 0.6, 0.34
 #: Margin beyond the largest differences, relative to their range.
 AXIS_MARGIN = 0.07
-#: Most modes whose typical frequencies are written below their numbers.
+#: Maximum number of modes for which the median frequencies are written below the mode numbers.
 MAX_MODES_WITH_FREQUENCY = 12
 SIGMA_LABEL = "difference [\u03c3]"
 
 
 def by_mode(evidence: PlottedEvidence) -> Drawing:
-    """Return the relative differences of each mode's setups, one panel for each stage, on one scale."""
-    modes, stages = evidence.mode(), evidence.stages
-    position = modes + MODE_WIDTH * ((evidence.setup + 0.5) / len(evidence.labels) - 0.5)
-    numbers, names = range(1, evidence.modes + 1), []
-    for number in numbers:  # with their typical frequencies if there is room
+    """Draw the relative differences at the setups of each mode, one panel for each stage, on one scale."""
+    modes, stages = evidence.mode_numbers(), evidence.stages
+    position = modes + MODE_WIDTH * ((evidence.setup_indices + 0.5) / len(evidence.labels) - 0.5)
+    numbers, names = range(1, evidence.mode_count + 1), []
+    for number in numbers:  # with their median frequencies if there is room
         values_of_mode = evidence.measured[modes == number]
         frequency_line = (
             f"\n{plain(np.median(values_of_mode), 3)} Hz"
-            if len(values_of_mode) and evidence.modes <= MAX_MODES_WITH_FREQUENCY
+            if len(values_of_mode) and evidence.mode_count <= MAX_MODES_WITH_FREQUENCY
             else ""
         )
         names.append(f"{number}{frequency_line}")
@@ -53,19 +53,19 @@ def by_mode(evidence: PlottedEvidence) -> Drawing:
                 x="mode of the model, with the median of its measured frequencies",
                 y="difference [%]",
             )
-            panel.name_places("x", numbers, names)
+            panel.set_tick_names("x", numbers, names)
             panel.axes.grid(visible=False, axis="x")
         all_differences = 100.0 * np.hstack([evidence.difference(stage)[stage.paired] for stage in stages])
         low, high = float(all_differences.min(initial=0.0)), float(all_differences.max(initial=0.0))
         panel.axes.set_ylim(low - AXIS_MARGIN * (high - low), high + AXIS_MARGIN * (high - low))
-        panel.axes.set_xlim(0.45, evidence.modes + 0.55)
+        panel.axes.set_xlim(0.45, evidence.mode_count + 0.55)
         marks.add_legend(sheet, sheet.panels[0])
 
     return Drawing(draw)
 
 
 def by_setup(evidence: PlottedEvidence) -> Drawing:
-    """Return the differences at each setup in standard deviations, one panel for each stage."""
+    """Draw the differences at each setup in standard deviations, one panel for each stage."""
     stages = evidence.stages
 
     def draw(sheet: Sheet) -> None:
@@ -73,7 +73,7 @@ def by_setup(evidence: PlottedEvidence) -> Drawing:
         for panel, stage in zip(sheet.panels, stages, strict=True):
             marks.shade_noise_band(panel, stage.predicted.sigmas)
             marks.draw_zero_line(panel)
-            marks.mark_rows(panel, evidence, evidence.setup.astype(float), stage.predicted.sigmas)
+            marks.mark_rows(panel, evidence, evidence.setup_indices.astype(float), stage.predicted.sigmas)
             setup_label = marks.label_setups(panel, evidence, grid=panel is not sheet.panels[-1])
             panel.label(f"Model {stage.title}", x=setup_label, y=SIGMA_LABEL)
         panel.axes.set_xlim(-0.7, len(evidence.labels) - 0.3)
@@ -84,11 +84,11 @@ def by_setup(evidence: PlottedEvidence) -> Drawing:
 
 def varying_components(evidence: PlottedEvidence) -> list[int]:
     """Return the components of the pose that differ between setups."""
-    return [k for k in range(len(evidence.components)) if np.ptp(evidence.points[:, k]) > 0.0]
+    return [k for k in range(len(evidence.components)) if np.ptp(evidence.poses[:, k]) > 0.0]
 
 
 def against_pose(evidence: PlottedEvidence) -> Drawing | None:
-    """Return the differences against each component of the pose that varies; None if none does."""
+    """Draw the differences against each component of the pose that varies; None if none does."""
     component_indices, stages = varying_components(evidence), evidence.stages
     count = len(component_indices)
     if not count:
@@ -102,11 +102,11 @@ def against_pose(evidence: PlottedEvidence) -> Drawing | None:
             stage, k = stages[row], component_indices[column]
             marks.shade_noise_band(panel, stage.predicted.sigmas)
             marks.draw_zero_line(panel)
-            position = evidence.points[evidence.setup, k]
+            position = evidence.poses[evidence.setup_indices, k]
             marks.mark_rows(panel, evidence, position, stage.predicted.sigmas, size=12.0)
             panel.axes.locator_params(axis="x", nbins=3)
             if column:  # the panels of a stage stand side by side
-                panel.inner.add("title")
+                panel.omitted_labels.add("title")
             panel.label(
                 f"Model {stage.title}",
                 x=short_label(f"{evidence.components[k]} [{evidence.units[k]}]"),

@@ -21,7 +21,7 @@ Array = NDArray[Any]
 PARAMETER_COLOURS = ("#0072b3", "#e69f01", "#00264d", "#bfe3f8", "#009e74", "#7a2f00", "#f2f2f2")
 FRAME_COLOUR = "#80868c"
 OTHER_LABEL = "another"
-#: Poses that a number needs around it within its region; smaller regions have no number.
+#: A number needs more than this many poses of its region on every side; smaller regions have no number.
 NUMBER_MARGIN = 2
 
 
@@ -29,9 +29,9 @@ def dominant_parameters(plane: Plane, paths: Sequence[str], relative_sensitiviti
     """Draw, for each mode, the parameter with the largest influence at each pose.
 
     - paths: parameters
-    - relative_sensitivities: d ln f / d ln p, (along, across, parameters, modes)
+    - relative_sensitivities: d ln f / d ln p, (rows, columns, parameters, modes)
 
-    Returns a sentence if each mode has one parameter.
+    Returns a sentence if the parameter is the same at every pose for each mode.
     """
     from matplotlib.colors import ListedColormap, to_rgb
     from matplotlib.patches import Patch
@@ -51,16 +51,16 @@ def dominant_parameters(plane: Plane, paths: Sequence[str], relative_sensitiviti
     colour_index[-1] = np.nan
     *palette, rest_colour = PARAMETER_COLOURS
     used_colours = [*palette[: len(shown_paths)], rest_colour]
-    meanings = [f"{i + 1}  {paths[path]}" for i, path in enumerate(shown_paths)]
+    value_names = [f"{i + 1}  {paths[path]}" for i, path in enumerate(shown_paths)]
     names = [f"{i + 1}  {one_name_per_line(paths[path])}" for i, path in enumerate(shown_paths)]
     has_others = counts.sum() > counts[shown_paths].sum()
-    x, y = plane.drawn(plane.across), plane.drawn(plane.along)
+    x, y = plane.display_values(plane.abscissa), plane.display_values(plane.ordinate)
 
     def draw(sheet: Sheet) -> None:
         colours = {"cmap": ListedColormap(used_colours), "vmin": -0.5, "vmax": len(shown_paths) + 0.5}
         for mode, panel in mode_panels(sheet, plane, modes, space_below=0.9):
             values = colour_index[strongest[..., mode]]
-            plane.draw(panel, values, meanings=[*meanings, OTHER_LABEL], **colours)
+            plane.draw(panel, values, value_names=[*value_names, OTHER_LABEL], **colours)
             for i in range(len(shown_paths)):
                 style: dict[str, Any] = {
                     "color": contrasting_ink(to_rgb(used_colours[i])),
@@ -71,7 +71,7 @@ def dominant_parameters(plane: Plane, paths: Sequence[str], relative_sensitiviti
                 for row, column in region_centres(values == i):
                     panel.axes.text(x[column], y[row], str(i + 1), **style)
         legend_colours = [*used_colours[: len(shown_paths)], *([rest_colour] if has_others else [])]
-        sheet.legend_of(
+        sheet.legend_from_handles(
             [Patch(facecolor=colour, edgecolor=FRAME_COLOUR) for colour in legend_colours],
             [*names, *([OTHER_LABEL] if has_others else [])],
             below=True,
@@ -87,7 +87,7 @@ def dominant_parameters(plane: Plane, paths: Sequence[str], relative_sensitiviti
 
 
 def _single_parameter_sentence(paths: Sequence[str], strongest: Array) -> str:
-    """Return the parameter of each mode as a sentence; empty if a mode has several."""
+    """Return a sentence with the parameter of each mode; empty if a mode has several."""
     paths_of_modes = [np.unique(indices[indices >= 0]) for indices in np.moveaxis(strongest, -1, 0)]
     if any(len(indices) != 1 for indices in paths_of_modes):
         return ""
@@ -103,7 +103,7 @@ def _single_parameter_sentence(paths: Sequence[str], strongest: Array) -> str:
 def region_centres(inside: Array) -> Iterator[tuple[int, int]]:
     """Yield a pose in the middle of each connected region that has room for a number, the widest first.
 
-    - inside: (along, across)
+    - inside: (rows, columns)
     """
     remaining = np.array(inside, dtype=bool)
     while True:
@@ -117,7 +117,7 @@ def region_centres(inside: Array) -> Iterator[tuple[int, int]]:
 
 
 def _steps_to_edge(inside: Array) -> Array:
-    """Return how many steps each pose is away from the outside, 0 outside."""
+    """Return the number of grid steps from each pose to the outside of the region, 0 outside."""
     depth, remaining = np.zeros(inside.shape, dtype=int), inside
     while remaining.any():
         depth += remaining
@@ -127,7 +127,7 @@ def _steps_to_edge(inside: Array) -> Array:
 
 
 def _connected_region(inside: Array, start: Array) -> Array:
-    """Return the part of a region that is connected with a pose."""
+    """Return the part of a region that is connected to a pose."""
     region = np.zeros_like(inside)
     region[tuple(start)] = True
     while True:

@@ -1,4 +1,4 @@
-"""A figure as a function that draws it: what it shows on a wide and on a narrow sheet, and the numbers of both."""
+"""A figure as a function that draws it on a wide or a narrow sheet, with the table of its numbers."""
 
 from __future__ import annotations
 
@@ -19,19 +19,19 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Array = NDArray[Any]
-#: Columns that every table begins with; a part is a piece of a broken curve.
+#: Titles of the first columns of every table; a part is a piece of a broken curve.
 PANEL_COLUMN, SERIES_COLUMN, PART_COLUMN = "panel", "series", "part"
-#: Significant digits of the positions of cells and bars: free of the rounding errors of unit conversion.
+#: Significant digits of the positions of cells, few enough to hide the rounding errors of unit conversion.
 POSITION_DIGITS = 12
-#: Significant digits of values shown as colours, which resolve three; number of values above which fewer are written,
-#: and how many.
+#: Significant digits of values shown as colours, of which the eye resolves three; then the number of values above
+#: which fewer digits are written, and how many.
 VALUE_DIGITS, MANY_VALUES, MANY_VALUES_DIGITS = 7, 60_000, 5
-#: Significant digits of the points of curves and marks, by the number of points above which they apply; below, all
-#: digits.
+#: Numbers of points above which the coordinates of curves and marks are rounded, with the significant digits; fewer
+#: points keep all digits.
 POINT_DIGITS = ((20_000, 6), (2_000, 9))
 #: First characters that make a spreadsheet read a text as a formula, including their East Asian full-width forms.
 FORMULA_STARTS = tuple("=+-@\uff1d\uff0b\uff0d\uff20")
-#: Characters for which a text is quoted; whole numbers below the limit are written without a decimal point.
+#: Characters for which a text is quoted; then the limit below which whole numbers have no decimal point.
 QUOTED_CHARACTERS, MAX_WHOLE_NUMBER = ',;"', 1e15
 
 
@@ -39,8 +39,8 @@ QUOTED_CHARACTERS, MAX_WHOLE_NUMBER = ',;"', 1e15
 class Drawing:
     """A figure.
 
-    - draw: draws it on a `Sheet`
-    - narrow: whether it can be drawn on a narrow one
+    - draw: function that draws it on a `Sheet`
+    - narrow: whether it can be drawn on a narrow sheet
     """
 
     draw: Callable[[Sheet], None]
@@ -58,13 +58,13 @@ class Drawing:
 
     @property
     def table(self) -> list[list[str]]:
-        """The numbers that it shows: columns, each with its title, as the cells of a CSV file.
+        """The numbers that the figure shows: columns, each with its title, as the cells of a CSV file.
 
-        They are ``panel`` and ``series``, and those that the labels of axes and colour scales name, with their
-        units: a row for each point, a column for each labelled axis.  Where an axis has names instead of numbers, a
-        further column has them.  Coordinates of curves and marks have all digits, or nine where there are thousands,
-        and values shown as colours seven; where there are tens of thousands, six and five.  Text never begins as a
-        formula of a spreadsheet does.  Empty if nothing is drawn.
+        There is a row for each point.  The columns are ``panel``, ``series``, and one for each axis and colour scale,
+        titled by its label with the unit.  An axis with names instead of numbers has a further column for the names.
+        Coordinates of curves and marks have all digits, or nine if there are thousands of points; values shown as
+        colours have seven; with tens of thousands, six and five.  No text can be read by a spreadsheet as a formula.
+        Empty if nothing is drawn.
         """
         panel_series = [(panel, series) for panel in self.wide.panels for series in panel.series]
         coloured_count = sum(len(series.x) for _, series in panel_series if series.values is not None)
@@ -85,7 +85,7 @@ class Drawing:
         return table_columns
 
     def sheet(self, *, narrow: bool) -> Sheet:
-        """Draw it, in the style of all figures."""
+        """Draw the figure on a new sheet."""
         with figure_style():
             sheet = Sheet(narrow=narrow)
             self.draw(sheet)
@@ -117,7 +117,7 @@ def _columns(
     for side, coordinates in sides:
         title, names, drawn_coordinates = (
             visible_text(panel.labels[side]) or side,
-            panel.names[side],
+            panel.tick_names[side],
             coordinates[is_drawn],
         )
         if panel.labels["x"] == panel.labels["y"] != "":
@@ -127,20 +127,22 @@ def _columns(
             if coordinate_digits is None
             else _rounded_values(drawn_coordinates, coordinate_digits)
         )
-        if any(name != f"{position:g}" for position, name in names.items()):  # they say more than the numbers
+        if any(
+            name != f"{position:g}" for position, name in names.items()
+        ):  # names that are not just the numbers
             columns[f"{title} (name)"] = [
                 _nearest_name(names, coordinate) for coordinate in drawn_coordinates.tolist()
             ]
     if series.values is not None:
         title, values = panel.labels["scale"] or "value", series.values[is_drawn]
         columns[title] = _rounded_values(values, value_digits)
-        if series.meanings:
-            columns[f"{title} (name)"] = [series.meanings[int(value)] for value in values.tolist()]
+        if series.value_names:
+            columns[f"{title} (name)"] = [series.value_names[int(value)] for value in values.tolist()]
     return count, columns
 
 
 def _nearest_name(names: Mapping[float, str], position: float) -> str:
-    """Return the nearest name; names are at whole numbers, and marks may be beside each other there."""
+    """Return the nearest name; names are at whole numbers, and marks next to one another around them."""
     nearest = min(names, key=lambda name_position: abs(name_position - position))
     return names[nearest] if abs(nearest - position) <= 0.5 else ""
 
@@ -150,7 +152,7 @@ def _rounded_values(values: Array, digits: int) -> list[float]:
 
 
 def _cell_text(value: Any) -> str:
-    """Return the text of a cell: numbers so that they read back the same, and text that is not a formula."""
+    """Return the text of a cell: all digits of a number, and text that a spreadsheet does not read as a formula."""
     if isinstance(value, float):
         if not np.isfinite(value):
             return ""

@@ -22,9 +22,9 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 #: A pole is stable if the previous order has one within these relative distances of its frequency and damping.
 FREQUENCY_TOLERANCE, DAMPING_TOLERANCE = 0.005, 0.1
-#: Half the height of a pole's mark, relative to the smallest distance between orders.
+#: Half the height of the mark of a pole, relative to the smallest distance between orders.
 MARK_HALF_HEIGHT = 0.3
-#: Width of a digit relative to that of the axes on a narrow screen, and most rows of labels.
+#: Width of a digit relative to that of the axes on a narrow screen, and maximum number of label rows.
 DIGIT_WIDTH, MAX_LABEL_ROWS = 0.032, 3
 #: Decades of a magnitude drawn below its maximum.
 MAX_DECADES = 5.0
@@ -45,19 +45,19 @@ class MarkedFrequencies:
     """Frequencies that are marked [Hz]: modes with their numbers, modes struck out, and tones."""
 
     modes: Sequence[tuple[float, int, bool]]
-    struck: Sequence[float]
+    struck_out: Sequence[float]
     tones: Sequence[float]
 
 
 def stabilisation_diagram(
     inspection: Inspection, marked_frequencies: MarkedFrequencies, band: tuple[float, float]
 ) -> Drawing:
-    """Return the poles of all model orders over frequency, above the sum of the measured functions."""
+    """Draw the poles of all model orders over frequency, in front of the sum of the measured functions."""
 
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(3.7)
         axes = panel.axes
-        sum_panel = sheet.adopt(axes.twinx(), inner={"x"})
+        sum_panel = sheet.add_panel(axes.twinx(), omitted_labels={"x"})
         axes.set_zorder(sum_panel.axes.get_zorder() + 1)
         magnitude = np.maximum(inspection.total, inspection.total.max() * 10.0**-MAX_DECADES)
         sum_panel.axes.set_yscale("log")
@@ -82,12 +82,12 @@ def stabilisation_diagram(
 
 
 def _mark_half_height(orders: NDArray[np.int64]) -> float:
-    """Return half the height of a pole's mark, in orders."""
+    """Return half the height of the mark of a pole, in orders."""
     return MARK_HALF_HEIGHT * float(np.diff(orders).min()) if len(orders) > 1 else MARK_HALF_HEIGHT
 
 
 def _pole_marks(diagram: Stabilisation, stable: bool) -> tuple[Array, Array]:
-    """Return a short vertical line for each pole of one kind, as one broken curve."""
+    """Return a short vertical line for each pole, stable or not as given, as one broken curve."""
     x, y, half_height = [], [], _mark_half_height(diagram.orders)
     previous_poles: Complex = np.zeros(0, complex)
     for order, poles in zip(diagram.orders, diagram.poles, strict=True):
@@ -99,7 +99,7 @@ def _pole_marks(diagram: Stabilisation, stable: bool) -> tuple[Array, Array]:
 
 
 def _is_stable(poles: Complex, previous_poles: Complex) -> NDArray[np.bool_]:
-    """Return which poles the previous order also has."""
+    """Return a mask of the poles that the previous order also has."""
     if not len(previous_poles) or not len(poles):
         return np.zeros(len(poles), bool)
     f, f0 = np.abs(poles)[:, None], np.abs(previous_poles)
@@ -119,13 +119,13 @@ def _draw_marked_frequencies(
             [f for f, _, added in marked_frequencies.modes if added],
             {"color": PURPLE, "linestyle": "-."},
         ),
-        ("struck out", list(marked_frequencies.struck), {"color": VERMILLION, "linestyle": "--"}),
+        ("struck out", list(marked_frequencies.struck_out), {"color": VERMILLION, "linestyle": "--"}),
         ("tone", list(marked_frequencies.tones), {"color": ORANGE, "linestyle": ":", "linewidth": 1.2}),
     ]
     for name, frequencies, style in line_kinds:
         label: str | None = name
         for f in frequencies:
-            panel.line_at(f, name, label=label, zorder=2, **{"linewidth": 0.8, "alpha": 0.75, **style})
+            panel.vertical_line(f, name, label=label, zorder=2, **{"linewidth": 0.8, "alpha": 0.75, **style})
             label = None
     fractions = [(f - band[0]) / (band[1] - band[0]) for f, _, _ in marked_frequencies.modes]
     numbers = [str(number) for _, number, _ in marked_frequencies.modes]
@@ -137,7 +137,10 @@ def _draw_marked_frequencies(
 
 
 def label_rows(positions: Sequence[float], labels: Sequence[str]) -> list[int]:
-    """Return the row of each label, ascending in place, so that labels in a row do not overlap."""
+    """Return the row of each label, so that labels in a row do not overlap.
+
+    - positions: ascending, as fractions of the width of the axes
+    """
     ends, rows = [-1.0] * MAX_LABEL_ROWS, []
     for x, label in zip(positions, labels, strict=True):
         half_width = 0.5 * DIGIT_WIDTH * (len(label) + 0.5)
@@ -150,9 +153,9 @@ def label_rows(positions: Sequence[float], labels: Sequence[str]) -> list[int]:
 def function_fits(
     inspection: Inspection, marked_frequencies: MarkedFrequencies, band: tuple[float, float], has_phase: bool
 ) -> Drawing:
-    """Return functions as measured and as synthesised from the modes: magnitude, phase, and coherence if known.
+    """Draw functions as measured and as synthesised from the modes: magnitude, phase, and coherence if known.
 
-    - has_phase: whether the functions have one; power spectra have not
+    - has_phase: whether the functions have a phase; power spectra have none
     """
     columns = min(2, len(inspection.curves))
     rows = -(-len(inspection.curves) // columns)
@@ -170,7 +173,7 @@ def function_fits(
                 for f, _, _ in marked_frequencies.modes:
                     panel.axes.axvline(f, color=INK, linewidth=0.5, alpha=0.35, zorder=1)
                 panel.label(short_label(curve.name, 40), x="frequency [Hz]", y=label)
-                if "x" not in panel.inner:
+                if "x" not in panel.omitted_labels:
                     panel.axes.tick_params(labelbottom=True)
         groups[0][0].axes.set_xlim(*band)
         sheet.legend(groups[0][0], above=False, loc="outside upper right", ncols=2)

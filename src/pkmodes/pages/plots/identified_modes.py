@@ -1,4 +1,4 @@
-"""The modes of a record: how alike their shapes are, how complex, and how their frequencies scatter."""
+"""The modes of a record: how similar their shapes are, how complex, and how their frequencies scatter."""
 
 from __future__ import annotations
 
@@ -16,26 +16,29 @@ from pkmodes.pages.plots.sheet import Sheet
 from pkmodes.pages.plots.style import BLUE, GREY, PALETTE, PURPLE, VERMILLION
 
 Array = NDArray[np.float64]
-#: Panels of complex shapes side by side.
+#: Maximum number of panels of complex shapes side by side.
 MAX_COLUMNS = 6
-#: Most poses named on an axis.
+#: Maximum number of poses named on an axis.
 MAX_NAMED_POSES = 30
 
 
 def auto_mac(macs: Array) -> Drawing:
-    """Return the matrix of the modal assurance criterion between the modes of a record, NaN where unknown."""
+    """Draw the matrix of the modal assurance criterion between the modes of a record, NaN where unknown."""
 
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(0.7 + min(2.7, 1.1 + 0.22 * len(macs)), height_to_width=1.0, scales="common")
         image = draw_matrix(panel, macs)
         panel.label(x="mode", y="mode")
-        sheet.scale(image, "MAC [1]", shrink=0.8, aspect=20)
+        sheet.colour_scale(image, "MAC [1]", shrink=0.8, aspect=20)
 
     return Drawing(draw)
 
 
 def complex_shapes(shapes: Sequence[tuple[str, Mapping[str, complex]]]) -> Drawing:
-    """Return shapes in the complex plane, each component a line from the origin, by their titles."""
+    """Draw shapes in the complex plane, each component as a line from the origin.
+
+    - shapes: title and components of each
+    """
     rows, columns = -(-len(shapes) // MAX_COLUMNS), min(MAX_COLUMNS, len(shapes))
 
     def draw(sheet: Sheet) -> None:
@@ -61,7 +64,7 @@ def complex_shapes(shapes: Sequence[tuple[str, Mapping[str, complex]]]) -> Drawi
 
 
 def scatter_of_repeats(setups: Sequence[Repeats]) -> Drawing:
-    """Return the frequencies in each file, relative to their mean over the repeats of the setup [%]."""
+    """Draw the frequencies in each file, relative to their mean over the repeats of the setup [%]."""
     repeated_setups = [repeats for repeats in setups if len(repeats.files) > 1]
     means = sorted(
         float(np.mean(list(mode.values()))) for repeats in repeated_setups for mode in repeats.modes
@@ -97,7 +100,7 @@ def scatter_of_repeats(setups: Sequence[Repeats]) -> Drawing:
                 )
         step = -(-len(distinct_frequencies) // 12)
         tick_labels = [f"{f:#.4g}".rstrip(".") for f in distinct_frequencies[::step]]
-        panel.name_places("x", range(0, len(distinct_frequencies), step), tick_labels)
+        panel.set_tick_names("x", range(0, len(distinct_frequencies), step), tick_labels)
         axes.set_xlim(-0.6, len(distinct_frequencies) - 0.4)
         panel.label(x="mean frequency [Hz]", y="file, above the mean [%]")
         axes.grid(visible=False, axis="x")
@@ -110,11 +113,11 @@ def scatter_of_repeats(setups: Sequence[Repeats]) -> Drawing:
 def frequencies_by_pose(
     labels: Sequence[str], modes: Sequence[tuple[int, float, bool]], struck_out: Sequence[tuple[int, float]]
 ) -> Drawing:
-    """Return the frequencies at all poses.
+    """Draw the frequencies at all poses.
 
     - labels: of the poses
     - modes: the index of the pose, the frequency [Hz], and whether the user added the mode
-    - struck_out: likewise of modes struck out
+    - struck_out: index of the pose and frequency [Hz] of each mode that was struck out
     """
 
     def draw(sheet: Sheet) -> None:
@@ -135,7 +138,7 @@ def frequencies_by_pose(
         if len(labels) <= MAX_NAMED_POSES:
             names = [short_label(label) for label in labels]
             is_rotated = len(names) * max(map(len, names)) > 80
-            panel.name_places("x", range(len(names)), names, rotation=90 if is_rotated else 0)
+            panel.set_tick_names("x", range(len(names)), names, rotation=90 if is_rotated else 0)
             axes.grid(visible=False, axis="x")
             pose_label = "pose"
         panel.label(x=pose_label, y="frequency [Hz]")

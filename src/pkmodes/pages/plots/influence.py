@@ -14,15 +14,17 @@ from pkmodes.pages.plots.sheet import Sheet
 from pkmodes.pages.plots.style import contrasting_ink
 
 Array = NDArray[Any]
-#: Most parameters listed, and most modes whose columns have room for the word.
+#: Maximum number of parameters listed, and of modes whose columns have room for the word "mode".
 MAX_ROWS, MAX_WORDED_COLUMNS = 14, 8
 
 
 def influence_table(paths: Sequence[str], relative_sensitivities: Array) -> Drawing:
-    """Draw the median influence of each parameter on each frequency: at the edge of a plane some grow without bound.
+    """Draw the influence of each parameter on each frequency, as the median over the plane.
 
-    - paths: parameters; those that act as one have one name, separated by commas
-    - relative_sensitivities: d ln f / d ln p, (along, across, parameters, modes)
+    It is a median because some sensitivities grow without bound at the edge of a plane.
+
+    - paths: parameters; those with the same effect are one entry, separated by commas
+    - relative_sensitivities: d ln f / d ln p, (rows, columns, parameters, modes)
     """
     reachable_values = relative_sensitivities[np.isfinite(relative_sensitivities).all(axis=(2, 3))]
     medians = (
@@ -40,8 +42,8 @@ def influence_table(paths: Sequence[str], relative_sensitivities: Array) -> Draw
         mode_names = [f"mode {i + 1}" for i in range(modes)]
         is_numbered_only = modes > MAX_WORDED_COLUMNS
         titles = [str(i + 1) for i in range(modes)] if is_numbered_only else mode_names
-        panel.name_places("x", range(modes), titles, mode_names)
-        panel.name_places("y", range(len(order)), [one_name_per_line(name) for name in names], names)
+        panel.set_tick_names("x", range(modes), titles, mode_names)
+        panel.set_tick_names("y", range(len(order)), [one_name_per_line(name) for name in names], names)
         panel.axes.grid(visible=False)
         panel.axes.tick_params(length=0)
         if is_numbered_only:
@@ -50,6 +52,6 @@ def influence_table(paths: Sequence[str], relative_sensitivities: Array) -> Draw
         for (row, mode), value in np.ndenumerate(medians[order]):
             text_colour = contrasting_ink(mesh.to_rgba(value))
             panel.axes.text(mode, row, typeset(f"{value:+.2f}"), color=text_colour, **style)
-        sheet.scale(mesh, "d ln f / d ln p, median over the plane [1]", aspect=25)
+        sheet.colour_scale(mesh, "d ln f / d ln p, median over the plane [1]", aspect=25)
 
     return Drawing(draw)

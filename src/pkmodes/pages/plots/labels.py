@@ -11,9 +11,9 @@ from pkmodes.core.base.errors import printable
 if TYPE_CHECKING:
     from matplotlib.axis import Axis
 
-#: Length of the longest axis label.
+#: Maximum length of an axis label.
 MAX_LABEL_LENGTH = 18
-#: An axis that spans fewer decades than this has labels between them.
+#: An axis that spans fewer decades than this also has labels between the decades.
 FEW_DECADES = 2.0
 MINUS, TIMES, PLUS_MINUS = "\u2212", "\u2009\u00d7\u2009", "\u00b1"
 SUPERSCRIPTS = str.maketrans(
@@ -22,7 +22,7 @@ SUPERSCRIPTS = str.maketrans(
 
 
 def visible_text(text: object, max_length: int | None = None) -> str:
-    """Return text on one line, without invisible characters, such as those that reverse the direction.
+    """Return text on one line without invisible characters, such as those that reverse the writing direction.
 
     - max_length: longer text is shortened
     """
@@ -47,7 +47,7 @@ def typeset(text: str) -> str:
 
 
 def one_name_per_line(name: str) -> str:
-    """Return a name of several parameters with each on a line of its own."""
+    """Return the joint name of several parameters with each on a line of its own."""
     return name.replace(", ", ",\n")
 
 
@@ -58,7 +58,7 @@ def label_decades(
 
     Matplotlib's own labels of such axes are formulas, which figures of pkmodes do not parse.
 
-    - format_value: returns the label of a value; by default one digit and a power of ten
+    - format_value: function that returns the label of a value; by default one digit and a power of ten
     """
     from matplotlib.ticker import LogLocator, NullFormatter
 

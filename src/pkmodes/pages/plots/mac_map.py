@@ -20,7 +20,7 @@ GRADUAL_MAC = 0.95
 def neighbouring_mac(plane: Plane, mac: Array) -> Drawing | str:
     """Draw the smallest MAC of each mode with the mode of the same number at the neighbouring poses.
 
-    - mac: from `pkmodes.pages.figures.quantities.smallest_mac`, (along, across, modes)
+    - mac: from `pkmodes.pages.figures.quantities.smallest_mac`, (rows, columns, modes)
 
     Returns a sentence if it is nearly 1 everywhere.
     """

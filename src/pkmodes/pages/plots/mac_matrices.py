@@ -14,7 +14,7 @@ from pkmodes.pages.plots.panel import Panel
 from pkmodes.pages.plots.sheet import Sheet
 
 Array = NDArray[np.float64]
-#: Most modes for which the numbers are written into the cells.
+#: Maximum number of modes for which the numbers are written into the cells.
 MAX_WRITTEN_MODES = 8
 #: MAC above which a cell is so light that its number is dark.
 LIGHT_CELL_MAC = 0.55
@@ -22,14 +22,14 @@ LIGHT_CELL_MAC = 0.55
 
 def worst_setup(evidence: PlottedEvidence) -> int | None:
     """Return the setup with the lowest MAC of a paired mode at the last stage; None without shapes."""
-    mac = evidence.last.predicted.mac
+    mac = evidence.last_stage.predicted.mac
     if not np.isfinite(mac).any():
         return None
-    return int(evidence.setup[int(np.nanargmin(mac))])
+    return int(evidence.setup_indices[int(np.nanargmin(mac))])
 
 
 def mac_matrices(evidence: PlottedEvidence) -> Drawing | None:
-    """Return MAC matrices, the mean over all setups and the setup with the lowest MAC; None without shapes.
+    """Draw MAC matrices, the mean over all setups and the setup with the lowest MAC; None without shapes.
 
     Rows are the measured modes, numbered as their partners at the last stage.
     """
@@ -38,12 +38,12 @@ def mac_matrices(evidence: PlottedEvidence) -> Drawing | None:
         return None
     stages, has_several_setups = evidence.stages, len(evidence.labels) > 1
     label = short_label(evidence.labels[worst])
-    all_rows = np.ones(len(evidence.setup), dtype=bool)
-    selections = [(f"mean of all {evidence.place}s", all_rows)] if has_several_setups else []
-    selections.append((f"lowest MAC: {label}", evidence.setup == worst))
+    all_rows = np.ones(len(evidence.setup_indices), dtype=bool)
+    selections = [(f"mean of all {evidence.setup_noun}s", all_rows)] if has_several_setups else []
+    selections.append((f"lowest MAC: {label}", evidence.setup_indices == worst))
 
     def draw(sheet: Sheet) -> None:
-        height = 0.6 + min(2.55, 1.0 + 0.3 * evidence.modes) * len(selections)
+        height = 0.6 + min(2.55, 1.0 + 0.3 * evidence.mode_count) * len(selections)
         rows, count = (1.0,) * len(selections), len(stages)
         groups = sheet.groups(count, count, height, rows=rows, height_to_width=1.0, scales="common")
         image: Any = None
@@ -52,14 +52,14 @@ def mac_matrices(evidence: PlottedEvidence) -> Drawing | None:
                 image = draw_matrix(panel, mean_mac_matrix(evidence, stage, selected))
                 title, x_label = f"Model {stage.title}", "mode of the model"
                 panel.label(title, x=x_label, y="measured mode", row=name)
-        sheet.scale(image, "MAC [1]", shrink=0.7, aspect=30)
+        sheet.colour_scale(image, "MAC [1]", shrink=0.7, aspect=30)
 
     return Drawing(draw)
 
 
 def mean_mac_matrix(evidence: PlottedEvidence, stage: ModelStage, selected: NDArray[np.bool_]) -> Array:
     """Return the mean MAC of measured modes (rows) and modes of the model, (M, M), NaN where there is no shape."""
-    mode, count = evidence.mode(), evidence.modes
+    mode, count = evidence.mode_numbers(), evidence.mode_count
     macs = stage.predicted.macs
     mean_mac = np.full((count, count), np.nan)
     for number in range(1, count + 1):
@@ -71,7 +71,7 @@ def mean_mac_matrix(evidence: PlottedEvidence, stage: ModelStage, selected: NDAr
 
 
 def draw_matrix(panel: Panel, values: Array) -> Any:
-    """Draw a matrix of MACs (M, M), its modes numbered from 1, with the numbers where there are few."""
+    """Draw a matrix of MACs (M, M), its modes numbered from 1; the cells of a small one show their values."""
     axes, count = panel.axes, len(values)
     modes = np.arange(1.0, count + 1)
     image = panel.cells(modes, modes, values, vmin=0.0, vmax=1.0)

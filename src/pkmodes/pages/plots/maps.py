@@ -77,7 +77,11 @@ def frequencies(plane: Plane, motors: Array | None = None) -> Drawing | str:
             low, high = widened_limits(*limits)
             mesh = plane.draw(panel, frequency, vmin=low, vmax=high)
             _draw_contours(
-                plane, panel.axes, mesh, frequency, float(np.ptp(plane.drawn(plane.across))) / width
+                plane,
+                panel.axes,
+                mesh,
+                frequency,
+                float(np.ptp(plane.display_values(plane.abscissa))) / width,
             )
             _mark_extremes(plane, panel, representative_frequency)
             _mark_motors(panel, motors)
@@ -108,7 +112,7 @@ def directions(plane: Plane, body: str = "platform", lengths: Array | None = Non
     if not plane.is_linear:
         return NO_DIRECTIONS_SENTENCE
     motion = plane.dataset["platform_shape"].values * (1.0 if lengths is None else lengths)
-    across, along = names.index(plane.across), names.index(plane.along)
+    across, along = names.index(plane.abscissa), names.index(plane.ordinate)
     magnitude = np.sqrt((motion**2).sum(axis=-1))
     unit_vectors = motion / np.where(magnitude > 0.0, magnitude, np.nan)[..., None]
     modes, has_rotations = motion.shape[2], lengths is not None
@@ -116,7 +120,7 @@ def directions(plane: Plane, body: str = "platform", lengths: Array | None = Non
     if is_uniform(unit_vectors[..., :, None] * unit_vectors[..., None, :], axes=(0, 1), scale=1.0):
         return f"In each mode the direction of motion of the {body} is almost the same at every pose."
     space_below = 0.0 if plane.is_tall or plane.normal is None else 0.5
-    x, y = plane.drawn(plane.across), plane.drawn(plane.along)
+    x, y = plane.display_values(plane.abscissa), plane.display_values(plane.ordinate)
     step = max(1, round(min(len(x), len(y)) / STROKES_PER_SIDE))
     rows, columns = (slice(step // 2, None, step) for _ in range(2))
     stroke_length = step * (y[-1] - y[0]) / max(len(y) - 1, 1) * 0.45
@@ -189,7 +193,7 @@ def components(plane: Plane, body: str = "platform", lengths: Array | None = Non
     height = (
         panel_lines
         * len(kinds)
-        * (min(plane.height * width, MAX_HEIGHT_TO_WIDTH * width, MAX_PANEL_HEIGHT) + 0.25)
+        * (min(plane.height_to_width * width, MAX_HEIGHT_TO_WIDTH * width, MAX_PANEL_HEIGHT) + 0.25)
         + 1.0
     )
 
@@ -197,14 +201,14 @@ def components(plane: Plane, body: str = "platform", lengths: Array | None = Non
         sheet.figure.set_layout_engine("compressed")
         rows = (1.0,) * len(kinds)
         groups = sheet.groups(
-            modes, columns, height, rows=rows, height_to_width=plane.proportions, scales="common"
+            modes, columns, height, rows=rows, height_to_width=plane.fixed_height_to_width, scales="common"
         )
         mesh: Any = None
         for mode, panels in enumerate(groups):
             for panel, (title, values) in zip(panels, kinds, strict=True):
                 mesh = plane.draw(panel, values[..., mode], vmin=0.0, vmax=high)
                 if panel is panels[-1]:
-                    panel.inner.discard("x")
+                    panel.omitted_labels.discard("x")
                 plane.label_panel(panel, f"mode {mode + 1}", row=title)
         draw_shared_scale(sheet, plane, mesh, "mass-normalised motion [1/\N{SQUARE ROOT}kg]", extend="max")
 
@@ -214,7 +218,7 @@ def components(plane: Plane, body: str = "platform", lengths: Array | None = Non
 def extremes(values: Array) -> dict[str, list[tuple[int, int]]]:
     """Return where values are lowest and highest: the same definition as in the table of a map.
 
-    - values: (along, across)
+    - values: (rows, columns)
 
     Returns for ``minimum`` and ``maximum`` the indices of the poses, of several where they share the value, as
     mirrored poses do; none if no pose can be evaluated, or if it is shared by so many that it has no place.
@@ -263,7 +267,7 @@ def _draw_contours(plane: Plane, axes: Axes, mesh: Any, values: Array, inch_in_a
     if not levels:
         return
     line_colours = [contrasting_ink(mesh.to_rgba(level)) for level in levels]
-    x, y = plane.drawn(plane.across), plane.drawn(plane.along)
+    x, y = plane.display_values(plane.abscissa), plane.display_values(plane.ordinate)
     lines = axes.contour(x, y, np.ma.masked_invalid(values), levels, colors=line_colours, linewidths=0.5)
     mark_positions = [(x[j], y[i]) for poses in extremes(values).values() for i, j in poses]
     number_positions = _number_positions(
@@ -303,7 +307,7 @@ def _number_positions(
 
 def _mark_extremes(plane: Plane, panel: Panel, values: Array) -> None:
     """Mark the extremes in the plane: a triangle down for the lowest, up for the highest frequency."""
-    x, y = plane.drawn(plane.across), plane.drawn(plane.along)
+    x, y = plane.display_values(plane.abscissa), plane.display_values(plane.ordinate)
     for name, poses in extremes(values).items():
         for i, j in poses:
             _draw_mark(panel, x[j], y[i], "v" if name == "minimum" else "^", filled=False, size=5.5)

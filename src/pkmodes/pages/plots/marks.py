@@ -74,7 +74,7 @@ def add_legend(sheet: Sheet, panel: Panel, *, may_extend_left: bool = False) -> 
     handle_by_label = dict(zip(reversed(labels), reversed(handles), strict=True))
     names = list(dict.fromkeys(labels))
     if len(names) > 1:
-        box = sheet.legend_of(
+        box = sheet.legend_from_handles(
             [handle_by_label[name] for name in names],
             names,
             above=panel,
@@ -117,8 +117,8 @@ def label_setups(panel: Panel, evidence: PlottedEvidence, *, grid: bool = False)
     """
     labels = [short_label(label) for label in evidence.labels]
     if len(labels) > MAX_NAMED_SETUPS:
-        return f"{evidence.place}, in the order of their labels"
+        return f"{evidence.setup_noun}, in the order of their labels"
     rotate_labels = len(labels) * max(map(len, labels)) > 90
-    panel.name_places("x", range(len(labels)), labels, rotation=90 if rotate_labels else 0)
+    panel.set_tick_names("x", range(len(labels)), labels, rotation=90 if rotate_labels else 0)
     panel.axes.grid(visible=grid, axis="x")
-    return evidence.place
+    return evidence.setup_noun

@@ -35,7 +35,7 @@ class Series:
     - x, y: in the units of the axes, (N,); NaN where a line across the panel has no such place
     - part: the piece of a broken curve, from 1, (N,)
     - values: values shown by colour, (N,)
-    - meanings: names of the values 0, 1, 2... if they are kinds
+    - value_names: names of the values 0, 1, 2... if they are kinds
     """
 
     name: str
@@ -43,7 +43,7 @@ class Series:
     y: Array
     part: Array | None = None
     values: Array | None = None
-    meanings: tuple[str, ...] = ()
+    value_names: tuple[str, ...] = ()
 
 
 class Panel:
@@ -64,14 +64,14 @@ class Panel:
         axes: Axes,
         *,
         narrow: bool = False,
-        before: Panel | None = None,
-        inner: Iterable[LabelKind] = (),
+        left_panel: Panel | None = None,
+        omitted_labels: Iterable[LabelKind] = (),
     ) -> None:
-        self.axes, self.narrow, self.before = axes, narrow, before
-        self.inner: set[LabelKind] = set(inner)
+        self.axes, self.narrow, self.left_panel = axes, narrow, left_panel
+        self.omitted_labels: set[LabelKind] = set(omitted_labels)
         self.title = ""
         self.labels = {"x": "", "y": "", "row": "", "scale": ""}
-        self.names: dict[str, Mapping[float, str]] = {"x": {}, "y": {}}
+        self.tick_names: dict[str, Mapping[float, str]] = {"x": {}, "y": {}}
         self.series: list[Series] = []
         self._counts: Counter[str] = Counter()
 
@@ -91,20 +91,23 @@ class Panel:
         """
         self.title = ", ".join(" ".join(part.split("\n")) for part in (title, row) if part)
         self.labels |= {"x": x, "y": y, "row": row}
-        inner = self.inner
+        omitted = self.omitted_labels
         if self.narrow:
-            title, x, inner = _wrapped(title), _wrapped(x), set()
-            if self.before is not None and (self.before.labels["y"], self.before.labels["row"]) == (y, row):
-                inner = {"y"}
+            title, x, omitted = _wrapped(title), _wrapped(x), set()
+            if self.left_panel is not None and (
+                self.left_panel.labels["y"],
+                self.left_panel.labels["row"],
+            ) == (y, row):
+                omitted = {"y"}
                 self.axes.tick_params(labelleft=False)
-        if "title" not in inner:
+        if "title" not in omitted:
             self.axes.set_title(title, **settings)
-        if "x" not in inner:
+        if "x" not in omitted:
             self.axes.set_xlabel(x)
-        if "y" not in inner:
+        if "y" not in omitted:
             self.axes.set_ylabel(f"{row}\n{y}" if row else y)
 
-    def name_places(
+    def set_tick_names(
         self,
         side: Side,
         positions: Sequence[float],
@@ -121,7 +124,9 @@ class Panel:
         set_ticks = self.axes.set_xticks if side == "x" else self.axes.set_yticks
         set_ticks(positions, tick_labels, **settings)
         names = table_names or [", ".join(name.split("\n")) for name in tick_labels]
-        self.names[side] = {float(position): name for position, name in zip(positions, names, strict=True)}
+        self.tick_names[side] = {
+            float(position): name for position, name in zip(positions, names, strict=True)
+        }
 
     def plot(
         self, x: ArrayLike, y: ArrayLike, line_format: str = "-", *, name: str = "", **style: Any
@@ -150,9 +155,9 @@ class Panel:
     def band(self, x: ArrayLike, low: ArrayLike, high: ArrayLike, *, name: str = "", **style: Any) -> None:
         """Shade what is between two curves."""
         self.axes.fill_between(x, low, high, **style)
-        self.limits(x, low, high, name)
+        self.keep_band_limits(x, low, high, name)
 
-    def limits(self, x: ArrayLike, low: ArrayLike, high: ArrayLike, name: str = "") -> None:
+    def keep_band_limits(self, x: ArrayLike, low: ArrayLike, high: ArrayLike, name: str = "") -> None:
         """Keep the limits of a band that is drawn already."""
         lower, upper = np.asarray(low, float), np.asarray(high, float)
         finite = np.isfinite(lower) & np.isfinite(upper)
@@ -180,20 +185,20 @@ class Panel:
         part = np.repeat(np.arange(1, len(ends) + 1), 2)
         self._keep("lines", style.get("label"), ends[..., 0].ravel(), ends[..., 1].ravel(), part=part)
 
-    def line_at(self, x: float, name: str, **style: Any) -> None:
+    def vertical_line(self, x: float, name: str, **style: Any) -> None:
         """Draw a vertical line across the panel."""
         self.axes.axvline(x, **style)
         self._keep("line", name, x, np.nan)
 
     def cells(
-        self, x: Array, y: Array, values: Array, meanings: Sequence[str] = (), **style: Any
+        self, x: Array, y: Array, values: Array, value_names: Sequence[str] = (), **style: Any
     ) -> QuadMesh:
         """Draw values (rows, columns) as colours around the places x (columns,) and y (rows,); NaN stays blank.
 
-        - meanings: of the values 0, 1, 2... if they are kinds
+        - value_names: of the values 0, 1, 2... if they are kinds
         """
         mesh = self.axes.pcolormesh(_cell_edges(x), _cell_edges(y), np.ma.masked_invalid(values), **style)
-        self._keep_cells(x, y, values, tuple(meanings))
+        self._keep_cells(x, y, values, tuple(value_names))
         return mesh
 
     def image(self, values: Array, **style: Any) -> AxesImage:
@@ -203,9 +208,11 @@ class Panel:
         self._keep_cells(np.arange(columns), np.arange(rows), values)
         return image
 
-    def _keep_cells(self, x: Array, y: Array, values: Array, meanings: tuple[str, ...] = ()) -> None:
+    def _keep_cells(self, x: Array, y: Array, values: Array, value_names: tuple[str, ...] = ()) -> None:
         cell_x, cell_y = np.meshgrid(x, y)
-        self._keep("cells", "", cell_x.ravel(), cell_y.ravel(), values=values.ravel(), meanings=meanings)
+        self._keep(
+            "cells", "", cell_x.ravel(), cell_y.ravel(), values=values.ravel(), value_names=value_names
+        )
 
     def _keep(
         self,
@@ -216,7 +223,7 @@ class Panel:
         *,
         part: Array | None = None,
         values: ArrayLike | None = None,
-        meanings: tuple[str, ...] = (),
+        value_names: tuple[str, ...] = (),
     ) -> None:
         self._counts[kind] += 1
         title = visible_text(name) if name else f"{kind} {self._counts[kind]}"
@@ -224,7 +231,7 @@ class Panel:
             np.atleast_1d(x).astype(float), np.atleast_1d(y).astype(float)
         )
         colour_values = None if values is None else np.asarray(values, dtype=float)
-        self.series.append(Series(title, x_values, y_values, part, colour_values, meanings))
+        self.series.append(Series(title, x_values, y_values, part, colour_values, value_names))
 
 
 def _cell_edges(centres: Array) -> Array:

@@ -61,7 +61,7 @@ def mode_panels(
     rows, columns = rows_and_columns(modes, is_tall=plane.is_tall)
     colour_bars = scales == "own"
     panel_height = min(
-        min(plane.height, MAX_HEIGHT_TO_WIDTH) * panel_width(plane, modes, colour_bars=colour_bars),
+        min(plane.height_to_width, MAX_HEIGHT_TO_WIDTH) * panel_width(plane, modes, colour_bars=colour_bars),
         MAX_PANEL_HEIGHT,
     )
     height = (
@@ -71,7 +71,7 @@ def mode_panels(
     )
     sheet.figure.set_layout_engine("compressed")  # panels keep their proportions and stand close together
     height = rows * (height + 0.3) + 0.3 + space_below
-    sheet.groups(modes, columns, height, height_to_width=plane.proportions, scales=scales)
+    sheet.groups(modes, columns, height, height_to_width=plane.fixed_height_to_width, scales=scales)
     pad = 72 * TEXT_LINE_HEIGHT + 3 if has_text_line else None  # [points]
     for mode, panel in enumerate(sheet.panels):
         plane.label_panel(panel, f"mode {mode + 1}", pad=pad)
@@ -136,7 +136,7 @@ def _separate_ticks_locator(low: float, high: float) -> Any:
 def draw_shared_scale(sheet: Sheet, plane: Plane, mesh: Any, label: str, **settings: Any) -> None:
     """Draw the colour scale of all panels: right of tall maps, below others."""
     location, shrink = ("right", 0.9) if plane.is_tall else ("bottom", 0.6)
-    sheet.scale(mesh, label, location=location, shrink=shrink, aspect=35, **settings)
+    sheet.colour_scale(mesh, label, location=location, shrink=shrink, aspect=35, **settings)
 
 
 def widened_limits(low: float, high: float) -> tuple[float, float]:

@@ -31,7 +31,7 @@ class MarkedBody(NamedTuple):
 
     name: str
     elements: tuple[int, ...]
-    along: str = ""
+    axis: str = ""
 
 
 def marked_machine(scene: Scene, marks: Sequence[MarkedBody]) -> Drawing:
@@ -64,9 +64,9 @@ def marked_machine(scene: Scene, marks: Sequence[MarkedBody]) -> Drawing:
                 linewidth=MARKED_LINE_WIDTH,
                 label=mark.name,
             )
-            if mark.along:  # an arrow with two heads through the middle of the body
+            if mark.axis:  # an arrow with two heads through the middle of the body
                 middle = view_points[list(scene.elements[mark.elements[0]].points)].mean(axis=0)
-                half_arrow = ARROW_HALF_LENGTH * scene.size * view[:, "xyz".index(mark.along)]
+                half_arrow = ARROW_HALF_LENGTH * scene.size * view[:, "xyz".index(mark.axis)]
                 start, end = (middle - half_arrow)[:2], (middle + half_arrow)[:2]
                 arrow_style = {
                     "arrowstyle": "<->",
@@ -76,7 +76,7 @@ def marked_machine(scene: Scene, marks: Sequence[MarkedBody]) -> Drawing:
                     "shrinkB": 0,
                 }
                 axes.annotate("", xy=end, xytext=start, arrowprops=arrow_style, zorder=4)
-                axes.annotate(mark.along, end, textcoords="offset points", xytext=(4, 4), color=INK, zorder=4)
+                axes.annotate(mark.axis, end, textcoords="offset points", xytext=(4, 4), color=INK, zorder=4)
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, 0.0), frameon=False)
 
     return Drawing(draw)

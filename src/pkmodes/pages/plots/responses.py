@@ -68,7 +68,7 @@ def responses(
                 magnitude_panel, phase_panel, curves, (float(frequencies[0]), float(frequencies[-1]))
             )
             # Each channel has units of its own, so that every panel keeps the label of its vertical axis.
-            magnitude_panel.inner, phase_panel.inner = (
+            magnitude_panel.omitted_labels, phase_panel.omitted_labels = (
                 {"x"},
                 {"title"} if k // columns == rows - 1 else {"title", "x"},
             )

@@ -124,7 +124,7 @@ def _row_label(description: str, name: str) -> str:
 def _name_rows(panel: Panel, labels: Sequence[str]) -> None:
     """Name the rows, each above its line, so that the lines have the whole width, also on a small screen."""
     axes = panel.axes
-    panel.name_places("y", [i - LABEL_OFFSET for i in range(len(labels))], labels)
+    panel.set_tick_names("y", [i - LABEL_OFFSET for i in range(len(labels))], labels)
     axes.set_ylim(len(labels) - 0.5, -0.9)
     axes.tick_params(axis="y", length=0.0, pad=-3.0)
     for text in axes.get_yticklabels():

@@ -44,8 +44,8 @@ def setup_frequencies(evidence: PlottedEvidence) -> Drawing:
             panel.lines(ends, y[:, None], label=label, zorder=2, rasterized=rasterized, **style)
         if evidence.spread is not None:
             _shade_bands(panel, evidence.stages[0].predicted.spectrum, evidence.spread, highest)
-        setup_positions = evidence.setup.astype(float)
-        has_partner = evidence.mode() > 0
+        setup_positions = evidence.setup_indices.astype(float)
+        has_partner = evidence.mode_numbers() > 0
         marks.mark_rows(panel, evidence, np.where(has_partner, setup_positions, np.nan), evidence.measured)
         if not has_partner.all():
             panel.scatter(
@@ -94,4 +94,4 @@ def _shade_bands(
         label=BAND_LABEL,
     )
     panel.axes.add_collection(bands, autolim=False)
-    panel.limits(setup, low, high, BAND_LABEL)
+    panel.keep_band_limits(setup, low, high, BAND_LABEL)

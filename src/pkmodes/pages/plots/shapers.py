@@ -68,7 +68,7 @@ def over_plane(
             panel.axes.grid(False)
             if equal_scales:
                 panel.axes.set_aspect("equal")
-        sheet.scale(mesh, "left [%]", aspect=15)
+        sheet.colour_scale(mesh, "left [%]", aspect=15)
 
     return Drawing(draw)
 
@@ -138,11 +138,11 @@ def _draw_curves(sheet: Sheet, panel: Panel, x: Array, remaining: Mapping[str, A
 
 @dataclass(frozen=True)
 class ShaperCurve:
-    """What a shaper leaves of a mode at each frequency [%], by its name; `marked` for the recommended one."""
+    """What a shaper leaves of a mode at each frequency [%], by its name; `is_recommended` for the recommended one."""
 
     name: str
     remaining: Array
-    marked: bool
+    is_recommended: bool
 
 
 @dataclass(frozen=True)
@@ -160,8 +160,8 @@ class MarkedModes:
 
     frequencies: Array
     remaining: Array
-    largest: Array
-    within: str
+    max_remaining: Array
+    range_label: str
 
 
 def over_frequency(
@@ -178,24 +178,26 @@ def over_frequency(
         panel = sheet.panel(3.6)
         mode_panel = panel
         if spectrum is not None:
-            mode_panel = sheet.adopt(panel.axes.twinx(), inner={"x"})
+            mode_panel = sheet.add_panel(panel.axes.twinx(), omitted_labels={"x"})
             mode_panel.axes.grid(visible=False)
             mode_panel.axes.spines["right"].set_visible(True)
             _draw_spectrum(panel, spectrum)
             panel.label(x=frequency_label, y="amplitude of the spectrum [% of the highest]")
         mode_panel.label(x=frequency_label, y="left of a mode at this frequency [%]")
         colours = iter(OTHER_COLOURS)
-        for curve in sorted(curves, key=lambda candidate: not candidate.marked):
+        for curve in sorted(curves, key=lambda candidate: not candidate.is_recommended):
             style: dict[str, Any] = {"color": VERMILLION, "linewidth": 2.0, "zorder": 3}
-            if not curve.marked:
+            if not curve.is_recommended:
                 style = {"color": next(colours), "linewidth": 1.1}
             mode_panel.plot(
-                frequencies, curve.remaining, "-" if curve.marked else "--", label=curve.name, **style
+                frequencies, curve.remaining, "-" if curve.is_recommended else "--", label=curve.name, **style
             )
         if modes is not None:
-            segment_y = np.stack([modes.remaining, modes.largest], axis=-1)
+            segment_y = np.stack([modes.remaining, modes.max_remaining], axis=-1)
             segment_x = np.stack([modes.frequencies] * 2, axis=-1)
-            mode_panel.lines(segment_x, segment_y, color=INK, linewidth=1.0, label=modes.within, zorder=4)
+            mode_panel.lines(
+                segment_x, segment_y, color=INK, linewidth=1.0, label=modes.range_label, zorder=4
+            )
             dot_style: dict[str, Any] = {"marker": "o", "s": 14, "color": INK, "zorder": 5}
             mode_panel.scatter(modes.frequencies, modes.remaining, label="measured modes", **dot_style)
         mode_panel.axes.set_ylim(0.0, PERCENT_AXIS_TOP)
@@ -213,7 +215,7 @@ def over_frequency(
             "ncols": 3,
             "fontsize": 7.0,
         }
-        sheet.legend_of(handles, names, above=panel, **placement)
+        sheet.legend_from_handles(handles, names, above=panel, **placement)
 
     return Drawing(draw)
 

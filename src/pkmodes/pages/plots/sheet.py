@@ -116,7 +116,7 @@ class Sheet:
                 axes.set_visible(False)
             occupied = set(cell_of_panel.values())
             panels = {
-                key: Panel(grid_axes[cell], inner=_omitted_labels(key[1], cell, occupied))
+                key: Panel(grid_axes[cell], omitted_labels=_omitted_labels(key[1], cell, occupied))
                 for key, cell in cell_of_panel.items()
             }
             for panel in panels.values():
@@ -164,16 +164,16 @@ class Sheet:
             axes = self.figure.add_subplot(spec[k // panels_per_row, k % panels_per_row], **shared)
             first_axes = {**dict.fromkeys(keys, axes), **first_axes}
             panels[panel_key] = Panel(
-                axes, narrow=True, before=panels[order[k - 1]] if k % panels_per_row else None
+                axes, narrow=True, left_panel=panels[order[k - 1]] if k % panels_per_row else None
             )
         return panels
 
-    def adopt(self, axes: Axes, inner: Iterable[LabelKind] = ()) -> Panel:
+    def add_panel(self, axes: Axes, omitted_labels: Iterable[LabelKind] = ()) -> Panel:
         """Return axes that were drawn elsewhere on the figure as a panel."""
-        self.panels.append(Panel(axes, inner=inner))
+        self.panels.append(Panel(axes, omitted_labels=omitted_labels))
         return self.panels[-1]
 
-    def scale(self, mesh: Any, label: str, **settings: Any) -> None:
+    def colour_scale(self, mesh: Any, label: str, **settings: Any) -> None:
         """Draw the colour scale of all panels, with settings for `matplotlib.figure.Figure.colorbar`."""
         for panel in self.panels:
             panel.labels["scale"] = label
@@ -185,11 +185,11 @@ class Sheet:
         - above: whether it stands above this panel on a wide sheet, or else outside all
         - wide_settings: for the legend on a wide sheet
         """
-        self.legend_of(
+        self.legend_from_handles(
             *panel.axes.get_legend_handles_labels(), above=panel if above else None, **wide_settings
         )
 
-    def legend_of(
+    def legend_from_handles(
         self,
         handles: Sequence[Any],
         names: Sequence[str],
@@ -219,7 +219,7 @@ class Sheet:
         self.figure.set_figheight(self.figure.get_figheight() + box.height / self.figure.dpi)
         return legend
 
-    def settle(self) -> Bbox | None:
+    def lay_out_narrow(self) -> Bbox | None:
         """Lay a narrow figure out, to be saved once; return the part of it that is shown, None if it does not fit."""
         from matplotlib import rc_context
         from matplotlib.transforms import Bbox

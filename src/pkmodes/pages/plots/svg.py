@@ -85,7 +85,7 @@ def inline_narrow_svg(drawing: Drawing, title: str, description: str) -> str:
     with figure_style(), warnings.catch_warnings():
         warnings.simplefilter("ignore", UserWarning)  # panels that collapse, and characters that a font lacks
         sheet = drawing.sheet(narrow=True)
-        visible_box = sheet.settle() if len(sheet.panels) <= MAX_NARROW_PANELS else None
+        visible_box = sheet.lay_out_narrow() if len(sheet.panels) <= MAX_NARROW_PANELS else None
     if visible_box is None:
         return ""
     return _svg_element(sheet.figure, title, description, {"bbox_inches": visible_box, "dpi": NARROW_DPI})

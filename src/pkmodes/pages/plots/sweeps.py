@@ -59,7 +59,7 @@ def against_axis(dataset: xarray.Dataset, axis: str, spread: Array | None = None
             panel.band(values, low, high, color=BLUE, alpha=0.18, linewidth=0)
             panel.plot(values, median, color=BLUE, marker="o" if len(values) <= 15 else None)
             panel.label(f"mode {mode + 1}", x=f"{axis} [{unit}]", y="f [Hz]")
-            if "x" not in panel.inner:
+            if "x" not in panel.omitted_labels:
                 panel.axes.tick_params(labelbottom=True)
 
     return Drawing(draw)
@@ -92,7 +92,7 @@ def along_poses(dataset: xarray.Dataset, spread: Array | None = None) -> Drawing
                 position, frequency[:, mode], style, color=colour, marker=marker, label=f"mode {mode + 1}"
             )
         rotation = 90 if len(labels) > 10 else 0
-        panel.name_places("x", range(0, len(labels), step), labels[::step], rotation=rotation)
+        panel.set_tick_names("x", range(0, len(labels), step), labels[::step], rotation=rotation)
         panel.label(x="pose", y="f [Hz]")
         sheet.legend(panel, above=False, loc="outside right upper")
 
@@ -112,7 +112,7 @@ def along_path(dataset: xarray.Dataset, path: PosePath, spread: Array | None = N
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(3.4)
         for corner in path.corners[1:-1]:
-            panel.line_at(float(corner), "corner", color=GREY, linestyle="--", linewidth=0.8)
+            panel.vertical_line(float(corner), "corner", color=GREY, linestyle="--", linewidth=0.8)
         for mode in range(modes):
             colour, style = PALETTE[mode % len(PALETTE)], "-" if mode < len(PALETTE) else "--"
             values = frequency[:, mode]

@@ -63,7 +63,7 @@ def tornado(changes: Changes, modes: Sequence[int] | None = None) -> Drawing:
                 Patch(label=f"{TOGETHER_LABEL}: standard deviation", facecolor=GREY, edgecolor=GREY)
             )
         names = [str(handle.get_label()) for handle in handles]
-        sheet.legend_of(handles, names, loc="outside upper right", ncols=len(handles))
+        sheet.legend_from_handles(handles, names, loc="outside upper right", ncols=len(handles))
 
     return Drawing(draw)
 
@@ -97,7 +97,7 @@ def _draw_panel(panel: Panel, changes: Changes, mode: int, bars: int) -> None:
         panel.bar(len(names), -sigma, sigma, label=TOGETHER_LABEL, **style, **TOGETHER_STYLE)
         names, wrapped_labels = [*names, TOGETHER_LABEL], [*wrapped_labels, TOGETHER_LABEL]
     panel.axes.axvline(0.0, color=INK, linewidth=0.8)
-    panel.name_places("y", range(len(names)), wrapped_labels, names, fontsize=7, linespacing=0.95)
+    panel.set_tick_names("y", range(len(names)), wrapped_labels, names, fontsize=7, linespacing=0.95)
     axes.set_ylim(bars - 0.4, -0.6)  # the largest on top, bars equally wide in all panels
     axes.tick_params(axis="y", length=0)
     axes.grid(visible=False, axis="y")
@@ -109,5 +109,5 @@ def _draw_panel(panel: Panel, changes: Changes, mode: int, bars: int) -> None:
         axes.set_xlim(-AXIS_MARGIN * longest, AXIS_MARGIN * longest)
     axes.locator_params(axis="x", nbins=5)
     title = f"mode {mode + 1}, {typeset(f'{changes.frequencies[mode]:.2f}')} Hz"
-    panel.inner.clear()  # every panel has its own scale, so it shows its own labels
+    panel.omitted_labels.clear()  # every panel has its own scale, so it shows its own labels
     panel.label(title, x="change of the frequency [Hz]")

@@ -28,20 +28,20 @@ MIN_OUTLINE_FRACTION = 0.03
 
 
 @dataclass(frozen=True, eq=False)
-class Volume:
+class ReachableVolume:
     """Which poses around a plane can be evaluated.
 
     - heights, along, across: values of the components of the pose, perpendicular to the plane and in it [SI]
-    - valid: (heights, along, across)
+    - valid: (heights, rows, columns)
     """
 
     heights: Array
-    along: Array
-    across: Array
+    ordinates: Array
+    abscissas: Array
     valid: Array
 
 
-def workspace(plane: Plane, volume: Volume | None) -> Drawing | str:
+def workspace(plane: Plane, volume: ReachableVolume | None) -> Drawing | str:
     """Draw the condition number of the platform Jacobian in a plane, and where the plane lies in the workspace.
 
     - volume: None for a mechanism that moves in a plane
@@ -64,7 +64,10 @@ def workspace(plane: Plane, volume: Volume | None) -> Drawing | str:
     def draw(sheet: Sheet) -> None:
         if volume is None:
             plane_panel = sheet.panel(
-                FIGURE_WIDTH * 0.55, FIGURE_WIDTH * 0.7, height_to_width=plane.proportions, scales="own"
+                FIGURE_WIDTH * 0.55,
+                FIGURE_WIDTH * 0.7,
+                height_to_width=plane.fixed_height_to_width,
+                scales="own",
             )
         else:
             sheet.figure.set_size_inches(FIGURE_WIDTH, FIGURE_WIDTH * 0.5)
@@ -74,13 +77,13 @@ def workspace(plane: Plane, volume: Volume | None) -> Drawing | str:
                 (0.02, 0.02, 0.86, 0.96), projection="3d", computed_zorder=False
             )
             _draw_volume(volume_axes, plane, volume, low, high)
-            plane_panel = sheet.adopt(plane_figure.add_subplot())
+            plane_panel = sheet.add_panel(plane_figure.add_subplot())
         mesh = plane.draw(plane_panel, condition, vmin=low, vmax=high)
         plane.label_panel(plane_panel, median_text)
         label = "condition number [1]"
         if plane.is_tall:
             plane_panel.axes.set_anchor("E")  # next to its scale
-            sheet.scale(mesh, label, aspect=30, shrink=0.7, extend="both")
+            sheet.colour_scale(mesh, label, aspect=30, shrink=0.7, extend="both")
         else:
             draw_own_scale(plane, plane_panel, mesh, label)
 
@@ -111,17 +114,17 @@ def _enclosed_area(line: Any) -> float:
     return float(abs(np.sum(x * next_points[1] - y * next_points[0])) / 2.0)
 
 
-def _draw_volume(axes: Any, plane: Plane, volume: Volume, low: float, high: float) -> None:
+def _draw_volume(axes: Any, plane: Plane, volume: ReachableVolume, low: float, high: float) -> None:
     """Draw the outlines of the volume at several heights, and the plane between them."""
     from matplotlib import colormaps
     from matplotlib.colors import Normalize
 
-    names = (plane.across, plane.along, str(plane.normal))
-    factors = [plane.unit(name)[1] for name in names]
+    names = (plane.abscissa, plane.ordinate, str(plane.normal))
+    factors = [plane.display_unit(name)[1] for name in names]
     x, y, heights = (
-        v * f for v, f in zip((volume.across, volume.along, volume.heights), factors, strict=True)
+        v * f for v, f in zip((volume.abscissas, volume.ordinates, volume.heights), factors, strict=True)
     )
-    plane_height = plane.at * factors[2]
+    plane_height = plane.normal_position * factors[2]
     outlines = _outlines(x, y, volume.valid)
     for is_above in (False, True):
         for height, height_outlines in zip(heights, outlines, strict=True):
@@ -132,13 +135,15 @@ def _draw_volume(axes: Any, plane: Plane, volume: Volume, low: float, high: floa
             colours = colormaps["cividis"](Normalize(low, high)(condition))
             surface = np.where(np.isfinite(condition), plane_height, np.nan)
             settings = {"shade": False, "linewidth": 0, "antialiased": False, "rasterized": True}
-            X, Y = np.meshgrid(plane.drawn(plane.across), plane.drawn(plane.along))
+            X, Y = np.meshgrid(plane.display_values(plane.abscissa), plane.display_values(plane.ordinate))
             axes.plot_surface(X, Y, surface, facecolors=colours, rcount=80, ccount=80, **settings)
     axes.set_title(plane_location(plane), y=0.9)
     axes.view_init(ELEVATION, AZIMUTH)
     axes.set(xlim=(x[0], x[-1]), ylim=(y[0], y[-1]), zlim=(heights[0], heights[-1]))
     for letter, name in zip("xyz", names, strict=True):
-        getattr(axes, f"set_{letter}label")(plane.label(name), labelpad={"x": -4, "y": 1, "z": 2}[letter])
+        getattr(axes, f"set_{letter}label")(
+            plane.axis_label(name), labelpad={"x": -4, "y": 1, "z": 2}[letter]
+        )
     axes.set_box_aspect([np.ptp(values) for values in (x, y, heights)], zoom=0.9)
     simplify_3d_axes(axes)
 

@@ -18,7 +18,7 @@ def sections(evidence: PlottedEvidence) -> list[Section]:
     """Return the sections of the figures: mode by mode, pose by pose, and the shapes."""
     first, *further = mode_figures(evidence)
     further += pose_figures(evidence)
-    place = evidence.place
+    place = evidence.setup_noun
     return [
         Section("modes", "Measurement and model", [first]),
         *([Section("poses", f"{place.capitalize()} by {place}", further)] if further else []),
@@ -31,13 +31,13 @@ def mode_figures(evidence: PlottedEvidence) -> list[Block]:
     if not evidence.stages:
         return [Paragraph("The result has no predictions to show.")]
     count = plural(len(evidence.measured), "measured mode")
-    where = plural(len(evidence.labels), evidence.place)
+    where = plural(len(evidence.labels), evidence.setup_noun)
     single = len(evidence.stages) == 1
     overview = Picture.of(
         setup_frequencies(evidence),
-        f"Frequencies at each {evidence.place}",
+        f"Frequencies at each {evidence.setup_noun}",
         f"{count} at {where}, with the modes of the model as lines. {_unmatched(evidence)}",
-        f"Frequencies at each {evidence.place}: marks are measured, lines are the modes of the model. A line "
+        f"Frequencies at each {evidence.setup_noun}: marks are measured, lines are the modes of the model. A line "
         f"without a mark is a mode that was not measured. {_spread(evidence)}{_unmatched(evidence)}",
     )
     if not any(stage.paired.any() for stage in evidence.stages):
@@ -50,18 +50,19 @@ def mode_figures(evidence: PlottedEvidence) -> list[Block]:
             differences.by_mode(evidence),
             "Differences by mode",
             f"Model divided by measurement, minus 1, for each mode of the model. {_rms(evidence)}",
-            f"Differences by mode: model / measurement \u2212 1. Each mark is one {evidence.place}, the bar is their "
-            "median. A bar away from 0 is what the model gets wrong everywhere; scatter about it is noise or depends "
-            f"on the {evidence.place}.{'' if single else ' Both panels have the same scale.'}{_marks(evidence)}",
+            f"Differences by mode: model / measurement \u2212 1. Each mark is one {evidence.setup_noun}, the bar is "
+            "their median. A bar away from 0 is what the model gets wrong everywhere; scatter about it is noise or "
+            f"depends on the {evidence.setup_noun}.{'' if single else ' Both panels have the same scale.'}"
+            f"{_marks(evidence)}",
         )
     ]
     blocks.append(
         Picture.of(
             differences.by_setup(evidence),
-            f"Differences by {evidence.place}",
+            f"Differences by {evidence.setup_noun}",
             f"Differences in standard deviations of the measurement at {where}. {_largest(evidence)}",
-            f"Differences by {evidence.place}, in standard deviations \u03c3 of the measurement. In the shaded band, "
-            f"\u00b12 \u03c3, the difference may be noise."
+            f"Differences by {evidence.setup_noun}, in standard deviations \u03c3 of the measurement. In the shaded "
+            f"band, \u00b12 \u03c3, the difference may be noise."
             f"{'' if single else ' The scales of the panels differ.'}",
         )
     )
@@ -90,7 +91,7 @@ def shape_figures(evidence: PlottedEvidence) -> list[Block]:
     figure = mac_matrices(evidence) if _paired(evidence) else None
     if figure is None:
         return [Paragraph("No mode shapes were measured, or none belongs to a mode of the model.")]
-    mac = evidence.last.predicted.mac
+    mac = evidence.last_stage.predicted.mac
     lowest = f"{np.nanmin(mac):.3f}"
     worst = worst_setup(evidence)
     label = "" if worst is None else shortened(evidence.labels[worst])
@@ -99,11 +100,11 @@ def shape_figures(evidence: PlottedEvidence) -> list[Block]:
             figure,
             "MAC matrices",
             "Modal assurance criterion of measured shapes and modes of the model. The lowest of a pair is "
-            f"{lowest}, at {evidence.place} {label}.",
+            f"{lowest}, at {evidence.setup_noun} {label}.",
             "MAC matrices: 1 is the same shape, 0 a shape with nothing in common. Light cells on the diagonal alone "
             "mean that every measured shape is that of its mode; a light cell beside it, that the measured points "
             "hardly tell the two modes apart, or that they changed places. Rows are the measured modes, numbered as "
-            f"their partners. Bottom: the {evidence.place} with the lowest MAC of a pair, {lowest}.",
+            f"their partners. Bottom: the {evidence.setup_noun} with the lowest MAC of a pair, {lowest}.",
         )
     ]
 
@@ -138,7 +139,7 @@ def _marks(evidence: PlottedEvidence) -> str:
 
 
 def _unmatched(evidence: PlottedEvidence) -> str:
-    count = int((~evidence.last.paired).sum())
+    count = int((~evidence.last_stage.paired).sum())
     return (
         f"{plural(count, 'measured mode')} without a partner in the model."
         if count

@@ -64,7 +64,7 @@ def _marks(result: Diagnosis, setting: ReportSetting) -> list[MarkedBody]:
     elements, marks = setting.robot.mechanism.drawing.elements, dict[tuple[object, ...], MarkedBody]()
     for name, words in named_terms(result, setting):
         if (mark := marked(name, words, elements)) is not None:
-            marks.setdefault((mark.elements, mark.along), mark)
+            marks.setdefault((mark.elements, mark.axis), mark)
     return [*marks.values()]
 
 
@@ -73,7 +73,7 @@ def picture(result: Diagnosis, evidence: PlottedEvidence, setting: ReportSetting
     if setting.robot is None:
         return []
     marks, model = _marks(result, setting), Model(setting.robot)
-    points = evidence.points
+    points = evidence.poses
     if not points.shape[1] and setting.data is not None:  # all measured at 0
         points = np.zeros((len(evidence.labels), len(setting.robot.mechanism.pose)))
     if not marks or not points.shape[1]:
@@ -90,7 +90,7 @@ def picture(result: Diagnosis, evidence: PlottedEvidence, setting: ReportSetting
     middle = points[valid].mean(axis=0)
     chosen = valid[np.linalg.norm(points[valid] - middle, axis=1).argmin()]
     words = "; ".join(mark.name for mark in marks)
-    title, at = "Where it is", f"the machine at {evidence.place} {clean(evidence.labels[chosen])}"
+    title, at = "Where it is", f"the machine at {evidence.setup_noun} {clean(evidence.labels[chosen])}"
     return [
         Picture.of(
             marked_machine(scene(model, points[chosen]), marks),
