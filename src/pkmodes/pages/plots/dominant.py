@@ -74,7 +74,7 @@ def dominant_parameters(plane: Plane, paths: Sequence[str], relative_sensitiviti
         sheet.legend_from_handles(
             [Patch(facecolor=colour, edgecolor=FRAME_COLOUR) for colour in legend_colours],
             [*names, *([OTHER_LABEL] if has_others else [])],
-            below=True,
+            below_panels=True,
             loc="outside lower center",
             ncols=3,
             # In parts of the figure, so that it stays where it is when margins are cut off or added.

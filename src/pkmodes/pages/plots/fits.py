@@ -176,7 +176,7 @@ def function_fits(
                 if "x" not in panel.omitted_labels:
                     panel.axes.tick_params(labelbottom=True)
         groups[0][0].axes.set_xlim(*band)
-        sheet.legend(groups[0][0], above=False, loc="outside upper right", ncols=2)
+        sheet.legend(groups[0][0], above_panel=False, loc="outside upper right", ncols=2)
 
     return Drawing(draw)
 

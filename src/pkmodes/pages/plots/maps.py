@@ -32,16 +32,16 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 Array = NDArray[Any]
-#: Number of lines along the shorter side of a map.
+#: Number of direction lines along the shorter side of a map.
 STROKES_PER_SIDE = 9
-#: Relative difference below which the frequencies of two poses are equal, as for mirrored poses.
+#: Relative difference up to which the frequencies of two poses count as equal, as those of mirrored poses.
 EXTREME_TOLERANCE = 1e-9
-#: Most poses that can share an extreme; where more do, its location is not marked.
+#: Maximum number of poses that share a marked extreme; an extreme of more poses is not marked.
 MAX_SHARED_EXTREMES = 8
-#: Smallest distance of numbers on contours from one another and from the edges of a panel, and length of the shortest
+#: Minimum distance of numbers on contours from one another and from the edges of a panel, and minimum length of a
 #: contour with a number [inch].
 NUMBER_DISTANCE, EDGE_DISTANCE, MIN_CONTOUR_LENGTH = 0.22, 0.12, 0.5
-#: Numbers on contours steeper than this are upright: turned, 60 reads as 09 [degree].
+#: Numbers on steeper contours are not rotated: upside down, 60 would be read as 09 [degree].
 MAX_NUMBER_ROTATION = 60.0
 #: Shown in place of a figure for a plane in which the platform turns.
 NO_DIRECTIONS_SENTENCE = "The axes of this plane are not two directions of motion."
@@ -52,7 +52,7 @@ MAX_BLUE = 0.55
 def frequencies(plane: Plane, motors: Array | None = None) -> Drawing | str:
     """Draw the frequency of each mode, with its extremes in the plane (figure 8).
 
-    - motors: positions of the motors (across, along) in the drawn units, (N, 2)
+    - motors: positions of the motors, (N, 2): abscissa and ordinate in display units
 
     Returns a sentence if no frequency depends on the pose.
     """
@@ -102,21 +102,22 @@ def frequencies(plane: Plane, motors: Array | None = None) -> Drawing | str:
 def directions(plane: Plane, body: str = "platform", lengths: Array | None = None) -> Drawing | str:
     """Draw the direction of the platform's motion in each mode (figures 9 to 14).
 
-    Lines show the part in the plane, as long as its share of the motion; colours the share perpendicular to it.  A
-    sentence if no direction depends on the pose, or the plane is not one of directions.
+    Lines show the part in the plane, as long as its share of the motion; colours show the share perpendicular to it.
+    Returns a sentence if no direction depends on the pose, or if the axes of the plane are not directions of motion.
 
-    - body: what moves
-    - lengths: what makes lengths of the components of the platform's motion, (components,), where it turns
+    - body: noun for the body that moves
+    - lengths: factors that turn the components of the platform's motion into lengths, (components,); None if it does
+      not rotate
     """
     names = plane.dataset["direction"].values.tolist()
     if not plane.is_linear:
         return NO_DIRECTIONS_SENTENCE
     motion = plane.dataset["platform_shape"].values * (1.0 if lengths is None else lengths)
-    across, along = names.index(plane.abscissa), names.index(plane.ordinate)
+    abscissa_index, ordinate_index = names.index(plane.abscissa), names.index(plane.ordinate)
     magnitude = np.sqrt((motion**2).sum(axis=-1))
     unit_vectors = motion / np.where(magnitude > 0.0, magnitude, np.nan)[..., None]
     modes, has_rotations = motion.shape[2], lengths is not None
-    # Directions have no sign: their squares and products tell them apart.
+    # The sign of a direction has no meaning, so products of its components are compared.
     if is_uniform(unit_vectors[..., :, None] * unit_vectors[..., None, :], axes=(0, 1), scale=1.0):
         return f"In each mode the direction of motion of the {body} is almost the same at every pose."
     space_below = 0.0 if plane.is_tall or plane.normal is None else 0.5
@@ -135,7 +136,9 @@ def directions(plane: Plane, body: str = "platform", lengths: Array | None = Non
         for mode, panel in mode_panels(sheet, plane, modes, scales=scales, space_below=space_below):
             perpendicular = np.sqrt(
                 np.clip(
-                    1.0 - unit_vectors[:, :, mode, across] ** 2 - unit_vectors[:, :, mode, along] ** 2,
+                    1.0
+                    - unit_vectors[:, :, mode, abscissa_index] ** 2
+                    - unit_vectors[:, :, mode, ordinate_index] ** 2,
                     0.0,
                     1.0,
                 )
@@ -143,15 +146,15 @@ def directions(plane: Plane, body: str = "platform", lengths: Array | None = Non
             if has_rotations and plane.normal is not None:
                 perpendicular = np.abs(unit_vectors[:, :, mode, names.index(plane.normal)])
             if plane.normal is None:
-                perpendicular = np.where(np.isfinite(unit_vectors[:, :, mode, across]), 0.0, np.nan)
+                perpendicular = np.where(np.isfinite(unit_vectors[:, :, mode, abscissa_index]), 0.0, np.nan)
             mesh = plane.draw(panel, perpendicular, vmin=0.0, vmax=1.0, cmap=blues)
             stroke_vectors = unit_vectors[rows, columns, mode]
             _draw_strokes(
                 panel,
                 x[columns],
                 y[rows],
-                stroke_length * stroke_vectors[..., across],
-                stroke_length * stroke_vectors[..., along],
+                stroke_length * stroke_vectors[..., abscissa_index],
+                stroke_length * stroke_vectors[..., ordinate_index],
             )
         if plane.normal is not None:
             draw_shared_scale(sheet, plane, mesh, f"share of the motion along {plane.normal} [1]")
@@ -162,10 +165,11 @@ def directions(plane: Plane, body: str = "platform", lengths: Array | None = Non
 def components(plane: Plane, body: str = "platform", lengths: Array | None = None) -> Drawing | str:
     """Draw the in-plane and out-of-plane motion of the platform in each mode, all on one scale (figures 15 to 20).
 
-    Where it turns, a third row is its rotation, times the characteristic length.
+    For a platform that rotates, a third row shows the rotation times the characteristic length.
 
-    Mass-normalised shapes are compared: the platform's motion for the same kinetic energy of the whole robot.  A
-    sentence if none depends on the pose, or the plane is not one of directions.
+    Mass-normalised shapes are compared: the platform's motion for the same kinetic energy of the whole robot.
+
+    Returns a sentence if no motion depends on the pose, or if the axes of the plane are not directions of motion.
 
     - body, lengths: as for `directions`, (components,)
     """
@@ -216,12 +220,12 @@ def components(plane: Plane, body: str = "platform", lengths: Array | None = Non
 
 
 def extremes(values: Array) -> dict[str, list[tuple[int, int]]]:
-    """Return where values are lowest and highest: the same definition as in the table of a map.
+    """Return the poses of the minimum and the maximum, by the same definition as in the table of a map.
 
     - values: (rows, columns)
 
-    Returns for ``minimum`` and ``maximum`` the indices of the poses, of several where they share the value, as
-    mirrored poses do; none if no pose can be evaluated, or if it is shared by so many that it has no place.
+    Returns for ``minimum`` and ``maximum`` the indices of the poses: several poses if they share the value, as
+    mirrored poses do; none if no pose can be evaluated, or if more than `MAX_SHARED_EXTREMES` share the value.
     """
     extreme_poses: dict[str, list[tuple[int, int]]] = {"minimum": [], "maximum": []}
     if not np.isfinite(values).any():
@@ -235,13 +239,16 @@ def extremes(values: Array) -> dict[str, list[tuple[int, int]]]:
 
 
 def _format_range(low: float, high: float) -> str:
-    """Write a range of frequencies with as many decimals as tell its ends apart."""
+    """Return the text of a range of frequencies, with enough decimals to distinguish its ends."""
     decimals = 1 if high <= low else max(0, min(4, 1 - math.floor(math.log10(high - low))))
     return f"{typeset(f'{low:.{decimals}f}')}\N{EN DASH}{typeset(f'{high:.{decimals}f}')} Hz"
 
 
 def _draw_strokes(panel: Panel, x: Array, y: Array, half_x: Array, half_y: Array) -> None:
-    """Draw a line through each pose in the direction of a vibration, which has no sign."""
+    """Draw a line through each pose in the direction of a vibration.
+
+    - half_x, half_y: half of each line, in the units of the axes
+    """
     finite = np.isfinite(half_x) & np.isfinite(half_y)
     ends = [
         np.stack([centres - half_lengths, centres + half_lengths], axis=-1)[finite]
@@ -251,7 +258,7 @@ def _draw_strokes(panel: Panel, x: Array, y: Array, half_x: Array, half_y: Array
 
 
 def _draw_contours(plane: Plane, axes: Axes, mesh: Any, values: Array, inch_in_axis_units: float) -> None:
-    """Draw contours at round frequencies, with their numbers, in black or white, whichever can be seen.
+    """Draw contours at round frequencies, with their numbers, in black or white, whichever has more contrast.
 
     - inch_in_axis_units: approximate length of an inch of the panel in the units of its axes, used to leave out
       numbers that would overlap
@@ -287,7 +294,7 @@ def _draw_contours(plane: Plane, axes: Axes, mesh: Any, values: Array, inch_in_a
 def _number_positions(
     lines: list[Array], mark_positions: list[Any], axes: Axes, inch_in_axis_units: float
 ) -> list[tuple[float, float]]:
-    """Return a place for a number on each line that is long enough, away from other numbers, marks and edges."""
+    """Return a position for a number on each line that is long enough, away from other numbers, marks and edges."""
     positions: list[tuple[float, float]] = []
     (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
     for line in lines:
@@ -306,7 +313,7 @@ def _number_positions(
 
 
 def _mark_extremes(plane: Plane, panel: Panel, values: Array) -> None:
-    """Mark the extremes in the plane: a triangle down for the lowest, up for the highest frequency."""
+    """Mark the extremes in the plane: a triangle that points down for the lowest, up for the highest frequency."""
     x, y = plane.display_values(plane.abscissa), plane.display_values(plane.ordinate)
     for name, poses in extremes(values).items():
         for i, j in poses:
@@ -314,7 +321,7 @@ def _mark_extremes(plane: Plane, panel: Panel, values: Array) -> None:
 
 
 def _mark_motors(panel: Panel, motors: Array | None) -> None:
-    """Mark motors as squares; those beyond the map at its edge, hollow."""
+    """Mark motors as squares; motors beyond the map as hollow squares at its edge."""
     if motors is None:
         return
     (left, right), (bottom, top) = panel.axes.get_xlim(), panel.axes.get_ylim()
@@ -324,7 +331,7 @@ def _mark_motors(panel: Panel, motors: Array | None) -> None:
 
 
 def _draw_mark(panel: Panel, x: float, y: float, marker: str, *, filled: bool, size: float) -> None:
-    """Draw a mark that can be seen on any colour, black with a white edge or the other way round."""
+    """Draw a mark that is visible on any colour: black with a white edge, or white with a black edge."""
     face, edge = (BLACK, WHITE) if filled else (WHITE, BLACK)
     style: dict[str, Any] = {"markeredgewidth": 0.7, "markersize": size, "clip_on": False}
     panel.plot([x], [y], marker, color=face, markeredgecolor=edge, **style)

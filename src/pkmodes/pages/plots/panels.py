@@ -15,30 +15,27 @@ if TYPE_CHECKING:
 
 #: Space for labels and colour bars beside and below each panel, and for a line below its title [inch].
 SPACE_BESIDE, SPACE_BELOW, TEXT_LINE_HEIGHT = 0.62, 1.0, 0.15
-#: Height of a colour bar below a panel, its distance from the labels above it, and between two of its numbers [inch].
+#: Height of a colour bar below a panel, its distance from the labels above it, and the distance between two of its
+#: numbers [inch].
 BAR_THICKNESS, BAR_CLEARANCE, NUMBER_GAP = 0.08, 0.07, 0.05
-#: Smallest width of a colour bar below a panel [inch].
+#: Minimum width of a colour bar below a panel [inch].
 MIN_BAR_WIDTH = 0.7
 #: Font size of the numbers on colour bars [points], and width of a digit relative to it.
 BAR_FONT_SIZE, DIGIT_WIDTH = 6.5, 0.64
-#: Largest ratio of height to width of a panel, and its largest height [inch].
+#: Maximum ratio of height to width of a panel, and its maximum height [inch].
 MAX_HEIGHT_TO_WIDTH, MAX_PANEL_HEIGHT = 3.5, 4.5
-#: Most tall panels in a row; for other panels, the number up to which there are few, and most in a row for few and
-#: for many.
+#: Maximum number of tall panels in a row; for other panels, the number of modes that counts as few, and the maximum
+#: number in a row for few and for many modes.
 MAX_TALL_COLUMNS, FEW_MODES, MAX_COLUMNS_FEW_MODES, MAX_COLUMNS_MANY_MODES = 6, 6, 3, 4
-#: Smallest span of a colour scale of frequencies, relative to the frequency, so that a small range also looks small.
+#: Minimum span of a colour scale of frequencies, relative to the frequency, so that a small range also looks small.
 MIN_RELATIVE_SPAN = 0.05
 
 
 def rows_and_columns(modes: int, *, is_tall: bool) -> tuple[int, int]:
     """Return the rows and columns of panels: as many in a row as fit, with rows of nearly equal length."""
-    max_columns = (
-        MAX_TALL_COLUMNS
-        if is_tall
-        else MAX_COLUMNS_FEW_MODES
-        if modes <= FEW_MODES
-        else MAX_COLUMNS_MANY_MODES
-    )
+    max_columns = MAX_COLUMNS_FEW_MODES if modes <= FEW_MODES else MAX_COLUMNS_MANY_MODES
+    if is_tall:
+        max_columns = MAX_TALL_COLUMNS
     rows = -(-modes // max_columns)
     return rows, -(-modes // rows)
 
@@ -52,11 +49,11 @@ def mode_panels(
     has_text_line: bool = False,
     space_below: float = 0.0,
 ) -> Iterator[tuple[int, Panel]]:
-    """Yield each mode with its panel, titled, and labelled where no panel is beside or below.
+    """Yield each mode with its panel, which has a title, and labels where no panel is at the left or below.
 
     - scales: as for `pkmodes.pages.plots.sheet.Sheet.groups`
-    - has_text_line: whether there is a line between title and panel
-    - space_below: height of what stands below all panels [inch]
+    - has_text_line: whether there is a line of text between title and panel
+    - space_below: height to be left free below all panels [inch]
     """
     rows, columns = rows_and_columns(modes, is_tall=plane.is_tall)
     colour_bars = scales == "own"
@@ -79,13 +76,13 @@ def mode_panels(
 
 
 def panel_width(plane: Plane, modes: int, *, colour_bars: bool) -> float:
-    """Return the width of a panel, about [inch]."""
+    """Return the approximate width of a panel [inch]."""
     columns = rows_and_columns(modes, is_tall=plane.is_tall)[1]
     return FIGURE_WIDTH / columns - (SPACE_BESIDE if colour_bars and not plane.is_tall else 0.15)
 
 
 def draw_own_scale(plane: Plane, panel: Panel, mesh: Any, label: str) -> None:
-    """Draw the colour scale of one panel: below a tall map, right of another."""
+    """Draw the colour scale of one panel: below a tall map, to the right of others."""
     from matplotlib.ticker import MaxNLocator
 
     panel.labels["scale"], axes = label, panel.axes
@@ -104,7 +101,7 @@ def draw_own_scale(plane: Plane, panel: Panel, mesh: Any, label: str) -> None:
 
 
 def _locator_below_labels(axes: Axes) -> Any:
-    """Return where a colour bar stands: as wide as a panel, below the labels of its horizontal axis."""
+    """Return a locator for a colour bar: as wide as a panel, below the labels of its horizontal axis."""
     from matplotlib.transforms import Bbox
 
     def locate(_: Any, renderer: Any) -> Any:
@@ -118,7 +115,7 @@ def _locator_below_labels(axes: Axes) -> Any:
 
 
 def _separate_ticks_locator(low: float, high: float) -> Any:
-    """Return a locator of two or three numbers that do not touch each other at a colour bar below a panel."""
+    """Return a locator of two or three ticks whose numbers do not touch, for a colour bar below a panel."""
     from matplotlib.ticker import MaxNLocator
 
     steps = [1, 1.5, 2, 3, 4, 5, 6, 8, 10]
@@ -134,7 +131,7 @@ def _separate_ticks_locator(low: float, high: float) -> Any:
 
 
 def draw_shared_scale(sheet: Sheet, plane: Plane, mesh: Any, label: str, **settings: Any) -> None:
-    """Draw the colour scale of all panels: right of tall maps, below others."""
+    """Draw the colour scale of all panels: to the right of tall maps, below others."""
     location, shrink = ("right", 0.9) if plane.is_tall else ("bottom", 0.6)
     sheet.colour_scale(mesh, label, location=location, shrink=shrink, aspect=35, **settings)
 

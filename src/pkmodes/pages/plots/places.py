@@ -1,4 +1,4 @@
-"""A machine at rest, seen from the still camera, with some of its bodies in colour: where to look."""
+"""A machine at rest with some of its bodies in colour, to show where a cause is."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ from pkmodes.pages.view.scene import Scene
 from pkmodes_description import Element
 
 Array = NDArray[Any]
-#: Colours of marked bodies, the strongest first.
+#: Colours of marked bodies in order, the most conspicuous first.
 MARK_COLOURS = (PALETTE[1], *(colour for i, colour in enumerate(PALETTE) if i != 1))
-#: Line widths of marked bodies and of the rest [pt].
+#: Line widths of marked bodies and of the others [pt].
 MARKED_LINE_WIDTH, LINE_WIDTH = 3.0, 0.9
-#: Length of an arrow relative to the size of the machine.
+#: Half the length of an arrow, relative to the size of the machine.
 ARROW_HALF_LENGTH = 0.16
-#: Largest ratio of height to width of the picture.
+#: Maximum ratio of height to width of the picture.
 MAX_HEIGHT_TO_WIDTH = 0.9
 
 
 class MarkedBody(NamedTuple):
-    """What is marked: its name, elements by their indices, and the base axis along which it acts, or none."""
+    """A marked body: its name, the indices of its elements, and the base axis along which it acts, or none."""
 
     name: str
     elements: tuple[int, ...]
@@ -35,7 +35,7 @@ class MarkedBody(NamedTuple):
 
 
 def marked_machine(scene: Scene, marks: Sequence[MarkedBody]) -> Drawing:
-    """Draw a machine at the pose shown first, with some of its elements marked."""
+    """Draw a machine at the pose that the view shows first, with some of its elements marked."""
     view = camera(scene)
     view_points = scene.points[scene.chosen] @ view.T
     span = np.ptp(view_points[:, :2], axis=0)

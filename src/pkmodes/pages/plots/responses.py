@@ -1,4 +1,4 @@
-"""Frequency responses: magnitude and phase of each channel, measured ones beneath those of the model."""
+"""Frequency responses: magnitude and phase of each channel, measured ones behind those of the model."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from pkmodes.pages.plots.sheet import Sheet
 from pkmodes.pages.plots.style import BLUE, GREY, VERMILLION
 
 Array = NDArray[Any]
-#: Height of a channel [inch], and most channels drawn: more would be illegible.
+#: Height of a channel [inch], and maximum number of channels: more would be illegible.
 CHANNEL_HEIGHT, MAX_CHANNELS = 2.4, 12
 #: Ratio of the last to the first frequency above which the axis is logarithmic.
 LOG_AXIS_RATIO = 30.0
@@ -41,7 +41,7 @@ def responses(
     - model: by channel, each (F,)
     - units: of the magnitudes, by channel
     - measured: frequencies, and responses by channel
-    - title: above all
+    - title: above the figure
     - before: responses of another model by channel, such as the one before a correction, each (F,)
     """
     names, without_model_response = list(model)[:MAX_CHANNELS], without_response(model, units)
@@ -67,7 +67,7 @@ def responses(
             _draw_channel(
                 magnitude_panel, phase_panel, curves, (float(frequencies[0]), float(frequencies[-1]))
             )
-            # Each channel has units of its own, so that every panel keeps the label of its vertical axis.
+            # Each channel has its own units, so every panel keeps the label of its vertical axis.
             magnitude_panel.omitted_labels, phase_panel.omitted_labels = (
                 {"x"},
                 {"title"} if k // columns == rows - 1 else {"title", "x"},
@@ -87,7 +87,7 @@ def _draw_channel(
     curves: list[tuple[Array, Array, dict[str, Any]]],
     frequency_range: tuple[float, float],
 ) -> None:
-    """Draw one channel: its magnitude and its phase, between two frequencies."""
+    """Draw the magnitude and the phase of a channel in a range of frequencies."""
     is_single_frequency = frequency_range[0] == frequency_range[1]
     if curves:
         magnitude_panel.axes.set_yscale("log")
@@ -117,7 +117,7 @@ def draw_phases(panel: Panel, curves: Iterable[tuple[Array, Array, dict[str, Any
     """Draw the phases of complex values over frequency, each with its style."""
     for f, values, style in curves:
         phase = np.degrees(np.angle(values))
-        # No line joins +180 and -180 degrees.
+        # Break the curve where the phase jumps between +180 and -180 degrees.
         jumps = np.flatnonzero(np.abs(np.diff(phase)) > 180.0) + 1
         panel.plot(np.insert(f, jumps, f[jumps]), np.insert(phase, jumps, np.nan), **style)
     panel.axes.set_ylim(-190.0, 190.0)

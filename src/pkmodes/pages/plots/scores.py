@@ -1,4 +1,4 @@
-"""Candidates with their scores, and uncertain values with how far the fit moved them."""
+"""The scores of the candidates, and the shifts of uncertain values by the fit."""
 
 from __future__ import annotations
 
@@ -16,21 +16,21 @@ from pkmodes.pages.plots.panel import Panel
 from pkmodes.pages.plots.sheet import Sheet
 from pkmodes.pages.plots.style import BLUE, GREEN, GREY, INK, PAPER
 
-#: Most candidates or values in a figure, and length of the longest name.
+#: Maximum number of candidates or values in a figure, and maximum length of a name.
 MAX_ROWS, MAX_NAME_LENGTH = 16, 64
-#: Length of the longest row label: words and a name.
+#: Maximum length of a row label: a description and a name.
 MAX_LABEL_LENGTH = 96
-#: Height of a row with its label [inch]; the label is this fraction of a row above the line.
+#: Height of a row with its label [inch]; distance of the label above the line, as a fraction of a row.
 ROW_HEIGHT, LABEL_OFFSET = 0.3, 0.12
 #: Fraction of the axis left of 0, so that a mark at 0 is not cut off.
 LEFT_MARGIN = 0.012
-#: Smaller p-values are beyond the axis: below it a computer soon holds 0 alone.
+#: Smaller p-values are beyond the axis: a little below, floating-point numbers underflow to 0.
 MIN_P_VALUE = 1e-300
 BEYOND_LABEL, MAX_SCORE = "beyond 300", 300.0
 
 
 def candidate_scores(result: Diagnosis) -> Drawing | None:
-    """Return the scores of the candidates, the most significant first; None if none was tested."""
+    """Draw the scores of the candidates, the most significant first; None if none was tested."""
     candidates = sorted(result.candidates, key=lambda candidate: candidate.p_value)[:MAX_ROWS]
     if not candidates:
         return None
@@ -108,9 +108,9 @@ def is_beyond_axis(candidate: Examined) -> bool:
 
 
 def _row_label(description: str, name: str) -> str:
-    """Return the label of a row: in words, and the name after them; the name alone where the words do not fit.
+    """Return the label of a row: the description with the name, or only the name if the description does not fit.
 
-    Words are not cut; the table below the figure has them whole.
+    A description is never shortened; the table below the figure has all of them.
     """
     short_name = short_label(name.removeprefix("effects."), MAX_NAME_LENGTH)
     text = visible_text(description)
@@ -122,7 +122,7 @@ def _row_label(description: str, name: str) -> str:
 
 
 def _name_rows(panel: Panel, labels: Sequence[str]) -> None:
-    """Name the rows, each above its line, so that the lines have the whole width, also on a small screen."""
+    """Label the rows, each above its line, so that lines have the full width on a small screen too."""
     axes = panel.axes
     panel.set_tick_names("y", [i - LABEL_OFFSET for i in range(len(labels))], labels)
     axes.set_ylim(len(labels) - 0.5, -0.9)
@@ -135,11 +135,11 @@ def _name_rows(panel: Panel, labels: Sequence[str]) -> None:
 def shifts_from_prior(
     values: Sequence[Corrected], describe: Callable[[str], str] | None = None
 ) -> Drawing | None:
-    """Return how far the fit moved each value, in standard deviations of its prior; None if none has a prior.
+    """Draw how far the fit moved each value, in standard deviations of its prior; None if none has a prior.
 
-    The bars are the standard deviations of the table, which include what was not observed.
+    The bars are the standard deviations of the table, which include the effect of candidates that were not observed.
 
-    - describe: returns what the name of a value means, or nothing
+    - describe: function that returns a description for the name of a value, or an empty text
     """
     with_prior = [(value, value.prior_sigma) for value in values if value.prior_sigma]
     shifts = [

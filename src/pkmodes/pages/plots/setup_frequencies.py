@@ -1,4 +1,4 @@
-"""Frequencies of every setup: measured modes, and the modes of the model, also those that were not measured."""
+"""Frequencies at every setup: measured modes, and the modes of the model, including modes not measured."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ from pkmodes.pages.plots.style import GREEN, GREY
 
 #: Modes of the model are shown up to this multiple of the highest measured frequency.
 MAX_FREQUENCY_RATIO = 1.12
-#: Half the length of a line of the model, in setups; then the styles of the first and the last stage.
+#: Half the length of a line of the model, in units of the distance between setups; then the line styles of the first
+#: and the last stage.
 LINE_HALF_LENGTH = 0.36
 STAGE_STYLES = (
     {"color": GREY, "linewidth": 2.6, "alpha": 0.55},
@@ -25,9 +26,9 @@ BAND_OPACITY, BAND_LABEL = 0.25, "\u00b1 \u03c3 as declared"
 
 
 def setup_frequencies(evidence: PlottedEvidence) -> Drawing:
-    """Return the frequencies of all setups: dots are measured, lines are the model.
+    """Draw the frequencies at all setups: dots are measured, lines are the model.
 
-    Bands are one standard deviation of the declared values on either side of the declared model.
+    Bands are one standard deviation on either side of the declared model, from those of the declared values.
     """
 
     def draw(sheet: Sheet) -> None:
@@ -70,7 +71,7 @@ def _shade_bands(
     """Shade one standard deviation on either side of the lines of the declared model."""
     from matplotlib.collections import PolyCollection
 
-    mode_count = min(frequencies.shape[1], spread.shape[1])  # modes that pad a setup are in neither
+    mode_count = min(frequencies.shape[1], spread.shape[1])  # modes in both; padding is NaN
     y, sigma = frequencies[:, :mode_count], spread[:, :mode_count]
     setup, mode = np.nonzero((y <= highest) & (sigma > 0.0))
     if not len(setup):

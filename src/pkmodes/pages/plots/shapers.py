@@ -1,4 +1,4 @@
-"""What shapers leave of the vibration: over the workspace, over frequency, and where the model errs."""
+"""The vibration that remains with shapers: over the workspace, over frequency, and for wrong frequencies."""
 
 from __future__ import annotations
 
@@ -28,20 +28,20 @@ from pkmodes.pages.plots.style import (
 Array = NDArray[Any]
 #: Colours of the shapers that are not recommended.
 OTHER_COLOURS = (GREEN, ORANGE, PURPLE, SKY)
-#: Upper end of an axis that shows up to 100 %.
+#: Upper end of an axis for values up to 100 %.
 PERCENT_AXIS_TOP = 104.0
-#: Fraction of a grid's points above which poses are drawn as that grid.
+#: Poses that fill at least this fraction of a grid are drawn as its cells.
 MIN_GRID_FRACTION = 0.25
-#: Smallest and largest ratio of height to width of a map; space for titles and labels [inch].
+#: Minimum and maximum ratio of height to width of a map; space for titles and labels [inch].
 HEIGHT_TO_WIDTH_LIMITS, LABEL_HEIGHT = (0.3, 1.3), 0.75
-#: A single map is as wide as if this many stood side by side.
+#: Minimum number of maps by which the width of a figure is divided, so that a single map is not too large.
 MIN_MAP_COLUMNS = 1.6
 
 
 def over_plane(
     points: Array, names: Sequence[str], units: Sequence[tuple[str, float]], remaining: Mapping[str, Array]
 ) -> Drawing:
-    """Draw what shapers leave at poses in a plane, one map for each, on a common scale.
+    """Draw the vibration that remains at poses in a plane, one map for each shaper, on a common scale.
 
     - points: SI, (N, 2)
     - names, units: of the two components, and the unit in which each is drawn with its factor
@@ -74,7 +74,7 @@ def over_plane(
 
 
 def _draw_map(panel: Panel, x: Array, y: Array, values: Array, highest: float, panel_count: int) -> Any:
-    """Draw values over a plane: as cells of a grid where the points form one, else as squares."""
+    """Draw values over a plane: as the cells of a grid if the points form one, else as square marks."""
     columns, column_index = np.unique(x.round(9), return_inverse=True)
     rows, row_index = np.unique(y.round(9), return_inverse=True)
     if len(x) >= MIN_GRID_FRACTION * len(rows) * len(columns):
@@ -89,9 +89,9 @@ def _draw_map(panel: Panel, x: Array, y: Array, values: Array, highest: float, p
 def along_line(
     positions: Array, name: str, unit: tuple[str, float], remaining: Mapping[str, Array]
 ) -> Drawing:
-    """Draw what shapers leave at poses along a line.
+    """Draw the vibration that remains with each shaper at poses along a line.
 
-    - positions: the component of the pose that changes, (N,) [SI]
+    - positions: the component of the pose that varies, (N,) [SI]
     - remaining: by shaper, each (N,) [%]
     """
     order = np.argsort(positions)
@@ -110,11 +110,11 @@ def along_line(
 
 
 def against_error(errors: Array, remaining: Mapping[str, Array], spread: float | None) -> Drawing:
-    """Draw what shapers leave where all frequencies differ from those of the model.
+    """Draw the vibration that remains with each shaper if all frequencies differ from those of the model.
 
     - errors: relative errors of the frequencies, (E,)
-    - remaining: by shaper, each (E,) [%]: the root mean square over the poses, relative to none
-    - spread: mean standard deviation of the frequencies, as a band
+    - remaining: by shaper, each (E,) [%]: the root mean square over the poses, relative to that without a shaper
+    - spread: mean relative standard deviation of the frequencies, shown as a band
     """
 
     def draw(sheet: Sheet) -> None:
@@ -138,7 +138,7 @@ def _draw_curves(sheet: Sheet, panel: Panel, x: Array, remaining: Mapping[str, A
 
 @dataclass(frozen=True)
 class ShaperCurve:
-    """What a shaper leaves of a mode at each frequency [%], by its name; `is_recommended` for the recommended one."""
+    """The vibration of a mode that remains with a shaper, at each frequency of the mode [%]."""
 
     name: str
     remaining: Array
@@ -147,7 +147,7 @@ class ShaperCurve:
 
 @dataclass(frozen=True)
 class Spectrum:
-    """Amplitudes of a measured spectrum, before and after the recommended shaper [% of the highest before]."""
+    """Amplitudes of a measured spectrum, before and after the recommended shaper [% of the maximum before]."""
 
     frequencies: Array
     before: Array
@@ -156,7 +156,12 @@ class Spectrum:
 
 @dataclass(frozen=True)
 class MarkedModes:
-    """Measured modes [Hz], and what the recommended shaper leaves of them: as measured, and at most [%]."""
+    """Measured modes with the recommended shaper.
+
+    - frequencies: in Hz
+    - remaining, max_remaining: vibration that remains of the modes as measured, and at most within their errors [%]
+    - range_label: label of the lines from the first to the second
+    """
 
     frequencies: Array
     remaining: Array
@@ -167,10 +172,10 @@ class MarkedModes:
 def over_frequency(
     frequencies: Array, curves: Sequence[ShaperCurve], spectrum: Spectrum | None, modes: MarkedModes | None
 ) -> Drawing:
-    """Draw what shapers leave of a mode at each frequency, over a measured spectrum where there is one.
+    """Draw the vibration of a mode that remains at each frequency, over a measured spectrum if there is one.
 
     - frequencies: of the curves, (F,) [Hz]
-    - curves: the recommended one among them
+    - curves: of all shapers, with the recommended one
     """
     frequency_label = "frequency [Hz]"
 
@@ -215,13 +220,13 @@ def over_frequency(
             "ncols": 3,
             "fontsize": 7.0,
         }
-        sheet.legend_from_handles(handles, names, above=panel, **placement)
+        sheet.legend_from_handles(handles, names, above_panel=panel, **placement)
 
     return Drawing(draw)
 
 
 def _draw_spectrum(panel: Panel, spectrum: Spectrum) -> None:
-    """Draw the density, and what is left of it."""
+    """Draw the spectrum before and after the recommended shaper."""
     panel.axes.fill_between(spectrum.frequencies, 0.0, spectrum.before, color=GREY, alpha=0.25, linewidth=0.0)
     panel.plot(spectrum.frequencies, spectrum.before, color=GREY, linewidth=1.2, label="measured spectrum")
     panel.axes.fill_between(spectrum.frequencies, 0.0, spectrum.after, color=BLUE, alpha=0.35, linewidth=0.0)

@@ -1,4 +1,4 @@
-"""The sheet that a figure is drawn on: as wide as a page's text, or narrow, where its panels follow each other."""
+"""The sheet on which a figure is drawn: as wide as the text of a page, or narrow with panels below one another."""
 
 from __future__ import annotations
 
@@ -15,21 +15,21 @@ if TYPE_CHECKING:
 
 Shared = bool | Literal["row", "col"]
 Scales = Literal["", "own", "common"]
-#: Width of a narrow figure, about 340 px of a page [inch].
+#: Width of a narrow figure, about 340 px on a page [inch].
 NARROW_WIDTH = 3.5
-#: Space for labels beside a panel, for a colour scale there, and for title and labels above and below a panel [inch].
+#: Space beside a panel for labels and for a colour scale, and above and below it for title and labels [inch].
 LABEL_WIDTH, SCALE_WIDTH, LABEL_HEIGHT = 0.75, 0.65, 0.75
-#: Space around a panel without axes, and for a colour scale below a panel [inch].
+#: Space for the title of a panel without axes, and for a colour scale below a panel [inch].
 TITLE_HEIGHT, SCALE_HEIGHT = 0.25, 0.6
 #: Approximate height of titles and labels around a panel on a wide sheet [inch].
 WIDE_LABEL_HEIGHT = 0.55
-#: Ratios of height to width above which two and three panels stand side by side.
+#: Ratios of height to width from which two and three panels stand side by side on a narrow sheet.
 SIDE_BY_SIDE_RATIOS = (1.3, 2.2)
-#: A drawn figure fits if its width is at most this multiple of the sheet's.
+#: A drawn figure fits a narrow sheet if its width is at most this multiple of the width of the sheet.
 MAX_WIDTH_RATIO = 1.03
-#: Smallest width of a panel [inch].
+#: Minimum width of a panel [inch].
 MIN_PANEL_WIDTH = 0.5
-#: Smallest distance between tick labels that are not rotated [inch].
+#: Minimum distance between tick labels that are not rotated [inch].
 TICK_LABEL_GAP = 0.04
 #: Margin around narrow figures [inch].
 MARGIN = 0.08
@@ -38,8 +38,8 @@ MARGIN = 0.08
 class Sheet:
     """A sheet with the panels that are drawn on it.
 
-    - panels: row by row as on a wide sheet
-    - panel_width: of a panel on a narrow sheet, about [inch]
+    - panels: in the order of the rows of a wide sheet
+    - panel_width: approximate width of a panel on a narrow sheet [inch]
     """
 
     def __init__(self, *, narrow: bool) -> None:
@@ -49,7 +49,7 @@ class Sheet:
         self.panel_width = NARROW_WIDTH
 
     def panel(self, height: float, width: float = FIGURE_WIDTH, **settings: Any) -> Panel:
-        """Return the only panel of a figure; parameters as those of `groups`."""
+        """Return the only panel of a figure; the parameters are those of `groups`."""
         return self.groups(1, 1, height, width, **settings)[0][0]
 
     def groups(
@@ -66,19 +66,18 @@ class Sheet:
         scales: Scales = "",
         frames: bool = True,
     ) -> list[list[Panel]]:
-        """Return groups of panels, in each of which the panels stand below one another and are read together.
+        """Return groups of panels; the panels of a group stand below one another and are read together.
 
-        On a wide sheet a panel leaves its title to the first of its group, and the labels of its axes to the panels
-        at the left and below.  On a narrow sheet the groups follow each other; panels that are slender enough stand
-        side by side there.
+        On a wide sheet only the first panel of a group has a title, and only the panels at the left and at the bottom
+        have axis labels.  On a narrow sheet the groups stand below one another, and slender panels side by side.
 
-        - count, columns: of the groups on a wide sheet
+        - count, columns: number of groups, and of columns of groups on a wide sheet
         - height, width: of the wide figure [inch]
         - rows: relative heights of the panels of a group
         - share_x, share_y: as for `matplotlib.figure.Figure.subplots`
         - height_to_width: height over width of panels that keep their proportions; 0 for others
-        - scales: which colour scales are beside the panels: ``own`` ones, one in ``common``, or none
-        - frames: whether the panels have axes; without, more stand side by side
+        - scales: the colour scales beside the panels: one for each (``own``), one for all (``common``), or none
+        - frames: whether the panels have axes; without axes, more panels stand side by side
         """
         panel_lines = -(-count // columns)
         cell_of_panel = {
@@ -134,10 +133,12 @@ class Sheet:
         share_x: Shared,
         share_y: Shared,
     ) -> dict[tuple[int, int], Panel]:
-        """Return the panels of a narrow sheet by group and row, each with its space around and beside it [inch].
+        """Return the panels of a narrow sheet, by group and row.
 
         - cell_of_panel: row and column of the panels on a wide sheet
-        - panels_per_row: how many stand side by side: they follow each other group by group, or else row by row
+        - panels_per_row: number of panels side by side; one column is in the order of the groups, several columns are
+          in the order of the wide sheet
+        - label_height, scale_width: space for the labels of each panel, and for a colour scale beside it [inch]
         """
         order = (
             list(cell_of_panel)
@@ -149,7 +150,7 @@ class Sheet:
             for k in range(0, len(order), panels_per_row)
         ]
         self.figure.set_size_inches(NARROW_WIDTH, sum(line_heights) + len(line_heights) * label_height + 0.3)
-        # As wide as after the layout, about: it decides which numbers and names fit beside each other.
+        # The margins are about those after the layout: the width decides which numbers and names fit side by side.
         margins = {"left": 0.15, "right": 0.99 - scale_width / NARROW_WIDTH}
         spec = self.figure.add_gridspec(
             len(line_heights), panels_per_row, height_ratios=line_heights, **margins
@@ -169,24 +170,29 @@ class Sheet:
         return panels
 
     def add_panel(self, axes: Axes, omitted_labels: Iterable[LabelKind] = ()) -> Panel:
-        """Return axes that were drawn elsewhere on the figure as a panel."""
+        """Add axes that are already on the figure as a panel, and return it."""
         self.panels.append(Panel(axes, omitted_labels=omitted_labels))
         return self.panels[-1]
 
     def colour_scale(self, mesh: Any, label: str, **settings: Any) -> None:
-        """Draw the colour scale of all panels, with settings for `matplotlib.figure.Figure.colorbar`."""
+        """Draw the colour scale of all panels.
+
+        - settings: for `matplotlib.figure.Figure.colorbar`
+        """
         for panel in self.panels:
             panel.labels["scale"] = label
         self.figure.colorbar(mesh, ax=[panel.axes for panel in self.panels], **settings).set_label(label)
 
-    def legend(self, panel: Panel, *, above: bool = True, **wide_settings: Any) -> None:
-        """Draw the legend of what is drawn in a panel.
+    def legend(self, panel: Panel, *, above_panel: bool = True, **wide_settings: Any) -> None:
+        """Draw the legend of a panel.
 
-        - above: whether it stands above this panel on a wide sheet, or else outside all
-        - wide_settings: for the legend on a wide sheet
+        - above_panel: whether it stands above this panel on a wide sheet, or else outside all panels
+        - wide_settings: matplotlib settings of the legend on a wide sheet
         """
         self.legend_from_handles(
-            *panel.axes.get_legend_handles_labels(), above=panel if above else None, **wide_settings
+            *panel.axes.get_legend_handles_labels(),
+            above_panel=panel if above_panel else None,
+            **wide_settings,
         )
 
     def legend_from_handles(
@@ -194,20 +200,21 @@ class Sheet:
         handles: Sequence[Any],
         names: Sequence[str],
         *,
-        above: Panel | None = None,
-        below: bool = False,
+        above_panel: Panel | None = None,
+        below_panels: bool = False,
         title: str | None = None,
         **wide_settings: Any,
     ) -> Any:
         """Draw a legend outside the panels: on a narrow sheet above or below all of them, in as many columns as fit.
 
-        - above: above which it stands on a wide sheet
-        - wide_settings: for the legend on a wide sheet
+        - above_panel: the panel above which it stands on a wide sheet
+        - below_panels: whether it stands below all panels on a narrow sheet
+        - wide_settings: matplotlib settings of the legend on a wide sheet
         """
         if not self.narrow:
-            parent = self.figure if above is None else above.axes
+            parent = self.figure if above_panel is None else above_panel.axes
             return parent.legend(handles, names, title=title, **wide_settings)
-        placement: dict[str, Any] = {"loc": "outside lower center" if below else "outside upper left"}
+        placement: dict[str, Any] = {"loc": "outside lower center" if below_panels else "outside upper left"}
         for columns in range(len(names), 0, -1):
             legend = self.figure.legend(
                 handles, names, title=title, ncols=columns, columnspacing=1.2, handletextpad=0.4, **placement
@@ -220,7 +227,7 @@ class Sheet:
         return legend
 
     def lay_out_narrow(self) -> Bbox | None:
-        """Lay a narrow figure out, to be saved once; return the part of it that is shown, None if it does not fit."""
+        """Lay out a narrow figure before it is saved; return the part of it to be shown, None if it does not fit."""
         from matplotlib import rc_context
         from matplotlib.transforms import Bbox
 
@@ -232,8 +239,8 @@ class Sheet:
             return None
         engine.execute(figure)
         with rc_context({"figure.constrained_layout.use": False}):
-            figure.set_layout_engine(None)  # it stays as it is, and is saved without another draft
-        # Placed relative to the figure, a legend stays where it is when margins are cut off.
+            figure.set_layout_engine(None)  # saved as it is now, without another layout
+        # A legend placed relative to the figure does not move when margins are cut off.
         for legend in figure.legends:
             legend.set_bbox_to_anchor((0.0, 0.0, 1.0, 1.0), figure.transFigure)
         box = figure.get_tightbbox()
@@ -244,14 +251,14 @@ class Sheet:
             or any(_has_overlapping_texts(panel.axes) for panel in self.panels)
         ):
             return None
-        # Text is drawn by the reader's fonts, which may be somewhat wider.
+        # Text is drawn in the fonts of the reader, which may be somewhat wider.
         return Bbox([[min(box.x0, 0.0), box.y0], [max(box.x1, NARROW_WIDTH), box.y1]]).padded(MARGIN)
 
 
 def _omitted_labels(
     row: int, cell: tuple[int, int], occupied: Container[tuple[int, int]]
 ) -> Iterator[LabelKind]:
-    """Yield what a panel leaves to others, from its row in its group and its place among those that are taken."""
+    """Yield the labels that a panel leaves to others, from its row in its group and its cell on the sheet."""
     if row:
         yield "title"
     if cell[1]:
@@ -261,7 +268,7 @@ def _omitted_labels(
 
 
 def _rotate_tick_labels(axes: Axes, gap: float) -> None:
-    """Rotate tick labels that would overlap; before the layout, when panels have about their final width."""
+    """Rotate tick labels that would overlap; called before the layout, when panels have about their final width."""
     labels = [label for label in axes.get_xticklabels() if label.get_text() and label.get_visible()]
     boxes = sorted((label.get_window_extent() for label in labels), key=lambda box: box.x0)
     if (

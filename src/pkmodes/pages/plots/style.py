@@ -1,4 +1,4 @@
-"""The style of all figures: one style sheet, a palette, and figures that belong to no global state."""
+"""The style of all figures: one style sheet, a palette, and figures outside the global state of pyplot."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-#: Colours of text and background; on a page they follow the page's, light or dark.
+#: Colours of text and background; on a page they are replaced by those of the page, light or dark.
 INK, PAPER = "#010203", "#fefdfc"
 #: Colours of data (Okabe and Ito, 2008), which colour-blind readers can distinguish.
 BLUE, VERMILLION, GREEN, PURPLE, ORANGE, SKY = (
@@ -26,21 +26,21 @@ BLUE, VERMILLION, GREEN, PURPLE, ORANGE, SKY = (
 )
 GREY = "#80868b"
 PALETTE = (BLUE, VERMILLION, GREEN, PURPLE, ORANGE, SKY)
-#: Colours that a page does not redefine, for marks on images: an image keeps its colours on a dark page.
+#: Colours that a page does not redefine, for marks on images: images look the same on a dark page.
 BLACK, WHITE = "#000000", "#ffffff"
-#: Luminance at which black and white have the same contrast: 1.05 / (L + 0.05) = (L + 0.05) / 0.05.
+#: Luminance L at which black and white have the same contrast: 1.05 / (L + 0.05) = (L + 0.05) / 0.05.
 EQUAL_CONTRAST_LUMINANCE = 0.179
 #: Width of a figure as wide as the text of a page [inch].
 FIGURE_WIDTH = 6.3
 #: Characters per line of such a figure.
 CHARACTERS_PER_LINE = 90
-#: Settings of a session that do not affect style.
+#: Settings of a session that do not affect the style.
 SESSION_SETTINGS = ("backend", "backend_fallback", "interactive", "toolbar", "timezone")
 
 
 @contextmanager
 def figure_style() -> Iterator[None]:
-    """Draw in the style of pkmodes, whatever the user's own settings; figures are created and saved inside."""
+    """Apply the style of pkmodes instead of the settings of the user; create and save figures inside this context."""
     import matplotlib
 
     with matplotlib.rc_context():
@@ -49,12 +49,12 @@ def figure_style() -> Iterator[None]:
 
 
 def figure(height: float, width: float = FIGURE_WIDTH) -> Figure:
-    """Return an empty figure, sizes in inches; call it inside `figure_style`."""
+    """Return an empty figure, with sizes in inches; call it inside `figure_style`."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
     new_figure = Figure(figsize=(width, height), layout="constrained")
-    FigureCanvasAgg(new_figure)  # without it, each layout measures every text anew
+    FigureCanvasAgg(new_figure)  # without a canvas, each layout measures every text again
     return new_figure
 
 

@@ -1,4 +1,4 @@
-"""Figures as SVG inside a page: accessible, following the page's colours, with ids of their own."""
+"""Figures as SVG inside a page: accessible, in the colours of the page, with unique ids."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ PAGE_COLOURS = {
     **{colour: f"var(--{name}, {colour})" for colour, name in VARIABLE_NAMES.items()},
 }
 COLOUR_PATTERN = re.compile("|".join(PAGE_COLOURS), re.IGNORECASE)
-#: The page's fonts in place of the one used for the layout.
+#: Replace the font of the layout by those of the page.
 FONT_REPLACEMENTS = (
     (re.compile(r"\bfont: (\S*px) [^;]*"), r"font-size: \1"),
     (re.compile(r"font-family: [^;]*"), "font-family: inherit"),
@@ -55,9 +55,9 @@ WHITESPACE = re.compile(r"\s+")
 ID_REFERENCE = re.compile(r"url\(#([^)]+)\)")
 #: Characters that XML does not allow.
 FORBIDDEN_IN_XML = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
-#: Resolution of images in narrow figures, which have large panels [1/inch].
+#: Resolution of images in narrow figures, lower than in wide ones because their panels are large [1/inch].
 NARROW_DPI = 130
-#: Most panels below one another on a narrow screen: of more, the wide figure is the shorter way.
+#: Maximum number of panels below one another on a narrow screen; with more, the wide figure is easier to read.
 MAX_NARROW_PANELS = 12
 #: Length of the prefix that makes ids unique to a figure.
 PREFIX_DIGITS = 8
@@ -66,12 +66,12 @@ PREFIX_DIGITS = 8
 def inline_svg(figure: Figure, title: str, description: str, *, cropped: bool = False) -> str:
     """Return a figure as an SVG element for an HTML page.
 
-    Text, axes and background follow the page; the data keep their colours, which the page may redefine by the
+    Text, axes and background have the colours of the page; data have their own, which the page may redefine by the
     variables ``--blue``, ``--vermillion`` and so on.  The element is as wide as its parent, and the same figure
     always gives the same text.
 
-    - title, description: name of the figure and what it shows, for those who do not see it
-    - cropped: whether empty margins are cut off, as those of maps, whose panels keep their proportions
+    - title, description: text alternatives for readers who cannot see the figure
+    - cropped: whether empty margins are cut off, as around maps, whose panels keep their ratio of height to width
     """
     return _svg_element(
         figure, title, description, {"bbox_inches": "tight", "pad_inches": 0.05} if cropped else {}
@@ -79,7 +79,7 @@ def inline_svg(figure: Figure, title: str, description: str, *, cropped: bool = 
 
 
 def inline_narrow_svg(drawing: Drawing, title: str, description: str) -> str:
-    """Return a figure as `inline_svg` does, drawn for a narrow screen; nothing if it does not fit one."""
+    """Return a figure drawn for a narrow screen, as `inline_svg` does; an empty text if it does not fit."""
     if not drawing.narrow:
         return ""
     with figure_style(), warnings.catch_warnings():
@@ -94,7 +94,7 @@ def inline_narrow_svg(drawing: Drawing, title: str, description: str) -> str:
 def _svg_element(figure: Figure, title: str, description: str, settings: dict[str, Any]) -> str:
     target = io.StringIO()
     with figure_style(), warnings.catch_warnings():
-        # Text is drawn by the reader's fonts; that the layout's font lacks a character only affects its width.
+        # Text is drawn in the fonts of the reader; a character missing in the font of the layout affects only widths.
         warnings.filterwarnings("ignore", message="Glyph .* missing from")
         figure.savefig(target, format="svg", metadata={"Date": None, "Creator": None}, **settings)
     text = FORBIDDEN_IN_XML.sub("\ufffd", target.getvalue())
@@ -104,7 +104,7 @@ def _svg_element(figure: Figure, title: str, description: str, settings: dict[st
         for child in list(parent):  # a rule in a style element would apply to the whole page
             if child.tag in (f"{SVG_NAMESPACE}metadata", f"{SVG_NAMESPACE}style"):
                 parent.remove(child)
-    # Matplotlib's ids are digests of places with all their digits, the last of which may differ between two layouts.
+    # Ids from matplotlib are hashes of coordinates, whose last digits may differ between two layouts.
     referenced_ids = _referenced_ids(root)
     _rename_ids(root, {identifier: str(k) for k, identifier in enumerate(referenced_ids)})
     for element in root.iter():
@@ -145,7 +145,7 @@ def _referenced_ids(root: ElementTree.Element) -> list[str]:
 
 
 def _rename_ids(root: ElementTree.Element, new_ids: Mapping[str, str]) -> None:
-    """Give elements other ids, also where they are referred to, and drop the ids that have no other name."""
+    """Replace the ids of elements and the references to them, and drop ids that have no replacement."""
     for element in root.iter():
         new_id = new_ids.get(element.attrib.pop("id", ""))
         if new_id is not None:
@@ -159,7 +159,7 @@ def _rename_ids(root: ElementTree.Element, new_ids: Mapping[str, str]) -> None:
 
 
 def _simplify(element: ElementTree.Element) -> None:
-    """Remove namespaces, and let colours and fonts follow the page."""
+    """Remove namespaces, and use the colours and fonts of the page."""
     element.tag = element.tag.removeprefix(SVG_NAMESPACE)
     element.tail = None
     if element.tag != "text" and element.text is not None and not element.text.strip():

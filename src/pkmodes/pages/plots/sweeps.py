@@ -19,22 +19,22 @@ if TYPE_CHECKING:
     from pkmodes.machine.maps.pose_path import PosePath
 
 Array = NDArray[Any]
-#: Most pose names written under an axis.
+#: Maximum number of pose names under an axis.
 MAX_POSE_LABELS = 24
-#: Below this number of values, 2 % of them are less than one: the band then covers all of them.
+#: Below this number of values, 2 % of them are less than one value, and the band covers all of them.
 FEW_VALUES = 50
-#: Quantiles at the edges of a band for many values, and for few.
+#: Probabilities of the quantiles that a band and its line show, for many values and for few.
 INNER_PROBABILITIES, FULL_PROBABILITIES = (0.02, 0.5, 0.98), (0.0, 0.5, 1.0)
 
 
 def against_axis(dataset: xarray.Dataset, axis: str, spread: Array | None = None) -> Drawing:
-    """Draw the frequency of each mode against one axis of a map: median and range over everything else.
+    """Draw the frequency of each mode against one axis of a map: median and range over all other axes.
 
     The band leaves out the lowest and the highest 2 % of many values, as the table of a map does: a few poses at the
-    edge of the workspace would hide everything else.
+    edge of the workspace would otherwise determine the scale.
 
     - dataset: a map
-    - axis: the axis: a swept parameter, in SI units, or a component of the pose, in the units of figures
+    - axis: a swept parameter, in SI units, or a component of the pose, in display units
     - spread: standard deviations of the frequencies along the axis, (values, modes) [Hz], as a band; for a map
       without other axes
     """
@@ -94,7 +94,7 @@ def along_poses(dataset: xarray.Dataset, spread: Array | None = None) -> Drawing
         rotation = 90 if len(labels) > 10 else 0
         panel.set_tick_names("x", range(0, len(labels), step), labels[::step], rotation=rotation)
         panel.label(x="pose", y="f [Hz]")
-        sheet.legend(panel, above=False, loc="outside right upper")
+        sheet.legend(panel, above_panel=False, loc="outside right upper")
 
     return Drawing(draw)
 
@@ -123,7 +123,7 @@ def along_path(dataset: xarray.Dataset, path: PosePath, spread: Array | None = N
         panel.axes.set_xlim(float(path.distance[0]), float(path.distance[-1]))
         panel.axes.set_ylim(0.0, None)
         panel.label(x=f"distance along the path [{path.unit}]", y="f [Hz]")
-        sheet.legend(panel, above=False, loc="outside right upper")
+        sheet.legend(panel, above_panel=False, loc="outside right upper")
 
     return Drawing(draw)
 
@@ -158,7 +158,7 @@ def sample_scatter(dataset: xarray.Dataset) -> Drawing:
 
 
 def _frequencies_by_value(dataset: xarray.Dataset, dim: str) -> Array:
-    """Return the frequencies as (values of a dimension, everything else, modes)."""
+    """Return the frequencies as (values of a dimension, all other dimensions, modes)."""
     frequencies = dataset["frequency"].transpose(dim, ..., "mode").values
     return frequencies.reshape(frequencies.shape[0], -1, frequencies.shape[-1])
 

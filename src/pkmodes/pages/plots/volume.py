@@ -114,7 +114,9 @@ def _draw_outer_faces(axes: Any, edges: list[Array], values: Array, colours: Any
         lower_slices[axis], upper_slices[axis] = slice(None, -1), slice(1, None)
         # Faces normal to this axis, between neighbours of which one has a value.
         boundary = np.argwhere(filled[tuple(lower_slices)] != filled[tuple(upper_slices)])
-        below, above = (padded[tuple(side)][tuple(boundary.T)] for side in (lower_slices, upper_slices))
+        lower_values, upper_values = (
+            padded[tuple(side)][tuple(boundary.T)] for side in (lower_slices, upper_slices)
+        )
         # The four corners of each face.
         corner_index = boundary - 1  # index without the padding
         corner_index[:, axis] += 1  # the boundary between both cells
@@ -124,7 +126,7 @@ def _draw_outer_faces(axes: Any, edges: list[Array], values: Array, colours: Any
         corners[:, [2, 3], tangential[1]] += 1
         quads.append(np.stack([edges[k][corners[..., k]] for k in range(3)], axis=-1))
         # The colour of the cell that has the value.
-        colour = colours.to_rgba(np.where(np.isfinite(below), below, above))
+        colour = colours.to_rgba(np.where(np.isfinite(lower_values), lower_values, upper_values))
         colour[:, :3] *= FACE_BRIGHTNESS[axis]
         face_colours.append(colour)
     collection = Poly3DCollection(

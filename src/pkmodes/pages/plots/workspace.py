@@ -19,11 +19,11 @@ from pkmodes.pages.plots.style import FIGURE_WIDTH, GREEN, INK
 Array = NDArray[Any]
 #: Viewing direction of the volume [deg].
 ELEVATION, AZIMUTH = 20.0, -60.0
-#: Fraction of the poses at each end that the colour scale ignores: condition numbers grow without bound towards a
+#: Fraction of the poses beyond each end of the colour scale: condition numbers grow without bound towards a
 #: singularity.
 SINGULAR_FRACTION = 0.1
-#: Outlines that enclose less than this fraction of the largest are left out: at the rim of a workspace, a step
-#: between two heights leaves fragments.
+#: Outlines that enclose less than this fraction of the largest area are left out: at the rim of a workspace, single
+#: heights have small fragments.
 MIN_OUTLINE_FRACTION = 0.03
 
 
@@ -31,7 +31,7 @@ MIN_OUTLINE_FRACTION = 0.03
 class ReachableVolume:
     """Which poses around a plane can be evaluated.
 
-    - heights, along, across: values of the components of the pose, perpendicular to the plane and in it [SI]
+    - heights, ordinates, abscissas: components of the pose perpendicular to the plane, and along its two axes [SI]
     - valid: (heights, rows, columns)
     """
 
@@ -53,7 +53,7 @@ def workspace(plane: Plane, volume: ReachableVolume | None) -> Drawing | str:
     if volume is None and is_uniform(condition):
         return f"The condition number of the platform Jacobian is {plain(np.nanmedian(condition), 3)} at every pose."
 
-    # A median: poses next to a singular edge would decide a mean.
+    # The median, because poses next to a singularity would dominate a mean.
     finite, median_text = condition[np.isfinite(condition)], ""
     if len(finite):
         area_text = (
@@ -91,10 +91,10 @@ def workspace(plane: Plane, volume: ReachableVolume | None) -> Drawing | str:
 
 
 def _outlines(x: Array, y: Array, valid: Array) -> list[list[Array]]:
-    """Return the outlines at each height, closed lines of (x, y), without those that enclose next to nothing."""
+    """Return the outlines at each height, closed lines of (x, y), without those of a negligible area."""
     from matplotlib.figure import Figure
 
-    contour_axes = Figure().add_subplot()  # only to find them
+    contour_axes = Figure().add_subplot()  # only to compute the contours
     outlines = [
         contour_axes.contour(x, y, valid_plane.astype(float), [0.5]).allsegs[0] if valid_plane.any() else []
         for valid_plane in valid
@@ -149,7 +149,7 @@ def _draw_volume(axes: Any, plane: Plane, volume: ReachableVolume, low: float, h
 
 
 def simplify_3d_axes(axes: Any) -> None:
-    """Strip axes in three dimensions down to thin lines and a few numbers."""
+    """Reduce axes in three dimensions to thin lines and a few numbers."""
     axes.grid(visible=False)
     axes.tick_params(pad=-3, labelsize=7)
     axes.tick_params(axis="z", pad=0)
