@@ -47,10 +47,8 @@ def animation(scene: Scene, mode: int | None = None, amplitude: float = AMPLITUD
     frames = scene.frames(mode=mode, count=FRAME_COUNT, amplitude=amplitude)
     view = camera(scene)
     view_frames = frames @ view.T
-    low, high = (
-        view_frames[..., :2].reshape(-1, 2).min(axis=0),
-        view_frames[..., :2].reshape(-1, 2).max(axis=0),
-    )
+    plane_points = view_frames[..., :2].reshape(-1, 2)
+    low, high = plane_points.min(axis=0), plane_points.max(axis=0)
     rotations = _element_rotations(scene, mode, amplitude)
     frequency = scene.frequencies[scene.chosen, mode]
     title = f"{scene.robot}, mode {mode - scene.rigid_modes + 1}: {frequency:.1f} Hz"
@@ -82,13 +80,13 @@ def animation(scene: Scene, mode: int | None = None, amplitude: float = AMPLITUD
             frame_figure.savefig(target, format="png", dpi=DOTS_PER_INCH, facecolor="white")
             images.append(Image.open(target).convert("RGB"))
     palette = images[0].quantize(PALETTE_SIZE, dither=Image.Dither.NONE)
-    indexed = [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
+    indexed_images = [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
     target = BytesIO()
-    indexed[0].save(
+    indexed_images[0].save(
         target,
         format="GIF",
         save_all=True,
-        append_images=indexed[1:],
+        append_images=indexed_images[1:],
         duration=FRAME_MILLISECONDS,
         loop=0,
         optimize=True,

@@ -55,10 +55,8 @@ def correlation_matrix(values: Sequence[Corrected], correlation: Array) -> Drawi
         panel.axes.grid(visible=False)
         panel.axes.tick_params(length=0)
         for (i, k), value in np.ndenumerate(shown_correlation):
-            text_colour, text = (
-                contrasting_ink(mesh.to_rgba(np.asarray(value))),
-                typeset(f"{value:+.2f}") if i != k else "1",
-            )
+            text_colour = contrasting_ink(mesh.to_rgba(np.asarray(value)))
+            text = typeset(f"{value:+.2f}") if i != k else "1"
             panel.axes.text(k + 1, i + 1, text, color=text_colour, ha="center", va="center", fontsize=7.5)
         sheet.colour_scale(mesh, "correlation [1]", aspect=25)
 
@@ -76,7 +74,7 @@ def notable_pairs(values: Sequence[Corrected], correlation: Array) -> list[tuple
 
 
 def drawn_pairs(values: Sequence[Corrected], correlation: Array) -> list[tuple[int, int]]:
-    """Return the notable pairs of different quantities, except one quantity of two parts, such as two legs."""
+    """Return the notable pairs, without pairs of the same quantity of two parts, such as two legs."""
     return [
         (i, k)
         for i, k in notable_pairs(values, correlation)

@@ -115,11 +115,8 @@ def _columns(
         columns[PART_COLUMN] = series.part[is_drawn].tolist()
     sides: tuple[tuple[Side, Array], ...] = (("x", series.x), ("y", series.y))
     for side, coordinates in sides:
-        title, names, drawn_coordinates = (
-            visible_text(panel.labels[side]) or side,
-            panel.tick_names[side],
-            coordinates[is_drawn],
-        )
+        title, names = visible_text(panel.labels[side]) or side, panel.tick_names[side]
+        drawn_coordinates = coordinates[is_drawn]
         if panel.labels["x"] == panel.labels["y"] != "":
             title = f"{side}: {title}"
         columns[title] = (
@@ -127,9 +124,8 @@ def _columns(
             if coordinate_digits is None
             else _rounded_values(drawn_coordinates, coordinate_digits)
         )
-        if any(
-            name != f"{position:g}" for position, name in names.items()
-        ):  # names that are not just the numbers
+        has_names = any(name != f"{position:g}" for position, name in names.items())  # not just the numbers
+        if has_names:
             columns[f"{title} (name)"] = [
                 _nearest_name(names, coordinate) for coordinate in drawn_coordinates.tolist()
             ]
@@ -161,8 +157,5 @@ def _cell_text(value: Any) -> str:
         return str(value)
     text = visible_text(value).strip()
     text = f"'{text}" if text.startswith(FORMULA_STARTS) else text
-    return (
-        '"' + text.replace('"', '""') + '"'
-        if any(character in text for character in QUOTED_CHARACTERS)
-        else text
-    )
+    is_quoted = any(character in text for character in QUOTED_CHARACTERS)
+    return '"' + text.replace('"', '""') + '"' if is_quoted else text

@@ -42,7 +42,12 @@ SYNTHESISED_STYLE: dict[str, Any] = {"color": BLUE, "linewidth": 1.1, "label": "
 
 @dataclass(frozen=True)
 class MarkedFrequencies:
-    """Frequencies that are marked [Hz]: modes with their numbers, modes struck out, and tones."""
+    """Frequencies to be marked [Hz].
+
+    - modes: frequency and number of each mode, and whether the campaign file added it
+    - struck_out: frequencies of the modes that the campaign file strikes out
+    - tones: frequencies of tones, which are no modes
+    """
 
     modes: Sequence[tuple[float, int, bool]]
     struck_out: Sequence[float]
@@ -87,7 +92,10 @@ def _mark_half_height(orders: NDArray[np.int64]) -> float:
 
 
 def _pole_marks(diagram: Stabilisation, stable: bool) -> tuple[Array, Array]:
-    """Return a short vertical line for each pole, stable or not as given, as one broken curve."""
+    """Return a short vertical line for each pole, as one broken curve.
+
+    - stable: whether for the stable poles, or for the others
+    """
     x, y, half_height = [], [], _mark_half_height(diagram.orders)
     previous_poles: Complex = np.zeros(0, complex)
     for order, poles in zip(diagram.orders, diagram.poles, strict=True):

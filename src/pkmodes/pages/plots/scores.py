@@ -38,23 +38,12 @@ def candidate_scores(result: Diagnosis) -> Drawing | None:
     remaining_names = {
         name for group in result.survivors for explanation in group for name in explanation.split(" + ")
     }
-    categories = [
-        (
-            "claimed, with its class",
-            BLUE,
-            [candidate for candidate in candidates if candidate.name in claimed_names],
-        ),
-        (
-            "remains",
-            GREEN,
-            [candidate for candidate in candidates if candidate.name in remaining_names - claimed_names],
-        ),
-        (
-            "not claimed",
-            GREY,
-            [candidate for candidate in candidates if candidate.name not in claimed_names | remaining_names],
-        ),
-    ]
+    other_names = {candidate.name for candidate in candidates} - claimed_names - remaining_names
+    categories = (
+        ("claimed, with its class", BLUE, claimed_names),
+        ("remains", GREEN, remaining_names - claimed_names),
+        ("not claimed", GREY, other_names),
+    )
 
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(0.85 + ROW_HEIGHT * len(candidates))
@@ -70,12 +59,14 @@ def candidate_scores(result: Diagnosis) -> Drawing | None:
             panel.scatter(
                 [MAX_SCORE] * len(rows_beyond), rows_beyond, color=INK, label=BEYOND_LABEL, **mark_style
             )
-        for label, colour, group in categories:
+        for label, colour, names in categories:
             for detectable, face_colour in ((True, colour), (False, PAPER)):
                 drawn_candidates = [
                     candidate
-                    for candidate in group
-                    if candidate.detectable == detectable and not is_beyond_axis(candidate)
+                    for candidate in candidates
+                    if candidate.name in names
+                    and candidate.detectable == detectable
+                    and not is_beyond_axis(candidate)
                 ]
                 if drawn_candidates:
                     y = np.array([candidates.index(candidate) for candidate in drawn_candidates])
@@ -94,8 +85,8 @@ def candidate_scores(result: Diagnosis) -> Drawing | None:
                         label=name,
                     )
         _name_rows(panel, [_row_label(candidate.sentence, candidate.name) for candidate in candidates])
-        end = panel.axes.get_xlim()[1]
-        panel.axes.set_xlim(-LEFT_MARGIN * end, end)
+        axis_end = panel.axes.get_xlim()[1]
+        panel.axes.set_xlim(-LEFT_MARGIN * axis_end, axis_end)
         panel.label(x="score: \u2212log\u2081\u2080 of the p-value of this candidate alone [1]")
         marks.add_legend(sheet, panel)
 

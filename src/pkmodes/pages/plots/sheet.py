@@ -101,7 +101,7 @@ class Sheet:
                 scale_height = SCALE_HEIGHT if scales == "own" and panels_per_row > 1 else 0.0
                 heights = [height_to_width * self.panel_width + scale_height] * len(rows)
             label_height = LABEL_HEIGHT if frames else TITLE_HEIGHT
-            panels = self._follow(
+            panels = self._add_narrow_panels(
                 cell_of_panel, panels_per_row, heights, label_height, scale_width, share_x, share_y
             )
         else:
@@ -123,7 +123,7 @@ class Sheet:
         self.panels = [panels[key] for key in sorted(cell_of_panel, key=cell_of_panel.__getitem__)]
         return [[panels[group, row] for row in range(len(rows))] for group in range(count)]
 
-    def _follow(
+    def _add_narrow_panels(
         self,
         cell_of_panel: dict[tuple[int, int], tuple[int, int]],
         panels_per_row: int,
@@ -133,7 +133,7 @@ class Sheet:
         share_x: Shared,
         share_y: Shared,
     ) -> dict[tuple[int, int], Panel]:
-        """Return the panels of a narrow sheet, by group and row.
+        """Add the panels of a narrow sheet to the figure, and return them by group and row.
 
         - cell_of_panel: row and column of the panels on a wide sheet
         - panels_per_row: number of panels side by side; one column is in the order of the groups, several columns are

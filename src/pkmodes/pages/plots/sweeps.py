@@ -72,24 +72,29 @@ def along_poses(dataset: xarray.Dataset, spread: Array | None = None) -> Drawing
     - spread: standard deviations of the frequencies, (poses, modes) [Hz], as bands
     """
     frequencies = _frequencies_by_value(dataset, "pose")
-    frequency = np.stack(
+    median_frequencies = np.stack(
         [_quantiles(frequencies[..., mode], (0.5,))[0] for mode in range(frequencies.shape[-1])], axis=-1
     )
     labels = [short_label(label) for label in dataset["pose"].values]
     step = max(1, -(-len(labels) // MAX_POSE_LABELS))
-    position = np.arange(len(labels))
+    positions = np.arange(len(labels))
 
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(3.0)
-        for mode in range(frequency.shape[-1]):
+        for mode in range(median_frequencies.shape[-1]):
             colour = PALETTE[mode % len(PALETTE)]
             style = "-" if mode < len(PALETTE) else "--"
             marker = "o" if len(labels) <= 60 else None
             if spread is not None:
-                low, high = (frequency[:, mode] + side * spread[:, mode] for side in (-1.0, 1.0))
-                panel.band(position, low, high, color=colour, alpha=0.18, linewidth=0)
+                low, high = (median_frequencies[:, mode] + side * spread[:, mode] for side in (-1.0, 1.0))
+                panel.band(positions, low, high, color=colour, alpha=0.18, linewidth=0)
             panel.plot(
-                position, frequency[:, mode], style, color=colour, marker=marker, label=f"mode {mode + 1}"
+                positions,
+                median_frequencies[:, mode],
+                style,
+                color=colour,
+                marker=marker,
+                label=f"mode {mode + 1}",
             )
         rotation = 90 if len(labels) > 10 else 0
         panel.set_tick_names("x", range(0, len(labels), step), labels[::step], rotation=rotation)
@@ -107,7 +112,9 @@ def along_path(dataset: xarray.Dataset, path: PosePath, spread: Array | None = N
     """
     frequencies = _frequencies_by_value(dataset, "pose")
     modes = frequencies.shape[-1]
-    frequency = np.stack([_quantiles(frequencies[..., mode], (0.5,))[0] for mode in range(modes)], axis=-1)
+    median_frequencies = np.stack(
+        [_quantiles(frequencies[..., mode], (0.5,))[0] for mode in range(modes)], axis=-1
+    )
 
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(3.4)
@@ -115,7 +122,7 @@ def along_path(dataset: xarray.Dataset, path: PosePath, spread: Array | None = N
             panel.vertical_line(float(corner), "corner", color=GREY, linestyle="--", linewidth=0.8)
         for mode in range(modes):
             colour, style = PALETTE[mode % len(PALETTE)], "-" if mode < len(PALETTE) else "--"
-            values = frequency[:, mode]
+            values = median_frequencies[:, mode]
             if spread is not None:
                 low, high = values - spread[:, mode], values + spread[:, mode]
                 panel.band(path.distance, low, high, color=colour, alpha=0.18, linewidth=0)
@@ -166,7 +173,7 @@ def _frequencies_by_value(dataset: xarray.Dataset, dim: str) -> Array:
 def _quantiles(values: Array, probabilities: tuple[float, ...]) -> Array:
     """Return quantiles along the second axis, NaN where no pose can be evaluated."""
     quantiles = np.full((len(probabilities), len(values)), np.nan)
-    evaluated = np.isfinite(values).any(axis=1)
-    if evaluated.any():
-        quantiles[:, evaluated] = np.nanquantile(values[evaluated], probabilities, axis=1)
+    has_value = np.isfinite(values).any(axis=1)
+    if has_value.any():
+        quantiles[:, has_value] = np.nanquantile(values[has_value], probabilities, axis=1)
     return quantiles

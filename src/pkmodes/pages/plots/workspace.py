@@ -122,7 +122,8 @@ def _draw_volume(axes: Any, plane: Plane, volume: ReachableVolume, low: float, h
     names = (plane.abscissa, plane.ordinate, str(plane.normal))
     factors = [plane.display_unit(name)[1] for name in names]
     x, y, heights = (
-        v * f for v, f in zip((volume.abscissas, volume.ordinates, volume.heights), factors, strict=True)
+        values * factor
+        for values, factor in zip((volume.abscissas, volume.ordinates, volume.heights), factors, strict=True)
     )
     plane_height = plane.normal_position * factors[2]
     outlines = _outlines(x, y, volume.valid)
