@@ -160,7 +160,7 @@ def test_differences_by_setup_and_against_the_pose_are_in_standard_deviations() 
             assert low < np.nanmin(sigmas)
             assert high > np.nanmax(sigmas)
     assert against.axes[-1].get_xlabel() == "x [m]", "y and z do not vary"
-    assert differences.against_pose(replace(EVIDENCE, points=EVIDENCE.poses[[0, 0]])) is None
+    assert differences.against_pose(replace(EVIDENCE, poses=EVIDENCE.poses[[0, 0]])) is None
 
 
 def test_mac_matrices_have_the_measured_modes_in_rows_and_the_setup_with_the_lowest_mac_below() -> None:

@@ -69,7 +69,7 @@ def test_a_term_is_shown_by_its_bodies(name: str, term: str) -> None:
     shown = SHOWN[name][term]
     assert (None if mark is None else {elements[i].name for i in mark.elements}) == shown
     if mark is not None:
-        assert mark.along == (term[-1] if term.endswith((".x", ".y", ".z")) else "")
+        assert mark.axis == (term[-1] if term.endswith((".x", ".y", ".z")) else "")
 
 
 def test_the_picture_has_the_marked_bodies_in_colour_and_an_arrow() -> None:
