@@ -18,7 +18,7 @@ from pathlib import Path
 from pkmodes.modaltest.campaign.campaign import read_campaign
 from pkmodes.modaltest.campaign.identify import identify
 from pkmodes.pages.plots import fits
-from pkmodes.pages.plots.style import styled
+from pkmodes.pages.plots.style import figure_style
 
 HERE = Path(__file__).parent
 PAGE = HERE.parent / "how-to/signals.md"
@@ -45,8 +45,11 @@ def main(arguments: Sequence[str]) -> None:
         [(mode.frequency, k, False) for k, mode in enumerate(result.modes, start=1)], (), ()
     )
     band = result.record.band
-    drawn = fits.stabilisation(one, marked, band), fits.functions(one, marked, band, phase=True)
-    with styled():
+    drawn = (
+        fits.stabilisation_diagram(one, marked, band),
+        fits.function_fits(one, marked, band, has_phase=True),
+    )
+    with figure_style():
         for picture, drawing in zip(PICTURES, drawn, strict=True):
             metadata = {"Date": None, "Creator": None}
             drawing.figure.savefig(folder / f"{picture}.svg", facecolor="white", metadata=metadata)

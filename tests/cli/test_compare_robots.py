@@ -14,7 +14,7 @@ from helpers.commands.answers import printed, refused
 from helpers.commands.printed_tables import printed_table
 from helpers.robots.robot_text import PUBLISHED, published
 from pkmodes.cli import run
-from pkmodes.pages.plots.changes import scale_of
+from pkmodes.pages.plots.changes import colour_scale_limit
 
 pytestmark = pytest.mark.usefixtures("eighty")
 
@@ -123,8 +123,8 @@ def test_the_report_draws_the_difference_and_is_the_same_twice(tmp_path: Path) -
 
 def test_the_colour_scale_is_symmetric_and_leaves_out_the_largest() -> None:
     values = np.array([*np.linspace(-0.1, 0.1, 99), 5.0, np.nan])
-    assert scale_of(values) == pytest.approx(10.0, rel=0.05)
-    assert scale_of(np.full(3, np.nan)) == 1.0
+    assert colour_scale_limit(values) == pytest.approx(10.0, rel=0.05)
+    assert colour_scale_limit(np.full(3, np.nan)) == 1.0
 
 
 @pytest.mark.parametrize(

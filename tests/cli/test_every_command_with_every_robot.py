@@ -56,8 +56,8 @@ def _drawn_only(monkeypatch: pytest.MonkeyPatch) -> None:
     few = {count: grid._replace(levels=2) for count, grid in viewed.GRIDS.items()}
     monkeypatch.setattr(viewed, "GRIDS", few)
     monkeypatch.setattr(viewed, "GRID_BEYOND_THREE", viewed.GRID_BEYOND_THREE._replace(levels=2))
-    monkeypatch.setattr(blocks, "inline", lambda *_, **__: SVG)
-    monkeypatch.setattr(blocks, "inline_narrow", lambda *_, **__: "")
+    monkeypatch.setattr(blocks, "inline_svg", lambda *_, **__: SVG)
+    monkeypatch.setattr(blocks, "inline_narrow_svg", lambda *_, **__: "")
     monkeypatch.setattr(files, "image_bytes", lambda *_, **__: b"drawn")
     monkeypatch.setattr(report_of_maps, "pictures", lambda *_, **__: iter(()))
 

@@ -14,7 +14,7 @@ from pkmodes.loop.updating.channels import channels, sensors
 from pkmodes.loop.updating.robot_structure import RobotStructure
 from pkmodes.machine.maps.workspace import box_of, fixed_components
 from pkmodes.pages.plots import maps
-from pkmodes.pages.plots.plane import Plane, where
+from pkmodes.pages.plots.plane import Plane, plane_location
 
 #: A robot of which gravity and legs have no part in the equations.
 LIGHT: dict[str, float | str] = {
@@ -101,8 +101,8 @@ def test_pictures_of_a_plane_of_rotations_draw_no_directions() -> None:
     dataset = hexapod().map({"x": 0.0, "y": 0.01, "z": 0.26, "rx": tilt, "ry": tilt})
     plane = Plane.of(dataset, [c.name for c in hexapod().mechanism.pose])
     assert (plane.normal, plane.is_linear, plane.area) == (None, False, None)
-    assert where(plane) == "x = 0 mm, y = 10 mm, z = 260 mm"
-    assert maps.directions(plane) == maps.components(plane) == maps.NO_DIRECTIONS
+    assert plane_location(plane) == "x = 0 mm, y = 10 mm, z = 260 mm"
+    assert maps.directions(plane) == maps.components(plane) == maps.NO_DIRECTIONS_SENTENCE
 
 
 def test_measured_shapes_may_have_rotations_which_change_with_the_pose_as_differences_say() -> None:

@@ -14,7 +14,7 @@ from functools import cached_property
 from rich.cells import cell_len
 
 from pkmodes.core.base.errors import printable
-from pkmodes.pages.plots.labels import RAISED, TIMES
+from pkmodes.pages.plots.labels import SUPERSCRIPTS, TIMES
 from pkmodes.pages.report.blocks import Cell, Facts, Lines, Listing, Paragraph, Table
 
 Shown = Paragraph | Listing | Facts | Lines | Table
@@ -43,8 +43,8 @@ TERMINAL_CHARACTERS = {
 }
 SYMBOL = re.compile("|".join(TERMINAL_CHARACTERS))
 #: A power of ten as in print, with or without a factor.
-POWER = re.compile(f"({TIMES})?10([{''.join(map(chr, RAISED.values()))}]+)")
-DIGIT_OF_SUPERSCRIPT = {raised: digit for digit, raised in RAISED.items()}
+POWER = re.compile(f"({TIMES})?10([{''.join(map(chr, SUPERSCRIPTS.values()))}]+)")
+DIGIT_OF_SUPERSCRIPT = {raised: digit for digit, raised in SUPERSCRIPTS.items()}
 
 
 def terminal_text(text: str) -> str:

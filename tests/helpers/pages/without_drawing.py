@@ -21,7 +21,7 @@ def without_drawing() -> Iterator[None]:
         return f'<svg viewBox="0 0 2 1">{inside}</svg>'
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("pkmodes.pages.report.blocks.inline", named)
-        patch.setattr("pkmodes.pages.report.blocks.inline_narrow", lambda *_: "")
+        patch.setattr("pkmodes.pages.report.blocks.inline_svg", named)
+        patch.setattr("pkmodes.pages.report.blocks.inline_narrow_svg", lambda *_: "")
         patch.setattr("pkmodes.pages.figures.files.image_bytes", lambda *_, **__: b"drawn")
         yield

@@ -91,8 +91,8 @@ def test_the_figures_have_them_in_any_order_of_the_axis() -> None:
     poses = model.map([[0.25, 0.15], [0.05, 0.15]])
     spread = np.array([[1.0, 2.0], [3.0, 4.0]])
     frequency = poses["frequency"].values
-    (axes,) = sweeps.along(poses, spread).figure.axes
-    panels = sweeps.against(model.map({"x": [0.05, 0.25], "y": 0.15}), "x", spread[::-1]).figure.axes
+    (axes,) = sweeps.along_poses(poses, spread).figure.axes
+    panels = sweeps.against_axis(model.map({"x": [0.05, 0.25], "y": 0.15}), "x", spread[::-1]).figure.axes
     for mode in (0, 1):
         for vertices in (
             axes.collections[mode].get_paths()[0].vertices,

@@ -18,7 +18,7 @@ from pkmodes.core.robot.usable import Radius, SingularAngle
 from pkmodes.loop.updating.candidates import suspects
 from pkmodes.loop.updating.robot_structure import RobotStructure
 from pkmodes.machine.maps.workspace import box_of, grid_over_workspace, usable_box
-from pkmodes.pages.figures.quantities import volume_of
+from pkmodes.pages.figures.quantities import reachable_volume
 from pkmodes.pages.figures.working_plane import working_plane
 from pkmodes.pages.plots.plane import Plane
 from pkmodes.pages.view import poses_around, typical_pose
@@ -149,21 +149,21 @@ def test_the_working_plane_and_the_volume_around_it_stay_inside() -> None:
     model = used(DELTA, limits)
     plane = working_plane(model)
     assert inside(DELTA, limits, np.stack(np.meshgrid(*plane.axes.values()), axis=-1))
-    volume = volume_of(model, Plane.of(model.map(plane), ["x", "y", "z"]))
+    volume = reachable_volume(model, Plane.of(model.map(plane), ["x", "y", "z"]))
     assert volume is not None
-    x, z = volume.along if volume.along.min() > 0.3 else volume.across, volume.heights
+    x, z = volume.ordinates if volume.ordinates.min() > 0.3 else volume.abscissas, volume.heights
     assert (z.min(), z.max()) == (-0.3, -0.2)
     assert volume.valid.any()
     outside = (x < 0.5) | (x > 0.7)
     assert outside.any()
-    axis = 1 if x is volume.along else 2
+    axis = 1 if x is volume.ordinates else 2
     assert not np.moveaxis(volume.valid, axis, 0)[outside].any()
 
 
 def test_the_volume_around_a_plane_beyond_the_limits_is_all_that_can_be_reached() -> None:
     grid = {"x": np.linspace(0.5, 0.7, 9), "y": np.linspace(-0.05, 0.05, 5), "z": -0.1}
     volumes = [
-        volume_of(model, Plane.of(model.map(grid), ["x", "y", "z"]))
+        reachable_volume(model, Plane.of(model.map(grid), ["x", "y", "z"]))
         for model in (used(DELTA, {"z": (-0.3, -0.2)}), plain(DELTA))
     ]
     assert volumes[0] is not None
@@ -258,7 +258,7 @@ def test_every_grid_and_page_that_nobody_asked_for_stays_inside_a_radius() -> No
     x, y = np.meshgrid(drawn.x, drawn.y)
     assert (np.hypot(x - 0.6, y)[drawn.valid.values.squeeze()] <= 0.1).all()
     assert drawn.valid.any()
-    volume = volume_of(model, Plane.of(drawn, ["x", "y", "z"]))
+    volume = reachable_volume(model, Plane.of(drawn, ["x", "y", "z"]))
     assert volume is not None
     assert (volume.heights.min(), volume.heights.max()) == (-0.28, -0.2)
     page = poses_around(model, typical_pose(model))

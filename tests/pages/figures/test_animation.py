@@ -12,7 +12,7 @@ from PIL import Image
 import pkmodes
 from pkmodes.cli import run
 from pkmodes.pages.plots import animation as module
-from pkmodes.pages.plots.animation import FRAMES, animation
+from pkmodes.pages.plots.animation import FRAME_COUNT, animation
 from pkmodes.pages.plots.style import VERMILLION
 from pkmodes.pages.view import scene
 from pkmodes.pages.view.projection import camera
@@ -32,14 +32,14 @@ def test_the_picture_moves_and_returns_to_rest(robot: str, tmp_path: Path) -> No
     frames = []
     with Image.open(target) as image:
         assert image.format == "GIF"
-        assert image.n_frames == FRAMES
-        for k in range(FRAMES):
+        assert image.n_frames == FRAME_COUNT
+        for k in range(FRAME_COUNT):
             image.seek(k)
             frames.append(np.asarray(image.convert("RGB")).astype(int))
     moved = [int((np.abs(frame - frames[0]) > 40).any(axis=-1).sum()) for frame in frames]
-    assert moved[FRAMES // 4] > 200  # pixels
-    assert moved[3 * FRAMES // 4] > 200
-    assert moved[FRAMES // 2] < moved[FRAMES // 4] / 10
+    assert moved[FRAME_COUNT // 4] > 200  # pixels
+    assert moved[3 * FRAME_COUNT // 4] > 200
+    assert moved[FRAME_COUNT // 2] < moved[FRAME_COUNT // 4] / 10
     assert target.stat().st_size < 500_000
     if robot == "corexy-printer":  # the mode asked for, and the same at every run
         still = scene(pkmodes.load(f"robots/{robot}.toml"), [0.15, 0.2])
@@ -66,16 +66,16 @@ def test_points_and_wheels_move_as_the_mode_by_the_amplitude(
     drawn = []
     monkeypatch.setattr(
         module,
-        "_draw",
+        "_draw_elements",
         lambda _axes, _scene, points, _mode, turned: drawn.append((points, turned)),
     )
     animation(still, index, 0.05)
-    assert len(drawn) == FRAMES
+    assert len(drawn) == FRAME_COUNT
     points = np.array([one @ camera(still) for one, _ in drawn])  # turned back from the view
     turned = np.array([angles for _, angles in drawn])
     np.testing.assert_allclose(points[0], still.points[0], atol=1e-12)
-    phase = np.sin(2.0 * np.pi * np.arange(FRAMES) / FRAMES)
-    quarter = FRAMES // 4
+    phase = np.sin(2.0 * np.pi * np.arange(FRAME_COUNT) / FRAME_COUNT)
+    quarter = FRAME_COUNT // 4
     moved = points - points[0]
     np.testing.assert_allclose(moved, phase[:, None, None] * moved[quarter], atol=1e-12)
     np.testing.assert_allclose(turned, phase[:, None] * turned[quarter], atol=1e-12)
@@ -115,6 +115,9 @@ def test_belts_with_the_most_energy_are_orange() -> None:
     shares = still.shares[0, still.rigid_modes]
     belts = [element for element in still.elements if element.spring >= 0]
     most = next(element for element in belts if element.spring == int(shares.argmax()))
-    assert to_hex(module._colour(most, shares, float(shares.max()))) == VERMILLION
-    assert to_hex(module._colour(most, 0.0 * shares, 1.0)) == module.PALE
-    assert module._colour(next(e for e in still.elements if e.spring < 0), shares, 1.0) == module.STEEL
+    assert to_hex(module._element_colour(most, shares, float(shares.max()))) == VERMILLION
+    assert to_hex(module._element_colour(most, 0.0 * shares, 1.0)) == module.PALE_GREY
+    assert (
+        module._element_colour(next(e for e in still.elements if e.spring < 0), shares, 1.0)
+        == module.STEEL_GREY
+    )

@@ -32,7 +32,7 @@ def torques(robot: RobotPlane) -> Drawing:
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(2.0)
         mesh = robot.plane.draw(panel, np.abs(robot.plane.dataset["static_torque"].values).max(axis=-1))
-        sheet.scale(mesh, "largest static torque [N m]")
+        sheet.colour_scale(mesh, "largest static torque [N m]")
 
     return Drawing(draw)
 

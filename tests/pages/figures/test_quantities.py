@@ -9,12 +9,12 @@ import xarray
 import pkmodes
 from pkmodes.machine.maps.summary import summary_of
 from pkmodes.pages.figures.quantities import (
-    coarser,
-    motors_of,
-    points_of,
+    coarse_plane,
+    motor_positions,
+    plane_poses,
+    reachable_volume,
     relative_sensitivities,
     smallest_mac,
-    volume_of,
 )
 from pkmodes.pages.figures.working_plane import working_plane
 from pkmodes.pages.plots.maps import extremes
@@ -35,11 +35,11 @@ def plane(model: pkmodes.Model) -> Plane:
 
 
 def test_the_longer_side_of_a_plane_is_vertical(plane: Plane) -> None:
-    assert (plane.across, plane.along, plane.normal, plane.at) == ("y", "x", "z", -0.245)
+    assert (plane.abscissa, plane.ordinate, plane.normal, plane.normal_position) == ("y", "x", "z", -0.245)
     assert plane.dataset["frequency"].dims == ("x", "y", "mode")
-    assert plane.height == pytest.approx(0.9 / 0.24)
-    np.testing.assert_allclose(plane.drawn("x"), np.linspace(300.0, 1200.0, 13))
-    assert plane.label("x") == "x [mm]"
+    assert plane.height_to_width == pytest.approx(0.9 / 0.24)
+    np.testing.assert_allclose(plane.display_values("x"), np.linspace(300.0, 1200.0, 13))
+    assert plane.axis_label("x") == "x [mm]"
 
 
 @pytest.mark.parametrize(
@@ -55,7 +55,7 @@ def test_a_map_that_is_no_plane_is_refused(model: pkmodes.Model, grid: object) -
 def test_the_smallest_mac_is_that_of_a_loop_over_neighbours(model: pkmodes.Model, plane: Plane) -> None:
     found = smallest_mac(model, plane)
     shapes, valid = plane.dataset["shape"].values, plane.dataset["valid"].values
-    points = points_of(model, plane)
+    points = plane_poses(model, plane)
     assert 0.5 < valid.mean() < 1.0
     for i, j in np.ndindex(valid.shape):
         near = [(i - 1, j), (i + 1, j), (i, j - 1), (i, j + 1)]
@@ -84,7 +84,7 @@ def test_relative_sensitivities_are_those_of_differences(model: pkmodes.Model, p
     assert "axis.1.origin.x" not in names
     assert "carriage.length" not in names  # zero
     pose, step = [0.6, 0.04, -0.245], 1e-6
-    few = coarser(plane).dataset
+    few = coarse_plane(plane).dataset
     place = {
         "x": int(np.abs(few["x"].values - 0.6).argmin()),
         "y": int(np.abs(few["y"].values - 0.04).argmin()),
@@ -137,10 +137,10 @@ def test_sensitivities_need_about_two_thousand_poses_with_the_same_spacing_both_
     values = np.zeros((91, 61))
     x, y = np.linspace(0.0, 0.9, 91), np.linspace(-0.3, 0.3, 61)
     dataset = xarray.Dataset({"valid": (("x", "y"), values)}, {"x": x, "y": y})
-    few = coarser(Plane(dataset, "y", "x", "z", -0.2))
+    few = coarse_plane(Plane(dataset, "y", "x", "z", -0.2))
     np.testing.assert_array_equal(few.dataset["x"], x[::2])
     np.testing.assert_array_equal(few.dataset["y"], y[::2])
-    assert (few.across, few.along, few.normal, few.at) == ("y", "x", "z", -0.2)
+    assert (few.abscissa, few.ordinate, few.normal, few.normal_position) == ("y", "x", "z", -0.2)
 
 
 def test_extremes_are_those_of_the_whole_plane(plane: Plane) -> None:
@@ -172,13 +172,13 @@ def test_the_area_of_a_plane_is_that_of_the_poses_that_can_be_evaluated(plane: P
 
 
 def test_the_volume_encloses_the_plane(model: pkmodes.Model, plane: Plane) -> None:
-    volume = volume_of(model, plane)
+    volume = reachable_volume(model, plane)
     assert volume is not None
     for edge in (volume.valid[:, 0], volume.valid[:, -1], volume.valid[:, :, 0], volume.valid[:, :, -1]):
         assert not edge.any()
-    assert volume.heights[0] < plane.at < volume.heights[-1]
-    middle = int(np.abs(volume.heights - plane.at).argmin())
-    reached = volume.along[volume.valid[middle].any(axis=1)]
+    assert volume.heights[0] < plane.normal_position < volume.heights[-1]
+    middle = int(np.abs(volume.heights - plane.normal_position).argmin())
+    reached = volume.ordinates[volume.valid[middle].any(axis=1)]
     valid = plane.dataset["x"].values[plane.dataset["valid"].values.any(axis=1)]
     assert reached[0] <= valid[0] + 0.02
     assert reached[-1] >= valid[-1] - 0.02
@@ -186,7 +186,7 @@ def test_the_volume_encloses_the_plane(model: pkmodes.Model, plane: Plane) -> No
 
 def test_motors_are_at_the_driven_pulleys_of_the_robot_file(model: pkmodes.Model, plane: Plane) -> None:
     """The file has driven pulley 1, at the upper limit, on rail 1, and pulley 2 on the others."""
-    found = motors_of(model, plane)
+    found = motor_positions(model, plane)
     robot = model.robot.quantities
     expected = []
     for axis, end in ((1, "max"), (2, "min"), (3, "min")):

@@ -30,7 +30,7 @@ def test_an_ellipse_has_the_pairs_that_it_should(probability: float) -> None:
     sigma, rate = (3.0, 0.2), -0.8
     covariance = np.outer(sigma, sigma) * [[1.0, rate], [rate, 1.0]]
     pairs = np.random.default_rng(5).multivariate_normal([0.0, 0.0], covariance, 200_000)
-    edge = correlations.ellipse(sigma, rate, probability)
+    edge = correlations.ellipse_points(sigma, rate, probability)
     (x, y), step = edge[:, :-1], np.diff(edge)
     inside = np.ones(len(pairs), dtype=bool)
     for k in range(len(x)):
@@ -40,13 +40,13 @@ def test_an_ellipse_has_the_pairs_that_it_should(probability: float) -> None:
 
 def test_strong_pairs_alone_have_ellipses_the_strongest_first() -> None:
     some = values(2.0, -5.0, 40.0)
-    assert correlations.notable(some, RATES) == [(0, 1), (1, 2)]
-    drawn = table(correlations.ellipses(some, RATES))
+    assert correlations.notable_pairs(some, RATES) == [(0, 1), (1, 2)]
+    drawn = table(correlations.error_ellipses(some, RATES))
     assert list(dict.fromkeys(drawn["panel"])) == ["correlation +0.90", "correlation \u22120.75"]
     # Declared values are 1 % beyond the fitted ones.
     at = drawn["series"].index("declared")
     assert [float(drawn[f"{name} [%]"][at]) for name in "ab"] == pytest.approx([1.0, -1.0])
-    assert correlations.ellipses(some, np.eye(3)) is None
+    assert correlations.error_ellipses(some, np.eye(3)) is None
 
 
 def test_an_ellipse_of_a_value_near_0_is_in_its_unit() -> None:
@@ -55,25 +55,25 @@ def test_an_ellipse_of_a_value_near_0_is_in_its_unit() -> None:
         Corrected("offset", 1e-4, 5e-4, "m", 0.0, 1e-3, False),
         Corrected("stiffness", 2000.0, 20.0, "N/m", 2000.0, 500.0, False),
     ]
-    drawn = table(correlations.ellipses(some, np.array([[1.0, 0.9], [0.9, 1.0]])))
+    drawn = table(correlations.error_ellipses(some, np.array([[1.0, 0.9], [0.9, 1.0]])))
     reach = {name: max(abs(float(x)) for x in drawn[name]) for name in ("offset [mm]", "stiffness [%]")}
     assert reach == pytest.approx({"offset [mm]": 2.4477 * 0.5, "stiffness [%]": 2.4477}, rel=1e-3)
     at = drawn["series"].index("declared")
     assert float(drawn["offset [mm]"][at]) == pytest.approx(-0.1)
     zero = [Corrected("offset", 0.0, 5e-4, "m", 0.0, 1e-3, False), some[1]]
-    assert "offset [mm]" in table(correlations.ellipses(zero, np.array([[1.0, 0.9], [0.9, 1.0]])))
+    assert "offset [mm]" in table(correlations.error_ellipses(zero, np.array([[1.0, 0.9], [0.9, 1.0]])))
 
 
 def test_pairs_of_one_quantity_at_two_places_have_no_ellipse() -> None:
     some = [Corrected(name, 2.0, 0.04, "1", 2.0, 0.1, False) for name in ("leg_1.k", "leg_2.k", "mass.3")]
     strong = np.full((3, 3), 0.95) + 0.05 * np.eye(3)
-    assert correlations.notable(some, strong) == [(0, 1), (0, 2), (1, 2)]
+    assert correlations.notable_pairs(some, strong) == [(0, 1), (0, 2), (1, 2)]
     assert correlations.drawn_pairs(some, strong) == [(0, 2), (1, 2)]
-    assert correlations.ellipses(some[:2], strong[:2, :2]) is None
+    assert correlations.error_ellipses(some[:2], strong[:2, :2]) is None
 
 
 def test_the_matrix_names_its_values() -> None:
-    drawn = table(correlations.matrix(values(1.0, 2.0, 3.0), RATES))
+    drawn = table(correlations.correlation_matrix(values(1.0, 2.0, 3.0), RATES))
     assert [float(one) for one in drawn["correlation [1]"]] == RATES.ravel().tolist()
     assert drawn["y (name)"][:3] == ["a"] * 3
-    assert correlations.matrix(values(1.0), np.eye(1)) is None
+    assert correlations.correlation_matrix(values(1.0), np.eye(1)) is None

@@ -13,10 +13,10 @@ from matplotlib.colors import to_hex, to_rgb
 from matplotlib.figure import Figure
 
 from pkmodes.pages.plots import influence
-from pkmodes.pages.plots.dominant import COLOURS, dominant, middles
+from pkmodes.pages.plots.dominant import PARAMETER_COLOURS, dominant_parameters, region_centres
 from pkmodes.pages.plots.drawing import Drawing
 from pkmodes.pages.plots.plane import Plane
-from pkmodes.pages.plots.svg import inline
+from pkmodes.pages.plots.svg import inline_svg
 
 SVG = "{http://www.w3.org/2000/svg}"
 PATHS = ["platform.mass", "belt.width", "link.length"]
@@ -34,7 +34,7 @@ def contrast(one: str, other: str) -> float:
 
 
 def table_of(values: list[list[float]]) -> Figure:
-    return influence.table(PATHS[: len(values)], np.array(values)[None, None]).figure
+    return influence.influence_table(PATHS[: len(values)], np.array(values)[None, None]).figure
 
 
 def plane() -> Plane:
@@ -47,7 +47,7 @@ def plane() -> Plane:
 @pytest.mark.parametrize("size", np.linspace(-1.0, 1.0, 21))
 def test_every_number_can_be_read_on_its_cell_whatever_the_colours_of_the_page(size: float) -> None:
     drawn = table_of([[1.0, size]])
-    page = ElementTree.fromstring(inline(drawn, "t", "d"))
+    page = ElementTree.fromstring(inline_svg(drawn, "t", "d"))
     written = [e.attrib["style"] for e in page.iter(f"{SVG}text") if re.search(r"\d\.\d\d$", e.text or "")]
     ink = re.search(r"fill: (#\w{6})", written[1])
     # matplotlib leaves out black, which is the default of SVG.
@@ -63,7 +63,7 @@ def test_what_is_rounded_to_zero_has_no_sign() -> None:
 
 
 def test_parameters_that_act_as_one_have_a_line_each_in_the_name_of_their_row() -> None:
-    drawn = influence.table(["belt.specific_stiffness, belt.width"], np.ones((1, 1, 1, 1))).figure
+    drawn = influence.influence_table(["belt.specific_stiffness, belt.width"], np.ones((1, 1, 1, 1))).figure
     assert [t.get_text() for t in drawn.axes[0].get_yticklabels()] == ["belt.specific_stiffness,\nbelt.width"]
 
 
@@ -71,7 +71,7 @@ def test_the_legend_of_the_largest_influence_has_the_colours_of_the_map() -> Non
     relative = np.zeros((5, 5, 3, 1))
     relative[:, :, 2] = -1.0
     relative[0, 0, 1] = 2.0
-    found = dominant(plane(), PATHS, relative)
+    found = dominant_parameters(plane(), PATHS, relative)
     assert isinstance(found, Drawing)
     drawn = found.figure
     (legend,) = drawn.legends
@@ -84,13 +84,13 @@ def test_the_legend_of_the_largest_influence_has_the_colours_of_the_map() -> Non
     assert shown == {"2  belt.width": colours[0], "1  link.length": colours[-1]}
     written = {t.get_text(): t.get_position() for t in drawn.axes[0].texts}
     assert written == {"1": (500.0, 500.0)}  # mm, in the middle of its region; the other one has no room
-    page = inline(drawn, "t", "d")
+    page = inline_svg(drawn, "t", "d")
     assert all(colour in page and f", {colour})" not in page for colour in shown.values())
 
 
 def test_regions_can_be_told_apart_in_grey() -> None:
     """Any two colours differ by 7 of the 100 steps of lightness from black to white (CIE 1976 L*)."""
-    lightness = sorted(116.0 * luminance(c) ** (1 / 3) - 16.0 for c in COLOURS)
+    lightness = sorted(116.0 * luminance(c) ** (1 / 3) - 16.0 for c in PARAMETER_COLOURS)
     assert min(np.diff(lightness)) >= 7.0
 
 
@@ -99,16 +99,16 @@ def test_each_region_with_room_has_its_number_in_its_middle() -> None:
     inside[1:8, 1:8] = True  # middle (4, 4)
     inside[3:8, 12:17] = True  # (5, 14)
     inside[10, 1:19] = True  # a sliver
-    assert list(middles(inside)) == [(4, 4), (5, 14)]
-    assert list(middles(np.zeros((3, 3), dtype=bool))) == []
+    assert list(region_centres(inside)) == [(4, 4), (5, 14)]
+    assert list(region_centres(np.zeros((3, 3), dtype=bool))) == []
 
 
 def test_one_parameter_everywhere_is_a_sentence() -> None:
     relative = np.zeros((5, 5, 3, 2))
     relative[..., 1, :] = 0.5
-    same = dominant(plane(), PATHS, relative)
+    same = dominant_parameters(plane(), PATHS, relative)
     relative[..., 2, 1] = -0.7
-    other = dominant(plane(), PATHS, relative)
+    other = dominant_parameters(plane(), PATHS, relative)
     assert same == "At every pose each frequency changes most with belt.width, of 3 parameters."
     assert other == (
         "At every pose the frequencies change most with the same one of 3 parameters: that of mode 1 with "

@@ -13,9 +13,10 @@ from matplotlib.colors import to_hex, to_rgba
 from helpers.pages.report_examples import made_up
 from pkmodes.loop.diagnosis.match.predicted import PartnerPredictions
 from pkmodes.loop.diagnosis.verdict.findings import Corrected, Examined, Unseen
-from pkmodes.pages.plots import differences, scores, spectrum
+from pkmodes.pages.plots import differences, scores
 from pkmodes.pages.plots.evidence import ModelStage, PlottedEvidence
 from pkmodes.pages.plots.mac_matrices import mac_matrices
+from pkmodes.pages.plots.setup_frequencies import setup_frequencies
 from pkmodes.pages.plots.style import BLUE, GREEN, GREY
 from pkmodes.pages.report import explanations, figures, numbers
 from pkmodes.pages.report.blocks import Picture
@@ -41,16 +42,16 @@ AFTER = replace(
 )
 EVIDENCE = PlottedEvidence(
     labels=("A", "B"),
-    setup=np.array([0, 0, 0, 1, 1]),
+    setup_indices=np.array([0, 0, 0, 1, 1]),
     measured=np.array([100.0, 200.0, 300.0, 100.0, 200.0]),
     sigma=np.ones(5),
     held_out=np.array([False, False, False, True, True]),
     outlier=np.array([False, True, False, False, False]),
     stages=(ModelStage("before", "as declared", BEFORE), ModelStage("after", "with the cause", AFTER)),
-    points=np.array([[0.1, 0.0, -0.2], [0.3, 0.0, -0.2]]),
+    poses=np.array([[0.1, 0.0, -0.2], [0.3, 0.0, -0.2]]),
     components=("x", "y", "z"),
     units=("m", "m", "m"),
-    place="pose",
+    setup_noun="pose",
 )
 
 
@@ -77,8 +78,8 @@ def titles(figure: Any) -> list[str]:
     return [axes.get_title(loc="left") for axes in figure.axes]
 
 
-def test_the_spectrum_has_the_lines_of_each_stage_and_a_mark_for_each_row() -> None:
-    (axes,) = spectrum.spectrum(EVIDENCE).figure.axes
+def test_the_frequencies_of_setups_have_the_lines_of_each_stage_and_a_mark_for_each_row() -> None:
+    (axes,) = setup_frequencies(EVIDENCE).figure.axes
     # Up to 1.12 of the highest measured frequency.
     for label, colour, rows in (
         ("model as declared", GREY, ((0, 102.0), (0, 210.0), (1, 98.0), (1, 190.0), (1, 206.0))),
@@ -100,7 +101,7 @@ def test_the_spectrum_has_the_lines_of_each_stage_and_a_mark_for_each_row() -> N
 def test_bands_are_one_standard_deviation_on_either_side_of_the_declared_model() -> None:
     """The declared model has 102, 210 Hz and 98, 190, 206 Hz; one mode of setup A has no standard deviation."""
     spread = np.array([[2.0, np.nan, np.nan], [1.0, 3.0, 0.5]])
-    (axes,) = spectrum.spectrum(replace(EVIDENCE, spread=spread)).figure.axes
+    (axes,) = setup_frequencies(replace(EVIDENCE, spread=spread)).figure.axes
     (bands,) = (one for one in axes.collections if one.get_label() == "\u00b1 \u03c3 as declared")
     boxes = sorted(
         tuple(path.vertices[:4].min(axis=0)) + tuple(path.vertices[:4].max(axis=0))
@@ -116,7 +117,7 @@ def test_bands_are_one_standard_deviation_on_either_side_of_the_declared_model()
 
 
 def test_a_comparison_has_one_kind_of_lines() -> None:
-    (axes,) = spectrum.spectrum(replace(EVIDENCE, stages=EVIDENCE.stages[:1])).figure.axes
+    (axes,) = setup_frequencies(replace(EVIDENCE, stages=EVIDENCE.stages[:1])).figure.axes
     assert len(segments(axes, "model as declared")) == 5
     assert "measured mode" in marks(axes)
 
@@ -161,7 +162,7 @@ def test_differences_by_setup_and_against_the_pose_are_in_standard_deviations() 
             assert low < np.nanmin(sigmas)
             assert high > np.nanmax(sigmas)
     assert against.axes[-1].get_xlabel() == "x [m]", "y and z do not vary"
-    assert differences.against_pose(replace(EVIDENCE, points=EVIDENCE.points[[0, 0]])) is None
+    assert differences.against_pose(replace(EVIDENCE, poses=EVIDENCE.poses[[0, 0]])) is None
 
 
 def test_mac_matrices_have_the_measured_modes_in_rows_and_the_setup_with_the_lowest_mac_below() -> None:
@@ -211,9 +212,9 @@ def test_stages_are_named_as_they_are() -> None:
     assert found.stages[1].predicted is result.stages.after
     refitted = replace(result, stages=replace(result.stages, after=None))
     assert [stage.title for stage in PlottedEvidence.of(refitted).stages] == ["as declared", "refitted"]
-    assert PlottedEvidence.of(refitted).last.predicted is result.stages.refit
+    assert PlottedEvidence.of(refitted).last_stage.predicted is result.stages.refit
     twice = replace(result, effects=result.effects * 2)
-    assert PlottedEvidence.of(twice).last.title == "with the causes"
+    assert PlottedEvidence.of(twice).last_stage.title == "with the causes"
 
 
 def test_candidates_stand_in_the_order_of_their_scores_with_the_colour_of_their_standing() -> None:
@@ -271,7 +272,7 @@ def test_a_p_value_that_no_number_holds_is_beyond_the_axis() -> None:
 def test_the_bars_of_moved_values_are_the_standard_deviations_of_the_table() -> None:
     """0.04 kg of the fit and 0.03 kg of what was not observed are 0.05 kg, as the table and the saved file have."""
     value = Corrected("platform.mass", 1.3, 0.04, "kg", 1.5, 0.1, False, Unseen(0.03, "payload"))
-    drawn = scores.pulls([value])
+    drawn = scores.shifts_from_prior([value])
     assert drawn is not None
     (bars,) = (one for one in drawn.figure.axes[0].collections if isinstance(one, LineCollection))
     np.testing.assert_allclose(bars.get_segments()[0][:, 0], [-2.5, -1.5], rtol=1e-6)
@@ -295,7 +296,7 @@ def test_values_stand_where_the_fit_moved_them_in_standard_deviations_of_their_p
         Corrected("platform.mass", 1.3, 0.05, "kg", 1.5, 0.1, False),
         Corrected("effects.payload.mass", 0.3, 0.01, "kg", 0.0, None, False),
     )
-    drawn = scores.pulls(values)
+    drawn = scores.shifts_from_prior(values)
     assert drawn is not None
     (axes,) = drawn.figure.axes
     assert [label.get_text() for label in axes.get_yticklabels()] == ["platform.mass", "link.length"]
@@ -305,4 +306,4 @@ def test_values_stand_where_the_fit_moved_them_in_standard_deviations_of_their_p
     np.testing.assert_allclose(
         [segment[:, 0] for segment in bars.get_segments()], [[-2.5, -1.5], [0.5, 1.5]], rtol=1e-6
     )
-    assert scores.pulls(values[2:]) is None
+    assert scores.shifts_from_prior(values[2:]) is None

@@ -10,15 +10,15 @@ import pytest
 
 from pkmodes.pages.plots.drawing import Drawing
 from pkmodes.pages.plots.responses import responses
-from pkmodes.pages.plots.sheet import NARROW, Sheet
-from pkmodes.pages.plots.style import styled
+from pkmodes.pages.plots.sheet import NARROW_WIDTH, Sheet
+from pkmodes.pages.plots.style import figure_style
 
 
 def settled(drawing: Drawing) -> Sheet:
     """Return a narrow sheet after its layout; it fits."""
-    with styled():
+    with figure_style():
         sheet = drawing.sheet(narrow=True)
-        assert sheet.settle() is not None
+        assert sheet.lay_out_narrow() is not None
     return sheet
 
 
@@ -54,8 +54,8 @@ def test_panels_follow_each_other_group_by_group_and_no_text_lies_on_another(col
     ]
     for axes in panels:
         assert (axes.get_xlabel(), axes.get_ylabel()) == ("across [mm]", "up [Hz]")
-        assert axes.bbox.width > 0.75 * NARROW * sheet.figure.dpi
-    with styled():
+        assert axes.bbox.width > 0.75 * NARROW_WIDTH * sheet.figure.dpi
+    with figure_style():
         boxes = [axes.get_tightbbox() for axes in panels]
     assert all(upper.y0 >= lower.y1 for upper, lower in pairwise(boxes))
 
@@ -73,11 +73,11 @@ def test_a_legend_stands_above_the_title_and_the_names_that_stand_above_a_panel(
     sheet = settled(Drawing(draw))
     (legend,) = sheet.figure.legends
     (axes,) = sheet.figure.axes
-    with styled():
+    with figure_style():
         box = legend.get_window_extent()
         below = [axes.title.get_window_extent(), *(text.get_window_extent() for text in axes.texts)]
         below.append(axes._left_title.get_window_extent())  # type: ignore[attr-defined]
-    assert box.width <= NARROW * sheet.figure.dpi
+    assert box.width <= NARROW_WIDTH * sheet.figure.dpi
     assert all(box.y0 >= one.y1 for one in below)
 
 
@@ -85,21 +85,21 @@ def test_names_that_would_lie_on_each_other_are_turned() -> None:
     def draw(sheet: Sheet, names: list[str]) -> None:
         panel = sheet.panel(3.0)
         panel.plot(range(len(names)), range(len(names)), "o")
-        panel.name_places("x", range(len(names)), names)
+        panel.set_tick_names("x", range(len(names)), names)
         panel.label(x="pose", y="f [Hz]")
 
     for names, turned in ((["P1", "P2", "P3"], 0.0), ([f"a long name {k}" for k in range(8)], 90.0)):
         (axes,) = settled(Drawing(lambda sheet, names=names: draw(sheet, names))).figure.axes
         labels = axes.get_xticklabels()
         assert {label.get_rotation() for label in labels} == {turned}
-        with styled():
+        with figure_style():
             boxes = [label.get_window_extent() for label in labels]
         assert not any(one.overlaps(other) for one, other in pairwise(boxes))
 
 
 def test_panels_side_by_side_share_the_label_beside_them() -> None:
     def draw(sheet: Sheet) -> None:
-        sheet.groups(4, 4, 3.0, shape=1.5)
+        sheet.groups(4, 4, 3.0, height_to_width=1.5)
         for panel in sheet.panels:
             panel.plot([0.0, 1.0], [0.0, 1.5], "o")
             panel.axes.set_aspect("equal")
@@ -116,6 +116,6 @@ def test_a_figure_whose_texts_lie_on_each_other_does_not_fit() -> None:
         panel.axes.text(0.1, 0.5, "a number that is long")
         panel.axes.text(0.2, 0.5, "and another")
 
-    with styled():
-        assert Drawing(draw).sheet(narrow=True).settle() is None
-        assert Drawing(lambda sheet: None).sheet(narrow=True).settle() is None
+    with figure_style():
+        assert Drawing(draw).sheet(narrow=True).lay_out_narrow() is None
+        assert Drawing(lambda sheet: None).sheet(narrow=True).lay_out_narrow() is None

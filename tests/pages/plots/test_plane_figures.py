@@ -14,14 +14,14 @@ from matplotlib.contour import ContourSet
 from matplotlib.figure import Figure
 
 from pkmodes.pages.plots import influence, maps
-from pkmodes.pages.plots.dominant import dominant
+from pkmodes.pages.plots.dominant import dominant_parameters
 from pkmodes.pages.plots.drawing import Drawing
 from pkmodes.pages.plots.mac_map import neighbouring_mac
-from pkmodes.pages.plots.panels import arranged
-from pkmodes.pages.plots.plane import Plane, where
-from pkmodes.pages.plots.sheet import NARROW
-from pkmodes.pages.plots.style import styled
-from pkmodes.pages.plots.workspace import Volume, workspace
+from pkmodes.pages.plots.panels import rows_and_columns
+from pkmodes.pages.plots.plane import Plane, plane_location
+from pkmodes.pages.plots.sheet import NARROW_WIDTH
+from pkmodes.pages.plots.style import figure_style
+from pkmodes.pages.plots.workspace import ReachableVolume, workspace
 
 X, Y = np.linspace(0.0, 0.4, 5), np.array([-0.1, 0.0, 0.1])
 #: At (x_i, y_j), mode m: 100 m + 10 i + j; the first pose cannot be evaluated.
@@ -194,7 +194,7 @@ def relative() -> np.ndarray:
 
 
 def test_the_table_of_influences_has_medians_the_largest_first(relative: np.ndarray) -> None:
-    figure = figure_of(influence.table(PATHS, relative))
+    figure = figure_of(influence.influence_table(PATHS, relative))
     axes = figure.axes[0]
     assert [label.get_text() for label in axes.get_yticklabels()] == [
         "axis.span",
@@ -210,7 +210,7 @@ def test_the_table_of_influences_has_medians_the_largest_first(relative: np.ndar
 
 
 def test_the_dominant_parameter_has_its_colour_at_each_pose(plane: Plane, relative: np.ndarray) -> None:
-    figure = figure_of(dominant(plane, PATHS, relative))
+    figure = figure_of(dominant_parameters(plane, PATHS, relative))
     (legend,) = figure.legends
     patches = zip(legend.get_texts(), legend.get_patches(), strict=True)
     colours = {text.get_text(): to_rgba(patch.get_facecolor()) for text, patch in patches}
@@ -235,9 +235,9 @@ def test_condition_number_and_outlines_of_the_volume(plane: Plane) -> None:
         np.linspace(-0.1, 0.2, 31),
     )
     inside = (along[:, None] > 0.1) & (along[:, None] < 0.3) & (across > -0.05) & (across < 0.1)
-    volume = Volume(heights, along, across, np.stack([inside, np.zeros_like(inside), inside]))
+    volume = ReachableVolume(heights, along, across, np.stack([inside, np.zeros_like(inside), inside]))
     figure = figure_of(workspace(plane, volume))
-    assert where(plane) == "z = \u2212200 mm"
+    assert plane_location(plane) == "z = \u2212200 mm"
     (flat,) = maps_of(figure)
     np.testing.assert_array_equal(shown(flat), PLACE)
     np.testing.assert_allclose(mesh_of(flat).get_clim(), TENTH)
@@ -256,7 +256,7 @@ def test_shards_of_a_volume_are_left_out(plane: Plane) -> None:
     along, across = np.linspace(0.0, 0.4, 81), np.linspace(-0.1, 0.2, 61)
     inside = (along[:, None] > 0.1) & (along[:, None] < 0.3) & (across > -0.05) & (across < 0.1)
     shard = (along[:, None] > 0.35) & (along[:, None] < 0.37) & (across > 0.15) & (across < 0.18)
-    volume = Volume(np.array([-0.3, -0.1]), along, across, np.stack([inside | shard, shard]))
+    volume = ReachableVolume(np.array([-0.3, -0.1]), along, across, np.stack([inside | shard, shard]))
     figure = figure_of(workspace(plane, volume))
     (solid,) = (axes for axes in figure.axes if axes.name == "3d")
     assert len(solid.lines) == 1
@@ -282,7 +282,7 @@ def of_modes(plane: Plane, count: int, *, tall: bool = True) -> Plane:
 def test_panels_stand_in_rows_of_about_the_same_length(
     modes: int, tall: bool, shape: tuple[int, int]
 ) -> None:
-    assert arranged(modes, tall=tall) == shape
+    assert rows_and_columns(modes, is_tall=tall) == shape
     assert shape[0] * shape[1] - modes < shape[1]  # no row is empty
 
 
@@ -300,7 +300,7 @@ def test_a_small_range_of_frequencies_looks_small_and_is_said(plane: Plane) -> N
 @pytest.mark.parametrize("tall", [True, False])
 def test_scales_have_three_ticks_or_more_that_are_apart(plane: Plane, tall: bool) -> None:
     figure = figure_of(maps.frequencies(of_modes(plane, 6 if tall else 2, tall=tall)))
-    with styled():
+    with figure_style():
         figure.draw_without_rendering()
     bars = [axes for axes in figure.axes[0].child_axes + figure.axes if "f [Hz]" in labels_of(axes)]
     assert bars
@@ -323,7 +323,7 @@ def place_of(label: Any, axis: Any) -> float:
 
 def test_contours_have_their_numbers_apart_from_one_another(plane: Plane) -> None:
     figure = figure_of(maps.frequencies(of_modes(plane, 2, tall=False)))
-    with styled():
+    with figure_style():
         figure.draw_without_rendering()
     for axes in panels(figure).values():
         (lines,) = (one for one in axes.collections if isinstance(one, ContourSet))
@@ -369,7 +369,7 @@ def test_what_is_the_same_everywhere_is_a_sentence(plane: Plane) -> None:
         "neighbouring pose is 0.999."
     )
     assert not isinstance(
-        workspace(level, Volume(np.array([-0.3, -0.1]), X, Y, np.zeros((2, 5, 3), bool))), str
+        workspace(level, ReachableVolume(np.array([-0.3, -0.1]), X, Y, np.zeros((2, 5, 3), bool))), str
     )
 
 
@@ -393,7 +393,7 @@ def test_numbers_at_the_scales_of_six_panels_in_a_row_do_not_touch(
     share = (place - INNER[0]) / (INNER[1] - INNER[0])
     dataset = dataset.assign(frequency=low + (high - low) * share)
     figure = figure_of(maps.frequencies(Plane(dataset, "y", "x", "z", -0.2)))
-    with styled():
+    with figure_style():
         figure.draw_without_rendering()
         bar = figure.axes[0].child_axes[0]
         low, high = bar.get_xlim()
@@ -412,11 +412,11 @@ def test_on_a_narrow_screen_titles_ranges_labels_and_scales_lie_below_each_other
     dataset = dataset.assign_coords(x=("x", stretch * X, {"units": "m"}))
     drawing = maps.frequencies(Plane(dataset, "y", "x", "z", -0.2))
     assert isinstance(drawing, Drawing)
-    with styled():
+    with figure_style():
         sheet = drawing.sheet(narrow=True)
-        assert sheet.settle() is not None
+        assert sheet.lay_out_narrow() is not None
         figure = sheet.figure
-        assert figure.get_tightbbox().width <= figure.get_figwidth() == NARROW
+        assert figure.get_tightbbox().width <= figure.get_figwidth() == NARROW_WIDTH
         for axes in panels(figure).values():
             (written,) = (text for text in axes.texts if text.get_text().endswith("Hz"))
             (bar,) = axes.child_axes

@@ -13,15 +13,15 @@ import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
 
-from pkmodes.pages.plots.style import BLUE, INK, PAPER, figure, styled
-from pkmodes.pages.plots.svg import inline
+from pkmodes.pages.plots.style import BLUE, INK, PAPER, figure, figure_style
+from pkmodes.pages.plots.svg import inline_svg
 
 ROOT = Path(__file__).parents[3]
 SVG = "{http://www.w3.org/2000/svg}"
 
 
 def drawn(label: str = "a label", marks: int = 5) -> Figure:
-    with styled():
+    with figure_style():
         found = figure(2.0)
         axes = found.subplots()
         axes.plot(np.arange(marks), np.arange(marks) ** 2, "o-", label=label)
@@ -36,7 +36,7 @@ def ids(root: ElementTree.Element) -> list[str]:
 
 
 def test_a_figure_has_a_role_a_title_and_a_description() -> None:
-    root = ElementTree.fromstring(inline(drawn(), 'Title <&"', "What it shows"))
+    root = ElementTree.fromstring(inline_svg(drawn(), 'Title <&"', "What it shows"))
     assert root.tag == f"{SVG}svg"
     assert root.get("role") == "img"
     by_id = {element.get("id"): element for element in root.iter() if "id" in element.attrib}
@@ -49,7 +49,11 @@ def test_a_figure_has_a_role_a_title_and_a_description() -> None:
 
 
 def test_ids_differ_between_figures_and_every_reference_is_met() -> None:
-    pages = [inline(drawn(), "one", ""), inline(drawn(), "two", ""), inline(drawn("other"), "one", "")]
+    pages = [
+        inline_svg(drawn(), "one", ""),
+        inline_svg(drawn(), "two", ""),
+        inline_svg(drawn("other"), "one", ""),
+    ]
     roots = [ElementTree.fromstring(page) for page in pages]
     every = [name for root in roots for name in ids(root)]
     assert len(set(every)) == len(every)
@@ -66,13 +70,13 @@ def test_rounding_in_the_layout_does_not_change_the_page() -> None:
         made = drawn()
         made.set_layout_engine("none")
         made.axes[0].set_position((0.1, 0.2, 0.8 + rounding, 0.7 - rounding))
-        pages.append(inline(made, "t", "d"))
+        pages.append(inline_svg(made, "t", "d"))
     assert "clip-path" in pages[0]
     assert pages[0] == pages[1]
 
 
 def test_text_and_axes_have_the_colour_of_the_page_and_data_their_own() -> None:
-    page = inline(drawn(), "t", "d")
+    page = inline_svg(drawn(), "t", "d")
     assert INK not in page
     assert PAPER not in page
     assert "currentColor" in page
@@ -86,17 +90,19 @@ def test_text_and_axes_have_the_colour_of_the_page_and_data_their_own() -> None:
 
 def test_a_label_that_looks_like_a_colour_or_markup_stays_as_it_is() -> None:
     for label in (BLUE, f"url(#{INK})", "</svg><script>", "$x_{$", "\u6f22\u5b57 \u05e9"):
-        texts = [e.text for e in ElementTree.fromstring(inline(drawn(label), "t", "d")).iter(f"{SVG}text")]
+        texts = [
+            e.text for e in ElementTree.fromstring(inline_svg(drawn(label), "t", "d")).iter(f"{SVG}text")
+        ]
         assert label in texts
 
 
 def test_characters_that_xml_cannot_hold_are_replaced_in_title_and_description() -> None:
-    root = ElementTree.fromstring(inline(drawn(), "a\x00b\ud800", "c\x1bd"))
+    root = ElementTree.fromstring(inline_svg(drawn(), "a\x00b\ud800", "c\x1bd"))
     assert [e.text for e in root[:2]] == ["a\ufffdb\ufffd", "c\ufffdd"]
 
 
 def test_nothing_tells_the_date_or_reaches_outside() -> None:
-    page = inline(drawn(marks=500), "t", "d")
+    page = inline_svg(drawn(marks=500), "t", "d")
     assert "metadata" not in page
     assert "<style" not in page
     assert "DOCTYPE" not in page
@@ -121,8 +127,8 @@ def python(code: str, folder: Path | None = None, **variables: str) -> str:
 
 def test_the_same_figure_gives_the_same_text_in_every_process(tmp_path: Path) -> None:
     """Whatever the hash seed, and whatever settings of matplotlib the user has."""
-    code = "from test_svg import drawn, inline; import hashlib; "
-    code += "print(hashlib.sha256(inline(drawn(), 't', 'd').encode()).hexdigest())"
+    code = "from test_svg import drawn, inline_svg; import hashlib; "
+    code += "print(hashlib.sha256(inline_svg(drawn(), 't', 'd').encode()).hexdigest())"
     settings = "font.size: 31\naxes.labelpad: 31\nlegend.borderpad: 3\nlines.markeredgewidth: 5\n"
     (tmp_path / "matplotlibrc").write_text(settings, encoding="utf-8")
     own = python(code, tmp_path, PYTHONHASHSEED="1", MPLCONFIGDIR=str(tmp_path))
@@ -131,19 +137,19 @@ def test_the_same_figure_gives_the_same_text_in_every_process(tmp_path: Path) ->
 
 def test_the_settings_of_the_user_are_left_alone() -> None:
     before = dict(matplotlib.rcParams)
-    inline(drawn(), "t", "d")
+    inline_svg(drawn(), "t", "d")
     assert dict(matplotlib.rcParams) == before
 
 
 def test_no_figure_uses_the_global_state_of_pyplot(tmp_path: Path) -> None:
-    code = "import sys; from test_svg import drawn, inline; inline(drawn(), 't', 'd'); "
+    code = "import sys; from test_svg import drawn, inline_svg; inline_svg(drawn(), 't', 'd'); "
     code += "print('matplotlib.pyplot' in sys.modules)"
     assert python(code, MPLCONFIGDIR=str(tmp_path)) == "False\n"
 
 
 def test_the_modules_are_imported_without_the_libraries() -> None:
     """They are needed only when something is drawn."""
-    names = ["plots.spectrum", "plots.svg", "report", "report.page", "cli.reporting"]
+    names = ["plots.setup_frequencies", "plots.svg", "report", "report.page", "cli.reporting"]
     code = "import sys; sys.modules.update(dict.fromkeys(('matplotlib', 'jinja2')))"
     code += "".join(f"; import pkmodes.{name}" for name in names)
     assert python(code) == ""

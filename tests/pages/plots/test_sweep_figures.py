@@ -21,7 +21,7 @@ def test_the_line_is_the_median_and_the_band_the_range_in_the_order_of_the_value
     # Heavier first; a pose that cannot be evaluated counts in neither.
     frequency = np.array([[5.0, 30.0, 7.0, np.nan], [10.0, 60.0, 20.0, np.nan]])
     masses = {"link.mass": ("link.mass", [2.0, 1.0], {"units": "kg"})}
-    figure = sweeps.against(map_of(("link.mass", "pose"), frequency, **masses), "link.mass").figure
+    figure = sweeps.against_axis(map_of(("link.mass", "pose"), frequency, **masses), "link.mass").figure
     assert [axes.get_title(loc="left") for axes in figure.axes] == ["mode 1", "mode 2"]
     for above, axes in zip((0.0, 100.0), figure.axes, strict=True):
         (line,) = axes.lines
@@ -38,7 +38,7 @@ def test_along_poses_each_mode_is_a_line_of_medians_over_everything_else() -> No
     # Three robots at two poses.
     frequency = np.array([[10.0, 50.0], [12.0, 90.0], [40.0, 60.0]])
     poses = {"pose": ("pose", ["A", "B"])}
-    figure = sweeps.along(map_of(("link.mass", "pose"), frequency, **poses)).figure
+    figure = sweeps.along_poses(map_of(("link.mass", "pose"), frequency, **poses)).figure
     (axes,) = figure.axes
     assert [label.get_text() for label in axes.get_xticklabels()] == ["A", "B"]
     for line, name, colour, values in zip(
@@ -56,7 +56,7 @@ def test_the_scatter_of_samples_is_relative_to_the_median_at_the_same_pose_in_pe
     frequency = np.stack([100.0 + percent, 50.0 + 0.5 * percent], axis=1)
     dataset = map_of(("sample", "pose"), frequency)
     dataset["frequency"][..., 1] = 3.0 * frequency  # mode 2 scatters alike
-    figure = sweeps.scatter(dataset).figure
+    figure = sweeps.sample_scatter(dataset).figure
     (axes,) = figure.axes
     assert "[%]" in axes.get_ylabel()
     for mode in (1, 2):
@@ -76,6 +76,6 @@ def test_the_band_of_many_poses_leaves_out_the_extremes() -> None:
     """Of 101 poses, 0 to 99 Hz and one far above, the band shows 2 to 98 Hz."""
     frequency = np.append(np.arange(100.0), 5000.0)[None].repeat(2, axis=0)
     masses = {"link.mass": ("link.mass", [1.0, 2.0], {"units": "kg"})}
-    figure = sweeps.against(map_of(("link.mass", "pose"), frequency, **masses), "link.mass").figure
+    figure = sweeps.against_axis(map_of(("link.mass", "pose"), frequency, **masses), "link.mass").figure
     heights = figure.axes[0].collections[0].get_paths()[0].vertices[:, 1]
     np.testing.assert_allclose([heights.min(), heights.max()], [2.0, 98.0])

@@ -14,9 +14,9 @@ from helpers.pages.report_examples import made_up
 from pkmodes.pages.plots.drawing import Drawing
 from pkmodes.pages.plots.evidence import PlottedEvidence
 from pkmodes.pages.plots.panel import Panel
+from pkmodes.pages.plots.setup_frequencies import setup_frequencies
 from pkmodes.pages.plots.shapers import over_plane
 from pkmodes.pages.plots.sheet import Sheet
-from pkmodes.pages.plots.spectrum import spectrum
 
 
 def table(draw: Callable[[Sheet], Any]) -> list[dict[str, str]]:
@@ -58,7 +58,7 @@ def test_cells_are_at_the_places_and_have_the_values_that_were_given() -> None:
 
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(3.0)
-        sheet.scale(panel.cells(x, y, values), "f [Hz]")
+        sheet.colour_scale(panel.cells(x, y, values), "f [Hz]")
 
     rows = table(draw)
     found = {(float(r["x"]), float(r["y"])): float(r["f [Hz]"]) for r in rows}
@@ -81,7 +81,7 @@ def test_marks_have_their_values() -> None:
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(3.0)
         marks = panel.scatter([1.0, 2.0], [3.0, 4.0], values=[0.25, 0.75], label="poses")
-        sheet.scale(marks, "left [%]")
+        sheet.colour_scale(marks, "left [%]")
 
     assert of(table(draw), "left [%]", series="poses") == [0.25, 0.75]
 
@@ -154,20 +154,15 @@ def test_a_row_of_panels_has_its_name_in_the_name_of_each_panel() -> None:
         panel.label("mode 1", x="mode", y="mode", row="in plane")
 
     (row,) = table(draw)
-    assert row == {
-        "panel": "mode 1, in plane",
-        "series": "marks 1",
-        "x: mode": "1",
-        "y: mode": "2",
-    }
+    assert row == {"panel": "mode 1, in plane", "series": "marks 1", "x: mode": "1", "y: mode": "2"}
 
 
 def test_an_axis_of_names_has_them_beside_its_numbers() -> None:
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(3.0)
         panel.plot([-0.2, 0.2, 1.0], [1.0, 2.0, 3.0], "o")
-        panel.name_places("x", [0, 1], ["P1", "P\n2"], ["P1", "P2"])
-        panel.name_places("y", [1, 2, 3], ["1", "2", "3"])
+        panel.set_tick_names("x", [0, 1], ["P1", "P\n2"], ["P1", "P2"])
+        panel.set_tick_names("y", [1, 2, 3], ["1", "2", "3"])
         panel.label(x="pose")
 
     rows = table(draw)
@@ -179,7 +174,7 @@ def test_a_line_across_has_one_place() -> None:
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(3.0)
         panel.plot([1.0, 2.0], [1.0, 2.0], name="model")
-        panel.line_at(1.5, "mode")
+        panel.vertical_line(1.5, "mode")
 
     rows = table(draw)
     assert [row for row in rows if row["series"] == "mode"] == [{"series": "mode", "x": "1.5"}]
@@ -236,7 +231,7 @@ def test_each_frequency_has_the_limits_of_its_own_band() -> None:
     result, data = made_up(1, 2)
     evidence = PlottedEvidence.of(result, data)
     frequencies, sigmas = evidence.stages[0].predicted.elastic_frequencies[0, :2], np.array([1.0, 3.0])
-    drawing = spectrum(replace(evidence, spread=sigmas[None]))
+    drawing = setup_frequencies(replace(evidence, spread=sigmas[None]))
     for end, limits in (("lower", frequencies - sigmas), ("upper", frequencies + sigmas)):
         rows = table(drawing.draw)
         found = of(rows, "frequency [Hz]", series=f"\u00b1 \u03c3 as declared, {end} limit")

@@ -15,7 +15,7 @@ import pkmodes
 from pkmodes.loop.sensitivity.changes import PERCENT, Changes
 from pkmodes.pages.figures import tornado_picture
 from pkmodes.pages.plots.style import BLUE, GREY
-from pkmodes.pages.plots.svg import inline
+from pkmodes.pages.plots.svg import inline_svg
 from pkmodes.pages.plots.tornado import wrapped_name
 
 PRINTER, AT = "robots/corexy-printer.toml", [0.1, 0.15]
@@ -95,7 +95,7 @@ def test_at_most_ten_are_in_a_panel() -> None:
     model = pkmodes.load("robots/linear-delta-2022-identified.toml")
     figure = tornado_picture(model, [0.6, 0.03, -0.245]).figure
     assert [len(bars(axes, BLUE)) for axes in figure.axes][:3] == [10, 10, 10]
-    page = ElementTree.fromstring(inline(figure, "t", "d"))
+    page = ElementTree.fromstring(inline_svg(figure, "t", "d"))
     assert page.attrib["viewBox"]
 
 

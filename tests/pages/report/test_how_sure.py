@@ -23,7 +23,7 @@ from pkmodes.loop.diagnosis.verdict.findings import (
     Unseen,
     Value,
 )
-from pkmodes.pages.plots.places import COLOURS
+from pkmodes.pages.plots.places import MARK_COLOURS
 from pkmodes.pages.report import report
 from pkmodes.pages.report.action import action
 from pkmodes.pages.report.contrast import contrast
@@ -113,7 +113,7 @@ def test_of_two_belts_the_softer_one_is_named_in_title_tile_and_picture() -> Non
         assert sentence in page.by_id("causes").text
         drawn = {robot.mechanism.drawing.elements[i].name for i in marked_elements(result, robot)}
         assert {f"belt {soft}", "belt 2"} <= drawn
-    assert len(COLOURS) >= 2
+    assert len(MARK_COLOURS) >= 2
 
 
 def test_belts_that_may_be_equal_are_not_compared() -> None:

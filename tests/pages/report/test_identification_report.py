@@ -274,9 +274,9 @@ def test_missing_libraries_are_named_before_anything_is_read(
 
 
 def test_pairs_of_labels_do_not_overlap() -> None:
-    from pkmodes.pages.plots.fits import rows_of
+    from pkmodes.pages.plots.fits import label_rows
 
-    assert rows_of([0.1, 0.105, 0.11, 0.5], ["1", "2", "3", "4"]) == [0, 1, 2, 0]
+    assert label_rows([0.1, 0.105, 0.11, 0.5], ["1", "2", "3", "4"]) == [0, 1, 2, 0]
 
 
 def cells(row: Element) -> list[str]:

@@ -112,7 +112,7 @@ def test_no_label_of_a_tall_volume_is_cut_off(tmp_path: Path) -> None:
 @pytest.mark.parametrize("modes", [6, 12, 18])
 def test_the_modes_of_a_table_of_influences_are_apart(modes: int) -> None:
     relative = np.random.default_rng(4).normal(size=(1, 1, 5, modes))
-    drawing = influence.table([f"value.number_{k}" for k in range(5)], relative)
+    drawing = influence.influence_table([f"value.number_{k}" for k in range(5)], relative)
     drawing.figure.draw_without_rendering()
     (panel,) = drawing.wide.panels
     boxes = sorted(

@@ -15,7 +15,7 @@ from pkmodes.loop.diagnosis.problem import Joint
 from pkmodes.loop.diagnosis.verdict.findings import Finding
 from pkmodes.loop.diagnosis.verdict.joints import JointAlone
 from pkmodes.pages.plots.evidence import PlottedEvidence
-from pkmodes.pages.plots.places import COLOURS, Marked, places
+from pkmodes.pages.plots.places import MARK_COLOURS, MarkedBody, marked_machine
 from pkmodes.pages.report.blocks import Picture
 from pkmodes.pages.report.places import marked, marked_elements, picture
 from pkmodes.pages.report.setting import ReportSetting
@@ -69,26 +69,28 @@ def test_a_term_is_shown_by_its_bodies(name: str, term: str) -> None:
     shown = SHOWN[name][term]
     assert (None if mark is None else {elements[i].name for i in mark.elements}) == shown
     if mark is not None:
-        assert mark.along == (term[-1] if term.endswith((".x", ".y", ".z")) else "")
+        assert mark.axis == (term[-1] if term.endswith((".x", ".y", ".z")) else "")
 
 
 def test_the_picture_has_the_marked_bodies_in_colour_and_an_arrow() -> None:
     model = pkmodes.load(ROOT / "robots" / "linear-delta-2022.toml")
     shown = scene(model, [0.6, 0.0, -0.245])
     (carriage,) = (i for i, element in enumerate(shown.elements) if element.name == "carriage 2")
-    drawing = places(
-        shown, [Marked("the rail of carriage 2", (carriage,), "y"), Marked("the platform", (0,))]
+    drawing = marked_machine(
+        shown, [MarkedBody("the rail of carriage 2", (carriage,), "y"), MarkedBody("the platform", (0,))]
     )
     (panel,) = drawing.wide.panels
     colours = [line.get_color() for line in panel.axes.lines]
-    assert colours.count(COLOURS[0]) == 2  # the carriage, and its entry of the legend
+    assert colours.count(MARK_COLOURS[0]) == 2  # the carriage, and its entry of the legend
     legend = panel.axes.get_legend()
     assert legend is not None
     assert [text.get_text() for text in legend.get_texts()] == ["the rail of carriage 2", "the platform"]
     arrow, letter = panel.axes.texts
     assert letter.get_text() == "y"
     # Parallel to y as the camera sees it: the marked block lies in the middle of the arrow.
-    (block,) = (line for line in panel.axes.lines if line.get_color() == COLOURS[0] and len(line.get_xdata()))
+    (block,) = (
+        line for line in panel.axes.lines if line.get_color() == MARK_COLOURS[0] and len(line.get_xdata())
+    )
     middle = np.mean(block.get_xydata(), axis=0)
     ends = np.array([arrow.xy, arrow.get_position()])  # type: ignore[attr-defined]
     np.testing.assert_allclose(ends.mean(axis=0), middle, atol=0.2 * np.ptp(ends, axis=0).max())
@@ -109,7 +111,7 @@ def test_every_leg_of_a_hexapod_is_marked_and_what_is_not_is_counted(count: int,
         for joint in joints[:count]
     )
     found = replace(result, effects=effects)
-    evidence = replace(PlottedEvidence.of(result, data), points=np.tile(typical_pose(model), (4, 1)))
+    evidence = replace(PlottedEvidence.of(result, data), poses=np.tile(typical_pose(model), (4, 1)))
     (drawn,) = picture(found, evidence, ReportSetting("hexapod", robot, data, (), None))
     assert isinstance(drawn, Picture)
     assert f"in colour: {'; '.join(names[:6])}.{others}" in drawn.svg

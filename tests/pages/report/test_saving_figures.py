@@ -14,7 +14,7 @@ from helpers.pages.browser import opened
 from helpers.pages.report_examples import HOSTILE
 from pkmodes.cli import run
 from pkmodes.pages.plots.drawing import Drawing
-from pkmodes.pages.plots.labels import visible
+from pkmodes.pages.plots.labels import visible_text
 from pkmodes.pages.plots.sheet import Sheet
 from pkmodes.pages.report.blocks import Picture, Section, Summary
 from pkmodes.pages.report.page import page
@@ -31,11 +31,11 @@ def figure(title: str, model: str) -> Picture:
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(2.5)
         for name, values in zip(("measured", model), NUMBERS.values(), strict=True):
-            panel.plot(X, values, label=visible(name, 60))  # as every figure does
+            panel.plot(X, values, label=visible_text(name, 60))  # as every figure does
         panel.label(x="frequency [Hz]", y="size [\u03c3]")
         panel.axes.legend()
 
-    return Picture.of(Drawing(draw), visible(title), "two curves", "Two curves.")
+    return Picture.of(Drawing(draw), visible_text(title), "two curves", "Two curves.")
 
 
 def written(folder: Path, *figures: Picture) -> Path:

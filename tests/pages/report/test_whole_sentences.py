@@ -13,7 +13,7 @@ from helpers.robots.robot_text import PUBLISHED
 from pkmodes import read_robot
 from pkmodes.cli.diagnosis_tables import show_diagnosis
 from pkmodes.loop.diagnosis.verdict.findings import Examined
-from pkmodes.pages.plots.scores import WHOLE, _label
+from pkmodes.pages.plots.scores import MAX_LABEL_LENGTH, _row_label
 from pkmodes.pages.report import report
 from pkmodes.pages.report.formatting import LONGEST, clean, label, prose, shortened
 
@@ -63,7 +63,7 @@ def test_only_what_a_file_names_is_shortened() -> None:
 
 
 def test_a_row_of_a_figure_has_its_words_whole_or_not_at_all() -> None:
-    assert _label("the belts are heavy", "belt_mass") == "the belts are heavy (belt_mass)"
-    assert _label("w" * (WHOLE - len("belt_mass")), "belt_mass").startswith("www")
-    assert _label(LONG, "belt_mass") == "belt_mass"
-    assert _label("", "effects.payload.mass") == "payload.mass"
+    assert _row_label("the belts are heavy", "belt_mass") == "the belts are heavy (belt_mass)"
+    assert _row_label("w" * (MAX_LABEL_LENGTH - len("belt_mass")), "belt_mass").startswith("www")
+    assert _row_label(LONG, "belt_mass") == "belt_mass"
+    assert _row_label("", "effects.payload.mass") == "payload.mass"

@@ -13,7 +13,7 @@ from pkmodes.core.base.errors import OutputError
 from pkmodes.core.support.replacing import check_replaced, contains_mark
 from pkmodes.core.support.writing import write_files
 from pkmodes.pages.figures.pictures import PICTURES, Picture, pictures
-from pkmodes.pages.plots.style import GREY, styled
+from pkmodes.pages.plots.style import GREY, figure_style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -71,7 +71,7 @@ def write_pictures(
 def write_pictures_and_sentences(
     model: Model, folder: Path, grid: Any, formats: Sequence[str], *, drives: str | None, overwrite: bool
 ) -> tuple[list[Path], dict[str, str]]:
-    """Like `write_pictures`; return the files, and the sentences said instead of figures, by figure name."""
+    """Write as `write_pictures` does; return the files, and the sentences that replace figures, by figure name."""
     for file_format in formats:
         check_argument(file_format, one_of(FORMATS), "formats", "choose one of the three", OutputError)
     for kind in PICTURES:
@@ -95,7 +95,7 @@ def write_pictures_and_sentences(
         for file_format in formats:
             files[f"{picture.name}.{file_format}"] = image_bytes(picture, file_format)
     written = write_files(folder, files)
-    for kind in PICTURES:  # what an earlier run drew would pass for a picture of this robot
+    for kind in PICTURES:  # a figure left from an earlier run would be taken for one of this robot
         stale = [folder / f"{kind.name}.{file_format}" for file_format in formats if kind.name in sentences]
         for path in stale:
             if path.is_file() and contains_mark(kind.mark)(path):
@@ -111,7 +111,7 @@ def image_bytes(picture: Picture, file_format: str) -> bytes:
         "png": {"Software": None, "Description": picture.description},
     }
     target = BytesIO()
-    with styled(), _with_caption_below(picture.figure, picture.about):
+    with figure_style(), _with_caption_below(picture.figure, picture.about):
         metadata = {**fixed_metadata[file_format], "Title": picture.title}
         picture.figure.savefig(
             target,

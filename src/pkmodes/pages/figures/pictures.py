@@ -1,7 +1,7 @@
 """The figures of a robot, for any mechanism.
 
-They show what figures 7 to 20 of the paper show, and what it does not: which parameter each frequency depends on, and
-where mode shapes change abruptly.
+They show what figures 7 to 20 of the paper show, and also which parameter each frequency depends on, and where mode
+shapes change abruptly.
 """
 
 from __future__ import annotations
@@ -25,22 +25,22 @@ from pkmodes.machine.maps import left_out
 from pkmodes.machine.maps.mapping import map_of
 from pkmodes.machine.maps.poses import checked_poses
 from pkmodes.pages.figures.quantities import (
-    coarser,
+    coarse_plane,
     median_spread,
-    motors_of,
+    motor_positions,
+    reachable_volume,
     relative_sensitivities,
     smallest_mac,
-    volume_of,
 )
 from pkmodes.pages.figures.working_plane import working_plane
 from pkmodes.pages.plots import influence, maps
-from pkmodes.pages.plots.dominant import dominant
+from pkmodes.pages.plots.dominant import dominant_parameters
 from pkmodes.pages.plots.drawing import Drawing
-from pkmodes.pages.plots.labels import typeset, visible
+from pkmodes.pages.plots.labels import typeset, visible_text
 from pkmodes.pages.plots.mac_map import neighbouring_mac
-from pkmodes.pages.plots.plane import Plane, plane_axes, where
-from pkmodes.pages.plots.style import stated, styled
-from pkmodes.pages.plots.svg import inline
+from pkmodes.pages.plots.plane import Plane, plane_axes, plane_location
+from pkmodes.pages.plots.style import figure_style, sentence_figure
+from pkmodes.pages.plots.svg import inline_svg
 from pkmodes.pages.plots.workspace import workspace
 
 if TYPE_CHECKING:
@@ -48,8 +48,8 @@ if TYPE_CHECKING:
 
     from pkmodes.core.model import Model
 
-#: Length of the longest robot name below a figure.
-LONGEST = 60
+#: Maximum length of the robot name below a figure.
+MAX_ROBOT_NAME_LENGTH = 60
 
 
 @dataclass(frozen=True)
@@ -59,15 +59,16 @@ class Picture:
     Attributes
     ----------
     name : str
-        Of its file, without a suffix.
+        Name of its file, without a suffix.
     title, description : str
     drawing : Drawing or None
-        What draws the figure, as wide as a page and for a narrow screen, with the table of what it shows; None for
-        words.
+        Draws the figure, as wide as a page and for a narrow screen, and has the table of its numbers; None if
+        `instead` replaces the figure.
     about : str
-        The robot and what of it is shown, which also stands below the figure in its file.
+        The robot, its motors and the plane, also written below the figure in its file.
     instead : str
-        What is said instead of a figure that would show the same everywhere; the figure then consists of these words.
+        The sentence that replaces a figure of one colour; empty for other figures. The figure then shows only this
+        sentence.
     """
 
     name: str
@@ -82,18 +83,18 @@ class Picture:
         """The figure of matplotlib, as wide as a page."""
         if self.drawing is not None:
             return self.drawing.figure
-        with styled():
-            return stated(self.instead)
+        with figure_style():
+            return sentence_figure(self.instead)
 
     def _repr_html_(self) -> str:
         """Return the figure with its caption, for notebooks."""
-        drawn = (
+        content = (
             f"<p>{escape(self.instead)}</p>"
             if self.instead
-            else inline(self.figure, self.title, self.description, cropped=True)
+            else inline_svg(self.figure, self.title, self.description, cropped=True)
         )
         caption = f"<figcaption><b>{escape(self.title)}.</b> {escape(self.description)}</figcaption>"
-        return f'<figure style="max-width:60rem">{drawn}{caption}</figure>'
+        return f'<figure style="max-width:60rem">{content}{caption}</figure>'
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,7 +112,7 @@ class RobotPlane:
 
     @cached_property
     def lengths(self) -> NDArray[Any] | None:
-        """What makes lengths of the components of the platform's motion, where it turns."""
+        """Factors that turn the components of the platform's motion into lengths; None if it does not rotate."""
         model = self.model
         return lengths_of(model.mechanism, model.robot.parameters) if model.mechanism.rotations else None
 
@@ -127,9 +128,9 @@ class PictureKind:
 
     - name, title, description: as those of the `Picture`; ``{body}`` in the title stands for what moves; the robot
       and its plane are added to the description
-    - draw: returns the figure, or a sentence where it would show the same everywhere
-    - planar: the description for a mechanism that moves in a plane, if it is another
-    - addition: returns what the description says besides of this robot
+    - draw: returns the figure, or a sentence if the figure would have one colour
+    - planar: the description for a mechanism that moves in a plane, if it differs
+    - addition: returns sentences about this robot that are added to the description
     """
 
     name: str
@@ -145,19 +146,21 @@ class PictureKind:
         return self.title.partition(" of the {body}")[0].encode()
 
 
-def known_to(spread: NDArray[Any] | None) -> str:
+def frequency_uncertainty(spread: NDArray[Any] | None) -> str:
     """Return the uncertainty of the frequencies as a sentence; empty without standard deviations."""
     if spread is None:
         return ""
-    sizes = joined([f"\u00b1{typeset(plain(size, 2))}" for size in spread.tolist()])
-    through = "and" if len(spread) == 2 else "to"
-    modes = "" if len(spread) == 1 else f" of modes 1 {through} {len(spread)}"
-    text = f" From the standard deviations in the robot file, the frequencies{modes} are known to {sizes} Hz"
+    uncertainties = joined(
+        [f"\u00b1{typeset(plain(standard_deviation, 2))}" for standard_deviation in spread.tolist()]
+    )
+    conjunction = "and" if len(spread) == 2 else "to"
+    modes = "" if len(spread) == 1 else f" of modes 1 {conjunction} {len(spread)}"
+    text = f" From the standard deviations in the robot file, the frequencies{modes} are known to {uncertainties} Hz"
     return f"{text} (median)."
 
 
-def with_rotations(lengths: NDArray[Any] | None) -> str:
-    """State how rotations of the platform count; empty if it does not turn."""
+def rotation_factor_sentence(lengths: NDArray[Any] | None) -> str:
+    """Return the factor that turns rotations of the platform into lengths, as a sentence; empty without rotations."""
     return (
         "" if lengths is None else f" Rotations are multiplied by {typeset(f'{1e3 * lengths[-1]:.4g}')} mm."
     )
@@ -171,7 +174,7 @@ PICTURES = (
         "Working plane and condition number",
         "Left, outlines of the reachable volume at several heights, with the plane; right, the condition number of "
         "the platform Jacobian in the plane, and its median over the part of the plane that can be reached.",
-        lambda robot: workspace(robot.plane, volume_of(robot.model, robot.plane)),
+        lambda robot: workspace(robot.plane, reachable_volume(robot.model, robot.plane)),
         planar="The condition number of the platform Jacobian in the workspace, and its median.",
     ),
     PictureKind(
@@ -180,10 +183,10 @@ PICTURES = (
         "The range above a panel leaves out the lowest and the highest 2\N{NO-BREAK SPACE}% of the poses; its "
         "colours span at least 5\N{NO-BREAK SPACE}% of the frequency. Triangles mark the lowest (down) and the "
         "highest (up) frequency in the plane; squares are the motors, hollow ones at the edge those beyond it.",
-        lambda robot: maps.frequencies(robot.plane, motors_of(robot.model, robot.plane)),
+        lambda robot: maps.frequencies(robot.plane, motor_positions(robot.model, robot.plane)),
         addition=lambda robot: (
             left_out.left_out_in_words(robot.plane.dataset)
-            + known_to(median_spread(robot.model, robot.plane, robot.drives))
+            + frequency_uncertainty(median_spread(robot.model, robot.plane, robot.drives))
         ),
     ),
     PictureKind(
@@ -191,7 +194,7 @@ PICTURES = (
         "Directions of motion of the {body}",
         "Lines show the direction in the plane, as long as its share of the motion.",
         lambda robot: maps.directions(robot.plane, robot.body, robot.lengths),
-        addition=lambda robot: with_rotations(robot.lengths),
+        addition=lambda robot: rotation_factor_sentence(robot.lengths),
     ),
     PictureKind(
         "components",
@@ -199,19 +202,19 @@ PICTURES = (
         "Mass-normalised mode shapes on one scale.",
         lambda robot: maps.components(robot.plane, robot.body, robot.lengths),
         planar="Mass-normalised mode shapes on one scale; this mechanism does not move out of the plane.",
-        addition=lambda robot: with_rotations(robot.lengths),
+        addition=lambda robot: rotation_factor_sentence(robot.lengths),
     ),
     PictureKind(
         "influence",
         "Influence of the parameters",
         "The relative change of each frequency for a relative change of each parameter, median over the plane.",
-        lambda robot: influence.table(*robot.influences),
+        lambda robot: influence.influence_table(*robot.influences),
     ),
     PictureKind(
         "dominant",
         "The parameter with the largest influence",
         "At each pose, the parameter whose relative change changes the frequency most.",
-        lambda robot: dominant(coarser(robot.plane), *robot.influences),
+        lambda robot: dominant_parameters(coarse_plane(robot.plane), *robot.influences),
     ),
     PictureKind(
         "mac",
@@ -256,21 +259,22 @@ def pictures(model: Model, grid: Any = None, *, drives: str | None = None) -> It
         )
         raise PkmodesError(problem, model.robot.source, "draw its frequencies in the report of a map")
     say("choosing the plane of the pictures")
-    places = working_plane(model) if grid is None else checked_poses(model.mechanism, grid)
+    pose_grid = working_plane(model) if grid is None else checked_poses(model.mechanism, grid)
     plane_axes(
-        dict(zip(places.dims, places.shape, strict=True)), components, "grid"
+        dict(zip(pose_grid.dims, pose_grid.shape, strict=True)), components, "grid"
     )  # before it is evaluated
     drives = model.robot.resolve_drives(drives)
     say("computing the modes in the plane")
-    plane = Plane.of(map_of(model, places, shapes=True, drives=drives), components)
+    plane = Plane.of(map_of(model, pose_grid, shapes=True, drives=drives), components)
     robot = RobotPlane(model, plane, drives)
-    about = f"{visible(model.robot.name, LONGEST)}, {motors_in_words(model.robot, drives)}, {where(plane)}"
+    robot_name = visible_text(model.robot.name, MAX_ROBOT_NAME_LENGTH)
+    about = f"{robot_name}, {motors_in_words(model.robot, drives)}, {plane_location(plane)}"
     for number, kind in enumerate(PICTURES, start=1):
         say(f"picture {number} of {len(PICTURES)}: {kind.name}")
         description = kind.description if plane.normal else kind.planar or kind.description
         description += kind.addition(robot) if kind.addition else ""
-        drawn, title = kind.draw(robot), kind.title.format(body=robot.body)
-        if isinstance(drawn, str):
-            yield Picture(kind.name, title, f"{drawn} {about}.", None, about, drawn)
+        drawing, title = kind.draw(robot), kind.title.format(body=robot.body)
+        if isinstance(drawing, str):
+            yield Picture(kind.name, title, f"{drawing} {about}.", None, about, drawing)
         else:
-            yield Picture(kind.name, title, f"{description} {about}.", drawn, about)
+            yield Picture(kind.name, title, f"{description} {about}.", drawing, about)

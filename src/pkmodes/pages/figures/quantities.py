@@ -1,4 +1,4 @@
-"""What the figures of a plane need besides its map: relative sensitivities, and how shapes change."""
+"""Values that the figures of a plane need in addition to its map: sensitivities, the volume around it, MAC."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from pkmodes.loop.sensitivity.sensitivities import sensitivities_at
 from pkmodes.loop.sensitivity.spread import spread_of
 from pkmodes.machine.maps.workspace import box_of, limits_test, usable_box
 from pkmodes.pages.plots.plane import Plane
-from pkmodes.pages.plots.workspace import Volume
+from pkmodes.pages.plots.workspace import ReachableVolume
 from pkmodes.pages.view.robot_drawing import RobotDrawing
 
 if TYPE_CHECKING:
@@ -23,103 +23,120 @@ if TYPE_CHECKING:
 
 Array = NDArray[Any]
 #: Approximate number of poses in a map of sensitivities.
-SENSITIVITIES = 2_000
+SENSITIVITY_POSES = 2_000
 #: Heights at which the volume around a plane is outlined, and poses along each side of an outline.
-HEIGHTS, FINE = 16, 160
+OUTLINE_HEIGHTS, OUTLINE_POSES = 16, 160
 
 
 def relative_sensitivities(model: Model, plane: Plane, drives: str) -> tuple[list[str], Array]:
     """Return the relative sensitivities of the frequencies of vibration on a coarser grid of the plane.
 
     Returns, in this order:
-    - names: quantities of the robot (`scalable_quantities`); those that act as one at all these poses have a common
-      name, such as ``belt.specific_stiffness, belt.width``
-    - relative: d ln f / d ln p, (along, across, parameters, modes)
+    - names: quantities of the robot (`scalable_quantities`); those with the same effect at all these poses have a
+      common name, such as ``belt.specific_stiffness, belt.width``
+    - relative_rates: d ln f / d ln p, (rows, columns, parameters, modes)
     """
     paths = scalable_quantities(model.robot)
-    few = coarser(plane)
-    points = points_of(model, few)
+    coarse = coarse_plane(plane)
+    poses = plane_poses(model, coarse)
     sensitivities = sensitivities_at(
-        model, points, paths, fields=["frequencies"], on_error="nan", drives=drives
+        model, poses, paths, fields=["frequencies"], on_error="nan", drives=drives
     )
     modes = plane.dataset.sizes["mode"]
     rates = sensitivities.frequencies[..., -modes:]
-    frequency = few.dataset["frequency"].values
-    relative = rates * sensitivities.values[:, None] / frequency[..., None, :]
-    groups = equivalent_parameters(relative)
-    return [group.name(paths) for group in groups], relative[..., [group.members[0] for group in groups], :]
+    frequency = coarse.dataset["frequency"].values
+    relative_rates = rates * sensitivities.values[:, None] / frequency[..., None, :]
+    groups = equivalent_parameters(relative_rates)
+    return [group.name(paths) for group in groups], relative_rates[
+        ..., [group.members[0] for group in groups], :
+    ]
 
 
 def median_spread(model: Model, plane: Plane, drives: str) -> Array | None:
     """Return the median standard deviation of each frequency of vibration over a coarser grid of the plane.
 
-    Returns (modes,): in Hz, from those of the robot file; None where it states none.
+    Returns (modes,) [Hz], propagated from the standard deviations in the robot file; None if it has none.
     """
-    few = coarser(plane)
-    poses = points_of(model, few)[few.dataset["valid"].values]
+    coarse = coarse_plane(plane)
+    poses = plane_poses(model, coarse)[coarse.dataset["valid"].values]
     spread = spread_of(model, poses, drives, "nan")
     if spread is None:
         return None
-    middle: Array = np.nanmedian(spread[:, -plane.dataset.sizes["mode"] :], axis=0)
-    return middle
+    median: Array = np.nanmedian(spread[:, -plane.dataset.sizes["mode"] :], axis=0)
+    return median
 
 
-def coarser(plane: Plane) -> Plane:
-    """Return the plane with every second, third... pose, so that sensitivities take little time."""
-    step = max(1, int(np.ceil(np.sqrt(plane.dataset["valid"].size / SENSITIVITIES))))
+def coarse_plane(plane: Plane) -> Plane:
+    """Return the plane with fewer poses, so that sensitivities take little time."""
+    step = max(1, int(np.ceil(np.sqrt(plane.dataset["valid"].size / SENSITIVITY_POSES))))
     dataset = plane.dataset.isel(
-        {plane.along: slice(None, None, step), plane.across: slice(None, None, step)}
+        {plane.ordinate: slice(None, None, step), plane.abscissa: slice(None, None, step)}
     )
     return replace(plane, dataset=dataset)
 
 
-def points_of(model: Model, plane: Plane) -> Array:
-    """Return the poses of a plane, (along, across, d)."""
-    along, across = np.meshgrid(
-        plane.dataset[plane.along].values, plane.dataset[plane.across].values, indexing="ij"
+def plane_poses(model: Model, plane: Plane) -> Array:
+    """Return the poses of a plane, (rows, columns, d)."""
+    ordinates, abscissas = np.meshgrid(
+        plane.dataset[plane.ordinate].values, plane.dataset[plane.abscissa].values, indexing="ij"
     )
-    values = {plane.along: along, plane.across: across}
-    constant = plane.rest if plane.normal is None else {plane.normal: plane.at, **plane.rest}
-    values |= {name: np.full(along.shape, value) for name, value in constant.items()}
+    values = {plane.ordinate: ordinates, plane.abscissa: abscissas}
+    constant = (
+        plane.constant_components
+        if plane.normal is None
+        else {plane.normal: plane.normal_position, **plane.constant_components}
+    )
+    values |= {name: np.full(ordinates.shape, value) for name, value in constant.items()}
     return np.stack([values[component.name] for component in model.mechanism.pose], axis=-1)
 
 
-def volume_of(model: Model, plane: Plane) -> Volume | None:
-    """Return where the robot is used around a plane, or where it can be if the plane itself is beyond its limits.
+def reachable_volume(model: Model, plane: Plane) -> ReachableVolume | None:
+    """Return the volume around a plane: within the limits of use, or all that is reachable if the plane exceeds them.
 
-    None for a mechanism that moves in two directions, and for a plane in which the platform turns.
+    Returns None for a mechanism that moves in two directions, and for a plane in which the platform turns.
     """
     if plane.normal is None:
         return None
-    usable, here = limits_test(model), points_of(model, plane)[plane.dataset["valid"].values]
-    limited = bool(usable(here).all())
-    pose = here[len(here) // 2] if plane.rest and len(here) else None
-    low, high = usable_box(model, pose) if limited else box_of(model, pose)
+    is_usable, poses_in_plane = limits_test(model), plane_poses(model, plane)[plane.dataset["valid"].values]
+    is_limited = bool(is_usable(poses_in_plane).all())
+    pose = (
+        poses_in_plane[len(poses_in_plane) // 2]
+        if plane.constant_components and len(poses_in_plane)
+        else None
+    )
+    low, high = usable_box(model, pose) if is_limited else box_of(model, pose)
     names = [component.name for component in model.mechanism.pose]
-    counts = {plane.normal: HEIGHTS, plane.along: FINE, plane.across: FINE}
+    counts = {plane.normal: OUTLINE_HEIGHTS, plane.ordinate: OUTLINE_POSES, plane.abscissa: OUTLINE_POSES}
     axes = {}
     for i, name in enumerate(names):
         if name in counts:
-            around = 0.03 * (high[i] - low[i]) if name != plane.normal else 0.0  # so that outlines are closed
-            axes[name] = np.linspace(low[i] - around, high[i] + around, counts[name])
-    order = (plane.normal, plane.along, plane.across)
-    grid = dict(zip(order, np.meshgrid(*(axes[name] for name in order), indexing="ij"), strict=True))
-    grid |= {name: np.full(grid[plane.along].shape, value) for name, value in plane.rest.items()}
+            margin = 0.03 * (high[i] - low[i]) if name != plane.normal else 0.0  # so that outlines are closed
+            axes[name] = np.linspace(low[i] - margin, high[i] + margin, counts[name])
+    axis_order = (plane.normal, plane.ordinate, plane.abscissa)
+    grid = dict(
+        zip(axis_order, np.meshgrid(*(axes[name] for name in axis_order), indexing="ij"), strict=True)
+    )
+    grid |= {
+        name: np.full(grid[plane.ordinate].shape, value) for name, value in plane.constant_components.items()
+    }
     poses = np.stack([grid[name] for name in names], axis=-1)
     valid = model.check(poses).valid
-    valid = valid & usable(poses) if limited else valid
-    return Volume(axes[plane.normal], axes[plane.along], axes[plane.across], valid)
+    valid = valid & is_usable(poses) if is_limited else valid
+    return ReachableVolume(axes[plane.normal], axes[plane.ordinate], axes[plane.abscissa], valid)
 
 
-def motors_of(model: Model, plane: Plane) -> Array | None:
-    """Return where the motors are, (N, 2): across and along in the drawn units; None if an axis is not a length."""
-    valid = points_of(model, plane)[plane.dataset["valid"].values]
+def motor_positions(model: Model, plane: Plane) -> Array | None:
+    """Return the positions of the motors, (N, 2): abscissa and ordinate in display units.
+
+    Returns None if an axis of the plane is not a length.
+    """
+    poses = plane_poses(model, plane)[plane.dataset["valid"].values]
     names = ["x", "y", "z"]
-    if not len(valid) or not {plane.across, plane.along} <= set(names):
+    if not len(poses) or not {plane.abscissa, plane.ordinate} <= set(names):
         return None
-    motors = RobotDrawing(model.robot).motors(valid[:1])[0]
-    factors = [plane.unit(name)[1] for name in (plane.across, plane.along)]
-    return np.asarray(motors[:, [names.index(plane.across), names.index(plane.along)]] * factors)
+    motors = RobotDrawing(model.robot).motors(poses[:1])[0]
+    factors = [plane.display_unit(name)[1] for name in (plane.abscissa, plane.ordinate)]
+    return np.asarray(motors[:, [names.index(plane.abscissa), names.index(plane.ordinate)]] * factors)
 
 
 def smallest_mac(model: Model, plane: Plane) -> Array:
@@ -127,10 +144,10 @@ def smallest_mac(model: Model, plane: Plane) -> Array:
 
     - plane: with mode shapes
 
-    Returns (along, across, modes); NaN where a pose or all of its neighbours cannot be evaluated.
+    Returns (rows, columns, modes); NaN where a pose or all of its neighbours cannot be evaluated.
     """
     shapes = plane.dataset["shape"].values
-    masses, _ = model.matrices(points_of(model, plane), "nan")
+    masses, _ = model.matrices(plane_poses(model, plane), "nan")
     smallest = np.full(shapes.shape[:3], np.inf)
     for axis in (0, 1):
         ahead = tuple(slice(1, None) if i == axis else slice(None) for i in (0, 1))

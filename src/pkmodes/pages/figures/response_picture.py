@@ -1,4 +1,4 @@
-"""The picture of frequency responses at a pose, measured ones over those of the model."""
+"""The picture of frequency responses at a pose, measured and of the model."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pkmodes.machine.response.drawn_channels import DrawnChannels
 from pkmodes.machine.response.frequency_response import FrequencyResponse
 from pkmodes.machine.response.measured import MeasuredResponse
 from pkmodes.pages.figures.pictures import Picture
-from pkmodes.pages.plots.responses import MOST, responses
+from pkmodes.pages.plots.responses import MAX_CHANNELS, responses
 
 
 def response_picture(
@@ -46,9 +46,9 @@ def response_picture(
     require("pictures of responses", "plot", "matplotlib")
     channels = DrawnChannels.of(response, measured, index, before)
     text = channels.text
-    if len(channels.model) > MOST:
-        text += f" The first {MOST} of {len(channels.model)} channels: choose others by inputs and outputs."
-    drawn = responses(
+    if len(channels.model) > MAX_CHANNELS:
+        text += f" The first {MAX_CHANNELS} of {len(channels.model)} channels: choose others by inputs and outputs."
+    drawing = responses(
         channels.frequencies, channels.model, channels.units, channels.measured, text, channels.before
     )
-    return Picture("response", "Frequency responses", text, drawn)
+    return Picture("response", "Frequency responses", text, drawing)

@@ -1,4 +1,4 @@
-"""The tornado chart of a robot at a pose: which quantities its frequencies depend on most."""
+"""The tornado chart of a robot at a pose: the quantities on which its frequencies depend most."""
 
 from __future__ import annotations
 
@@ -54,15 +54,18 @@ def tornado_picture(
     """
     require("tornado charts", "plot", "matplotlib")
     drives = model.robot.resolve_drives(drives)
-    point = model.modes(pose, fields=["frequencies"], drives=drives).poses
-    changes = changes_at(model, point, drives, by)
-    at, doing = format_pose(model.mechanism, point, "g"), motors_in_words(model.robot, drives)
-    text = f"{describe(changes)} {model.robot.name} at {at}, {doing}."
+    pose_point = model.modes(pose, fields=["frequencies"], drives=drives).poses
+    changes = changes_at(model, pose_point, drives, by)
+    pose_text, motor_text = (
+        format_pose(model.mechanism, pose_point, "g"),
+        motors_in_words(model.robot, drives),
+    )
+    text = f"{describe_changes(changes)} {model.robot.name} at {pose_text}, {motor_text}."
     return Picture("tornado", TITLES[by], text, tornado(changes))
 
 
-def describe(changes: Changes) -> str:
-    """Return how to read the chart."""
+def describe_changes(changes: Changes) -> str:
+    """Return how to read the chart, for its caption."""
     step = (
         "one per cent of each quantity" if changes.by == PERCENT else "one standard deviation of each value"
     )

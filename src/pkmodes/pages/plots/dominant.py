@@ -9,70 +9,72 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.pages.plots.drawing import Drawing
-from pkmodes.pages.plots.labels import broken
+from pkmodes.pages.plots.labels import one_name_per_line
 from pkmodes.pages.plots.panels import mode_panels
 from pkmodes.pages.plots.plane import Plane
 from pkmodes.pages.plots.sheet import Sheet
-from pkmodes.pages.plots.style import ink_on
+from pkmodes.pages.plots.style import contrasting_ink
 
 Array = NDArray[Any]
 #: Colours of the parameters, those with the largest areas first, and the colour of all others.  No two have the same
 #: grey, and a page redefines none of them: an image keeps its colours on a dark page.
-COLOURS = ("#0072b3", "#e69f01", "#00264d", "#bfe3f8", "#009e74", "#7a2f00", "#f2f2f2")
-FRAME = "#80868c"
-ANOTHER = "another"
-#: Poses that a number needs around it within its region; smaller regions have no number.
-ROOM = 2
+PARAMETER_COLOURS = ("#0072b3", "#e69f01", "#00264d", "#bfe3f8", "#009e74", "#7a2f00", "#f2f2f2")
+FRAME_COLOUR = "#80868c"
+OTHER_LABEL = "another"
+#: A number needs more than this many poses of its region on every side; smaller regions have no number.
+NUMBER_MARGIN = 2
 
 
-def dominant(plane: Plane, paths: Sequence[str], relative: Array) -> Drawing | str:
+def dominant_parameters(plane: Plane, paths: Sequence[str], relative_sensitivities: Array) -> Drawing | str:
     """Draw, for each mode, the parameter with the largest influence at each pose.
 
     - paths: parameters
-    - relative: d ln f / d ln p, (along, across, parameters, modes)
+    - relative_sensitivities: d ln f / d ln p, (rows, columns, parameters, modes)
 
-    Returns a sentence if each mode has one parameter.
+    Returns a sentence if the parameter is the same at every pose for each mode.
     """
     from matplotlib.colors import ListedColormap, to_rgb
     from matplotlib.patches import Patch
 
-    size = np.abs(relative)
-    is_reachable = np.isfinite(size).all(axis=2)
-    strongest = np.where(is_reachable, np.nan_to_num(size).argmax(axis=2), -1)
-    modes = relative.shape[-1]
-    if sentence := _one_each(paths, strongest):
+    magnitude = np.abs(relative_sensitivities)
+    is_reachable = np.isfinite(magnitude).all(axis=2)
+    strongest = np.where(is_reachable, np.nan_to_num(magnitude).argmax(axis=2), -1)
+    modes = relative_sensitivities.shape[-1]
+    if sentence := _single_parameter_sentence(paths, strongest):
         return sentence
     counts = np.bincount(strongest[strongest >= 0], minlength=len(paths))
-    shown_paths = [int(i) for i in np.argsort(-counts, kind="stable")[: len(COLOURS) - 1] if counts[i]]
+    shown_paths = [
+        int(i) for i in np.argsort(-counts, kind="stable")[: len(PARAMETER_COLOURS) - 1] if counts[i]
+    ]
     colour_index = np.full(len(paths) + 1, float(len(shown_paths)))
     colour_index[shown_paths] = range(len(shown_paths))
     colour_index[-1] = np.nan
-    *palette, rest_colour = COLOURS
+    *palette, rest_colour = PARAMETER_COLOURS
     used_colours = [*palette[: len(shown_paths)], rest_colour]
-    meanings = [f"{i + 1}  {paths[path]}" for i, path in enumerate(shown_paths)]
-    names = [f"{i + 1}  {broken(paths[path])}" for i, path in enumerate(shown_paths)]
+    value_names = [f"{i + 1}  {paths[path]}" for i, path in enumerate(shown_paths)]
+    names = [f"{i + 1}  {one_name_per_line(paths[path])}" for i, path in enumerate(shown_paths)]
     has_others = counts.sum() > counts[shown_paths].sum()
-    x, y = plane.drawn(plane.across), plane.drawn(plane.along)
+    x, y = plane.display_values(plane.abscissa), plane.display_values(plane.ordinate)
 
     def draw(sheet: Sheet) -> None:
         colours = {"cmap": ListedColormap(used_colours), "vmin": -0.5, "vmax": len(shown_paths) + 0.5}
-        for mode, panel in mode_panels(sheet, plane, modes, below=0.9):
+        for mode, panel in mode_panels(sheet, plane, modes, space_below=0.9):
             values = colour_index[strongest[..., mode]]
-            plane.draw(panel, values, meanings=[*meanings, ANOTHER], **colours)
+            plane.draw(panel, values, value_names=[*value_names, OTHER_LABEL], **colours)
             for i in range(len(shown_paths)):
                 style: dict[str, Any] = {
-                    "color": ink_on(to_rgb(used_colours[i])),
+                    "color": contrasting_ink(to_rgb(used_colours[i])),
                     "ha": "center",
                     "va": "center",
                     "weight": "bold",
                 }
-                for row, column in middles(values == i):
+                for row, column in region_centres(values == i):
                     panel.axes.text(x[column], y[row], str(i + 1), **style)
-        shades = [*used_colours[: len(shown_paths)], *([rest_colour] if has_others else [])]
-        sheet.legend_of(
-            [Patch(facecolor=colour, edgecolor=FRAME) for colour in shades],
-            [*names, *([ANOTHER] if has_others else [])],
-            below=True,
+        legend_colours = [*used_colours[: len(shown_paths)], *([rest_colour] if has_others else [])]
+        sheet.legend_from_handles(
+            [Patch(facecolor=colour, edgecolor=FRAME_COLOUR) for colour in legend_colours],
+            [*names, *([OTHER_LABEL] if has_others else [])],
+            below_panels=True,
             loc="outside lower center",
             ncols=3,
             # In parts of the figure, so that it stays where it is when margins are cut off or added.
@@ -84,12 +86,12 @@ def dominant(plane: Plane, paths: Sequence[str], relative: Array) -> Drawing | s
     return Drawing(draw)
 
 
-def _one_each(paths: Sequence[str], strongest_paths: Array) -> str:
-    """Return the parameter of each mode as a sentence; empty if a mode has several."""
-    strongest = [np.unique(indices[indices >= 0]) for indices in np.moveaxis(strongest_paths, -1, 0)]
-    if any(len(indices) != 1 for indices in strongest):
+def _single_parameter_sentence(paths: Sequence[str], strongest: Array) -> str:
+    """Return a sentence with the parameter of each mode; empty if a mode has several."""
+    paths_of_modes = [np.unique(indices[indices >= 0]) for indices in np.moveaxis(strongest, -1, 0)]
+    if any(len(indices) != 1 for indices in paths_of_modes):
         return ""
-    names = [paths[int(indices[0])] for indices in strongest]
+    names = [paths[int(indices[0])] for indices in paths_of_modes]
     if len(set(names)) == 1:
         return f"At every pose each frequency changes most with {names[0]}, of {len(paths)} parameters."
     clauses = ", ".join(f"that of mode {mode} with {name}" for mode, name in enumerate(names, 1))
@@ -98,24 +100,24 @@ def _one_each(paths: Sequence[str], strongest_paths: Array) -> str:
     )
 
 
-def middles(inside: Array) -> Iterator[tuple[int, int]]:
+def region_centres(inside: Array) -> Iterator[tuple[int, int]]:
     """Yield a pose in the middle of each connected region that has room for a number, the widest first.
 
-    - inside: (along, across)
+    - inside: (rows, columns)
     """
     remaining = np.array(inside, dtype=bool)
     while True:
-        depth = _depth(remaining)
-        if depth.max(initial=0) <= ROOM:
+        depth = _steps_to_edge(remaining)
+        if depth.max(initial=0) <= NUMBER_MARGIN:
             return
         deepest = np.argwhere(depth == depth.max())
         centre = deepest[int(np.argmin(np.abs(deepest - deepest.mean(axis=0)).sum(axis=1)))]
         yield int(centre[0]), int(centre[1])
-        remaining &= ~_connected(remaining, centre)
+        remaining &= ~_connected_region(remaining, centre)
 
 
-def _depth(inside: Array) -> Array:
-    """Return how many steps each pose is away from the outside, 0 outside."""
+def _steps_to_edge(inside: Array) -> Array:
+    """Return the number of grid steps from each pose to the outside of the region, 0 outside."""
     depth, remaining = np.zeros(inside.shape, dtype=int), inside
     while remaining.any():
         depth += remaining
@@ -124,14 +126,14 @@ def _depth(inside: Array) -> Array:
     return depth
 
 
-def _connected(inside: Array, start: Array) -> Array:
-    """Return the part of a region that is connected with a pose."""
-    part = np.zeros_like(inside)
-    part[tuple(start)] = True
+def _connected_region(inside: Array, start: Array) -> Array:
+    """Return the part of a region that is connected to a pose."""
+    region = np.zeros_like(inside)
+    region[tuple(start)] = True
     while True:
-        padded = np.pad(part, 1)
-        grown = padded[2:, 1:-1] | padded[:-2, 1:-1] | padded[1:-1, 2:] | padded[1:-1, :-2]
-        larger = inside & (part | grown)
-        if (larger == part).all():
-            return part
-        part = larger
+        padded = np.pad(region, 1)
+        neighbours = padded[2:, 1:-1] | padded[:-2, 1:-1] | padded[1:-1, 2:] | padded[1:-1, :-2]
+        grown_region = inside & (region | neighbours)
+        if (grown_region == region).all():
+            return region
+        region = grown_region

@@ -1,4 +1,4 @@
-"""A figure as a function that draws it: what it shows on a wide and on a narrow sheet, and the numbers of both."""
+"""A figure as a function that draws it on a wide or a narrow sheet, with the table of its numbers."""
 
 from __future__ import annotations
 
@@ -10,37 +10,37 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.pages.plots.labels import visible
+from pkmodes.pages.plots.labels import visible_text
 from pkmodes.pages.plots.panel import Panel, Series, Side
 from pkmodes.pages.plots.sheet import Sheet
-from pkmodes.pages.plots.style import styled
+from pkmodes.pages.plots.style import figure_style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Array = NDArray[Any]
-#: Columns that every table begins with; a part is a piece of a broken curve.
-PANEL, SERIES, PART = "panel", "series", "part"
-#: Significant digits of the positions of cells and bars: free of the rounding errors of unit conversion.
-PLACES = 12
-#: Significant digits of values shown as colours, which resolve three; number of values above which fewer are written,
-#: and how many.
-DIGITS, MANY, FEWER = 7, 60_000, 5
-#: Significant digits of the points of curves and marks, by the number of points above which they apply; below, all
-#: digits.
-LONG = ((20_000, 6), (2_000, 9))
+#: Titles of the first columns of every table; a part is a piece of a broken curve.
+PANEL_COLUMN, SERIES_COLUMN, PART_COLUMN = "panel", "series", "part"
+#: Significant digits of the positions of cells, few enough to hide the rounding errors of unit conversion.
+POSITION_DIGITS = 12
+#: Significant digits of values shown as colours, of which the eye resolves three; then the number of values above
+#: which fewer digits are written, and how many.
+VALUE_DIGITS, MANY_VALUES, MANY_VALUES_DIGITS = 7, 60_000, 5
+#: Numbers of points above which the coordinates of curves and marks are rounded, with the significant digits; fewer
+#: points keep all digits.
+POINT_DIGITS = ((20_000, 6), (2_000, 9))
 #: First characters that make a spreadsheet read a text as a formula, including their East Asian full-width forms.
-FORMULA = tuple("=+-@\uff1d\uff0b\uff0d\uff20")
-#: Characters for which a text is quoted; whole numbers below the limit are written without a decimal point.
-QUOTED, LARGEST = ',;"', 1e15
+FORMULA_STARTS = tuple("=+-@\uff1d\uff0b\uff0d\uff20")
+#: Characters for which a text is quoted; then the limit below which whole numbers have no decimal point.
+QUOTED_CHARACTERS, MAX_WHOLE_NUMBER = ',;"', 1e15
 
 
 @dataclass(frozen=True, eq=False)
 class Drawing:
     """A figure.
 
-    - draw: draws it on a `Sheet`
-    - narrow: whether it can be drawn on a narrow one
+    - draw: function that draws it on a `Sheet`
+    - narrow: whether it can be drawn on a narrow sheet
     """
 
     draw: Callable[[Sheet], None]
@@ -58,35 +58,35 @@ class Drawing:
 
     @property
     def table(self) -> list[list[str]]:
-        """The numbers that it shows: columns, each with its title, as the cells of a CSV file.
+        """The numbers that the figure shows: columns, each with its title, as the cells of a CSV file.
 
-        They are ``panel`` and ``series``, and those that the labels of axes and colour scales name, with their
-        units: a row for each point, a column for each labelled axis.  Where an axis has names instead of numbers, a
-        further column has them.  Coordinates of curves and marks have all digits, or nine where there are thousands,
-        and values shown as colours seven; where there are tens of thousands, six and five.  Text never begins as a
-        formula of a spreadsheet does.  Empty if nothing is drawn.
+        There is a row for each point.  The columns are ``panel``, ``series``, and one for each axis and colour scale,
+        titled by its label with the unit.  An axis with names instead of numbers has a further column for the names.
+        Coordinates of curves and marks have all digits, or nine if there are thousands of points; values shown as
+        colours have seven; with tens of thousands, six and five.  No text can be read by a spreadsheet as a formula.
+        Empty if nothing is drawn.
         """
         panel_series = [(panel, series) for panel in self.wide.panels for series in panel.series]
         coloured_count = sum(len(series.x) for _, series in panel_series if series.values is not None)
         point_count = sum(len(series.x) for _, series in panel_series) - coloured_count
-        coordinate_digits = next((digits for count, digits in LONG if point_count > count), None)
-        value_digits = DIGITS if coloured_count <= MANY else FEWER
+        coordinate_digits = next((digits for count, digits in POINT_DIGITS if point_count > count), None)
+        value_digits = VALUE_DIGITS if coloured_count <= MANY_VALUES else MANY_VALUES_DIGITS
         tables = [_columns(panel, series, coordinate_digits, value_digits) for panel, series in panel_series]
         tables = [(count, columns) for count, columns in tables if count]
         titles = dict.fromkeys(title for _, columns in tables for title in columns)
-        order = [title for title in (PANEL, SERIES, PART) if title in titles]
+        order = [title for title in (PANEL_COLUMN, SERIES_COLUMN, PART_COLUMN) if title in titles]
         order += [title for title in titles if title not in order]
         table_columns = []
         for title in order:  # the columns of all series below each other
-            cells = [_cell(title)]
+            cells = [_cell_text(title)]
             for count, columns in tables:
-                cells += map(_cell, columns[title]) if title in columns else [""] * count
+                cells += map(_cell_text, columns[title]) if title in columns else [""] * count
             table_columns.append(cells)
         return table_columns
 
     def sheet(self, *, narrow: bool) -> Sheet:
-        """Draw it, in the style of all figures."""
-        with styled():
+        """Draw the figure on a new sheet."""
+        with figure_style():
             sheet = Sheet(narrow=narrow)
             self.draw(sheet)
         return sheet
@@ -105,47 +105,57 @@ def _columns(
         is_drawn = np.isfinite(series.x) | np.isfinite(series.y)
     if series.values is not None:
         is_drawn &= np.isfinite(series.values)
-        coordinate_digits = PLACES
+        coordinate_digits = POSITION_DIGITS
     count = int(is_drawn.sum())
-    columns: dict[str, list[Any]] = {PANEL: [panel.title] * count, SERIES: [series.name] * count}
+    columns: dict[str, list[Any]] = {
+        PANEL_COLUMN: [panel.title] * count,
+        SERIES_COLUMN: [series.name] * count,
+    }
     if series.part is not None:
-        columns[PART] = series.part[is_drawn].tolist()
+        columns[PART_COLUMN] = series.part[is_drawn].tolist()
     sides: tuple[tuple[Side, Array], ...] = (("x", series.x), ("y", series.y))
     for side, coordinates in sides:
-        title, names, selected = visible(panel.labels[side]) or side, panel.names[side], coordinates[is_drawn]
+        title, names = visible_text(panel.labels[side]) or side, panel.tick_names[side]
+        drawn_coordinates = coordinates[is_drawn]
         if panel.labels["x"] == panel.labels["y"] != "":
             title = f"{side}: {title}"
         columns[title] = (
-            selected.tolist() if coordinate_digits is None else _rounded(selected, coordinate_digits)
+            drawn_coordinates.tolist()
+            if coordinate_digits is None
+            else _rounded_values(drawn_coordinates, coordinate_digits)
         )
-        if any(name != f"{position:g}" for position, name in names.items()):  # they say more than the numbers
-            columns[f"{title} (name)"] = [_nearest(names, place) for place in selected.tolist()]
+        has_names = any(name != f"{position:g}" for position, name in names.items())  # not just the numbers
+        if has_names:
+            columns[f"{title} (name)"] = [
+                _nearest_name(names, coordinate) for coordinate in drawn_coordinates.tolist()
+            ]
     if series.values is not None:
         title, values = panel.labels["scale"] or "value", series.values[is_drawn]
-        columns[title] = _rounded(values, value_digits)
-        if series.meanings:
-            columns[f"{title} (name)"] = [series.meanings[int(value)] for value in values.tolist()]
+        columns[title] = _rounded_values(values, value_digits)
+        if series.value_names:
+            columns[f"{title} (name)"] = [series.value_names[int(value)] for value in values.tolist()]
     return count, columns
 
 
-def _nearest(names: Mapping[float, str], position: float) -> str:
-    """Return the nearest name; names are at whole numbers, and marks may be beside each other there."""
-    nearest = min(names, key=lambda at: abs(at - position))
+def _nearest_name(names: Mapping[float, str], position: float) -> str:
+    """Return the nearest name; names are at whole numbers, and marks next to one another around them."""
+    nearest = min(names, key=lambda name_position: abs(name_position - position))
     return names[nearest] if abs(nearest - position) <= 0.5 else ""
 
 
-def _rounded(values: Array, digits: int) -> list[float]:
+def _rounded_values(values: Array, digits: int) -> list[float]:
     return [float(f"{value:.{digits}g}") for value in values.tolist()]
 
 
-def _cell(value: Any) -> str:
-    """Return the text of a cell: numbers so that they read back the same, and text that is not a formula."""
+def _cell_text(value: Any) -> str:
+    """Return the text of a cell: all digits of a number, and text that a spreadsheet does not read as a formula."""
     if isinstance(value, float):
         if not np.isfinite(value):
             return ""
-        return str(int(value)) if value.is_integer() and abs(value) < LARGEST else repr(value)
+        return str(int(value)) if value.is_integer() and abs(value) < MAX_WHOLE_NUMBER else repr(value)
     if not isinstance(value, str):
         return str(value)
-    text = visible(value).strip()
-    text = f"'{text}" if text.startswith(FORMULA) else text
-    return '"' + text.replace('"', '""') + '"' if any(mark in text for mark in QUOTED) else text
+    text = visible_text(value).strip()
+    text = f"'{text}" if text.startswith(FORMULA_STARTS) else text
+    is_quoted = any(character in text for character in QUOTED_CHARACTERS)
+    return '"' + text.replace('"', '""') + '"' if is_quoted else text

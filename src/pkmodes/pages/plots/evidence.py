@@ -1,4 +1,4 @@
-"""What the figures of measured modes show: measurements with the model at one or two stages beside them."""
+"""The values in the figures of measured modes: measurements, and the model at one or two stages."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ DECLARED, REFITTED, CORRECTED = "as declared", "refitted", "with the cause"
 
 @dataclass(frozen=True)
 class ModelStage:
-    """A stage of the model: its name in the JSON, its name for a person, and its predictions."""
+    """A stage of the model: its key in the JSON, its title, and its predictions."""
 
     key: str
     title: str
@@ -32,7 +32,7 @@ class ModelStage:
 
     @cached_property
     def paired(self) -> Mask:
-        """Rows that have a partner, (R,)."""
+        """Mask of the rows that are paired with a mode of the model, (R,)."""
         return self.predicted.partner_mode > 0
 
 
@@ -41,28 +41,28 @@ class PlottedEvidence:
     """R measured modes at S setups, and the stages of the model.
 
     - labels: labels of the setups in their natural order
-    - setup: setup of each row, (R,)
+    - setup_indices: index of the setup of each row, (R,)
     - measured, sigma: frequencies and their standard deviations, (R,) [Hz]
     - held_out, outlier: (R,)
-    - stages: the declared model first; a comparison has no other
-    - points: poses in SI units, (S, d); d = 0 where they are unknown or have no position
+    - stages: the declared model first; a comparison has no further stage
+    - poses: in SI units, (S, d); d = 0 where they are unknown, or the structure has no positions
     - components, units: length d
-    - place: noun for a setup
-    - spread: standard deviations of the frequencies of the declared model, from those that the robot file states,
+    - setup_noun: noun for a setup, such as pose
+    - spread: standard deviations of the frequencies of the declared model, propagated from those in the robot file,
       (S, m) [Hz]
     """
 
     labels: tuple[str, ...]
-    setup: NDArray[np.intp]
+    setup_indices: NDArray[np.intp]
     measured: Array
     sigma: Array
     held_out: Mask
     outlier: Mask
     stages: tuple[ModelStage, ...]
-    points: Array
+    poses: Array
     components: tuple[str, ...]
     units: tuple[str, ...]
-    place: str
+    setup_noun: str
     spread: Array | None = None
 
     @classmethod
@@ -70,28 +70,28 @@ class PlottedEvidence:
         cls,
         result: Diagnosis | Comparison,
         data: Measurements | None = None,
-        place: str = "pose",
+        setup_noun: str = "pose",
         spread: Array | None = None,
     ) -> PlottedEvidence:
-        """Return what a result shows.
+        """Return the values to be drawn for a result.
 
-        - data: the measurements that it is about: their poses are the axes of some figures
-        - place: noun for a place of measurement, such as pose, or setup for a structure without positions
+        - data: the measurements of the result: their poses are the axes of some figures
+        - setup_noun: noun for a setup, such as pose, or setup for a structure without positions
         - spread: standard deviations of the frequencies of the declared model, (S, m) [Hz]
 
-        Raises PkmodesError if the measurements are others than those of the result.
+        Raises PkmodesError if the measurements are not those of the result.
         """
         measured_labels = tuple(dict.fromkeys(row.pose for row in result.rows))
         order = natural_order(measured_labels)
         labels = tuple(measured_labels[i] for i in order)
-        index = {label: i for i, label in enumerate(labels)}
+        index_of_label = {label: i for i, label in enumerate(labels)}
         if data is not None and (
             data.labels != measured_labels or data.frequency.tolist() != [row.measured for row in result.rows]
         ):
             problem = f"expected the measurements of the result, found others ({shown(data.source)})"
             raise PkmodesError(problem, "data", "give those that were passed to diagnose or compare")
         # A structure without positions has all of them at 0.
-        placed = None if data is None or not data.points.any() else data
+        data_with_positions = None if data is None or not data.points.any() else data
         stages = _stages(result)
         if order != list(range(len(order))):
             stages = tuple(
@@ -105,35 +105,37 @@ class PlottedEvidence:
             )
         return cls(
             labels=labels,
-            setup=np.array([index[row.pose] for row in result.rows], dtype=np.intp),
+            setup_indices=np.array([index_of_label[row.pose] for row in result.rows], dtype=np.intp),
             measured=np.array([row.measured for row in result.rows]),
             sigma=np.array([row.sigma for row in result.rows]),
             held_out=np.array([getattr(row, "held_out", False) for row in result.rows], dtype=bool),
             outlier=np.array([getattr(row, "outlier", False) for row in result.rows], dtype=bool),
             stages=stages,
-            points=np.empty((len(labels), 0)) if placed is None else placed.points[order],
-            components=() if placed is None else placed.components,
-            units=() if placed is None else placed.component_units,
-            place=place,
+            poses=np.empty((len(labels), 0))
+            if data_with_positions is None
+            else data_with_positions.points[order],
+            components=() if data_with_positions is None else data_with_positions.components,
+            units=() if data_with_positions is None else data_with_positions.component_units,
+            setup_noun=setup_noun,
             spread=spread,
         )
 
     @property
-    def last(self) -> ModelStage:
-        """The last stage, which has the verdict."""
+    def last_stage(self) -> ModelStage:
+        """The last stage, to which the verdict applies."""
         return self.stages[-1]
 
     @cached_property
-    def modes(self) -> int:
-        """Number of elastic modes up to the highest that was measured, at least 1."""
+    def mode_count(self) -> int:
+        """Number of elastic modes of the model up to the highest paired one, at least 1."""
         return max(int(stage.predicted.partner_mode.max(initial=1)) for stage in self.stages)
 
     def difference(self, stage: ModelStage) -> Array:
         """Return f_model / f_measured - 1, (R,), NaN if unmatched."""
         return stage.predicted.frequency / self.measured - 1.0
 
-    def mode(self) -> NDArray[np.intp]:
-        """Return the mode of each row, (R,): that of its partner at the last stage that has one, 0 if none has."""
+    def mode_numbers(self) -> NDArray[np.intp]:
+        """Return the number of the mode paired with each row at the last stage that pairs it, (R,); 0 if unpaired."""
         modes = np.zeros(len(self.measured), dtype=np.intp)
         for stage in self.stages:
             modes = np.where(stage.paired, stage.predicted.partner_mode, modes)
@@ -141,7 +143,7 @@ class PlottedEvidence:
 
 
 def _stages(result: Diagnosis | Comparison) -> tuple[ModelStage, ...]:
-    """Return the declared model, and the last stage of a diagnosis."""
+    """Return the declared model and, for a diagnosis, its last stage."""
     if isinstance(result, Comparison):
         return () if result.stage is None else (ModelStage("predicted", DECLARED, result.stage),)
     predictions = result.stages

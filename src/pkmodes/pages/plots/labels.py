@@ -11,26 +11,28 @@ from pkmodes.core.base.errors import printable
 if TYPE_CHECKING:
     from matplotlib.axis import Axis
 
-#: Length of the longest axis label.
-LONGEST = 18
-#: An axis that spans fewer decades than this has labels between them.
-FEW = 2.0
+#: Maximum length of an axis label.
+MAX_LABEL_LENGTH = 18
+#: An axis that spans fewer decades than this also has labels between the decades.
+FEW_DECADES = 2.0
 MINUS, TIMES, PLUS_MINUS = "\u2212", "\u2009\u00d7\u2009", "\u00b1"
-RAISED = str.maketrans("-0123456789", "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079")
+SUPERSCRIPTS = str.maketrans(
+    "-0123456789", "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"
+)
 
 
-def visible(text: object, longest: int | None = None) -> str:
-    """Return text on one line, without invisible characters, such as those that reverse the direction.
+def visible_text(text: object, max_length: int | None = None) -> str:
+    """Return text on one line without invisible characters, such as those that reverse the writing direction.
 
-    - longest: longer text is shortened
+    - max_length: longer text is shortened
     """
     line = printable(str(text))
-    return line if longest is None or len(line) <= longest else f"{line[: longest - 1]}\u2026"
+    return line if max_length is None or len(line) <= max_length else f"{line[: max_length - 1]}\u2026"
 
 
-def short(text: object, longest: int = LONGEST) -> str:
+def short_label(text: object, max_length: int = MAX_LABEL_LENGTH) -> str:
     """Return a label for an axis."""
-    return visible(text, longest)
+    return visible_text(text, max_length)
 
 
 def typeset(text: str) -> str:
@@ -40,27 +42,29 @@ def typeset(text: str) -> str:
         digits = digits.replace("-", "").replace("+", "")  # no sign of a zero
     digits = digits.replace("-", MINUS)
     if power and digits in ("1", "< 1"):
-        return f"{digits[:-1]}10{str(int(power)).translate(RAISED)}"
-    return digits if not power else f"{digits}{TIMES}10{str(int(power)).translate(RAISED)}"
+        return f"{digits[:-1]}10{str(int(power)).translate(SUPERSCRIPTS)}"
+    return digits if not power else f"{digits}{TIMES}10{str(int(power)).translate(SUPERSCRIPTS)}"
 
 
-def broken(name: str) -> str:
-    """Return a name of several parameters with each on a line of its own."""
+def one_name_per_line(name: str) -> str:
+    """Return the joint name of several parameters with each on a line of its own."""
     return name.replace(", ", ",\n")
 
 
-def decades(axis: Axis, write: Callable[[float], str] = lambda value: typeset(f"{value:.0e}")) -> None:
+def label_decades(
+    axis: Axis, format_value: Callable[[float], str] = lambda value: typeset(f"{value:.0e}")
+) -> None:
     """Label a logarithmic axis at its decades, and also between them if they are few.
 
     Matplotlib's own labels of such axes are formulas, which figures of pkmodes do not parse.
 
-    - write: returns the label of a value; by default one digit and a power of ten
+    - format_value: function that returns the label of a value; by default one digit and a power of ten
     """
     from matplotlib.ticker import LogLocator, NullFormatter
 
     low, high = sorted(axis.get_view_interval())
-    few = low <= 0.0 or math.log10(high / low) < FEW
-    subs = (1.0, 2.0, 5.0) if few else (1.0,)
+    spans_few_decades = low <= 0.0 or math.log10(high / low) < FEW_DECADES
+    subs = (1.0, 2.0, 5.0) if spans_few_decades else (1.0,)
     axis.set_major_locator(LogLocator(subs=subs, numticks=8))
-    axis.set_major_formatter(lambda value, _: write(value))
+    axis.set_major_formatter(lambda value, _: format_value(value))
     axis.set_minor_formatter(NullFormatter())

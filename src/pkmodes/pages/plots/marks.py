@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.pages.plots.evidence import PlottedEvidence
-from pkmodes.pages.plots.labels import short
+from pkmodes.pages.plots.labels import short_label
 from pkmodes.pages.plots.panel import Panel
 from pkmodes.pages.plots.sheet import Sheet
 from pkmodes.pages.plots.style import BLUE, GREY, INK, PURPLE, VERMILLION
@@ -42,20 +42,20 @@ COMPARISON_STYLE: dict[str, Any] = {**FITTED_STYLE, "label": "measured mode"}
 
 def mark_rows(panel: Panel, evidence: PlottedEvidence, x: Array, y: Array, size: float = 16.0) -> None:
     """Mark each row at (x, y) by its kind; rows with a NaN are left out."""
-    shown = np.isfinite(x) & np.isfinite(y)
+    is_finite = np.isfinite(x) & np.isfinite(y)
     is_comparison = len(evidence.stages) == 1
     kinds = (
         (~evidence.held_out & ~evidence.outlier, COMPARISON_STYLE if is_comparison else FITTED_STYLE),
         (evidence.held_out & ~evidence.outlier, HELD_OUT_STYLE),
         (evidence.outlier, OUTLIER_STYLE),
     )
-    count = max(int(shown.sum()), 1)
+    count = max(int(is_finite.sum()), 1)
     for mask, style in kinds:
-        chosen = shown & mask
-        if chosen.any():
+        selected = is_finite & mask
+        if selected.any():
             panel.scatter(
-                x[chosen],
-                y[chosen],
+                x[selected],
+                y[selected],
                 s=max(size * min(1.0, RASTERIZE_ABOVE / count), MIN_MARK_AREA),
                 linewidth=0.8,
                 zorder=3,
@@ -65,7 +65,7 @@ def mark_rows(panel: Panel, evidence: PlottedEvidence, x: Array, y: Array, size:
 
 
 def add_legend(sheet: Sheet, panel: Panel, *, may_extend_left: bool = False) -> None:
-    """Show a legend above a panel if there is more than one kind of marks.
+    """Draw a legend above a panel if there is more than one kind of marks.
 
     - may_extend_left: whether the legend may extend over the neighbouring panel on the left, whose title
       is left-aligned
@@ -74,10 +74,10 @@ def add_legend(sheet: Sheet, panel: Panel, *, may_extend_left: bool = False) -> 
     handle_by_label = dict(zip(reversed(labels), reversed(handles), strict=True))
     names = list(dict.fromkeys(labels))
     if len(names) > 1:
-        box = sheet.legend_of(
+        box = sheet.legend_from_handles(
             [handle_by_label[name] for name in names],
             names,
-            above=panel,
+            above_panel=panel,
             loc="lower right",
             bbox_to_anchor=(1.0, 1.0),
             ncols=len(names),
@@ -88,17 +88,17 @@ def add_legend(sheet: Sheet, panel: Panel, *, may_extend_left: bool = False) -> 
 
 
 def draw_zero_line(panel: Panel) -> None:
-    """Draw the line of no difference."""
+    """Draw a horizontal line at 0."""
     panel.axes.axhline(0.0, color=INK, linewidth=0.8, zorder=1)
 
 
 def draw_vertical_zero_line(panel: Panel) -> None:
-    """Draw the line of no change of a figure with a horizontal scale."""
+    """Draw a vertical line at 0."""
     panel.axes.axvline(0.0, color=INK, linewidth=0.8, zorder=1)
 
 
 def shade_noise_band(panel: Panel, sigmas: Array) -> None:
-    """Shade the differences that noise explains, and set the axis limits.
+    """Shade the differences that may be noise, and set the axis limits.
 
     The limits include every difference and at least 1.5 times the noise band.
 
@@ -111,14 +111,14 @@ def shade_noise_band(panel: Panel, sigmas: Array) -> None:
 
 
 def label_setups(panel: Panel, evidence: PlottedEvidence, *, grid: bool = False) -> str:
-    """Name the setups on the horizontal axis unless there are many; return its label.
+    """Name the setups on the horizontal axis unless there are many; return the label of the axis.
 
     - grid: whether to draw a grid line at each named setup
     """
-    labels = [short(label) for label in evidence.labels]
+    labels = [short_label(label) for label in evidence.labels]
     if len(labels) > MAX_NAMED_SETUPS:
-        return f"{evidence.place}, in the order of their labels"
+        return f"{evidence.setup_noun}, in the order of their labels"
     rotate_labels = len(labels) * max(map(len, labels)) > 90
-    panel.name_places("x", range(len(labels)), labels, rotation=90 if rotate_labels else 0)
+    panel.set_tick_names("x", range(len(labels)), labels, rotation=90 if rotate_labels else 0)
     panel.axes.grid(visible=grid, axis="x")
-    return evidence.place
+    return evidence.setup_noun

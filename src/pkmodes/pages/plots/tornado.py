@@ -9,7 +9,7 @@ import numpy as np
 
 from pkmodes.loop.sensitivity.changes import PERCENT, SIGMA, Changes
 from pkmodes.pages.plots.drawing import Drawing
-from pkmodes.pages.plots.labels import typeset, visible
+from pkmodes.pages.plots.labels import typeset, visible_text
 from pkmodes.pages.plots.panel import Panel
 from pkmodes.pages.plots.sheet import Sheet
 from pkmodes.pages.plots.style import BLUE, GREY, INK, PAPER
@@ -63,14 +63,14 @@ def tornado(changes: Changes, modes: Sequence[int] | None = None) -> Drawing:
                 Patch(label=f"{TOGETHER_LABEL}: standard deviation", facecolor=GREY, edgecolor=GREY)
             )
         names = [str(handle.get_label()) for handle in handles]
-        sheet.legend_of(handles, names, loc="outside upper right", ncols=len(handles))
+        sheet.legend_from_handles(handles, names, loc="outside upper right", ncols=len(handles))
 
     return Drawing(draw)
 
 
 def wrapped_name(name: str) -> str:
     """Return a name, wrapped to fit the space beside a panel."""
-    text = visible(name)
+    text = visible_text(name)
     if len(text) <= MAX_NAME_LENGTH or "." not in text:
         return text
     head, _, last = text.rpartition(".")
@@ -84,7 +84,7 @@ def _shown_quantities(changes: Changes, mode: int) -> list[int]:
 
 def _draw_panel(panel: Panel, changes: Changes, mode: int, bars: int) -> None:
     axes, largest = panel.axes, _shown_quantities(changes, mode)
-    names = [", ".join(map(visible, changes.names[i])) for i in largest]
+    names = [", ".join(map(visible_text, changes.names[i])) for i in largest]
     wrapped_labels = [",\n".join(map(wrapped_name, changes.names[i])) for i in largest]
     style: dict[str, Any] = {"height": 0.66, "linewidth": 0.8}
     step = STEP_LABELS[changes.by]
@@ -97,7 +97,7 @@ def _draw_panel(panel: Panel, changes: Changes, mode: int, bars: int) -> None:
         panel.bar(len(names), -sigma, sigma, label=TOGETHER_LABEL, **style, **TOGETHER_STYLE)
         names, wrapped_labels = [*names, TOGETHER_LABEL], [*wrapped_labels, TOGETHER_LABEL]
     panel.axes.axvline(0.0, color=INK, linewidth=0.8)
-    panel.name_places("y", range(len(names)), wrapped_labels, names, fontsize=7, linespacing=0.95)
+    panel.set_tick_names("y", range(len(names)), wrapped_labels, names, fontsize=7, linespacing=0.95)
     axes.set_ylim(bars - 0.4, -0.6)  # the largest on top, bars equally wide in all panels
     axes.tick_params(axis="y", length=0)
     axes.grid(visible=False, axis="y")
@@ -109,5 +109,5 @@ def _draw_panel(panel: Panel, changes: Changes, mode: int, bars: int) -> None:
         axes.set_xlim(-AXIS_MARGIN * longest, AXIS_MARGIN * longest)
     axes.locator_params(axis="x", nbins=5)
     title = f"mode {mode + 1}, {typeset(f'{changes.frequencies[mode]:.2f}')} Hz"
-    panel.inner.clear()  # every panel has its own scale, so it shows its own labels
+    panel.omitted_labels.clear()  # every panel has its own scale, so it shows its own labels
     panel.label(title, x="change of the frequency [Hz]")

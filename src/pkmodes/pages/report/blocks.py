@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from pkmodes.pages.plots.svg import inline, inline_narrow
+from pkmodes.pages.plots.svg import inline_narrow_svg, inline_svg
 
 if TYPE_CHECKING:
     from pkmodes.loop.diagnosis.verdict.verdicts import Colour
@@ -152,10 +152,12 @@ class Picture(Placed):
         - title: its name
         - description: what it shows, for those who do not see it
         - caption: how to read it
-        - cropped: as for `pkmodes.pages.plots.svg.inline`
+        - cropped: as for `pkmodes.pages.plots.svg.inline_svg`
         """
-        wide = inline(drawing.figure, title, description, cropped=cropped)
-        return cls(wide, caption, title, _packed(drawing.table), inline_narrow(drawing, title, description))
+        wide = inline_svg(drawing.figure, title, description, cropped=cropped)
+        return cls(
+            wide, caption, title, _packed(drawing.table), inline_narrow_svg(drawing, title, description)
+        )
 
 
 def _packed(columns: Sequence[Sequence[str]]) -> str:

@@ -186,11 +186,11 @@ def candidate_blocks(result: Diagnosis) -> list[Block]:
     if figure is not None:
         ranked = sorted(result.candidates, key=lambda candidate: candidate.p_value)
         name, count = clean(ranked[0].name), len(ranked)
-        which = f" (the {scores.MOST} most significant of {count})" if count > scores.MOST else ""
+        which = f" (the {scores.MAX_ROWS} most significant of {count})" if count > scores.MAX_ROWS else ""
         open_marks = ""
-        if not all(candidate.detectable for candidate in ranked[: scores.MOST]):
+        if not all(candidate.detectable for candidate in ranked[: scores.MAX_ROWS]):
             open_marks = " Open marks are candidates that these data cannot detect, listed below the table."
-        beyond = sum(map(scores.is_beyond, ranked))
+        beyond = sum(map(scores.is_beyond_axis, ranked))
         if beyond:
             open_marks += (
                 f" The p-values of {plural(beyond, 'candidate')} are too small for a number: the arrows end beyond "

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from pkmodes.core.robot.units import DISPLAY_UNITS
 from pkmodes.pages.plots.labels import typeset
-from pkmodes.pages.plots.plane import LONGER, limits_of, sides_of
-from pkmodes.pages.plots.style import styled
+from pkmodes.pages.plots.plane import UPRIGHT_RATIO, abscissa_and_ordinate, colour_limits
+from pkmodes.pages.plots.style import figure_style
 from pkmodes.pages.report.blocks import Explorer, Slider
 from pkmodes.pages.report.formatting import clean, shortened, thousands
 from pkmodes.pages.report.map_values import DECIMALS, LARGEST, MapValues, values_of
@@ -56,9 +56,9 @@ def explorer_of(
         "axes": axes,
         "components": [_component(component, part) for component in model.mechanism.pose],
         "list": [part[name].values.tolist() for name in components] if LIST in places else None,
-        "limits": [limits_of(part["frequency"].values[..., i]) for i in range(part.sizes["mode"])],
+        "limits": [colour_limits(part["frequency"].values[..., i]) for i in range(part.sizes["mode"])],
         "section": None if plane is None else _section(model, plane),
-        "longer": LONGER,
+        "longer": UPRIGHT_RATIO,
         "colours": _colours(),
         "decimals": DECIMALS,
         "largest": LARGEST,
@@ -89,7 +89,7 @@ def _section(model: Model, plane: PoseGrid) -> dict[str, Any]:
         return {"sides": [], "at": {}}
     units = {component.name: component.unit for component in model.mechanism.pose}
     at = {name: float(values[0]) for name, values in plane.axes.items() if name not in several}
-    return {"sides": list(sides_of(several, units)), "at": at}
+    return {"sides": list(abscissa_and_ordinate(several, units)), "at": at}
 
 
 def _axis(name: str, values: xarray.DataArray, shown: tuple[str, float], components: Sequence[str]) -> Any:
@@ -124,7 +124,7 @@ def _colours() -> list[str]:
     import matplotlib
     from matplotlib.colors import to_hex
 
-    with styled():
+    with figure_style():
         scale = matplotlib.colormaps[matplotlib.rcParams["image.cmap"]]
     return [to_hex(scale(i / (COLOURS - 1))) for i in range(COLOURS)]
 

@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from pkmodes.core.base.numbers import plain
-from pkmodes.pages.plots import differences, spectrum
+from pkmodes.pages.plots import differences
 from pkmodes.pages.plots.evidence import PlottedEvidence
 from pkmodes.pages.plots.labels import typeset
 from pkmodes.pages.plots.mac_matrices import mac_matrices, worst_setup
+from pkmodes.pages.plots.setup_frequencies import setup_frequencies
 from pkmodes.pages.report.blocks import Block, Paragraph, Picture, Section
 from pkmodes.pages.report.formatting import plural, shortened
 
@@ -17,7 +18,7 @@ def sections(evidence: PlottedEvidence) -> list[Section]:
     """Return the sections of the figures: mode by mode, pose by pose, and the shapes."""
     first, *further = mode_figures(evidence)
     further += pose_figures(evidence)
-    place = evidence.place
+    place = evidence.setup_noun
     return [
         Section("modes", "Measurement and model", [first]),
         *([Section("poses", f"{place.capitalize()} by {place}", further)] if further else []),
@@ -30,14 +31,13 @@ def mode_figures(evidence: PlottedEvidence) -> list[Block]:
     if not evidence.stages:
         return [Paragraph("The result has no predictions to show.")]
     count = plural(len(evidence.measured), "measured mode")
-    where = plural(len(evidence.labels), evidence.place)
+    where = plural(len(evidence.labels), evidence.setup_noun)
     single = len(evidence.stages) == 1
     overview = Picture.of(
-        spectrum.spectrum(evidence),
-        f"Frequencies at each {evidence.place}",
+        setup_frequencies(evidence),
+        f"Frequencies at each {evidence.setup_noun}",
         f"{count} at {where}, with the modes of the model as lines. {_unmatched(evidence)}",
-        f"Frequencies at each {evidence.place}: marks are measured, lines are the modes of the model. A line "
-        f"without a mark is a mode that was not measured. {_spread(evidence)}{_unmatched(evidence)}",
+        f"Frequencies at each {evidence.setup_noun}: marks are measured, lines are the modes of the model. A line without a mark is a mode that was not measured. {_spread(evidence)}{_unmatched(evidence)}",
     )
     if not any(stage.paired.any() for stage in evidence.stages):
         return [
@@ -49,19 +49,18 @@ def mode_figures(evidence: PlottedEvidence) -> list[Block]:
             differences.by_mode(evidence),
             "Differences by mode",
             f"Model divided by measurement, minus 1, for each mode of the model. {_rms(evidence)}",
-            f"Differences by mode: model / measurement \u2212 1. Each mark is one {evidence.place}, the bar is their "
-            "median. A bar away from 0 is what the model gets wrong everywhere; scatter about it is noise or depends "
-            f"on the {evidence.place}.{'' if single else ' Both panels have the same scale.'}{_marks(evidence)}",
+            f"Differences by mode: model / measurement \u2212 1. Each mark is one {evidence.setup_noun}, the bar is "
+            "their median. A bar away from 0 is what the model gets wrong everywhere; scatter about it is noise or "
+            f"depends on the {evidence.setup_noun}.{'' if single else ' Both panels have the same scale.'}"
+            f"{_marks(evidence)}",
         )
     ]
     blocks.append(
         Picture.of(
             differences.by_setup(evidence),
-            f"Differences by {evidence.place}",
+            f"Differences by {evidence.setup_noun}",
             f"Differences in standard deviations of the measurement at {where}. {_largest(evidence)}",
-            f"Differences by {evidence.place}, in standard deviations \u03c3 of the measurement. In the shaded band, "
-            f"\u00b12 \u03c3, the difference may be noise."
-            f"{'' if single else ' The scales of the panels differ.'}",
+            f"Differences by {evidence.setup_noun}, in standard deviations \u03c3 of the measurement. In the shaded band, \u00b12 \u03c3, the difference may be noise.{'' if single else ' The scales of the panels differ.'}",
         )
     )
     return [*blocks, overview]
@@ -78,8 +77,7 @@ def pose_figures(evidence: PlottedEvidence) -> list[Block]:
             figure,
             "Differences against the pose",
             f"Differences in standard deviations against the pose components {names}. {_largest(evidence)}",
-            f"Differences against {names}. A slope or a curve means that what is missing depends on the position; "
-            "without one, look for a cause that acts everywhere.",
+            f"Differences against {names}. A slope or a curve means that what is missing depends on the position; without one, look for a cause that acts everywhere.",
         )
     ]
 
@@ -89,7 +87,7 @@ def shape_figures(evidence: PlottedEvidence) -> list[Block]:
     figure = mac_matrices(evidence) if _paired(evidence) else None
     if figure is None:
         return [Paragraph("No mode shapes were measured, or none belongs to a mode of the model.")]
-    mac = evidence.last.predicted.partner_mac
+    mac = evidence.last_stage.predicted.partner_mac
     lowest = f"{np.nanmin(mac):.3f}"
     worst = worst_setup(evidence)
     label = "" if worst is None else shortened(evidence.labels[worst])
@@ -97,12 +95,11 @@ def shape_figures(evidence: PlottedEvidence) -> list[Block]:
         Picture.of(
             figure,
             "MAC matrices",
-            "Modal assurance criterion of measured shapes and modes of the model. The lowest of a pair is "
-            f"{lowest}, at {evidence.place} {label}.",
+            f"Modal assurance criterion of measured shapes and modes of the model. The lowest of a pair is {lowest}, at {evidence.setup_noun} {label}.",
             "MAC matrices: 1 is the same shape, 0 a shape with nothing in common. Light cells on the diagonal alone "
             "mean that every measured shape is that of its mode; a light cell beside it, that the measured points "
             "hardly tell the two modes apart, or that they changed places. Rows are the measured modes, numbered as "
-            f"their partners. Bottom: the {evidence.place} with the lowest MAC of a pair, {lowest}.",
+            f"their partners. Bottom: the {evidence.setup_noun} with the lowest MAC of a pair, {lowest}.",
         )
     ]
 
@@ -116,10 +113,7 @@ def _spread(evidence: PlottedEvidence) -> str:
         if len(evidence.stages) > 1
         else ""
     )
-    return (
-        "The bands are one standard deviation on either side of the model as declared, to first order from those of "
-        f"the values in the robot file.{later} "
-    )
+    return f"The bands are one standard deviation on either side of the model as declared, to first order from those of the values in the robot file.{later} "
 
 
 def _paired(evidence: PlottedEvidence) -> bool:
@@ -137,7 +131,7 @@ def _marks(evidence: PlottedEvidence) -> str:
 
 
 def _unmatched(evidence: PlottedEvidence) -> str:
-    count = int((~evidence.last.paired).sum())
+    count = int((~evidence.last_stage.paired).sum())
     return (
         f"{plural(count, 'measured mode')} without a partner in the model."
         if count

@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping
 
 from pkmodes.core.base import numbers
 from pkmodes.core.base.numbers import p_text, plain, round_to_sigma, without_zero_sign
-from pkmodes.pages.plots.labels import MINUS, RAISED, TIMES, typeset, visible
+from pkmodes.pages.plots.labels import MINUS, SUPERSCRIPTS, TIMES, typeset, visible_text
 from pkmodes.pages.report.blocks import Cell, Spread
 
 #: Longer labels and file names are shortened; the JSON has them in full.
@@ -26,12 +26,12 @@ def clean(text: object) -> str:
 
     However long, it is never shortened: users read it as a sentence, or may type it.
     """
-    return visible(text)
+    return visible_text(text)
 
 
 def shortened(label: object, longest: int = LONGEST) -> str:
     """Return a label or name from a file on one line, as `clean` does, shortened to at most `longest` characters."""
-    return visible(label, longest)
+    return visible_text(label, longest)
 
 
 def prose(text: object) -> str:
@@ -114,7 +114,7 @@ def uncertain_cell(
     - fit: a smaller standard deviation by the fit alone: the value keeps its digits
     """
     rounding = round_to_sigma(scale * value, scale * sigma, None if fit is None else scale * fit)
-    power = f"{TIMES}10{str(rounding.exponent).translate(RAISED)}" if rounding.exponent else ""
+    power = f"{TIMES}10{str(rounding.exponent).translate(SUPERSCRIPTS)}" if rounding.exponent else ""
     digits, of_sigma = typeset(rounding.value), typeset(rounding.sigma)
     spread = Spread(float(sigma), at_sigma, digits, of_sigma, power)
     return Cell(typeset(str(rounding)), float(value), at, spread=spread, plain=str(rounding))
@@ -172,7 +172,7 @@ def file_name(path: str) -> str:
 
 def pointer(*parts: object) -> str:
     """Return a JSON pointer (RFC 6901); characters that are not visible are escaped."""
-    return "".join("/" + visible(part).replace("~", "~0").replace("/", "~1") for part in parts)
+    return "".join("/" + visible_text(part).replace("~", "~0").replace("/", "~1") for part in parts)
 
 
 def plural(count: int, noun: str) -> str:

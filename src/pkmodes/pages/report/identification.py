@@ -234,7 +234,7 @@ def _overview(identified: Identification, content: Mapping[str, Any]) -> list[Bl
         struck = [(i, f) for i, result in enumerate(identified.records) for f in result.struck]
         blocks.append(
             Picture.of(
-                identified_modes.by_pose(labels, modes, struck),
+                identified_modes.frequencies_by_pose(labels, modes, struck),
                 "Frequencies at each pose",
                 f"{plural(len(modes), 'mode')} at {plural(len(labels), 'pose')}.",
                 "Frequencies at each pose. Their standard deviations are smaller than the marks. A mode that its "

@@ -201,7 +201,7 @@ def _stabilisation(
     poles = plural(sum(map(len, inspection.stabilisation.poles)), "pole")
     orders = plural(len(inspection.stabilisation.orders), "model order")
     return Picture.of(
-        fits.stabilisation(inspection, marked, result.record.band),
+        fits.stabilisation_diagram(inspection, marked, result.record.band),
         f"Stabilisation diagram of {which}",
         f"{poles} over {orders}, and {plural(len(result.modes), 'mode')}.",
         f"{which[:1].upper()}{which[1:]}: stabilisation diagram. Each short line is a pole at a model order; a "
@@ -224,7 +224,7 @@ def _functions(
     panels += ["coherence"] if any(curve.coherence is not None for curve in inspection.curves) else []
     in_panels = f": {', '.join(panels)}" if len(panels) > 1 else ""
     return Picture.of(
-        fits.functions(inspection, marked, result.record.band, phase),
+        fits.function_fits(inspection, marked, result.record.band, phase),
         f"Measured and synthesised functions of {which}",
         f"{', '.join(shortened(curve.name, 40) for curve in inspection.curves)}: measured, and synthesised from the "
         "modes.",

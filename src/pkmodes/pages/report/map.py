@@ -150,7 +150,7 @@ def _changes(
         for name in swept:
             spread = spread_along(model.robot, dataset, name, model.max_condition)
             caption = f"Frequencies against {clean(name)}{_banded(dataset, name, spread)}."
-            drawing = sweeps.against(drawn_of, name, spread)
+            drawing = sweeps.against_axis(drawn_of, name, spread)
             blocks.append(Picture.of(drawing, clean(name), caption, caption))
         yield Section("sweeps", "Swept parameters", blocks)
     if "sample" in dims:
@@ -161,7 +161,7 @@ def _changes(
             "Scatter of the frequencies over the sampled robots at each pose, relative to their median: half of "
             "the values are within the bar, 95 % within the line."
         )
-        picture = Picture.of(sweeps.scatter(drawn_of), "Scatter over sampled robots", caption, caption)
+        picture = Picture.of(sweeps.sample_scatter(drawn_of), "Scatter over sampled robots", caption, caption)
         listing = Listing([clean(path) for path in drawn], names=True)
         yield Section(
             "samples",
@@ -184,20 +184,20 @@ def _changes(
         caption = "Frequencies along the poses, medians over everything else."
         if spread is not None:
             caption = f"Frequencies along the poses: {BAND}."
-        drawing = sweeps.along(drawn_of, spread)
+        drawing = sweeps.along_poses(drawn_of, spread)
         picture = Picture.of(drawing, "Frequencies along the poses", caption, caption)
         yield Section("poses", "Along the poses", [picture])
     line = [dim for dim in dims if dim in components]
     if len(line) == 1:
         spread = spread_along(model.robot, dataset, line[0], model.max_condition)
         caption = f"Frequencies along {line[0]}{_banded(dataset, line[0], spread)}."
-        drawing = sweeps.against(drawn_of, line[0], spread)
+        drawing = sweeps.against_axis(drawn_of, line[0], spread)
         picture = Picture.of(drawing, f"Along {line[0]}", caption, caption)
         yield Section("line", f"Along {line[0]}", [picture])
 
 
 def _banded(dataset: xarray.Dataset, dim: str, spread: Any) -> str:
-    """Return what line and band of `plots.sweeps.against` are, to end a caption; empty without a band."""
+    """Return what line and band of `plots.sweeps.against_axis` are, to end a caption; empty without a band."""
     if spread is not None:
         return f": {BAND}"
     pooled = [str(axis) for axis in dataset["frequency"].dims if axis not in (dim, "mode")]
@@ -207,7 +207,7 @@ def _banded(dataset: xarray.Dataset, dim: str, spread: Any) -> str:
     several = [axis for axis in pooled if dataset.sizes[axis] > 1]
     robots = any("." in axis or axis == "sample" for axis in several)
     over = "everything else" if robots else "all poses"
-    if count < sweeps.FEW:
+    if count < sweeps.FEW_VALUES:
         return f": the line is the median, the band the range over {over}"
     left_out = "the lowest and the highest 2\N{NO-BREAK SPACE}%"
     return f": the line is the median over {over}, the band leaves out {left_out}"

@@ -12,7 +12,7 @@ from pkmodes.machine.maps.poses import PoseGrid
 from pkmodes.pages.figures.working_plane import best_conditioned, working_plane
 from pkmodes.pages.plots import maps
 from pkmodes.pages.plots.labels import typeset
-from pkmodes.pages.plots.plane import Plane, where
+from pkmodes.pages.plots.plane import Plane, plane_location
 from pkmodes.pages.report.blocks import Paragraph, Picture
 from pkmodes.pages.report.formatting import clean, unit
 
@@ -132,8 +132,8 @@ def swept_pictures(
         values = ", ".join(value(path, float(at_end[path].values[0]), units) for path in paths)
         title = f"Natural frequencies at {values}"
         description = (
-            f"{title}, in the plane {where(shown)}: an end of the sweep. The picture has its own colour scales; "
-            "triangles mark the lowest (down) and the highest (up) frequency in the plane."
+            f"{title}, in the plane {plane_location(shown)}: an end of the sweep. The picture has its own colour "
+            "scales; triangles mark the lowest (down) and the highest (up) frequency in the plane."
         )
         drawing = maps.frequencies(shown)
         if isinstance(drawing, str):

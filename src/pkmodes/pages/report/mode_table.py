@@ -39,7 +39,10 @@ def mode_table(
     loads = any(row.load for row in rows)
     mixed = len({row.drives for row in rows}) > 1
     remarks = [_remark(row, evidence, i) for i, row in enumerate(rows)]
-    columns = [Column(evidence.place, numbers=False), *([Column("motors", numbers=False)] if mixed else [])]
+    columns = [
+        Column(evidence.setup_noun, numbers=False),
+        *([Column("motors", numbers=False)] if mixed else []),
+    ]
     columns += [Column("line")]
     columns += [Column("own", numbers=False)] if has_names else []
     columns += [Column("mode"), Column(FREQUENCY.value.heading), Column(FREQUENCY.sigma.heading)]
@@ -79,27 +82,24 @@ def mode_table(
 
 def _chosen(evidence: PlottedEvidence, max_rows: int, paired: bool) -> tuple[list[int], str]:
     """Return the rows of the table, by pose and frequency or the worst first, and a note on those omitted."""
-    order: list[int] = np.lexsort((evidence.measured, evidence.setup)).tolist()
+    order: list[int] = np.lexsort((evidence.measured, evidence.setup_indices)).tolist()
     if len(order) <= max_rows:
         return order, ""
     if evidence.stages:  # by their difference at the last stage, unmatched ones first
-        away = np.abs(evidence.last.predicted.normalised_differences)
+        away = np.abs(evidence.last_stage.predicted.normalised_differences)
         order = np.argsort(-np.where(np.isnan(away), np.inf, away), kind="stable").tolist()
-        with_partner = [i for i in order if evidence.last.paired[i]]
+        with_partner = [i for i in order if evidence.last_stage.paired[i]]
         order = with_partner if paired and with_partner else order
     chosen = order[:max_rows]
     which = "measured mode that differs" if len(chosen) == 1 else f"{len(chosen)} measured modes that differ"
-    note = (
-        f"The table has the {which} most from the model{', the worst first' if len(chosen) > 1 else ''}. "
-        f"All {plural(len(evidence.measured), 'mode')} are in the output of --json, under rows."
-    )
+    note = f"The table has the {which} most from the model{', the worst first' if len(chosen) > 1 else ''}. All {plural(len(evidence.measured), 'mode')} are in the output of --json, under rows."
     return chosen, note
 
 
 def _numbers(result: Diagnosis | Comparison, evidence: PlottedEvidence, i: int) -> list[Cell]:
     """Return the mode, the measured frequency, and the model at each stage of one row."""
     row = result.rows[i]
-    mode = int(evidence.mode()[i]) if evidence.stages else 0
+    mode = int(evidence.mode_numbers()[i]) if evidence.stages else 0
     frequency, sigma = MEASURED[Diagnosis if isinstance(result, Diagnosis) else Comparison]
     cells = [
         Cell(str(mode) if mode else "none"),
@@ -124,6 +124,6 @@ def _remark(row: Row | ComparedRow, evidence: PlottedEvidence, i: int) -> str:
         words += ["held out"] * row.held_out + ["set aside"] * row.outlier
     elif row.shape_differs:
         words.append("damping of another shape")
-    if evidence.stages and not evidence.last.paired[i]:
+    if evidence.stages and not evidence.last_stage.paired[i]:
         words.append("unmatched")
     return ", ".join(words)

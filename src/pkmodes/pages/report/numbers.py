@@ -116,12 +116,12 @@ def _corrected(result: Diagnosis) -> list[Corrected]:
 def pulls(result: Diagnosis, setting: ReportSetting) -> list[Picture]:
     """Return the figure of how far the fit moved each uncertain value; empty if none has a prior."""
     corrected = _corrected(result)
-    figure = scores.pulls(corrected, setting.words)
+    figure = scores.shifts_from_prior(corrected, setting.words)
     if figure is None:
         return []
     total = sum(bool(v.prior_sigma) for v in corrected)
     count = plural(total, "value")
-    which = f" (the {scores.MOST} that moved most of {total})" if total > scores.MOST else ""
+    which = f" (the {scores.MAX_ROWS} that moved most of {total})" if total > scores.MAX_ROWS else ""
     return [
         Picture.of(
             figure,
@@ -141,18 +141,20 @@ def correlations(result: Diagnosis) -> list[Picture]:
         return []
     places = [k for k, value in enumerate(result.corrected) if value in kept]
     rates = correlation[np.ix_(places, places)] if places else correlation
-    figure, parts = dependence.matrix(kept, rates), dependence.ellipses(kept, rates)
-    pairs, drawn = len(dependence.notable(kept, rates)), dependence.drawn_pairs(kept, rates)
+    figure, parts = dependence.correlation_matrix(kept, rates), dependence.error_ellipses(kept, rates)
+    pairs, drawn = len(dependence.notable_pairs(kept, rates)), dependence.drawn_pairs(kept, rates)
     alike = (
         "" if len(drawn) == pairs else "Pairs of one kind, such as two legs, are in the table above alone. "
     )
     if figure is None:
         return []
-    shown = f" (the first {dependence.MOST} of {len(kept)})" if len(kept) > dependence.MOST else ""
+    shown = (
+        f" (the first {dependence.MAX_VALUES} of {len(kept)})" if len(kept) > dependence.MAX_VALUES else ""
+    )
     strong = (
-        f"{plural(pairs, 'pair')} with a correlation of {dependence.NOTABLE:.2f} or more"
+        f"{plural(pairs, 'pair')} with a correlation of {dependence.NOTABLE_CORRELATION:.2f} or more"
         if pairs
-        else f"No pair has a correlation of {dependence.NOTABLE:.2f} or more"
+        else f"No pair has a correlation of {dependence.NOTABLE_CORRELATION:.2f} or more"
     )
     pictures = [
         Picture.of(
@@ -166,9 +168,11 @@ def correlations(result: Diagnosis) -> list[Picture]:
     ]
     if parts is not None:
         which = (
-            f" (the {dependence.PAIRS} strongest of {len(drawn)})" if len(drawn) > dependence.PAIRS else ""
+            f" (the {dependence.MAX_PAIRS} strongest of {len(drawn)})"
+            if len(drawn) > dependence.MAX_PAIRS
+            else ""
         )
-        count = min(len(drawn), dependence.PAIRS)
+        count = min(len(drawn), dependence.MAX_PAIRS)
         pictures.append(
             Picture.of(
                 parts,

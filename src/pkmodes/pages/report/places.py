@@ -12,7 +12,7 @@ from pkmodes.core.robot.robot import Robot
 from pkmodes.loop.diagnosis.states.result import Change
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes.pages.plots.evidence import PlottedEvidence
-from pkmodes.pages.plots.places import COLOURS, Marked, places
+from pkmodes.pages.plots.places import MARK_COLOURS, MarkedBody, marked_machine
 from pkmodes.pages.report.blocks import Block, Picture
 from pkmodes.pages.report.contrast import contrast
 from pkmodes.pages.report.formatting import clean, plural
@@ -21,7 +21,7 @@ from pkmodes.pages.view import scene
 from pkmodes_description import Element
 
 #: Most places that are marked: each has a colour of its own.
-MOST = len(COLOURS)
+MOST = len(MARK_COLOURS)
 #: Prefix of a declared value as a candidate.
 VALUE = "parameter:"
 #: Directions that an arrow can show.
@@ -57,14 +57,14 @@ def marked_elements(result: Diagnosis, robot: Robot) -> frozenset[int]:
     return frozenset(i for mark in _marks(result, setting)[:MOST] for i in mark.elements)
 
 
-def _marks(result: Diagnosis, setting: ReportSetting) -> list[Marked]:
+def _marks(result: Diagnosis, setting: ReportSetting) -> list[MarkedBody]:
     """Return the marked elements of all places that the drawing of the machine shows, each place once."""
     if setting.robot is None:
         return []
-    elements, marks = setting.robot.mechanism.drawing.elements, dict[tuple[object, ...], Marked]()
+    elements, marks = setting.robot.mechanism.drawing.elements, dict[tuple[object, ...], MarkedBody]()
     for name, words in named_terms(result, setting):
         if (mark := marked(name, words, elements)) is not None:
-            marks.setdefault((mark.elements, mark.along), mark)
+            marks.setdefault((mark.elements, mark.axis), mark)
     return [*marks.values()]
 
 
@@ -73,7 +73,7 @@ def picture(result: Diagnosis, evidence: PlottedEvidence, setting: ReportSetting
     if setting.robot is None:
         return []
     marks, model = _marks(result, setting), Model(setting.robot)
-    points = evidence.points
+    points = evidence.poses
     if not points.shape[1] and setting.data is not None:  # all measured at 0
         points = np.zeros((len(evidence.labels), len(setting.robot.mechanism.pose)))
     if not marks or not points.shape[1]:
@@ -90,10 +90,10 @@ def picture(result: Diagnosis, evidence: PlottedEvidence, setting: ReportSetting
     middle = points[valid].mean(axis=0)
     chosen = valid[np.linalg.norm(points[valid] - middle, axis=1).argmin()]
     words = "; ".join(mark.name for mark in marks)
-    title, at = "Where it is", f"the machine at {evidence.place} {clean(evidence.labels[chosen])}"
+    title, at = "Where it is", f"the machine at {evidence.setup_noun} {clean(evidence.labels[chosen])}"
     return [
         Picture.of(
-            places(scene(model, points[chosen]), marks),
+            marked_machine(scene(model, points[chosen]), marks),
             title,
             f"{at}, with these bodies in colour: {words}.{others}",
             f"{title}: {at}. An arrow shows the direction in which something acts.{others}",
@@ -101,7 +101,7 @@ def picture(result: Diagnosis, evidence: PlottedEvidence, setting: ReportSetting
     ]
 
 
-def marked(term: str, words: str, elements: Sequence[Element]) -> Marked | None:
+def marked(term: str, words: str, elements: Sequence[Element]) -> MarkedBody | None:
     """Return the marked elements that show a term.
 
     - term: as in results: "spring:pulley_2_1/pulley_2_2", "parameter:axis.3.leg.stiffness", "compliance:eps_2"
@@ -126,11 +126,11 @@ def marked(term: str, words: str, elements: Sequence[Element]) -> Marked | None:
         )
         for shows in tried:
             if indices := tuple(i for i, element in enumerate(elements) if shows(element)):
-                return Marked(words, indices)
+                return MarkedBody(words, indices)
         return None
     ends, _, along = place.partition(".")
     names = ends.split("/")
     indices = tuple(i for i, element in enumerate(elements) if element.place in names)
     if {elements[i].place for i in indices} != {*names}:
         return None
-    return Marked(words, indices, along if along in AXES else "")
+    return MarkedBody(words, indices, along if along in AXES else "")

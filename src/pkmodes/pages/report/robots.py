@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 from pkmodes.machine.maps.mapping import map_of
 from pkmodes.machine.maps.poses import PoseGrid
 from pkmodes.machine.maps.robots_compared import NEGLIGIBLE_CHANGE, compare_frequencies
-from pkmodes.pages.figures.quantities import points_of
+from pkmodes.pages.figures.quantities import plane_poses
 from pkmodes.pages.figures.working_plane import working_plane
-from pkmodes.pages.plots.changes import relative_changes, scale_of
-from pkmodes.pages.plots.plane import Plane, where
+from pkmodes.pages.plots.changes import colour_scale_limit, relative_changes
+from pkmodes.pages.plots.plane import Plane, plane_location
 from pkmodes.pages.report.blocks import (
     Cell,
     Paragraph,
@@ -60,12 +60,12 @@ def _pictures(first: Model, second: Model, drives: str, places: PoseGrid | None)
         return
     chosen = working_plane(first) if places is None else places
     plane = Plane.of(map_of(first, chosen, drives=drives), components)
-    points = points_of(first, plane)
+    points = plane_poses(first, plane)
     changes = compare_frequencies(first, second, points.reshape(-1, points.shape[-1]), drives)
     relative = changes.relative.reshape(*points.shape[:-1], -1)
-    name, plane_in_words = shortened(first.robot.name), where(plane)
+    name, plane_in_words = shortened(first.robot.name), plane_location(plane)
     of = "the plane of the grid" if places is not None else f"the working plane of {name}"
-    if scale_of(relative) < 100.0 * NEGLIGIBLE_CHANGE:
+    if colour_scale_limit(relative) < 100.0 * NEGLIGIBLE_CHANGE:
         text = (
             f"In {of}, {plane_in_words}, no frequency changes by more than {100.0 * NEGLIGIBLE_CHANGE:g} %."
         )

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from pkmodes.loop.sensitivity.changes import PERCENT, SIGMA, Changes, changes_at
 from pkmodes.loop.sensitivity.spread import stated_sigmas
-from pkmodes.pages.figures.tornado_picture import describe
+from pkmodes.pages.figures.tornado_picture import describe_changes
 from pkmodes.pages.plots.tornado import MAX_PANELS, tornado
 from pkmodes.pages.report.blocks import Block, Cell, Paragraph, Picture, Section, Table
 from pkmodes.pages.report.page import need_report, page
@@ -72,7 +72,7 @@ def sensitivities_report(
 def _pictures(changes: Changes) -> list[Block]:
     """Return the tornado charts, divided into figures that fit on pages."""
     blocks: list[Block] = []
-    count, text = len(changes.frequencies), describe(changes)
+    count, text = len(changes.frequencies), describe_changes(changes)
     for start in range(0, count, MAX_PANELS):
         modes = range(start, min(start + MAX_PANELS, count))
         drawn = tornado(changes, modes)

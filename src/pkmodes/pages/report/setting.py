@@ -66,7 +66,7 @@ class ReportSetting:
         self, evidence: PlottedEvidence, further_facts: Sequence[tuple[str, Sequence[Cell]]] = ()
     ) -> Section:
         """Return the section of data and versions."""
-        places = plural(len(evidence.labels), evidence.place)
+        places = plural(len(evidence.labels), evidence.setup_noun)
         facts = [("measurements", [Cell(f"{plural(len(evidence.measured), 'measured mode')} at {places}")])]
         if self.data is not None and self.data.band is not None:
             low, high = self.data.band

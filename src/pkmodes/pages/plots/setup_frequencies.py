@@ -1,4 +1,4 @@
-"""Frequencies of every setup: measured modes, and the modes of the model, also those that were not measured."""
+"""Frequencies at every setup: measured modes, and the modes of the model, including modes not measured."""
 
 from __future__ import annotations
 
@@ -13,44 +13,45 @@ from pkmodes.pages.plots.sheet import Sheet
 from pkmodes.pages.plots.style import GREEN, GREY
 
 #: Modes of the model are shown up to this multiple of the highest measured frequency.
-ABOVE = 1.12
-#: Half the length of a line of the model, in setups; then the styles of the first and the last stage.
-HALF = 0.36
-STYLES = (
+MAX_FREQUENCY_RATIO = 1.12
+#: Half the length of a line of the model, in units of the distance between setups; then the line styles of the first
+#: and the last stage.
+LINE_HALF_LENGTH = 0.36
+STAGE_STYLES = (
     {"color": GREY, "linewidth": 2.6, "alpha": 0.55},
     {"color": GREEN, "linewidth": 1.2},
 )
 #: Opacity and label of the bands around the lines of the declared model.
-SHADE, BAND = 0.25, "\u00b1 \u03c3 as declared"
+BAND_OPACITY, BAND_LABEL = 0.25, "\u00b1 \u03c3 as declared"
 
 
-def spectrum(evidence: PlottedEvidence) -> Drawing:
-    """Return the frequencies of all setups: dots are measured, lines are the model.
+def setup_frequencies(evidence: PlottedEvidence) -> Drawing:
+    """Draw the frequencies at all setups: dots are measured, lines are the model.
 
-    Bands are one standard deviation of the declared values on either side of the declared model.
+    Bands are one standard deviation on either side of the declared model, from those of the declared values.
     """
 
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(3.9)
         axes = panel.axes
-        highest = ABOVE * float(evidence.measured.max())
-        for stage, style in zip(evidence.stages, STYLES[-len(evidence.stages) :], strict=True):
+        highest = MAX_FREQUENCY_RATIO * float(evidence.measured.max())
+        for stage, style in zip(evidence.stages, STAGE_STYLES[-len(evidence.stages) :], strict=True):
             setup, mode = np.nonzero(stage.predicted.elastic_frequencies <= highest)
             y, ends = (
                 stage.predicted.elastic_frequencies[setup, mode],
-                np.stack([setup - HALF, setup + HALF], axis=1),
+                np.stack([setup - LINE_HALF_LENGTH, setup + LINE_HALF_LENGTH], axis=1),
             )
             rasterized, label = len(y) > marks.RASTERIZE_ABOVE, f"model {stage.title}"
             panel.lines(ends, y[:, None], label=label, zorder=2, rasterized=rasterized, **style)
         if evidence.spread is not None:
-            _bands(panel, evidence.stages[0].predicted.elastic_frequencies, evidence.spread, highest)
-        position = evidence.setup.astype(float)
-        paired = evidence.mode() > 0
-        marks.mark_rows(panel, evidence, np.where(paired, position, np.nan), evidence.measured)
-        if not paired.all():
+            _shade_bands(panel, evidence.stages[0].predicted.elastic_frequencies, evidence.spread, highest)
+        setup_positions = evidence.setup_indices.astype(float)
+        has_partner = evidence.mode_numbers() > 0
+        marks.mark_rows(panel, evidence, np.where(has_partner, setup_positions, np.nan), evidence.measured)
+        if not has_partner.all():
             panel.scatter(
-                position[~paired],
-                evidence.measured[~paired],
+                setup_positions[~has_partner],
+                evidence.measured[~has_partner],
                 s=26,
                 linewidth=1.3,
                 zorder=4,
@@ -64,21 +65,34 @@ def spectrum(evidence: PlottedEvidence) -> Drawing:
     return Drawing(draw)
 
 
-def _bands(panel: Panel, spectrum: NDArray[np.float64], spread: NDArray[np.float64], highest: float) -> None:
+def _shade_bands(
+    panel: Panel, frequencies: NDArray[np.float64], spread: NDArray[np.float64], highest: float
+) -> None:
     """Shade one standard deviation on either side of the lines of the declared model."""
     from matplotlib.collections import PolyCollection
 
-    modes = min(spectrum.shape[1], spread.shape[1])  # modes that pad a setup are in neither
-    y, sigma = spectrum[:, :modes], spread[:, :modes]
+    mode_count = min(frequencies.shape[1], spread.shape[1])  # modes in both; padding is NaN
+    y, sigma = frequencies[:, :mode_count], spread[:, :mode_count]
     setup, mode = np.nonzero((y <= highest) & (sigma > 0.0))
     if not len(setup):
         return
     low, high = (y[setup, mode] + side * sigma[setup, mode] for side in (-1.0, 1.0))
-    corners = [(setup - HALF, low), (setup + HALF, low), (setup + HALF, high), (setup - HALF, high)]
+    corners = [
+        (setup - LINE_HALF_LENGTH, low),
+        (setup + LINE_HALF_LENGTH, low),
+        (setup + LINE_HALF_LENGTH, high),
+        (setup - LINE_HALF_LENGTH, high),
+    ]
     boxes = np.stack([np.stack(corner, axis=-1) for corner in corners], axis=1)
     rasterized = len(setup) > marks.RASTERIZE_ABOVE
     bands = PolyCollection(
-        list(boxes), facecolor=GREY, alpha=SHADE, linewidth=0, zorder=1, rasterized=rasterized, label=BAND
+        list(boxes),
+        facecolor=GREY,
+        alpha=BAND_OPACITY,
+        linewidth=0,
+        zorder=1,
+        rasterized=rasterized,
+        label=BAND_LABEL,
     )
     panel.axes.add_collection(bands, autolim=False)
-    panel.limits(setup, low, high, BAND)
+    panel.keep_band_limits(setup, low, high, BAND_LABEL)
