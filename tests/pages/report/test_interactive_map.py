@@ -183,7 +183,9 @@ def test_it_opens_in_the_section_of_the_figures_with_their_axes(mapped: tuple[Pa
     with opened(page) as browser:
         started(browser)
         explorer = "document.querySelector('.explorer').explorer"
-        assert browser.page.evaluate(f"{explorer}.map.pose({explorer}.poseIndex)[2]") == pytest.approx(drawn.at)
+        assert browser.page.evaluate(f"{explorer}.map.pose({explorer}.poseIndex)[2]") == pytest.approx(
+            drawn.at
+        )
         names = browser.page.evaluate(f"{explorer}.drawn.map((k) => {explorer}.data.components[k].name)")
         assert names == [drawn.across, drawn.along] == ["y", "x"]
 

@@ -114,7 +114,7 @@ def test_the_page_moves_the_measured_marks_and_tells_them_in_numbers(tmp_path: P
         assert text("place").startswith("P2: x = 500.0 mm")
         # The balls lie where the model is: the measured shape is that of the model.
         moved = np.reshape(
-            found.page.evaluate("document.querySelector('.pkview').viewer.stage.moved()"), (-1, 3)
+            found.page.evaluate("document.querySelector('.pkview').viewer.stage.displacedPoints()"), (-1, 3)
         )
         balls = found.page.evaluate(f"{marks}.arrows.map((a) => [a.point, a.parts[0].position.toArray()])")
         assert len(balls) == 3

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
-#: Slider steps between two evaluated states: FINE in states.js.
+#: Slider steps between two evaluated states: the same constant in states.js.
 SLIDER_STEPS = 10
 
 

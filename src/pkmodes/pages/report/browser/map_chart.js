@@ -97,8 +97,8 @@ class MapChart {
     return this.colours[Math.round(fraction * (this.colours.length - 1))];
   }
 
-  // The colour scale beside the data; its pointed ends mean that there are values beyond them.  Its title is above it, away
-  // from those of the axes.
+  // The colour scale beside the data; its pointed ends mean that there are values beyond them.  Its title is above
+  // it, away from those of the axes.
   drawColourBar([low, high], title) {
     const { pen, top, plotHeight, colours } = this, left = this.left + this.plotWidth + 14, barWidth = 11, barHeight = plotHeight - 16;
     colours.forEach((colour, i) => {

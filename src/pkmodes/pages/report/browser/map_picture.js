@@ -29,8 +29,8 @@ class MapPicture {
     this.orderDrawnComponents();
   }
 
-  // Choose which component is horizontal: in the plane of the page's figures as they have it, in another plane so that the
-  // clearly longer component is vertical.
+  // Choose which component is horizontal: in the plane of the page's figures as they have it, in another plane so
+  // that the clearly longer component is vertical.
   orderDrawnComponents() {
     const { data, drawn } = this;
     if (!this.isPlane) return;

@@ -25,8 +25,8 @@ function unpack(bytes, valueCount, rowLength) {
   return numbers;
 }
 
-// A map: the first axes are robots (of a sweep, or drawn at random), the last ones poses.  `indices` holds an index for
-// every axis, `robotIndex` and `poseIndex` count through all robots and all poses.
+// A map: the first axes are robots (of a sweep, or drawn at random), the last ones poses.  `indices` holds an index
+// for every axis, `robotIndex` and `poseIndex` count through all robots and all poses.
 class MapValues {
   constructor(data, bytes) {
     this.data = data;
