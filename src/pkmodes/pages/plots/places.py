@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from pkmodes.pages.plots.drawing import Drawing
 from pkmodes.pages.plots.sheet import Sheet
 from pkmodes.pages.plots.style import GREY, INK, PALETTE, WIDTH
-from pkmodes.pages.view.projection import AREAS, camera, outline
+from pkmodes.pages.view.projection import AREA_SHAPES, camera, outline
 from pkmodes.pages.view.scene import Scene
 from pkmodes_description import Element
 
@@ -67,7 +67,7 @@ def _draw(axes: Any, element: Element, points: Array, colour: str) -> None:
     width, depth = (BOLD, 3) if colour else (THIN, 2)
     colour, opacity = colour or GREY, 0.85 if colour else 0.25
     line = outline(element, points).T
-    if element.shape in AREAS:
+    if element.shape in AREA_SHAPES:
         axes.fill(*line, facecolor=colour, edgecolor=colour, alpha=opacity, linewidth=width, zorder=depth)
     elif element.shape == "ball":
         axes.plot(*line, "o", markersize=7, color=colour, zorder=depth)
