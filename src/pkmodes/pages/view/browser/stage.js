@@ -22,6 +22,7 @@ class Stage {
     this.shapes = data.elements.map((e) => new SHAPES[e.shape](e, data.size, this.vertical));
     this.shapes.forEach((shape) => this.world.add(shape.group));
     this.ghost = new T.LineSegments(new T.BufferGeometry(), new T.LineBasicMaterial({ transparent: true, opacity: 0.5 }));
+    // The path of the platform: a bar between its extreme positions, with a cone at each end.
     this.trace = [0, 1, 2].map((i) => mesh(i ? new T.CylinderGeometry(0, 1, 1, 18) : UNIT_BAR, new T.MeshBasicMaterial()));
     this.world.add(this.ghost, ...this.trace);
     this.marks = new MeasuredMarks(data.size);
@@ -248,8 +249,8 @@ class Stage {
     this.data.elements.filter((e) => e.shape === "line").forEach((e) => {
       for (let i = 1; i < e.points.length; i++) ends.push(pointAt(points, e.points[i - 1]), pointAt(points, e.points[i]));
     });
-    const flat = new Float32Array(ends.flatMap((p) => [p.x, p.y, p.z]));
-    this.ghost.geometry.setAttribute("position", new T.BufferAttribute(flat, 3));
+    const coordinates = new Float32Array(ends.flatMap((p) => [p.x, p.y, p.z]));
+    this.ghost.geometry.setAttribute("position", new T.BufferAttribute(coordinates, 3));
     this.ghost.geometry.computeBoundingSphere();
   }
 
@@ -274,8 +275,10 @@ class Stage {
 
   // Shift labels that would cover each other; hide a label that has no room near its point.
   arrangeLabels() {
-    const { elements: projection } = this.camera.projectionMatrix, placedLabels = [], [top, bottom] = this.coveredFractions();
-    const isClear = (y, height) => y + height / 2 < 1 - 2 * top && y - height / 2 > 2 * bottom - 1; // the caption stays legible
+    const { elements: projection } = this.camera.projectionMatrix;
+    const placedLabels = [], [top, bottom] = this.coveredFractions();
+    // Whether a label leaves the title and the legend legible.
+    const isClear = (y, height) => y + height / 2 < 1 - 2 * top && y - height / 2 > 2 * bottom - 1;
     const order = [...this.labels.children].sort((a, b) => b.importance - a.importance);
     this.camera.updateMatrixWorld();
     for (const label of order) {
@@ -288,7 +291,7 @@ class Stage {
       label.visible = shift !== undefined;
       if (!label.visible) continue;
       label.center.set(0.5 - shift[0], 0.5 - shift[1]);
-      placedLabels.push({ x: x + shift[0] * width, y: y + shift[1] * height, width: width });
+      placedLabels.push({ x: x + shift[0] * width, y: y + shift[1] * height, width });
     }
   }
 
@@ -312,14 +315,14 @@ class Stage {
     const centre = pointAt(this.state.points, 0);
     const amplitudeVector = pointAt(this.state.displacements[this.mode], data.motionsOf[0]).multiplyScalar(factor);
     const [bar, ...tips] = this.trace, ends = [1, -1].map((s) => centre.clone().addScaledVector(amplitudeVector, s));
-    const shown = amplitudeVector.length() > 0.004 * data.size;
-    this.trace.forEach((part) => { part.visible = shown; });
-    if (shown) {
+    const isVisible = amplitudeVector.length() > 0.004 * data.size;
+    this.trace.forEach((part) => { part.visible = isVisible; });
+    if (isVisible) {
       stretch(bar, ends[0], ends[1], 0.0022 * data.size);
-      const tip = amplitudeVector.clone().normalize();
+      const direction = amplitudeVector.clone().normalize();
       tips.forEach((cone, i) => {
-        const s = i ? -1 : 1;
-        stretch(cone, ends[i], ends[i].clone().addScaledVector(tip, s * 0.022 * data.size), 0.0075 * data.size);
+        const sign = i ? -1 : 1;
+        stretch(cone, ends[i], ends[i].clone().addScaledVector(direction, sign * 0.022 * data.size), 0.0075 * data.size);
       });
     }
     if (this.labels.visible) this.arrangeLabels();
