@@ -10,14 +10,14 @@ import os
 import signal
 import sys
 
-from pkmodes.interrupts import INTERRUPTED, is_ours, leave
+from pkmodes.interrupts import INTERRUPTED, exit_interrupted, interrupts_this_process
 
 
 def main() -> None:
     """Run the command line and exit; a user's mistake is one line on stderr, never a traceback."""
-    ours = is_ours()
+    ours = interrupts_this_process()
     if ours:
-        signal.signal(signal.SIGINT, leave)
+        signal.signal(signal.SIGINT, exit_interrupted)
     from pkmodes.cli import run
     from pkmodes.cli.libraries import quiet_libraries
 
@@ -26,7 +26,7 @@ def main() -> None:
     quiet_libraries()
     code = run()
     if ours:  # the work is done: only the interpreter's shutdown remains
-        signal.signal(signal.SIGINT, leave)
+        signal.signal(signal.SIGINT, exit_interrupted)
     if code == INTERRUPTED:
         # If the interrupt came while a library was compiling code, Python would end with the signal instead.
         os._exit(code)

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Model", "load", "read_robot"]
 
-#: The methods of applications: where each function is.  The class below declares the same for type checkers.
+#: Methods that are applications, and the path of the function of each.  `Model` declares the same for type checkers.
 APPLICATIONS = {
     "sensitivities": "pkmodes.loop.sensitivity.sensitivities:sensitivities_at",
     "frequency_sigmas": "pkmodes.loop.sensitivity.spread:frequency_sigmas",
@@ -58,8 +58,8 @@ class Model(model.Model):  # noqa: D101  # the docstring is inherited
         map = map_of
 
 
-for _name, _place in APPLICATIONS.items():
-    setattr(Model, _name, Attached(_place))
+for _name, _function_path in APPLICATIONS.items():
+    setattr(Model, _name, Attached(_function_path))
 
 
 def load(path: str | PathLike[str]) -> Model:

@@ -1,4 +1,4 @@
-"""An interrupt while the command is starting: one line and exit code 130, no traceback."""
+"""An interrupt while the command is starting ends it with one line and exit code 130, without a traceback."""
 
 from __future__ import annotations
 
@@ -7,27 +7,27 @@ import signal
 import sys
 
 INTERRUPTED = 130
-#: Names of the program while the command starts: Python's own, until it has found the package that it has to run, and
-#: that of the installed script.
-STARTING = ("-m", "pkmodes")
+#: Names of the program while the command starts: ``-m`` until Python has found the package to run, and that of the
+#: installed script.
+PROGRAM_NAMES = ("-m", "pkmodes")
 
 
-def watch_the_start() -> None:
-    """End the process on an interrupt, if it is one of the command that has only begun to load its modules."""
+def exit_on_early_interrupt() -> None:
+    """Let an interrupt end the process with a message if it is a command that has only begun to load its modules."""
     program = sys.argv[0] if sys.argv else ""
-    # A worker process has the arguments of the one that started it, but was not started with them.
-    started = program in sys.orig_argv and os.path.basename(program) in STARTING  # noqa: PTH119 - loads nothing more
-    if started and is_ours():
-        signal.signal(signal.SIGINT, leave)
+    # In a worker process `sys.argv` has the arguments of its parent, but not `sys.orig_argv`.
+    is_command = program in sys.orig_argv and os.path.basename(program) in PROGRAM_NAMES  # noqa: PTH119 - loads nothing more
+    if is_command and interrupts_this_process():
+        signal.signal(signal.SIGINT, exit_interrupted)
 
 
-def is_ours() -> bool:
-    """Return whether an interrupt is for this process: a shell's background job ignores it."""
-    return signal.getsignal(signal.SIGINT) in (signal.default_int_handler, leave)
+def interrupts_this_process() -> bool:
+    """Return whether an interrupt reaches this process: a background job of a shell ignores it."""
+    return signal.getsignal(signal.SIGINT) in (signal.default_int_handler, exit_interrupted)
 
 
-def leave(*_: object) -> None:
-    """End the process at once: nothing has been begun that would have to be cleaned up."""
+def exit_interrupted(*_: object) -> None:
+    """End the process at once: there is nothing to clean up yet."""
     try:
         newline = b"\n" if os.isatty(2) else b""  # after the terminal's ^C
         os.write(2, newline + b"error: interrupted (pkmodes); run it again\n")

@@ -1,4 +1,4 @@
-"""Mechanisms: those that come with pkmodes, and your own (docs/how-to/adding-a-mechanism.md)."""
+"""Mechanisms: those that come with pkmodes, and user-defined ones (docs/how-to/adding-a-mechanism.md)."""
 
 from pkmodes.core.mechanism import add_folder, mechanism, names
 

@@ -1,6 +1,6 @@
-"""Names under which users import packages of rooms: ``pkmodes.updating`` is ``pkmodes.loop.updating``.
+"""Import of packages by names without their rooms: ``pkmodes.updating`` is ``pkmodes.loop.updating``.
 
-What users write does not depend on the room that a package is in.  Both names are one module.
+Users' imports thus do not depend on the room that a package is in.  Both names give the same module.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ ROOMS = {
 _ROOM_OF = {package: room for room, packages in ROOMS.items() for package in packages}
 
 
-class _Names(MetaPathFinder, Loader):
+class _RoomFinder(MetaPathFinder, Loader):
     """Finds packages, and the modules in them, by their names without the room."""
 
     def __init__(self) -> None:
@@ -32,7 +32,7 @@ class _Names(MetaPathFinder, Loader):
     def find_spec(
         self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
     ) -> ModuleSpec | None:
-        """Return a spec for a name without a room."""
+        """Return the spec of a name without a room, None for other names."""
         parts = fullname.split(".")
         if parts[0] != "pkmodes" or len(parts) < 2 or parts[1] not in _ROOM_OF:
             return None
@@ -46,11 +46,11 @@ class _Names(MetaPathFinder, Loader):
         return module
 
     def exec_module(self, module: ModuleType) -> None:
-        """Give the module, which has been executed, its own spec back."""
+        """Restore the spec of the module, which has already been executed."""
         assert module.__spec__ is not None
         module.__spec__ = self._specs.pop(module.__spec__.name)
 
 
-def install() -> None:
+def install_room_finder() -> None:
     """Let packages be imported by their names without the room."""
-    sys.meta_path.insert(0, _Names())  # before the finder of files, which would load a module twice
+    sys.meta_path.insert(0, _RoomFinder())  # before the finder of files, which would load a module twice

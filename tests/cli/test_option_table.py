@@ -33,16 +33,16 @@ class ToyOptions(OptionTable):
 
 
 @click.command()
-@ToyOptions.taken_by
+@ToyOptions.add_to
 def toy(options: ToyOptions) -> None:
     """Do nothing."""
     options.check_files()
     options.check_only("measured modes" if options.robot is None else "a robot file")
     options.check_needs()
-    with options.named(method="--quick"):
+    with options.name_in_errors(method="--quick"):
         if options.kinds in ("kinds", "method"):
             raise PkmodesError("it is wrong", options.kinds, 'write kinds="zv"')
-    CALLS.append(options.passed("measured modes" if options.robot is None else "a robot file"))
+    CALLS.append(options.call_arguments("measured modes" if options.robot is None else "a robot file"))
 
 
 def run(*arguments: str) -> Any:

@@ -37,7 +37,7 @@ from pkmodes.cli.show import show
 from pkmodes.cli.version import print_version
 from pkmodes.core.base.errors import PkmodesError
 
-DONE, DOES_NOT_HOLD, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
+SUCCESS, CHECK_FAILED, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
 
 
 #: The commands by task, each with a sentence for the help.
@@ -156,7 +156,7 @@ def run(arguments: Sequence[str] | None = None) -> int:
         )
         if sys.stdout is not None:
             sys.stdout.flush()
-        return code if isinstance(code, int) else DONE
+        return code if isinstance(code, int) else SUCCESS
     except PkmodesError as error:
         return _report(error.lines)
     except click.exceptions.NoArgsIsHelpError as error:
@@ -176,7 +176,7 @@ def run(arguments: Sequence[str] | None = None) -> int:
     except (BrokenPipeError, SystemExit):
         # A reader such as head closed the pipe, which click turns into SystemExit.
         silence(sys.stdout)
-        return DONE
+        return SUCCESS
     except OSError as error:
         where = str(error.filename) if error.filename else "standard output"
         if not error.filename:

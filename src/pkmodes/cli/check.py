@@ -184,7 +184,7 @@ def _verdict_if_holding(report: Report) -> str:
 
 
 def _detailed_lines(report: Report, diff: bool) -> Iterator[str]:
-    """Yield the reasons, what was not checked and what to do, and after them the differences of the files."""
+    """Yield the reasons, what was not checked and the remedy, and after them the differences of the files."""
     diffs = [finding.diff for finding in report.findings if finding.diff]
     for finding in report.findings:
         yield f"{report.target}: {finding.message}"

@@ -11,7 +11,7 @@ import numpy as np
 from pkmodes.api import load
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import errors_name_options
-from pkmodes.cli.poses import places_given
+from pkmodes.cli.poses import selected_poses
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.support.progress import say
@@ -20,10 +20,10 @@ if TYPE_CHECKING:
     from pkmodes.core.model import Model
     from pkmodes.machine.maps.poses import MapPoses
 
-#: Approximate number of poses in a workspace, and most poses compared: all are held in memory at once.
-POSES, MOST = 20_000, 1_000_000
-#: Values that are printed without ``--all``.
-LARGEST = 10
+#: Approximate number of poses by default, and maximum number of poses compared: all are held in memory at once.
+DEFAULT_POSE_COUNT, MAX_POSES = 20_000, 1_000_000
+#: Maximum number of values printed without ``--all``.
+MAX_VALUES_PRINTED = 10
 
 
 def compare_robot_files(
@@ -42,9 +42,9 @@ def compare_robot_files(
     sources = sources_of(report_to, dict(zip(("first robot file", "second robot file"), files, strict=True)))
     first, second = map(load, files)
     check_one_mechanism(first.robot, second.robot)
-    places = places_given(first, grid, poses)
+    pose_selection = selected_poses(first, grid, poses)
     with errors_name_options("grid", "drives", poses="--poses" if poses else "--grid"):
-        document = compare_robots(first, second, _points(first, second, places), drives)
+        document = compare_robots(first, second, _compared_poses(first, second, pose_selection), drives)
     content = document.as_json()
 
     def page() -> str:
@@ -52,14 +52,18 @@ def compare_robot_files(
         from pkmodes.pages.report.robots import robots_report
 
         say("drawing the differences over the working plane")
-        plane = places if isinstance(places, PoseGrid) and sum(n > 1 for n in places.shape) == 2 else None
+        plane = (
+            pose_selection
+            if isinstance(pose_selection, PoseGrid) and sum(n > 1 for n in pose_selection.shape) == 2
+            else None
+        )
         return robots_report(first, second, content, sources, plane)
 
     def show() -> None:
         from pkmodes.cli.terminal import Terminal
         from pkmodes.pages.report.robot_values import different_values, frequencies, robots_summary
 
-        terminal, limit = Terminal(), None if everything else LARGEST
+        terminal, limit = Terminal(), None if everything else MAX_VALUES_PRINTED
         terminal.heading(f"first:  {content['first']} ({files[0]})")
         terminal.heading(f"second: {content['second']} ({files[1]})")
         terminal.line()
@@ -69,17 +73,19 @@ def compare_robot_files(
     deliver(json_file, content, show, report_file(report_to, page))
 
 
-def _points(first: Model, second: Model, places: MapPoses | None) -> np.ndarray:
-    """Return the poses, by default those of the workspaces that one of the robots uses."""
+def _compared_poses(first: Model, second: Model, pose_selection: MapPoses | None) -> np.ndarray:
+    """Return the selected poses, by default those of both workspaces that one of the robots can use."""
     from pkmodes.machine.maps.poses import PoseGrid
     from pkmodes.machine.maps.workspace import grid_over_workspaces, limits_test
 
-    if places is None:
-        places = grid_over_workspaces([first, second], POSES)
-    count = math.prod(places.shape)
-    if count > MOST:
-        raise PkmodesError(f"expected at most {MOST:,} poses, found {count:,}", "poses", "give fewer")
-    points = np.asarray(places.points(np.arange(count)))
-    if isinstance(places, PoseGrid) and places.usable_only:
-        points = points[limits_test(first)(points) | limits_test(second)(points)]
-    return points
+    if pose_selection is None:
+        pose_selection = grid_over_workspaces([first, second], DEFAULT_POSE_COUNT)
+    count = math.prod(pose_selection.shape)
+    if count > MAX_POSES:
+        raise PkmodesError(f"expected at most {MAX_POSES:,} poses, found {count:,}", "poses", "give fewer")
+    compared_poses = np.asarray(pose_selection.points(np.arange(count)))
+    if isinstance(pose_selection, PoseGrid) and pose_selection.usable_only:
+        compared_poses = compared_poses[
+            limits_test(first)(compared_poses) | limits_test(second)(compared_poses)
+        ]
+    return compared_poses

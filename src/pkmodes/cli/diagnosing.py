@@ -1,4 +1,4 @@
-"""What diagnose and changed share: lists of names, the verdicts of --fail-on, and progress."""
+"""Functions shared by diagnose and changed: lists of names, the verdicts of --fail-on, and progress."""
 
 from __future__ import annotations
 

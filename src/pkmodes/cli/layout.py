@@ -17,9 +17,9 @@ from pkmodes.core.base.errors import printable
 from pkmodes.pages.plots.labels import SUPERSCRIPTS, TIMES
 from pkmodes.pages.report.blocks import Cell, Facts, Lines, Listing, Paragraph, Table
 
-Shown = Paragraph | Listing | Facts | Lines | Table
+TerminalBlock = Paragraph | Listing | Facts | Lines | Table
 INDENT = "  "
-#: Spaces between two columns; the second where a table fits the terminal only with fewer.
+#: Spaces between two columns, and between those of a table that would not fit the terminal otherwise.
 GAP, NARROW_GAP = 2, 1
 #: Maximum share of the width for the first column of a table that does not fit.
 MAX_FIRST_COLUMN_SHARE = 0.3
@@ -67,7 +67,7 @@ def wrap_sentence(text: str, width: int, indent: str = "") -> list[str]:
     )
 
 
-def lines_of(block: Shown, width: int) -> Iterator[str]:
+def block_lines(block: TerminalBlock, width: int) -> Iterator[str]:
     """Yield the lines of a block."""
     if isinstance(block, Table):
         yield from wrap_sentence(terminal_text(block.caption), width)
@@ -96,9 +96,9 @@ def _cell_text(cell: Cell) -> str:
 class _TextTable:
     """The text of a table, column by column.
 
-    - names: the lines of the first cell of each row, which are printed in place of it
+    - names: for each row the lines that are printed in place of its first cell
     - rows: all cells of each row
-    - is_number: whether a column is aligned at the right
+    - is_number: for each column whether it is aligned at the right
     - heads: number of first columns that identify a row
     """
 

@@ -14,10 +14,10 @@ from pkmodes.api import load
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.option_table import OptionTable, entry, option
 from pkmodes.cli.options import PATH, drives_option, forwarded_mechanism_option, robot_argument
-from pkmodes.cli.poses import grid_option, path_of, path_option, places_given, poses_option
+from pkmodes.cli.poses import grid_option, parse_path_option, path_option, poses_option, selected_poses
 from pkmodes.cli.progress import duration
 from pkmodes.cli.reporting import report_file
-from pkmodes.cli.settings import settings_given, settings_option
+from pkmodes.cli.settings import parse_settings_option, settings_option
 from pkmodes.core.support.progress import say
 
 
@@ -89,21 +89,21 @@ class MapOptions(OptionTable):
     epilog="\b\nExample:\n  pkmodes map robots/linear-delta-2022.toml \\\n    --grid "
     "x=0.3:0.8:51,y=-0.1:0.1:41,z=-0.245 --out map.nc",
 )
-@MapOptions.taken_by
+@MapOptions.add_to
 def map_(options: MapOptions) -> None:
     """Compute the modes over the workspace, print their ranges, and write them to a file."""
     options.check_files()
     sources, out = options.sources(), options.out
     model = load(options.robot)
-    with options.named(sweep="--set"), _explain_interrupt(out):
-        path = None if options.path is None else path_of(model.mechanism, options.path)
+    with options.name_in_errors(sweep="--set"), _explain_interrupt(out):
+        path = None if options.path is None else parse_path_option(model.mechanism, options.path)
         if path is not None and (options.grid is not None or options.poses is not None):
             raise click.UsageError("--path excludes --grid and --poses", click.get_current_context())
         dataset = model.map(
-            places_given(model, options.grid, options.poses) if path is None else path.poses,
-            sweep=settings_given(model, options.settings),
+            selected_poses(model, options.grid, options.poses) if path is None else path.poses,
+            sweep=parse_settings_option(model, options.settings),
             progress=_progress_reporter(),
-            **options.passed(),
+            **options.call_arguments(),
         )
     from pkmodes.machine.maps.summary import summary_of
 

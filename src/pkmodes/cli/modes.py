@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from pkmodes.api import load
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import drives_option, json_option, mechanism_option, robot_argument
-from pkmodes.cli.poses import pose_of, pose_option
+from pkmodes.cli.poses import parse_pose_option, pose_option
 from pkmodes.cli.targets import check_targets
 from pkmodes.core.base.drives import DRIVES, FREE, HELD, other_drives
 from pkmodes.core.mechanism.length import lengths_of, unit_vector_headings, unit_vectors
@@ -136,8 +136,8 @@ def modes(robot: Path, pose: str, drives: str, json_file: str | None) -> None:
     """
     check_targets(json_file, [robot])
     model = load(robot)
-    point = pose_of(model, pose)
-    result, statics = model.modes(point, drives=drives), model.statics(point)
+    pose_components = parse_pose_option(model, pose)
+    result, statics = model.modes(pose_components, drives=drives), model.statics(pose_components)
     content = as_json(model, result, statics)
     document = modes_document()(**content)
 

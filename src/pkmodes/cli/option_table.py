@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from pkmodes.pages.report.sources import Source
 
 Result = TypeVar("Result")
-ENTRY = "entry"
+ENTRY_KEY = "entry"
 
 
 @dataclass(frozen=True)
@@ -50,12 +50,12 @@ class OptionEntry:
 
 
 def entry(option: Callable[[Any], Any], **uses: Any) -> Any:
-    """Return a field of an `OptionTable`; the uses of its value are those of `OptionEntry`."""
-    return field(metadata={ENTRY: OptionEntry(option, **uses)})
+    """Return a field of an `OptionTable`; `uses` are the further fields of `OptionEntry`."""
+    return field(metadata={ENTRY_KEY: OptionEntry(option, **uses)})
 
 
 def option(*names: str, **settings: Any) -> Any:
-    """Return a field of an `OptionTable`; settings are the uses of its value, and those of ``click.option``."""
+    """Return a field of an `OptionTable`; `settings` are those of `OptionEntry` and of ``click.option``."""
     uses = {
         entry_field.name: settings.pop(entry_field.name)
         for entry_field in fields(OptionEntry)
@@ -74,14 +74,14 @@ class OptionTable:
     @classmethod
     def entries(cls) -> dict[str, OptionEntry]:
         """Return the entries by name."""
-        entries = {table_field.name: table_field.metadata[ENTRY] for table_field in fields(cls)}
+        entries = {table_field.name: table_field.metadata[ENTRY_KEY] for table_field in fields(cls)}
         shared_entries = {
             table_field.name: entries.pop(table_field.name) for table_field in fields(OptionTable)
         }
         return entries | shared_entries
 
     @classmethod
-    def taken_by(cls, function: Callable[[Self], Result]) -> Callable[..., Result]:
+    def add_to(cls, function: Callable[[Self], Result]) -> Callable[..., Result]:
         """Add the options to a command, which is called with their values."""
 
         @functools.wraps(function)
@@ -119,7 +119,7 @@ class OptionTable:
         Raises click.UsageError.
         """
         for name, option_entry in self.entries().items():
-            if self._has(name) and option_entry.only not in ("", source):
+            if self._is_given(name) and option_entry.only not in ("", source):
                 problem = f"{_parameters()[name].opts[0]} is for {option_entry.only}"
                 raise click.UsageError(problem, click.get_current_context())
 
@@ -130,7 +130,11 @@ class OptionTable:
         """
         entries, parameters = self.entries(), _parameters()
         for name, option_entry in entries.items():
-            if self._has(name) and option_entry.needs and not any(map(self._has, option_entry.needs)):
+            if (
+                self._is_given(name)
+                and option_entry.needs
+                and not any(map(self._is_given, option_entry.needs))
+            ):
                 option = parameters[name].opts[0]
                 files = " and ".join(entries[needed].writes for needed in option_entry.needs)
                 missing = [
@@ -151,18 +155,18 @@ class OptionTable:
             },
         )
 
-    def passed(self, source: str = "") -> dict[str, Any]:
-        """Return the arguments of the call by name, without those that apply only to another source."""
+    def call_arguments(self, source: str = "") -> dict[str, Any]:
+        """Return the values marked `passed`, by name, without those that apply only to another source."""
         return {
             name: getattr(self, name)
             for name, option_entry in self.entries().items()
             if option_entry.passed and option_entry.only in ("", source)
         }
 
-    def named(self, **renamed: str) -> AbstractContextManager[None]:
+    def name_in_errors(self, **renamed: str) -> AbstractContextManager[None]:
         """Name options in errors that name arguments, as `errors_name_options` does.
 
-        - renamed: options of arguments that do not have the names of fields
+        - renamed: options by argument, where an argument does not have the name of a field
         """
         options = {
             name: parameter.opts[0]
@@ -171,7 +175,7 @@ class OptionTable:
         }
         return errors_name_options(**(options | renamed))
 
-    def _has(self, name: str) -> bool:
+    def _is_given(self, name: str) -> bool:
         """Return whether an option is given."""
         value = getattr(self, name)
         return not (value is None or value is False or value == ())

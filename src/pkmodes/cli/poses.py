@@ -1,4 +1,4 @@
-"""Poses on the command line: the components of one, a grid of them, or a table."""
+"""Poses on the command line: the components of one pose, a grid, a path, or a table."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def parse_pose(text: str, mechanism: Mechanism) -> list[float]:
     return pose
 
 
-def pose_of(model: Model, text: str) -> list[float]:
+def parse_pose_option(model: Model, text: str) -> list[float]:
     """Read the pose of ``--pose``.
 
     Raises PoseError as `parse_pose` does, and if the robot could reach it if its bare lengths, some of them large,
@@ -106,7 +106,7 @@ def pose_of(model: Model, text: str) -> list[float]:
     return pose
 
 
-def path_of(mechanism: Mechanism, text: str) -> PosePath:
+def parse_path_option(mechanism: Mechanism, text: str) -> PosePath:
     """Read ``--path``: poses with straight lines between them.
 
     Raises PoseError if there are fewer than two, one of them is not a pose, or two that follow each other are equal.
@@ -121,8 +121,8 @@ def path_of(mechanism: Mechanism, text: str) -> PosePath:
     return PosePath.through(mechanism, corners)
 
 
-def places_given(model: Model, grid: str | None, poses: Path | None) -> MapPoses | None:
-    """Return the poses of the two options, None without either.
+def selected_poses(model: Model, grid: str | None, poses: Path | None) -> MapPoses | None:
+    """Return the poses that --grid or --poses selects; None without either.
 
     Raises click.UsageError if both are given.
     """

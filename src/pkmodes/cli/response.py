@@ -16,7 +16,7 @@ from pkmodes.api import load
 from pkmodes.cli.delivery import ResultFile, deliver
 from pkmodes.cli.option_table import OptionTable, entry, option
 from pkmodes.cli.options import PATH, comma_list, drives_option, forwarded_mechanism_option, robot_argument
-from pkmodes.cli.poses import pose_of, pose_option
+from pkmodes.cli.poses import parse_pose_option, pose_option
 from pkmodes.cli.reporting import report_file
 from pkmodes.core.base.drives import Drives
 from pkmodes.core.base.errors import PkmodesError, shown
@@ -39,8 +39,8 @@ class ResonanceDocument(Document, frozen=True):
     @classmethod
     def of_resonance(cls, resonance: Resonance) -> Self:
         """Return the document of a resonance."""
-        output, _, into = resonance.channel.partition("/")
-        return cls(output=output, input=into, mode=resonance.mode, frequency_hz=resonance.frequency)
+        output, _, input_name = resonance.channel.partition("/")
+        return cls(output=output, input=input_name, mode=resonance.mode, frequency_hz=resonance.frequency)
 
 
 class ResponseDocument(Document, frozen=True):
@@ -156,7 +156,7 @@ class ResponseOptions(OptionTable):
     epilog="\b\nExample:\n  pkmodes response robots/linear-delta-2022.toml --pose 0.6,0,-0.245 \\\n"
     "    --drives held --inputs motor_1,force_x --outputs p_x,p_z \\\n    --frequencies 5:400:1000"
 )
-@ResponseOptions.taken_by
+@ResponseOptions.add_to
 def response(options: ResponseOptions) -> None:
     """Compute how the machine responds to its motors and to forces, as functions of frequency.
 
@@ -166,38 +166,42 @@ def response(options: ResponseOptions) -> None:
     from pkmodes.machine.response.resonances import resonance_of
 
     options.check_files()
-    frequencies = _frequencies(options.frequencies, options.log)
+    frequencies = _parse_frequencies(options.frequencies, options.log)
     options.check_needs()
     sources = options.sources()
-    model, before = load(options.robot), None if options.before is None else load(options.before)
-    if before is not None and before.robot.mechanism_name != model.robot.mechanism_name:
+    model, model_before = load(options.robot), None if options.before is None else load(options.before)
+    if model_before is not None and model_before.robot.mechanism_name != model.robot.mechanism_name:
         expected = f"a {model.robot.mechanism_name} like the robot that is drawn"
-        problem = f"expected {expected}, found a {before.robot.mechanism_name}"
+        problem = f"expected {expected}, found a {model_before.robot.mechanism_name}"
         remedy = "give the file of the same machine before it was corrected"
         raise PkmodesError(problem, f"--before {options.before}", remedy)
-    point = pose_of(model, options.pose)
+    pose = parse_pose_option(model, options.pose)
     inputs = comma_list(options.inputs, "--inputs", "--inputs torque_1,force_x")
-    names = comma_list(options.outputs, "--outputs", "--outputs p_x,nozzle=1:1:0")
-    outputs, passed = list(map(_output, names)), options.passed()
+    output_names = comma_list(options.outputs, "--outputs", "--outputs p_x,nozzle=1:1:0")
+    outputs, arguments = list(map(_parse_output, output_names)), options.call_arguments()
     say("computing the responses")
-    with options.named():
-        result = model.frf(point, frequencies, inputs, outputs, **passed)
-        first = None if before is None else before.frf(point, frequencies, inputs, outputs, **passed)
-        system = None
+    with options.name_in_errors():
+        result = model.frf(pose, frequencies, inputs, outputs, **arguments)
+        response_before = (
+            None
+            if model_before is None
+            else model_before.frf(pose, frequencies, inputs, outputs, **arguments)
+        )
+        state_space_model = None
         if options.model_file is not None:
-            system = model.state_space(point, inputs, outputs, modes=options.modes, **passed)
+            state_space_model = model.state_space(pose, inputs, outputs, modes=options.modes, **arguments)
     measured = None
     if options.measured is not None:
         if options.measured.suffix.lower() == ".toml":
             from pkmodes.machine.response.campaign_responses import campaign_response
 
-            measured = campaign_response(options.measured, point, options.quantity, result.inputs)
+            measured = campaign_response(options.measured, pose, options.quantity, result.inputs)
         else:
             from pkmodes.machine.response.measured import read_response
 
             measured = read_response(options.measured)
-    drawn = DrawnChannels.of(result, measured)
-    resonance = resonance_of(result, drawn) if len(frequencies) > 1 else None
+    drawn_channels = DrawnChannels.of(result, measured)
+    resonance = resonance_of(result, drawn_channels) if len(frequencies) > 1 else None
     document = ResponseDocument.of(
         result,
         robot=model.robot.name,
@@ -212,28 +216,32 @@ def response(options: ResponseOptions) -> None:
         from pkmodes.pages.figures.files import image_bytes
         from pkmodes.pages.figures.response_picture import response_picture
 
-        kind = options.figure.suffix[1:].lower()
-        picture = image_bytes(response_picture(result, measured, before=first), kind)
+        image_format = options.figure.suffix[1:].lower()
+        picture = image_bytes(response_picture(result, measured, before=response_before), image_format)
         files.append(ResultFile(options.figure, lambda: picture))
-    if system is not None:
-        files.append(ResultFile(options.model_file, system.as_mat))
+    if state_space_model is not None:
+        files.append(ResultFile(options.model_file, state_space_model.as_mat))
     if options.report_to is not None:
         from pkmodes.pages.report.response import response_report
 
         say("drawing the report")
-        page = response_report(model, result, measured, sources, first)  # drawn before anything is written
+        page = response_report(
+            model, result, measured, sources, response_before
+        )  # drawn before anything is written
         files.append(report_file(options.report_to, lambda: page))
 
     def show() -> None:
         from pkmodes.cli.terminal import Terminal
         from pkmodes.pages.report.response import largest_responses_table, response_summary
 
-        Terminal().result(response_summary(model, result, drawn), largest_responses_table(drawn))
+        Terminal().result(
+            response_summary(model, result, drawn_channels), largest_responses_table(drawn_channels)
+        )
 
     deliver(options.json_file, document.as_json(), show, *files)
 
 
-def _output(name: str) -> str | Mapping[str, Sequence[float]]:
+def _parse_output(name: str) -> str | Mapping[str, Sequence[float]]:
     """Read an output: a name, or a direction such as ``nozzle=1:1:0``."""
     label, equals, direction = name.partition("=")
     if not equals:
@@ -245,7 +253,7 @@ def _output(name: str) -> str | Mapping[str, Sequence[float]]:
         raise PkmodesError(problem, f"--outputs {label}", "for example: nozzle=1:1:0") from None
 
 
-def _frequencies(text: str, log: bool) -> NDArray[np.float64]:
+def _parse_frequencies(text: str, log: bool) -> NDArray[np.float64]:
     """Read ``START:STOP:COUNT`` in Hz.
 
     Raises PkmodesError if it is not a range of frequencies, or not one that equal ratios divide.

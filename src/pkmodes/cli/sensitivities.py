@@ -15,7 +15,7 @@ from pkmodes.api import load
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.option_table import OptionTable, entry, option
 from pkmodes.cli.options import comma_list, drives_option, forwarded_mechanism_option, robot_argument
-from pkmodes.cli.poses import pose_of, pose_option
+from pkmodes.cli.poses import parse_pose_option, pose_option
 from pkmodes.cli.reporting import report_file
 from pkmodes.core.base.drives import Drives
 from pkmodes.core.support.documents import Count, Document, Matrix
@@ -116,7 +116,7 @@ class SensitivitiesOptions(OptionTable):
     epilog="\b\nExample:\n  pkmodes sensitivities robots/linear-delta-2022.toml --pose 0.6,0,-0.245 \\\n"
     "    --parameters platform.mass,axis.span,effects.gearbox_compliance.compliance"
 )
-@SensitivitiesOptions.taken_by
+@SensitivitiesOptions.add_to
 def sensitivities(options: SensitivitiesOptions) -> None:
     """Compute exact derivatives of the frequencies at a pose with respect to the robot's quantities and to effects.
 
@@ -135,10 +135,10 @@ def sensitivities(options: SensitivitiesOptions) -> None:
         else comma_list(parameters, "--parameters", PARAMETERS_EXAMPLE, "parameter paths")
     )
     model = load(options.robot)
-    point = pose_of(model, options.pose)
-    modes = model.modes(point, drives=drives)
+    pose_components = parse_pose_option(model, options.pose)
+    modes = model.modes(pose_components, drives=drives)
     say("differentiating the modes")
-    derivatives = model.sensitivities(point, paths, drives=drives)
+    derivatives = model.sensitivities(pose_components, paths, drives=drives)
     relative = relative_of(derivatives.frequencies, derivatives.values, modes.frequencies)
     content = SensitivitiesDocument.of(
         derivatives,

@@ -1,4 +1,4 @@
-"""Values of parameters on the command line: ranges that are swept, and the layer heights of a print that grows."""
+"""Values of parameters on the command line: ranges to sweep, and the heights of a growing print."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def settings_option(meaning: str) -> Callable[[Any], Any]:
     return click.option("--set", "settings", metavar="PATH=START:STOP:COUNT", multiple=True, help=meaning)
 
 
-def settings_given(model: Model, texts: tuple[str, ...]) -> dict[str, Any] | None:
+def parse_settings_option(model: Model, texts: tuple[str, ...]) -> dict[str, Any] | None:
     """Return the values of ``--set`` by path; None without any.
 
     Raises PkmodesError as `pkmodes.machine.maps.ranges.parse_settings` does.
@@ -44,7 +44,7 @@ def settings_given(model: Model, texts: tuple[str, ...]) -> dict[str, Any] | Non
     return parse_settings(texts, changeable_units(model.robot), "--set")
 
 
-def height_given(
+def parse_height_option(
     model: Model, text: str | None, settings: Mapping[str, Any] | None
 ) -> tuple[float, float] | None:
     """Return the heights of the first and the last value of ``--set`` [m]; None without ``--height``.

@@ -15,9 +15,9 @@ from pkmodes.api import load
 from pkmodes.cli.delivery import ResultFile, deliver
 from pkmodes.cli.option_table import OptionTable, entry, option
 from pkmodes.cli.options import PATH, comma_list, forwarded_mechanism_option, quantity_parser
-from pkmodes.cli.poses import grid_option, places_given, poses_option
+from pkmodes.cli.poses import grid_option, poses_option, selected_poses
 from pkmodes.cli.reporting import report_file
-from pkmodes.cli.settings import height_given, height_option, settings_given, settings_option
+from pkmodes.cli.settings import height_option, parse_height_option, parse_settings_option, settings_option
 from pkmodes.core.base.drives import DRIVES
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.core.support.extras import require
@@ -25,7 +25,7 @@ from pkmodes.core.support.extras import require
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from pkmodes.cli.layout import Shown
+    from pkmodes.cli.layout import TerminalBlock
     from pkmodes.core.model import Model
     from pkmodes.machine.shaping.measured_spectrum import MeasuredSpectrum
     from pkmodes.machine.shaping.results import Choice
@@ -169,7 +169,7 @@ class _Result:
     choice: Choice
     content: dict[str, Any]
     page: Callable[[], str]
-    blocks: Callable[[], tuple[Summary, Sequence[Shown]]]
+    blocks: Callable[[], tuple[Summary, Sequence[TerminalBlock]]]
 
 
 @click.command(
@@ -178,7 +178,7 @@ class _Result:
     "  pkmodes shaper robots/clavel-delta.toml --set effects.payload.mass=0:400g:3\n"
     "  pkmodes shaper --measured modes.csv --spectrum psd_x.csv --figure left.png"
 )
-@ShaperOptions.taken_by
+@ShaperOptions.add_to
 def shaper(options: ShaperOptions) -> None:
     """Choose an input shaper: the best fixed shaper of each kind, beside those that follow the pose.
 
@@ -205,7 +205,7 @@ def shaper(options: ShaperOptions) -> None:
         from pkmodes.machine.shaping.measured_spectrum import read_spectrum
 
         spectrum = read_spectrum(options.spectrum)
-    with options.named(kind="--shapers", poses="--poses" if options.poses else "--grid"):
+    with options.name_in_errors(kind="--shapers", poses="--poses" if options.poses else "--grid"):
         choose = _shapers_for_robot if measured is None else _shapers_for_measured
         result = choose(options, spectrum, sources)
     from pkmodes.pages.report.shaper_curves import curves_csv, over_frequency
@@ -217,8 +217,8 @@ def shaper(options: ShaperOptions) -> None:
         from pkmodes.pages.figures.pictures import Picture
 
         drawing, caption = over_frequency(result.choice, spectrum)
-        kind = options.figure.suffix[1:].lower()
-        picture = image_bytes(Picture("shapers", "Input shapers", caption, drawing), kind)
+        image_format = options.figure.suffix[1:].lower()
+        picture = image_bytes(Picture("shapers", "Input shapers", caption, drawing), image_format)
 
     def show() -> None:
         from pkmodes.cli.terminal import Terminal
@@ -242,11 +242,16 @@ def _shapers_for_robot(
 
     kinds = options.kind_names  # refused before a file is read
     model = load(cast("Path", options.robot))
-    settings = settings_given(model, options.settings)
-    heights = height_given(model, options.height, settings)
-    points = _poses(model, options.grid, options.poses, settings)
+    settings = parse_settings_option(model, options.settings)
+    heights = parse_height_option(model, options.height, settings)
+    poses = _poses(model, options.grid, options.poses, settings)
     choice = model.shapers(
-        points, kinds, settings=settings, height=heights, drives=options.drives, **options.passed(ROBOT)
+        poses,
+        kinds,
+        settings=settings,
+        height=heights,
+        drives=options.drives,
+        **options.call_arguments(ROBOT),
     )
     content = shaper_document(model, choice, spectrum).as_json()
 
@@ -255,12 +260,12 @@ def _shapers_for_robot(
 
         return shaper_report(model, choice, content, sources, spectrum)
 
-    def blocks() -> tuple[Summary, Sequence[Shown]]:
+    def blocks() -> tuple[Summary, Sequence[TerminalBlock]]:
         from pkmodes.pages.report.firmware_lines import firmware_lines, schedule_lines
         from pkmodes.pages.report.shaper import machine, shaper_summary, shapers_tables
         from pkmodes.pages.report.shaper_schedule import schedule_blocks
 
-        printed: list[Shown] = [
+        printed: list[TerminalBlock] = [
             machine(model, choice, content),
             *shapers_tables(choice),
             *schedule_blocks(choice),
@@ -273,25 +278,27 @@ def _shapers_for_robot(
 
 
 def _poses(
-    model: Model, grid: str | None, poses: Path | None, swept: Mapping[str, Any] | None
+    model: Model, grid: str | None, poses: Path | None, settings: Mapping[str, Any] | None
 ) -> NDArray[np.float64]:
-    """Return the poses, by default those of the workspace that can be evaluated."""
+    """Return the selected poses, by default the usable ones of the workspace."""
     from pkmodes.machine.maps.workspace import grid_over_workspace, limits_test
 
-    places = places_given(model, grid, poses)
-    combinations = math.prod(len(values) for values in (swept or {}).values())
-    count = 0 if places is None else math.prod(places.shape) * combinations
+    pose_selection = selected_poses(model, grid, poses)
+    combinations = math.prod(len(values) for values in (settings or {}).values())
+    count = 0 if pose_selection is None else math.prod(pose_selection.shape) * combinations
     if count > MAX_POSES:
         noun = "poses" if combinations == 1 else "poses times values"
         problem = f"expected at most {MAX_POSES:,} {noun}, found {count:,}"
         raise PkmodesError(
             problem, "--grid" if grid else "--poses", "give fewer: shapers differ little between neighbours"
         )
-    if places is not None:
-        return np.asarray(places.points(np.arange(int(np.prod(places.shape)))))
+    if pose_selection is not None:
+        return np.asarray(pose_selection.points(np.arange(int(np.prod(pose_selection.shape)))))
     workspace_grid = grid_over_workspace(model)
-    points = workspace_grid.points(np.arange(int(np.prod(workspace_grid.shape))))
-    return np.asarray(points[model.check(points).valid & limits_test(model)(points)])
+    workspace_poses = workspace_grid.points(np.arange(int(np.prod(workspace_grid.shape))))
+    return np.asarray(
+        workspace_poses[model.check(workspace_poses).valid & limits_test(model)(workspace_poses)]
+    )
 
 
 def _shapers_for_measured(
@@ -304,7 +311,7 @@ def _shapers_for_measured(
 
     kinds = options.kind_names  # refused before a file is read
     data = read_any(cast("Path", options.measured), drives=options.drives)
-    choice = measured_shapers(data, kinds, **options.passed(MEASURED))
+    choice = measured_shapers(data, kinds, **options.call_arguments(MEASURED))
     content = measured_document(choice, spectrum).as_json()
 
     def page() -> str:
@@ -312,11 +319,11 @@ def _shapers_for_measured(
 
         return measured_shaper_report(choice, content, sources, spectrum)
 
-    def blocks() -> tuple[Summary, Sequence[Shown]]:
+    def blocks() -> tuple[Summary, Sequence[TerminalBlock]]:
         from pkmodes.pages.report.firmware_lines import firmware_lines
         from pkmodes.pages.report.shaper_measured import measured_shaper_summary, modes_table, shapers_table
 
-        printed: list[Shown] = [
+        printed: list[TerminalBlock] = [
             shapers_table(choice),
             modes_table(content, MAX_PRINTED_MODES),
             *firmware_lines(content),

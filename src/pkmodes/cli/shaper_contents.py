@@ -1,4 +1,4 @@
-"""The JSON of ``pkmodes shaper`` made of a choice: for a robot, and for measured modes."""
+"""The JSON of ``pkmodes shaper``, made from a choice of shapers: for a robot, and for measured modes."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def shaper_document(model: Model, choice: Choice, spectrum: MeasuredSpectrum | N
     from pkmodes.machine.shaping.remarks import firmware_remarks
     from pkmodes.machine.shaping.version_lines import current_lines
 
-    spectrum_part, spectrum_notes = SpectrumDocument.seen(spectrum, choice)
+    spectrum_part, spectrum_notes = SpectrumDocument.with_notes(spectrum, choice)
     return ShaperDocument(
         robot=model.robot.name,
         drives=cast("Drives", choice.ringing.drives),
@@ -137,9 +137,9 @@ def measured_document(choice: Choice, spectrum: MeasuredSpectrum | None) -> Meas
     from pkmodes.machine.shaping.choice import lines_of
     from pkmodes.machine.shaping.remarks import firmware_remarks
 
-    at = of_measured(choice)
-    data, best = at.data, choice.best
-    spectrum_part, spectrum_notes = SpectrumDocument.seen(spectrum, choice)
+    measured_choice = of_measured(choice)
+    data, best = measured_choice.data, choice.best
+    spectrum_part, spectrum_notes = SpectrumDocument.with_notes(spectrum, choice)
     shapers = []
     for candidate in choice.candidates:
         shapers.append(
@@ -149,11 +149,11 @@ def measured_document(choice: Choice, spectrum: MeasuredSpectrum | None) -> Meas
                 duration_s=candidate.duration,
                 max_acceleration=candidate.max_acceleration,
                 rounding_s2=candidate.rounding,
-                left=at.shares(candidate),
+                left=measured_choice.shares(candidate),
             )
         )
     modes = []
-    for row, share, largest_share in zip(at.rows, *at.left_of(best), strict=True):
+    for row, share, largest_share in zip(measured_choice.rows, *measured_choice.left_of(best), strict=True):
         has_damping = np.isfinite(data.damping[row])
         modes.append(
             MeasuredModeDocument(
@@ -161,16 +161,16 @@ def measured_document(choice: Choice, spectrum: MeasuredSpectrum | None) -> Meas
                 line=int(data.lines[row]),
                 frequency_hz=float(data.frequency[row]),
                 sigma_hz=float(data.sigma[row]),
-                damping_ratio=float(data.damping[row]) if has_damping else at.assumed,
+                damping_ratio=float(data.damping[row]) if has_damping else measured_choice.assumed,
                 left=float(share),
                 left_uncertain=float(largest_share),
             )
         )
     return MeasuredShaperDocument(
         measured=data.source,
-        drives=cast("Drives", at.drives),
-        poses=len(np.unique(data.pose[at.rows])),
-        modes=len(at.rows),
+        drives=cast("Drives", measured_choice.drives),
+        poses=len(np.unique(data.pose[measured_choice.rows])),
+        modes=len(measured_choice.rows),
         shapers=shapers,
         recommended=choice.recommended,
         measured_modes=modes,

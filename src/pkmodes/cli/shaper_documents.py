@@ -217,8 +217,8 @@ class SpectrumDocument(Document, frozen=True):
     ]
 
     @classmethod
-    def seen(cls, spectrum: MeasuredSpectrum | None, choice: Choice) -> tuple[Self | None, list[str]]:
-        """Return the document of a spectrum, and what is to be said of it; nothing without one."""
+    def with_notes(cls, spectrum: MeasuredSpectrum | None, choice: Choice) -> tuple[Self | None, list[str]]:
+        """Return the document of a spectrum, and notes on it; None and no notes without a spectrum."""
         if spectrum is None:
             return None, []
         from pkmodes.machine.shaping.residual_vibration import residual

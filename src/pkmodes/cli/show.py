@@ -23,7 +23,7 @@ from pkmodes.cli.options import (
     overwrite_option,
     robot_argument,
 )
-from pkmodes.cli.poses import pose_of
+from pkmodes.cli.poses import parse_pose_option
 from pkmodes.cli.targets import Target, check_targets
 from pkmodes.core.base.errors import PkmodesError, nearest_name, shown
 from pkmodes.core.support.documents import Document
@@ -108,7 +108,7 @@ def show(
         raise PkmodesError("a moving picture has no sliders", VARY_OPTION, "name FILE.html")
     model = load(robot)
     ranges = None if vary is None else parse_vary(vary, model.robot)
-    shown_pose = typical_pose(model).tolist() if pose is None else pose_of(model, pose)
+    shown_pose = typical_pose(model).tolist() if pose is None else parse_pose_option(model, pose)
     say("drawing the moving picture" if is_gif else "computing the modes over the workspace")
     if is_gif:
         from pkmodes.pages.plots.animation import animation

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rich.console import Console
 
-from pkmodes.cli.layout import INDENT, Shown, lines_of, terminal_text, wrap_sentence
+from pkmodes.cli.layout import INDENT, TerminalBlock, block_lines, terminal_text, wrap_sentence
 from pkmodes.core.base.errors import printable
 from pkmodes.pages.report.blocks import Facts, Paragraph, Summary
 
@@ -53,13 +53,13 @@ class Terminal:
             self.line()
             self.line(f"note: {terminal_text(note)}")
 
-    def result(self, head: Summary, *blocks: Shown) -> None:
+    def result(self, head: Summary, *blocks: TerminalBlock) -> None:
         """Print a result: its head, blocks, and notes."""
         self.summary(head)
         self.show(*blocks)
         self.notes(head)
 
-    def show(self, *blocks: Shown) -> None:
+    def show(self, *blocks: TerminalBlock) -> None:
         """Print blocks as on the page of a result, each after an empty line except after a paragraph ending in :."""
         announced = False
         for block in blocks:
@@ -68,7 +68,7 @@ class Terminal:
             announced = isinstance(block, Paragraph) and block.text.endswith(":")
             self.block(block)
 
-    def block(self, block: Shown) -> None:
+    def block(self, block: TerminalBlock) -> None:
         """Print a block."""
-        for part in lines_of(block, self._width):
+        for part in block_lines(block, self._width):
             self._console.print(part, soft_wrap=True)

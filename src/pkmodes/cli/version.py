@@ -1,4 +1,4 @@
-"""``pkmodes --version``; with ``--verbose`` what a bug report should state."""
+"""``pkmodes --version``; with ``--verbose`` also the facts that a bug report should state."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def print_version(ctx: click.Context, _: click.Parameter, requested: bool) -> No
 
 
 def version_facts() -> Iterator[tuple[str, str]]:
-    """Yield name and value of what results and their speed may depend on."""
+    """Yield name and value of everything on which results and their speed may depend."""
     yield "Python", f"{platform.python_version()} ({sys.executable})"
     yield "system", f"{platform.system()} {platform.release()}, {build.machine()}"
     yield from _libraries()
@@ -78,7 +78,7 @@ def version_facts() -> Iterator[tuple[str, str]]:
 
 
 def _libraries() -> Iterator[tuple[str, str]]:
-    """Yield the versions of all libraries that pkmodes uses, those of its extras for users among them."""
+    """Yield the versions of all libraries that pkmodes uses, including those of its extras for users."""
     core, extras = dict[str, str](), dict[str, str]()
     for requirement in metadata.requires("pkmodes") or ():
         if any(f"'{extra}'" in requirement for extra in DEVELOPER_EXTRAS):

@@ -22,10 +22,11 @@ from pkmodes.core.support.writing import write_files
 
 #: The extra `derive` of pyproject.toml, repeated here so that it can be installed without a pkmodes index entry.
 REQUIREMENTS = ("jinja2>=3.1", "sympy==1.14.0")
-LARGEST_FILE = 1_000_000
+#: Maximum size of a definition or effect [bytes].
+MAX_FILE_SIZE = 1_000_000
 
 
-def derivation(name: str) -> ModuleType:
+def import_derivation(name: str) -> ModuleType:
     """Import a module of the derivation.
 
     Raises MissingExtraError if SymPy or Jinja2 is not installed.
@@ -81,7 +82,7 @@ def python_text(file: Path, noun: str, remedy: str) -> str:
     if file.exists() and not file.is_file():
         raise PkmodesError(f"cannot read the {noun}: it is not a file", str(file), remedy)
     try:
-        if file.stat().st_size > LARGEST_FILE:
+        if file.stat().st_size > MAX_FILE_SIZE:
             raise PkmodesError(f"cannot read the {noun}: it is larger than 1 MB", str(file), remedy)
         return file.read_text(encoding="utf-8-sig")
     except UnicodeDecodeError as error:
@@ -92,13 +93,13 @@ def python_text(file: Path, noun: str, remedy: str) -> str:
         raise PkmodesError(f"cannot read the {noun}: {reason}", str(file), remedy) from None
 
 
-def define(definition: Definition) -> None:
+def register_definition(definition: Definition) -> None:
     """Register a definition with the derivation.
 
     Raises PkmodesError if the definition is invalid; the message gives the line.
     """
     with as_pkmodes_errors():
-        derivation("mechanisms").add(definition.name, definition.text, str(definition.file))
+        import_derivation("mechanisms").add(definition.name, definition.text, str(definition.file))
 
 
 def definition_of(mechanism: Mechanism) -> Definition | None:
@@ -118,7 +119,7 @@ def definition_of(mechanism: Mechanism) -> Definition | None:
 @contextmanager
 def as_pkmodes_errors() -> Iterator[None]:
     """Convert errors of a definition to `PkmodesError`."""
-    definition_error = derivation("definition").DefinitionError
+    definition_error = import_derivation("definition").DefinitionError
     try:
         yield
     except definition_error as error:
@@ -126,12 +127,14 @@ def as_pkmodes_errors() -> Iterator[None]:
 
 
 def add_effects(name: str, files: Sequence[Definition]) -> None:
-    """Give a mechanism of the derivation the user's effects, and no others.
+    """Set the user's effects of a mechanism in the derivation: these and no others.
 
     Raises PkmodesError if one is invalid; the message gives the line.
     """
     with as_pkmodes_errors():
-        derivation("mechanisms").add_effects(name, [(effect.text, str(effect.file)) for effect in files])
+        import_derivation("mechanisms").add_effects(
+            name, [(effect.text, str(effect.file)) for effect in files]
+        )
 
 
 def effects_of(mechanism: Mechanism) -> list[Definition]:
@@ -141,7 +144,7 @@ def effects_of(mechanism: Mechanism) -> list[Definition]:
 
 def with_stored_effects(mechanism: Mechanism, effects: Sequence[Definition]) -> list[Definition]:
     """Return the user's effects after those stored with a mechanism's code, without stored ones of the same name."""
-    effect_file = derivation("effect_file")
+    effect_file = import_derivation("effect_file")
     with as_pkmodes_errors():
         replaced = {
             effect_file.file_name(effect_file.read(effect.text, str(effect.file))) for effect in effects
@@ -149,7 +152,7 @@ def with_stored_effects(mechanism: Mechanism, effects: Sequence[Definition]) -> 
     return [*(stored for stored in effects_of(mechanism) if stored.file.name not in replaced), *effects]
 
 
-def parametric(
+def derive_mechanism(
     name: str,
     definition: Definition | None,
     reference: str = "",
@@ -165,15 +168,15 @@ def parametric(
     """
     files = dict(sorted((effects or {}).items()))
     if definition is not None:
-        define(definition)
+        register_definition(definition)
     add_effects(name, list(files.values()))
     with as_pkmodes_errors():
-        texts: dict[str, str] = derivation("emit.product").parametric(name, reference, tuple(files))
+        texts: dict[str, str] = import_derivation("emit.product").parametric(name, reference, tuple(files))
     return texts
 
 
 @contextmanager
-def staged(name: str, texts: dict[str, str]) -> Iterator[Mechanism]:
+def staged_mechanism(name: str, texts: dict[str, str]) -> Iterator[Mechanism]:
     """Register a mechanism from code that has not been written to its folder yet."""
     with TemporaryDirectory(prefix="pkmodes-") as folder:
         write_files(Path(folder) / name, texts)

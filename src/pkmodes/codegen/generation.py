@@ -14,14 +14,14 @@ from pkmodes.codegen.derivation import (
     Definition,
     add_effects,
     as_pkmodes_errors,
-    define,
     definition_of,
-    derivation,
+    derive_mechanism,
     effects_of,
-    parametric,
+    import_derivation,
     read_definition,
     read_effect,
-    staged,
+    register_definition,
+    staged_mechanism,
     with_stored_effects,
 )
 from pkmodes.codegen.product_folder import (
@@ -51,19 +51,19 @@ def specification(robot: Robot, robot_file: str, definition: str = "") -> Any:
     """
     stored_definition = definition_of(robot.mechanism)
     if stored_definition is not None:
-        define(stored_definition)
+        register_definition(stored_definition)
     add_effects(robot.mechanism_name, effects_of(robot.mechanism))
     parameters = {
         name: value.tolist() if hasattr(value, "tolist") else value
         for name, value in robot.parameters._asdict().items()
     }
-    # Of the declared effects also the parameters that are not given.
+    # All parameters of the declared effects, also those that the file does not give.
     effects = {
         f"{name}_{parameter.name}": robot.effects.get(f"{name}.{parameter.name}", 0.0)
         for name in dict.fromkeys(path.partition(".")[0] for path in robot.effects)
         for parameter in robot.mechanism.effects[name].parameters
     }
-    return derivation("emit.specification").Specification(
+    return import_derivation("emit.specification").Specification(
         name=robot.name,
         mechanism=robot.mechanism_name,
         robot_file=robot_file,
@@ -76,16 +76,16 @@ def specification(robot: Robot, robot_file: str, definition: str = "") -> Any:
     )
 
 
-def specialised(specification: Any) -> dict[str, str]:
+def derive_robot_model(specification: Any) -> dict[str, str]:
     """Derive the model of one robot and return its texts by file name."""
     with as_pkmodes_errors():
-        texts: dict[str, str] = derivation("emit.product").specialised(specification)
+        texts: dict[str, str] = import_derivation("emit.product").specialised(specification)
     return texts
 
 
 @dataclass(frozen=True)
 class _Folder:
-    """A folder of generated code, its manifest before anything is derived, and what else may be in it."""
+    """A folder of generated code, its manifest before anything is derived, and other paths that may be in it."""
 
     path: Path
     manifest: dict[str, Any] | None
@@ -110,7 +110,7 @@ class _Folder:
 
     def write(self, texts: Mapping[str, str]) -> list[Path]:
         """Write the generated files and remove those that a previous generation wrote under other names."""
-        generated = derivation("emit.currency").carries_header
+        generated = import_derivation("emit.currency").carries_header
         stale = [] if self.manifest is None else stale_outputs(self.path, self.manifest, texts, generated)
         written = write_files(self.path, texts)
         for path in stale:
@@ -151,8 +151,8 @@ def generate(
     robot = read_robot(robot_file)
     folder = _Folder.checked(out, robot_file)
     mechanism_folder = folder_of(robot.mechanism.package)
-    reference = relative(Path(mechanism_folder), out) if mechanism_folder else ""
-    texts = _texts(robot, robot_file, folder, reference)
+    reference = relative_path(Path(mechanism_folder), out) if mechanism_folder else ""
+    texts = _derive_texts(robot, robot_file, folder, reference)
     with folder_lock(out):
         folder.check_again(texts)
         return folder.write(texts)
@@ -179,10 +179,10 @@ def _generate_both(
     check_no_link(package)
     mechanism_folder = _Folder.checked(package)
     check_mechanism(package, mechanism_folder.manifest, name)
-    references = {relative(effect.file, package): effect for effect in effects}
-    definition_reference = "" if definition is None else relative(definition.file, package)
-    mechanism_texts = parametric(name, definition, definition_reference, references)
-    with staged(name, mechanism_texts):
+    references = {relative_path(effect.file, package): effect for effect in effects}
+    definition_reference = "" if definition is None else relative_path(definition.file, package)
+    mechanism_texts = derive_mechanism(name, definition, definition_reference, references)
+    with staged_mechanism(name, mechanism_texts):
         robot = read_robot(robot_file)
         if robot.mechanism_name != name:
             problem = f"the robot is a {robot.mechanism_name}, not a {name}"
@@ -190,7 +190,7 @@ def _generate_both(
             raise PkmodesError(problem, f"{robot_file}: mechanism", remedy)
         # The mechanism's folder has its definition and its effects; a definition without effects is named directly.
         source = package if definition is None or effects else definition.file
-        robot_texts = _texts(robot, robot_file, robot_folder, relative(source, out))
+        robot_texts = _derive_texts(robot, robot_file, robot_folder, relative_path(source, out))
     with folder_lock(out):
         check_no_link(package)
         mechanism_folder.check_again(mechanism_texts)
@@ -200,15 +200,15 @@ def _generate_both(
     return written
 
 
-def _texts(robot: Robot, robot_file: Path, folder: _Folder, definition: str) -> dict[str, str]:
+def _derive_texts(robot: Robot, robot_file: Path, folder: _Folder, definition: str) -> dict[str, str]:
     """Derive the model of a robot, for a folder that is free or already holds this robot's model."""
-    reference = relative(robot_file, folder.path)
+    reference = relative_path(robot_file, folder.path)
     if folder.manifest is not None:
         check_owner(folder.path, folder.manifest, reference, robot.name)
-    return specialised(specification(robot, reference, definition))
+    return derive_robot_model(specification(robot, reference, definition))
 
 
-def relative(source: Path, out: Path) -> str:
+def relative_path(source: Path, out: Path) -> str:
     """Return a path relative to the output folder, with forward slashes."""
     return Path(os.path.relpath(source.resolve(), out.resolve())).as_posix()
 
@@ -224,7 +224,7 @@ def _read_manifest(folder: Path) -> dict[str, Any] | None:
         reason = (getattr(error, "strerror", None) or str(error)).lower()
         raise OutputError(f"cannot write: {reason}", shown(str(folder)), "choose another place") from None
     try:
-        content: dict[str, Any] = derivation("emit.currency").read_manifest(folder)
+        content: dict[str, Any] = import_derivation("emit.currency").read_manifest(folder)
     except (ValueError, OSError) as error:
         raise OutputError(
             f"the folder holds a manifest that cannot be read: {error}",

@@ -17,7 +17,7 @@ from pkmodes.core.support.writing import write_error
 
 MANIFEST = "manifest.json"
 #: The lock file: hidden, and removed at the end.
-LOCK = ".pkmodes-generate.lock"
+LOCK_FILE = ".pkmodes-generate.lock"
 #: Time to wait for another process that is writing [s].
 LOCK_TIMEOUT = 60
 FOLDER_REMEDY = "name a new or empty folder, such as --out build/my-robot"
@@ -106,20 +106,20 @@ def check_no_link(path: Path) -> None:
 
 
 def stale_outputs(
-    out: Path, manifest: Mapping[str, Any], names: Iterable[str], generated: Callable[[Path], bool]
+    out: Path, manifest: Mapping[str, Any], names: Iterable[str], is_generated: Callable[[Path], bool]
 ) -> list[Path]:
     """Return outputs of an earlier generation that are not among the new ones, as after renaming the robot.
 
     - manifest: the manifest in the folder
     - names: files that are about to be written
-    - generated: returns whether a file carries the generator's header
+    - is_generated: returns whether a file carries the generator's header
 
     Raises OutputError if one of the new outputs would replace a file that the generator did not write.
     """
     previous = manifest["outputs"]
     for name in names:
         path = out / name
-        if name != MANIFEST and name not in previous and path.exists() and not generated(path):
+        if name != MANIFEST and name not in previous and path.exists() and not is_generated(path):
             raise OutputError(
                 f"{name} would be replaced, but it was not generated",
                 str(out),
@@ -127,7 +127,7 @@ def stale_outputs(
             )
     # Only files directly in this folder, so that a manifest cannot cause the removal of anything elsewhere.
     present = [path for path in out.iterdir() if path.is_file() and not path.is_symlink()]
-    return [path for path in present if path.name in previous.keys() - set(names) and generated(path)]
+    return [path for path in present if path.name in previous.keys() - set(names) and is_generated(path)]
 
 
 @contextmanager
@@ -139,7 +139,7 @@ def folder_lock(folder: Path) -> Iterator[None]:
     from filelock import FileLock, Timeout
 
     created = [parent for parent in (folder, *folder.parents) if not parent.exists()]
-    lock = FileLock(folder / LOCK, timeout=LOCK_TIMEOUT)
+    lock = FileLock(folder / LOCK_FILE, timeout=LOCK_TIMEOUT)
     try:
         folder.mkdir(parents=True, exist_ok=True)
         lock.acquire()
@@ -154,7 +154,7 @@ def folder_lock(folder: Path) -> Iterator[None]:
         yield
     finally:
         with suppress(OSError):
-            (folder / LOCK).unlink()
+            (folder / LOCK_FILE).unlink()
         lock.release()
         for parent in created:
             with suppress(OSError):  # it is in use

@@ -131,7 +131,7 @@ def test_the_pointer_reads_and_a_click_moves_the_machine(mapped: tuple[Path, Any
         assert box is not None
         x, y = browser.page.evaluate(
             "(() => { const { chart } = document.querySelector('.explorer').explorer;"
-            "return [chart.across(50), chart.along(500)]; })()"
+            "return [chart.xPixel(50), chart.yPixel(500)]; })()"
         )
         browser.page.mouse.move(box["x"] + x, box["y"] + y)
         assert texts(browser, "where") == ["At the pointer"]
@@ -183,8 +183,10 @@ def test_it_opens_in_the_section_of_the_figures_with_their_axes(mapped: tuple[Pa
     with opened(page) as browser:
         started(browser)
         explorer = "document.querySelector('.explorer').explorer"
-        assert browser.page.evaluate(f"{explorer}.map.pose({explorer}.place)[2]") == pytest.approx(drawn.at)
-        names = browser.page.evaluate(f"{explorer}.shown.map((k) => {explorer}.data.components[k].name)")
+        assert browser.page.evaluate(f"{explorer}.map.pose({explorer}.poseIndex)[2]") == pytest.approx(
+            drawn.at
+        )
+        names = browser.page.evaluate(f"{explorer}.drawn.map((k) => {explorer}.data.components[k].name)")
         assert names == [drawn.across, drawn.along] == ["y", "x"]
 
 

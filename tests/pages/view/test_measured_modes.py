@@ -12,7 +12,7 @@ import pytest
 import pkmodes
 from helpers.pages.browser import opened
 from pkmodes.pages.view import Scene, page, scene
-from pkmodes.pages.view.measured_data import components, measured_data
+from pkmodes.pages.view.measured_data import channel_shapes, measured_data
 from pkmodes.pages.view.measured_modes import Channel, MeasuredMode, channel_weights, scale_factor
 
 ROBOTS = Path(__file__).parents[3] / "robots"
@@ -28,7 +28,7 @@ def measured_scene(shape: tuple[float, ...] = (), mode: int | None = 3) -> Scene
     seen = replace(
         bare, channels=tuple(Channel(name, units.get(name, "m")) for name in NAMES), labels=("P1", "P2")
     )
-    own = tuple(-2.5 * value for value in components(seen, 1)[3])
+    own = tuple(-2.5 * value for value in channel_shapes(seen, 1)[3])
     one = MeasuredMode(1, mode, "7", 48.25, 0.1, 0.987, shape or (*own[:3], NAN, own[4], NAN))
     return replace(seen, measured=(one,), what="as declared")
 
@@ -82,7 +82,7 @@ def test_a_wrong_component_moves_all_by_the_factor_of_least_squares() -> None:
     assert found is not None
     (one,) = found["modes"]
     measured = np.array([NAN if v is None else v for v in one["measured"]])
-    model, weights = np.array(one["model"]), channel_weights(components(seen, 1))
+    model, weights = np.array(one["model"]), channel_weights(channel_shapes(seen, 1))
     factor = measured[0] / shape[0]
     known = np.isfinite(shape)
 
@@ -114,7 +114,7 @@ def test_the_page_moves_the_measured_marks_and_tells_them_in_numbers(tmp_path: P
         assert text("place").startswith("P2: x = 500.0 mm")
         # The balls lie where the model is: the measured shape is that of the model.
         moved = np.reshape(
-            found.page.evaluate("document.querySelector('.pkview').viewer.stage.moved()"), (-1, 3)
+            found.page.evaluate("document.querySelector('.pkview').viewer.stage.displacedPoints()"), (-1, 3)
         )
         balls = found.page.evaluate(f"{marks}.arrows.map((a) => [a.point, a.parts[0].position.toArray()])")
         assert len(balls) == 3

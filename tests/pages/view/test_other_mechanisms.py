@@ -12,7 +12,7 @@ import pytest
 import pkmodes
 from helpers.commands.adding_a_mechanism import BLOCKS, DEFINITION, ROBOT
 from pkmodes.codegen.checking.consistency import check_drawing
-from pkmodes.codegen.derivation import Definition, define, parametric, staged
+from pkmodes.codegen.derivation import Definition, derive_mechanism, register_definition, staged_mechanism
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.mechanism import registry as known
 from pkmodes.core.mechanism.regular import sample_parameters
@@ -76,7 +76,9 @@ def five_bar(definition: str, tmp_path: Path) -> Iterator[pkmodes.Model]:
     file = tmp_path / "five_bar.py"
     file.write_text(definition, encoding="utf-8")
     (tmp_path / "robot.toml").write_text(ROBOT, encoding="utf-8")
-    with staged("five_bar", parametric("five_bar", Definition("five_bar", definition, file), "five_bar.py")):
+    with staged_mechanism(
+        "five_bar", derive_mechanism("five_bar", Definition("five_bar", definition, file), "five_bar.py")
+    ):
         yield pkmodes.load(tmp_path / "robot.toml")
 
 
@@ -120,5 +122,5 @@ def test_a_declared_drawing_colours_its_springs(tmp_path: Path) -> None:
 def test_mistakes_in_a_drawing_are_reported_with_their_line(line: str, message: str, tmp_path: Path) -> None:
     text = f"{DEFINITION}\n    {line}\n"
     with pytest.raises(PkmodesError, match=message) as error:
-        define(Definition("five_bar", text, tmp_path / "five_bar.py"))
+        register_definition(Definition("five_bar", text, tmp_path / "five_bar.py"))
     assert f"five_bar.py:{len(text.splitlines())}" in error.value.where

@@ -68,16 +68,16 @@ def clean(seen: Opened) -> None:
 def test_a_page_is_one_small_file_that_draws_a_moving_robot(pages: dict[str, Path], name: str) -> None:
     assert pages[name].stat().st_size < LARGEST
     with opened(pages[name], offline=True) as seen:
-        seen.page.evaluate("window.first = document.querySelector('.pkview').viewer.stage.moved()")
-        now = "document.querySelector('.pkview').viewer.stage.moved()"
+        seen.page.evaluate("window.first = document.querySelector('.pkview').viewer.stage.displacedPoints()")
+        now = "document.querySelector('.pkview').viewer.stage.displacedPoints()"
         seen.until(f"{now}.some((r, i) => Math.abs(r - first[i]) > 0.001)")  # plays by itself
         pixels = picture(seen)
         background = pixels[2, 2]
         assert (np.abs(pixels - background).sum(axis=-1) > 60).mean() > 0.02, "the picture is not blank"
         seen.page.get_by_role("button", name="Pause").click()
-        still = stage(seen, "viewer.stage.moved()")
+        still = stage(seen, "viewer.stage.displacedPoints()")
         seen.page.wait_for_timeout(300)
-        assert stage(seen, "viewer.stage.moved()") == still
+        assert stage(seen, "viewer.stage.displacedPoints()") == still
         clean(seen)
 
 
@@ -129,7 +129,7 @@ def test_what_moves_is_the_mode_of_the_model(pages: dict[str, Path]) -> None:
         for m in range(3, 9):
             seen.page.locator(f'[data-part="mode"][value="{m}"]').check()
             rest = stage(seen, "viewer.state.points")
-            moved = np.subtract(stage(seen, "viewer.stage.moved()"), rest).reshape(-1, 3)
+            moved = np.subtract(stage(seen, "viewer.stage.displacedPoints()"), rest).reshape(-1, 3)
             expected = modes.platform_shapes[m]
             cosine = moved[0] @ expected / np.linalg.norm(moved[0]) / np.linalg.norm(expected)
             assert abs(cosine) == pytest.approx(1.0, abs=1e-4)
@@ -155,9 +155,9 @@ def test_modes_poses_amplitude_and_speed_change_what_is_shown(pages: dict[str, P
         assert stage(seen, "viewer.state.points") != points
         assert seen.page.locator('[data-part="share"]').all_inner_texts() != shares
         assert (picture(seen) != other_mode).any()
-        moved = stage(seen, "viewer.stage.moved()")
+        moved = stage(seen, "viewer.stage.displacedPoints()")
         seen.page.locator('[data-part="amplitude"]').press("ArrowRight")
-        assert stage(seen, "viewer.stage.moved()") != moved
+        assert stage(seen, "viewer.stage.displacedPoints()") != moved
         assert text(seen, "amplitude-value") == "6.5 %"
         assert "changes the length" not in text(seen, "enlarged")
         seen.page.locator('[data-part="amplitude"]').press("End")
@@ -186,14 +186,14 @@ def test_another_part_of_the_page_moves_the_robot_and_learns_of_its_moves(pages:
             "window.moves = []; document.addEventListener('pkmodes-moved', (e) => moves.push(e.detail.pose))"
         )
         far = stage(seen, "viewer.data.poses.at(-1)")
-        between = stage(seen, "viewer.states.nearest([1.5, 2.5, 1.5])")
+        between = stage(seen, "viewer.states.nearestReachable([1.5, 2.5, 1.5])")
         seen.page.evaluate(
             "(pose) => document.dispatchEvent(new CustomEvent('pkmodes-pose', { detail: { pose } }))", far
         )
         assert seen.page.evaluate("moves") == [], "what was asked for is not told"
         shown = ", ".join(f"{name} = {1e3 * value:.1f} mm" for name, value in zip("xyz", far, strict=True))
         assert text(seen, "place").replace("\u2212", "-") == shown
-        near = stage(seen, f"viewer.states.at({between}).pose")
+        near = stage(seen, f"viewer.states.stateAt({between}).pose")
         seen.page.evaluate(
             "(pose) => document.dispatchEvent(new CustomEvent('pkmodes-pose', { detail: { pose } }))", near
         )
@@ -236,7 +236,7 @@ def test_everyone_can_use_the_page(pages: dict[str, Path], scheme: Any, width: i
     with opened(pages["linear-delta-2022"], width=width, height=844, scheme=scheme, motion="reduce") as seen:
         assert seen.findings() == []
         assert not seen.sideways
-        assert not stage(seen, "viewer.on"), "motion that was not asked for"
+        assert not stage(seen, "viewer.isPlaying"), "motion that was not asked for"
         lightness = picture(seen)[2, 2].mean()
         assert lightness < 60 if scheme == "dark" else lightness > 200
         clean(seen)
@@ -267,7 +267,7 @@ def test_keys_turn_the_view_and_reset_it(pages: dict[str, Path]) -> None:
 
 def test_a_printed_page_is_light_and_still(pages: dict[str, Path]) -> None:
     with opened(pages["linear-delta-2022"], scheme="dark") as seen:
-        before = stage(seen, "viewer.stage.view().map((one) => one.toArray())")
+        before = stage(seen, "viewer.stage.cameraView().map((one) => one.toArray())")
         seen.page.emulate_media(media="print", color_scheme="dark")
         seen.until("document.querySelector('.pkview').viewer.printing")
         assert picture(seen)[2, 2].mean() > 200
@@ -279,13 +279,13 @@ def test_a_printed_page_is_light_and_still(pages: dict[str, Path]) -> None:
         )
         assert wide > 2 * high, "as wide as paper"
         assert not seen.page.locator(".pkview-svg").is_visible()
-        first = stage(seen, "viewer.stage.moved()")
+        first = stage(seen, "viewer.stage.displacedPoints()")
         seen.page.wait_for_timeout(300)
-        assert stage(seen, "viewer.stage.moved()") == first
+        assert stage(seen, "viewer.stage.displacedPoints()") == first
         assert not seen.page.get_by_role("button", name="Pause").is_visible()
         assert seen.page.locator("table").is_visible()
         seen.page.emulate_media(media="screen")
-        after = stage(seen, "viewer.stage.view().map((one) => one.toArray())")
+        after = stage(seen, "viewer.stage.cameraView().map((one) => one.toArray())")
         np.testing.assert_allclose(after, before, atol=1e-9)
 
 

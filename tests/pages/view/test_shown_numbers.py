@@ -110,7 +110,7 @@ def test_table_title_and_motion_are_those_of_the_pose_and_mode_shown(seen: Opene
     to_the_next_computed_pose(seen, 0)
     to_the_next_computed_pose(seen, 1)
     seen.page.locator('[data-part="mode"][value="4"]').check()
-    pose = ask(seen, "viewer.data.poses[viewer.pose]")
+    pose = ask(seen, "viewer.data.poses[viewer.stateIndex]")
     assert all(abs(a - b) > 1e-3 for a, b in zip(pose[:2], POSES["linear-delta-2022"][:2], strict=True))
     expect_numbers_of_the_model(seen, model, pose, 4)
     outputs = seen.page.locator('[data-part="level-value"]').all_inner_texts()
@@ -118,7 +118,9 @@ def test_table_title_and_motion_are_those_of_the_pose_and_mode_shown(seen: Opene
     shown = scene(model, pose)
     size = scene(model, POSES["linear-delta-2022"]).size
     moved = shown.points[0] + 0.06 * size * shown.scale(0, 4) * shown.displacements(0, 4)
-    np.testing.assert_allclose(np.reshape(ask(seen, "viewer.stage.moved()"), (-1, 3)), moved, atol=2e-4)
+    np.testing.assert_allclose(
+        np.reshape(ask(seen, "viewer.stage.displacedPoints()"), (-1, 3)), moved, atol=2e-4
+    )
     # Played at half a period per second.
     hertz = model.modes(pose).frequencies[4]
     told = re.fullmatch(
@@ -178,7 +180,7 @@ def test_without_a_program_the_table_is_that_of_the_pose_shown_first(pages: dict
 def test_the_more_energy_a_belt_holds_the_darker_it_is(seen: Opened) -> None:
     springs = "viewer.stage.shapes.filter((s) => s.element.spring >= 0)"
     to_the_next_computed_pose(seen, 1)
-    pose = ask(seen, "viewer.data.poses[viewer.pose]")
+    pose = ask(seen, "viewer.data.poses[viewer.stateIndex]")
     model = pkmodes.load(ROBOTS / "linear-delta-2022.toml")
     shares = scene(model, pose).shares[0]
     for mode in (3, 5, 8):
@@ -203,7 +205,9 @@ def test_the_scale_of_energy_is_the_same_on_all_pages(pages: dict[str, Path]) ->
         assert "<span>0 %</span><span>50 %</span><span>100 %</span>" in text
     with opened(pages["corexy-printer"], motion="reduce") as found:
         held = ask(found, "viewer.state.shares[viewer.mode]")
-        painted = ask(found, "viewer.stage.shapes.filter((s) => s.element.spring >= 0).map((s) => s.wide)")
+        painted = ask(
+            found, "viewer.stage.shapes.filter((s) => s.element.spring >= 0).map((s) => s.widthFactor)"
+        )
         springs = [one["spring"] for one in data_of(pages["corexy-printer"])["elements"]]
         expected = [1.0 + 1.4 * held[k] for k in springs if k >= 0]
         assert painted == pytest.approx(expected), "thickness and colour follow the share itself"
@@ -238,10 +242,10 @@ def test_between_computed_poses_the_page_interpolates_and_says_so(seen: Opened) 
         f"Interpolated between computed poses: frequencies are off by up to {float(f'{100 * off:.2g}'):g} %."
     )
     assert said(seen, "place").endswith(", interpolated")
-    shapes = [np.array(one["moved"][3]) for one in (before, found)]
+    shapes = [np.array(one["displacements"][3]) for one in (before, found)]
     cosine = shapes[0] @ shapes[1] / np.linalg.norm(shapes[0]) / np.linalg.norm(shapes[1])
     assert cosine > 0.9
-    assert np.linalg.norm(np.reshape(found["moved"][3], (-1, 3)), axis=1).max() <= 1.0 + 1e-9
+    assert np.linalg.norm(np.reshape(found["displacements"][3], (-1, 3)), axis=1).max() <= 1.0 + 1e-9
     assert sum(found["shares"][3]) == pytest.approx(1.0, abs=1e-3)
 
 
@@ -260,9 +264,9 @@ def test_pulleys_turn_with_the_belt_that_pulls_the_carriage(seen: Opened) -> Non
     assert np.linalg.norm(vectors, axis=1).max() < 3.0, "less than half a turn, so that the sign is known"
     elements, rest = (
         ask(seen, "viewer.data.elements"),
-        np.reshape(ask(seen, "viewer.data.points[viewer.pose]"), (-1, 3)),
+        np.reshape(ask(seen, "viewer.data.points[viewer.stateIndex]"), (-1, 3)),
     )
-    moved = np.reshape(ask(seen, "viewer.stage.moved()"), (-1, 3)) - rest
+    moved = np.reshape(ask(seen, "viewer.stage.displacedPoints()"), (-1, 3)) - rest
     pulleys = [one for one in elements if one["kind"] == "pulley"]
     assert len(pulleys) == 6
     for pulley, vector in zip(pulleys, vectors, strict=True):
@@ -291,10 +295,10 @@ def test_a_slider_leads_to_the_nearest_place_with_its_own_value(seen: Opened) ->
     places = np.reshape(found["places"], sizes)
     assert (places < 0).any()
     for i, slider in enumerate(seen.page.locator('[data-part="level"]').all()):
-        wanted = np.array(ask(seen, "viewer.state.place"), dtype=float)
+        wanted = np.array(ask(seen, "viewer.state.gridPosition"), dtype=float)
         wanted[i] = sizes[i] - 1
         slider.press("End")
-        at = np.array(ask(seen, "viewer.state.place"), dtype=float)
+        at = np.array(ask(seen, "viewer.state.gridPosition"), dtype=float)
         computed = np.argwhere(places >= 0)
         computed = computed[computed[:, i] == wanted[i]]
         assert len(computed)

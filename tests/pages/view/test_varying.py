@@ -138,13 +138,13 @@ def test_a_slider_changes_the_robot_beside_the_declared_one(tmp_path: Path) -> N
         # The ghost is the declared robot in its own mode, in phase with the one that is shown.
         ghost = np.array(asked("[...viewer.stage.ghost.geometry.attributes.position.array]")).reshape(-1, 3)
         lines = asked("viewer.data.elements.filter((e) => e.shape === 'line').map((e) => e.points)")
-        own = asked("viewer.states.declared(viewer.state, viewer.mode)")
+        own = asked("viewer.states.declaredMode(viewer.state, viewer.mode)")
         assert own["frequency"] == pytest.approx(declared[3], abs=1e-4)
         moved = np.reshape(
             asked(
-                "viewer.stage.displaced(viewer.data.points[viewer.data.declared],"
-                " viewer.states.declared(viewer.state, viewer.mode).moved,"
-                " viewer.states.declared(viewer.state, viewer.mode).sign)"
+                "viewer.stage.displace(viewer.data.points[viewer.data.declared],"
+                " viewer.states.declaredMode(viewer.state, viewer.mode).displacements,"
+                " viewer.states.declaredMode(viewer.state, viewer.mode).sign)"
             ),
             (-1, 3),
         )

@@ -103,7 +103,7 @@ def _relative_error(value: Array, expected: Array, weight: float) -> float:
 
 
 def _all_relations(state: State) -> Iterator[Relation]:
-    """Yield the relations of every mechanism, and those of this one alone."""
+    """Yield the relations of every mechanism, and those of this mechanism only."""
     yield from relations(state)
     module_name = f"{MECHANISM_RELATIONS}.{state.mechanism.name}"
     if find_spec(module_name) is not None:

@@ -21,14 +21,14 @@ from numpy.typing import NDArray
 from pkmodes.codegen.checking.consistency import Check, check_consistency, check_drawing
 from pkmodes.codegen.derivation import (
     add_effects,
-    derivation,
-    parametric,
+    derive_mechanism,
+    import_derivation,
     python_text,
     read_definition,
     read_effect,
-    staged,
+    staged_mechanism,
 )
-from pkmodes.codegen.generation import specialised, specification
+from pkmodes.codegen.generation import derive_robot_model, specification
 from pkmodes.codegen.product_folder import MANIFEST
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.core.mechanism import registry
@@ -78,7 +78,7 @@ def check_committed(name: str) -> Report:
     mechanism = registry.mechanism(name)
     folder = Path(str(files(mechanism.package)))
     add_effects(name, [])
-    findings = _findings_of(folder, derivation("emit.product").parametric(name))
+    findings = _findings_of(folder, import_derivation("emit.product").parametric(name))
     return Report(str(folder), findings, _checks_of_sample(mechanism), REGENERATE if findings else "")
 
 
@@ -97,7 +97,7 @@ def check_folder(folder: Path) -> Report:
     if not manifest_file.is_file():
         raise PkmodesError("expected a generated model, found no manifest.json", str(folder), remedy)
     try:
-        manifest: dict[str, Any] = derivation("emit.currency").read_manifest(folder)
+        manifest: dict[str, Any] = import_derivation("emit.currency").read_manifest(folder)
     except (ValueError, OSError) as error:
         raise PkmodesError(f"the manifest cannot be read: {error}", str(manifest_file), remedy) from None
     is_user_defined = "definition" in manifest or "effects" in manifest
@@ -105,7 +105,7 @@ def check_folder(folder: Path) -> Report:
         return _check_mechanism(folder, manifest)
     if "robot" not in manifest and manifest.get("product") in registry.supplied_names():
         add_effects(manifest["product"], [])
-        findings = _findings_of(folder, derivation("emit.product").parametric(manifest["product"]))
+        findings = _findings_of(folder, import_derivation("emit.product").parametric(manifest["product"]))
         return Report(str(folder), findings, [], REGENERATE if findings else "")
     if not is_user_defined:
         return _check_model(folder, manifest)
@@ -123,7 +123,7 @@ def check_folder(folder: Path) -> Report:
 
 def _findings_of(folder: Path, fresh: dict[str, str]) -> list[Any]:
     """Return the reasons why a folder differs from a fresh derivation."""
-    currency = derivation("emit.currency")
+    currency = import_derivation("emit.currency")
     if not (folder / MANIFEST).is_file():
         return [currency.Finding("missing", "manifest.json", "manifest.json is missing")]
     try:
@@ -148,7 +148,7 @@ def _check_mechanism(folder: Path, manifest: dict[str, Any]) -> Report:
         raise PkmodesError("the manifest does not name a mechanism", str(folder / MANIFEST), remedy)
     definition = read_definition(folder / DEFINITION_FILE, name) if reference else None
     copies = {path: read_effect(folder / str(copy)) for path, copy in effect_copies.items()}
-    fresh = parametric(name, definition, reference, copies)
+    fresh = derive_mechanism(name, definition, reference, copies)
     sources = [(reference, f"{name}.py", "definition", "--mechanism")] if reference else []
     sources += [(path, copy.file.name, "effect", "--effect") for path, copy in copies.items()]
     findings, unchecked, options = _findings_of(folder, fresh), list[str](), list[str]()
@@ -156,7 +156,7 @@ def _check_mechanism(folder: Path, manifest: dict[str, Any]) -> Report:
         more_findings, more_unchecked = _check_given_file(folder, path, source, noun)
         findings, unchecked = [*findings, *more_findings], [*unchecked, *more_unchecked]
         options.append(f"{option} {'FILE.py' if more_unchecked else shell_path(folder / path)}")
-    with staged(name, fresh) as mechanism:
+    with staged_mechanism(name, fresh) as mechanism:
         checks = _checks_of_sample(mechanism)
     command = (
         f"pkmodes generate {' '.join(options)} ROBOT.toml --out {shell_path(folder.parent)}"
@@ -185,7 +185,7 @@ def _check_model(folder: Path, manifest: dict[str, Any]) -> Report:
             f"exist; restore it, or give the file of {shown(robot.name)} with: "
             f"pkmodes generate ROBOT.toml --out {shell_path(folder)}"
         ]
-    texts = specialised(specification(robot, reference, definition))
+    texts = derive_robot_model(specification(robot, reference, definition))
     findings = _findings_of(folder, texts)
     if definition and not (folder / definition).is_dir():
         more_findings, more_unchecked = _check_given_file(
@@ -213,12 +213,12 @@ def _check_given_file(folder: Path, reference: str, source: str, noun: str) -> t
         text = python_text(folder / reference, noun, "")
     except PkmodesError:
         return [], [f"whether the {noun} {shown(reference)} has changed: it cannot be read"]
-    digests = derivation("emit.currency").read_manifest(folder)["sources"]
-    if digests.get(source) == derivation("sources").digest(text):
+    digests = import_derivation("emit.currency").read_manifest(folder)["sources"]
+    if digests.get(source) == import_derivation("sources").digest(text):
         return [], []
     file = (folder / reference).name
     message = f"the {noun} changed: {file} differs from the file this was derived from"
-    return [derivation("emit.currency").Finding("derivation", reference, message)], []
+    return [import_derivation("emit.currency").Finding("derivation", reference, message)], []
 
 
 def _robot_file(folder: Path, manifest: dict[str, object]) -> tuple[str, bool]:
@@ -270,7 +270,7 @@ def check_robot(robot_file: Path) -> Report:
     Raises RobotFileError if the robot file is invalid.
     """
     robot = read_robot(robot_file)
-    texts = specialised(specification(robot, robot_file.name))
+    texts = derive_robot_model(specification(robot, robot_file.name))
     return Report(str(robot_file), [], _checks_of_robot(texts, robot))
 
 

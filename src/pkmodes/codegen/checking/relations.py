@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import cached_property
-from itertools import product as every
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -23,8 +23,8 @@ from pkmodes.core.mechanism.regular import reach_bound, travel_limits
 
 Array = NDArray[np.float64]
 Derivative = Callable[[Callable[[Array], Array], Array, float], Array]
-#: A name, a generated value, the value by other means, and the smallest scale of the error: the size of terms that
-#: may cancel, so that a quantity that vanishes by symmetry is not required to have digits that it cannot have.
+#: A name, a generated value, the same value computed otherwise, and the minimum scale of the error: the size of terms
+#: that may cancel, so that a quantity that vanishes by symmetry is not compared to more digits than it can have.
 Relation = tuple[str, Array, Array, float]
 
 SEED = 20220102
@@ -44,23 +44,15 @@ class State:
 
     Its attributes:
     - independent: indices of the independent coordinates, length k
-    - base: number of coordinates without effects
+    - base_count: number of coordinates without effects
     - positions: independent coordinates at the pose, (k,)
     """
 
-    def __init__(
-        self,
-        generated: Generated,
-        mechanism: Mechanism,
-        parameters: Any,
-        pose: Array,
-        derivative: Derivative,
-        effects: bool,
-    ) -> None:
+    def __init__(self, generated: Generated, mechanism: Mechanism, parameters: Any, pose: Array, derivative: Derivative, effects: bool) -> None:
         self.generated, self.mechanism, self.parameters = generated, mechanism, parameters
         self.pose, self.derivative, self.effects = pose, derivative, effects
         names = [q.name for q in mechanism.coordinates]
-        self.independent, self.base = [names.index(name) for name in mechanism.independent], len(names)
+        self.independent, self.base_count = [names.index(name) for name in mechanism.independent], len(names)
         self.positions: Array = generated.inverse_kinematics(pose)
 
     @cached_property
@@ -81,11 +73,11 @@ class State:
                 distance = min(distance, slope / curvature)
         return RELATIVE_STEP * distance
 
-    def rate(self, function: Callable[[Array], Any]) -> Array:
+    def differentiate(self, function: Callable[[Array], Any]) -> Array:
         """Differentiate a function of the pose numerically with respect to the independent coordinates."""
         if self.generated.has("direct_kinematics"):
             return self.derivative(lambda q: function(self.direct_pose(q)), self.positions, self.step)
-        return self.derivative(function, self.pose, self.step) @ self.motion
+        return self.derivative(function, self.pose, self.step) @ self.pose_derivative
 
     def direct_pose(self, positions: Array) -> Array:
         """Compute the pose from the independent coordinates, on the assembly branch of this pose."""
@@ -94,35 +86,29 @@ class State:
         return pose
 
     @cached_property
-    def motion(self) -> Array:
+    def pose_derivative(self) -> Array:
         """Numerical derivative of the pose with respect to the independent coordinates, (d, k)."""
         if self.generated.has("direct_kinematics"):
             return self.derivative(self.direct_pose, self.positions, self.step)
-        return np.asarray(
-            np.linalg.inv(self.derivative(self.generated.inverse_kinematics, self.pose, self.step))
-        )
+        return np.asarray(np.linalg.inv(self.derivative(self.generated.inverse_kinematics, self.pose, self.step)))
 
     @cached_property
     def rotation_rates(self) -> Array:
-        """How the platform moves per change of the pose, (d, d): rotations about base axes per rotation vector."""
+        """Motion of the platform per change of the pose, (d, d): rotations about base axes per rotation vector."""
         mechanism = self.mechanism
         rates, first = np.eye(len(self.pose)), len(mechanism.directions)
         if mechanism.rotations:
             axes = [AXES.index(axis) for axis in mechanism.rotations]
-            rates[first:, first:] = left_jacobian(vectors_about(mechanism.rotations, self.pose[first:]))[
-                np.ix_(axes, axes)
-            ]
+            rates[first:, first:] = left_jacobian(vectors_about(mechanism.rotations, self.pose[first:]))[np.ix_(axes, axes)]
         return rates
 
     def unstrained_motion(self, pose: Array) -> Array:
         """Return the motion of all coordinates with the independent ones in unstrained motion, (n, k)."""
-        dependent = [i for i in range(self.base) if i not in self.independent]
+        dependent = [i for i in range(self.base_count) if i not in self.independent]
         H = Generated(self.mechanism.model, self.parameters).elastic_hessian(pose)
         motion = np.zeros((self.generated.coordinates, len(self.independent)), dtype=H.dtype)
         motion[self.independent] = np.eye(len(self.independent))
-        motion[dependent] = -np.linalg.solve(
-            H[np.ix_(dependent, dependent)], H[np.ix_(dependent, self.independent)]
-        )
+        motion[dependent] = -np.linalg.solve(H[np.ix_(dependent, dependent)], H[np.ix_(dependent, self.independent)])
         return motion
 
 
@@ -151,9 +137,9 @@ def _closures(state: State) -> Iterator[Relation]:
 
 def _motion(state: State) -> Iterator[Relation]:
     g, p = state.generated, state.pose
-    yield "platform Jacobian", g.platform_jacobian(p), state.rotation_rates @ state.motion, 0.0
+    yield "platform Jacobian", g.platform_jacobian(p), state.rotation_rates @ state.pose_derivative, 0.0
     if g.has("platform_second_derivatives"):
-        P, curvature = g.platform_second_derivatives(p), state.rate(g.platform_jacobian)
+        P, curvature = g.platform_second_derivatives(p), state.differentiate(g.platform_jacobian)
         rates, size = _velocities(state), float(np.abs(P).max())
         if state.mechanism.rotations:
             # In the exponential chart at the pose, of which angular velocities have the symmetric part.
@@ -171,9 +157,9 @@ def _gravity(state: State) -> Iterator[Relation]:
         return
     gradient = g.gravity_gradient(p)
     weight = float(np.abs(gradient).max())
-    curvature = float(np.abs(state.rate(g.platform_jacobian)).max())
-    yield "gravity gradient", gradient, state.rate(g.gravity_potential), weight
-    yield "gravity Hessian", g.gravity_hessian(p), state.rate(g.gravity_gradient), weight * curvature
+    curvature = float(np.abs(state.differentiate(g.platform_jacobian)).max())
+    yield "gravity gradient", gradient, state.differentiate(g.gravity_potential), weight
+    yield "gravity Hessian", g.gravity_hessian(p), state.differentiate(g.gravity_gradient), weight * curvature
 
 
 def _elastic(state: State) -> Iterator[Relation]:
@@ -200,9 +186,9 @@ def _matrices(state: State) -> Iterator[Relation]:
         yield "modal stiffness matrix", K, stiffness, 0.0
         if g.has("elastic_hessian", "gravity_hessian"):
             # Gravity also acts on the coordinates of effects, which are not part of its Hessian.
-            total = g.elastic_hessian(p)[: state.base, : state.base].copy()
+            total = g.elastic_hessian(p)[: state.base_count, : state.base_count].copy()
             total[np.ix_(state.independent, state.independent)] += g.gravity_hessian(p)
-            yield "stiffness matrix", stiffness[: state.base, : state.base], total, 0.0
+            yield "stiffness matrix", stiffness[: state.base_count, : state.base_count], total, 0.0
 
 
 def _inertia(state: State) -> Iterator[Relation]:
@@ -215,7 +201,7 @@ def _inertia(state: State) -> Iterator[Relation]:
         motion = state.unstrained_motion(pose)
         return np.asarray(motion.T @ g.mass_matrix(pose) @ motion)
 
-    dM, rates = state.rate(reduced_inertia), _velocities(state)
+    dM, rates = state.differentiate(reduced_inertia), _velocities(state)
     forces = (dM @ rates) @ rates - 0.5 * np.einsum("klm,k,l->m", dM, rates, rates)
     # A constant inertia leaves only rounding, of the size of the inertia divided by the travel.
     weight = max(float(np.abs(dM).max()), float(np.abs(reduced_inertia(p)).max()) / state.travel)
@@ -228,8 +214,8 @@ def _statics(state: State) -> Iterator[Relation]:
     if state.effects or not g.has("static_equilibrium", "elastic_gradient", "gravity_gradient"):
         return
     torques, values = g.static_equilibrium(p)
-    dependent = [i for i in range(state.base) if i not in state.independent]
-    displacement = np.zeros(state.base)
+    dependent = [i for i in range(state.base_count) if i not in state.independent]
+    displacement = np.zeros(state.base_count)
     displacement[dependent] = values
     spring_forces, gradient = g.elastic_gradient(p, displacement), g.gravity_gradient(p)
     yield "static equilibrium", spring_forces[state.independent], -gradient, float(np.abs(gradient).max())
@@ -251,7 +237,7 @@ def _quadratic_form(energy: Callable[[Array], Any], n: int) -> Array:
     """Compute the matrix of a quadratic form by polarisation, which is exact up to rounding."""
     basis = np.eye(n)
     matrix = np.empty((n, n))
-    for k, m in every(range(n), repeat=2):
+    for k, m in product(range(n), repeat=2):
         matrix[k, m] = (energy(basis[k] + basis[m]) - energy(basis[k] - basis[m])) / 2.0
     return matrix
 
@@ -260,13 +246,13 @@ def drawing_relations(state: State) -> Iterator[Relation]:
     """Yield the relations between a drawing and the model, at a pose of a robot without effects."""
     drawing = state.mechanism.drawing
     drawn = Generated(state.mechanism.drawn, state.parameters, state.mechanism.extended.Effects())
-    # Any constant vectors will do for those that the robot leaves open.
+    # Arbitrary constant vectors for the directions that do not follow from the robot.
     upright_vectors = (np.tile([0.6, -0.48, 0.64], drawing.uprights),) if drawing.uprights else ()
     motion = drawn.drawing_motion(state.pose, *upright_vectors)[list(drawing.motions)]
-    rates = state.rate(lambda p: drawn.drawing_points(p, *upright_vectors))
+    rates = state.differentiate(lambda p: drawn.drawing_points(p, *upright_vectors))
     yield "motion of drawn points", motion[..., state.independent], rates, 0.0
     if state.generated.has("elastic_hessian"):
         stiffness, strain = drawn.springs(state.pose)
-        strain = strain[:, : state.base]
+        strain = strain[:, : state.base_count]
         hessian = state.generated.elastic_hessian(state.pose)
         yield "springs", strain.T @ (stiffness[:, None] * strain), hessian, 0.0

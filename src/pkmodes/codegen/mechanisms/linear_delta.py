@@ -8,8 +8,8 @@ import numpy as np
 
 from pkmodes.codegen.checking.relations import Relation, State
 
-#: Rate at which each free span of a belt grows with its carriage; the span between the pulleys does not change.
-GROWTH = np.array([0.0, 1.0, -1.0])
+#: Rate of change of each free span of a belt with its carriage; the span between the pulleys does not change.
+SPAN_RATES = np.array([0.0, 1.0, -1.0])
 
 
 def relations(state: State) -> Iterator[Relation]:
@@ -17,7 +17,12 @@ def relations(state: State) -> Iterator[Relation]:
     g, p = state.generated, state.pose
     spans, k = g.belt_spans(p), g.belt_stiffness(p)
     D_l, D_r = g.constraint_jacobians(p)
-    yield "belt spans", state.rate(g.belt_spans), np.eye(3)[:, None, :] * GROWTH[None, :, None], 1.0
+    yield (
+        "belt spans",
+        state.differentiate(g.belt_spans),
+        np.eye(3)[:, None, :] * SPAN_RATES[None, :, None],
+        1.0,
+    )
     if state.effects:  # the compliance in series with a span does not grow with its length
         (short, middle, long), (a, b, c) = np.sort(spans, axis=1).T, -np.sort(-k, axis=1).T
         yield "belt stiffness", (1 / b - 1 / a) * (long - short), (1 / c - 1 / a) * (middle - short), 0.0

@@ -1,7 +1,7 @@
 """Measured modes as data of a page: components in the scale of the picture, and where they can be drawn.
 
-The platform, parts that one coordinate moves alone, and wheels that one coordinate turns are drawn; other components
-are only in the table, which has all measured components of a mode beside those of the model.
+Components are drawn of the platform, of parts that one coordinate alone moves, and of wheels that a coordinate turns.
+The others are only in the table, which has all measured components of a mode beside those of the model.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ def measured_data(scene: Scene) -> dict[str, Any] | None:
         modes.append(entry)
         if mode is None or not measured.has_shape:
             continue
-        shapes, shape, scale = components(scene, pose), np.array(measured.shape), scene.scale(pose, mode)
+        shapes, shape, scale = channel_shapes(scene, pose), np.array(measured.shape), scene.scale(pose, mode)
         scaled_shape = scale * scale_factor(shape, shapes[mode], channel_weights(shapes)) * shape
         arrows, turns = _drawn_components(scene, pose, scaled_shape)
         entry |= {
@@ -59,7 +59,7 @@ def measured_data(scene: Scene) -> dict[str, Any] | None:
     return {"channels": channels, "modes": modes}
 
 
-def components(scene: Scene, pose: int) -> Array:
+def channel_shapes(scene: Scene, pose: int) -> Array:
     """Return the shapes of all modes at the channels, (m, C); 0 for a coordinate that the model locks."""
     shapes = np.zeros((scene.frequencies.shape[1], len(scene.channels)))
     platform = [component.name for component in scene.platform]

@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 #: Decimals of positions [m], of displacements and rotations per metre of the largest displacement, of shares, and of
 #: interpolation errors.
 POSITION_DECIMALS, MOTION_DECIMALS, SHARE_DECIMALS, ERROR_DECIMALS = 5, 4, 4, 5
-#: Most characters of JSON that a page holds as they are; deflated, they are a third.
+#: Longest JSON that a page holds as plain text [characters]; longer data are deflated, to about a third.
 MAX_PLAIN_CHARACTERS = 1_000_000
 
 
@@ -30,9 +30,9 @@ def scene_data(scene: Scene) -> dict[str, Any]:
     shares = scene.shares
     displacements, rotations = _displacements_and_rotations(scene, turning_coordinates)
     levels, deviations = None, None
-    if scene.levels is not None:  # of poses to a micrometre, of parameters as they are
+    if scene.levels is not None:  # components of poses to a micrometre, values of parameters unrounded
         levels = [values.tolist() if scene.varied else _round_nested(values, 6) for values in scene.levels]
-    if scene.deviations is not None:  # at the places of `interpolation.deviations`; None where unknown
+    if scene.deviations is not None:  # an entry for every one of `interpolation_errors`; None where unknown
         sizes = largest_around(scene.deviations).ravel().tolist()
         deviations = [_round_nested(size, ERROR_DECIMALS) if np.isfinite(size) else None for size in sizes]
     return {

@@ -28,7 +28,7 @@ from pkmodes.pages.view.scene import Scene
 from pkmodes.pages.view.workspace import workspace
 
 Array = NDArray[np.float64]
-#: Every stop of a slider between two values of a component.
+#: Stops of a slider between two evaluated values of a component, as fractions of the way.
 SLIDER_STOPS = tuple(k / SLIDER_STEPS for k in range(1, SLIDER_STEPS))
 
 
@@ -36,8 +36,8 @@ class ViewGrid(NamedTuple):
     """How densely a page covers the workspace.
 
     - levels: values of each component
-    - checked: where between two of them frequencies are computed for comparison
-    - where: the same in words; empty where it is at all stops
+    - checked: fractions of the way between two of them at which frequencies are computed for comparison
+    - where: the same in words; empty if at all stops of the sliders
     """
 
     levels: int
@@ -45,8 +45,8 @@ class ViewGrid(NamedTuple):
     where: str = ""
 
 
-#: Grids by the number of components: a page holds a few hundred poses.  At all stops of six components a large
-#: workspace has 16 million poses, which take five minutes.
+#: Grids by the number of pose components, then that for four and more: a page holds a few hundred poses.  With six
+#: components the stops of all sliders are 16 million poses in a large workspace, which take five minutes.
 GRIDS = {1: ViewGrid(41), 2: ViewGrid(11), 3: ViewGrid(7)}
 GRID_BEYOND_THREE = ViewGrid(3, SLIDER_STOPS[1::3], "at three stops in nine of each slider")
 #: Number of regular poses among which the typical pose is chosen.
@@ -121,7 +121,7 @@ def poses_around(model: Model, pose: ArrayLike, *, drives: str | None = None) ->
     """
     drives = model.robot.resolve_drives(drives)
     shown_pose = np.asarray(pose, dtype=float)
-    scene(model, shown_pose, drives=drives)  # its errors are those of this pose
+    scene(model, shown_pose, drives=drives)  # so that an error names this pose, not one of the grid
     is_inside, (low, high) = usable_branch_test(model, shown_pose), usable_box(model, shown_pose)
     if rotations := list(fixed_components(model, shown_pose)):
         for end, rotation_end in zip((low, high), rotation_box(model, shown_pose), strict=True):
@@ -159,7 +159,7 @@ def poses_around(model: Model, pose: ArrayLike, *, drives: str | None = None) ->
 
 
 def _levels_through(low: float, high: float, value: float, count: int) -> Array:
-    """Return evenly spaced values inside a range, the nearest replaced by a given value; or else that alone."""
+    """Return evenly spaced values in a range, the nearest one replaced by `value`; only `value` in an empty range."""
     if high <= low:
         return np.array([value])
     step = (high - low) / (count + 1)

@@ -10,8 +10,8 @@ from pkmodes_description import Element
 
 Array = NDArray[np.float64]
 #: Shapes of elements whose outlines enclose an area.
-AREAS = ("wheel", "plate")
-#: Viewing direction of a spatial robot, and elevation for a planar one [deg].
+AREA_SHAPES = ("wheel", "plate")
+#: Azimuth and elevation from which a spatial robot is seen, and elevation for a planar one [deg].
 AZIMUTH, ELEVATION, PLANAR_ELEVATION = -60.0, 18.0, 50.0
 
 
@@ -22,12 +22,14 @@ def camera(scene: Scene) -> Array:
     side = np.cross(up, [1.0, 0.0, 0.0] if abs(up[0]) < 0.9 else [0.0, 1.0, 0.0])
     east = np.cross(side, up)
     east, side = east / np.linalg.norm(east), side / np.linalg.norm(side)
-    turn = np.radians(-90.0 if planar else AZIMUTH)
-    rise = np.radians(PLANAR_ELEVATION if planar else ELEVATION)
-    towards = np.cos(rise) * (np.cos(turn) * east + np.sin(turn) * side) + np.sin(rise) * up
-    right = np.cross(up, towards)
+    azimuth = np.radians(-90.0 if planar else AZIMUTH)
+    elevation = np.radians(PLANAR_ELEVATION if planar else ELEVATION)
+    towards_viewer = (
+        np.cos(elevation) * (np.cos(azimuth) * east + np.sin(azimuth) * side) + np.sin(elevation) * up
+    )
+    right = np.cross(up, towards_viewer)
     right /= np.linalg.norm(right)
-    return np.stack([right, np.cross(towards, right), towards])
+    return np.stack([right, np.cross(towards_viewer, right), towards_viewer])
 
 
 def outline(element: Element, points: Array, angle: float = 0.0) -> Array:
@@ -54,21 +56,23 @@ def hull(points: Array) -> Array:
 
     try:
         return np.asarray(points[ConvexHull(points).vertices])
-    except QhullError:  # seen from the side
+    except QhullError:  # all on a line: a plate seen from the side
         return points
 
 
 def rim(centre: Array, axis: Array, angle: float, corners: int = 48) -> Array:
     """Return points around the rim of a wheel, (corners + 1, 3); the first is turned by an angle about the axis.
 
-    - centre, axis: the length of the axis is the radius, (3,)
+    - centre, axis: (3,); the length of the axis is the radius
     - angle: rad
     """
     radius = float(np.linalg.norm(axis))
-    unit = axis / radius
-    helper = np.array([0.0, 0.0, 1.0]) if abs(unit[2]) < 0.9 else np.array([1.0, 0.0, 0.0])
-    first = np.cross(unit, helper)
+    unit_axis = axis / radius
+    helper = np.array([0.0, 0.0, 1.0]) if abs(unit_axis[2]) < 0.9 else np.array([1.0, 0.0, 0.0])
+    first = np.cross(unit_axis, helper)
     first /= np.linalg.norm(first)
-    turns = np.linspace(0.0, 2.0 * np.pi, corners + 1)[:, None] + angle
-    rim_points: Array = centre + radius * (np.cos(turns) * first + np.sin(turns) * np.cross(unit, first))
+    angles = np.linspace(0.0, 2.0 * np.pi, corners + 1)[:, None] + angle
+    rim_points: Array = centre + radius * (
+        np.cos(angles) * first + np.sin(angles) * np.cross(unit_axis, first)
+    )
     return rim_points

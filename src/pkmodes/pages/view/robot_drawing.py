@@ -14,7 +14,8 @@ from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes_description import Named
 
 Array = NDArray[np.float64]
-#: A direction is vertical if the sine of its angle to the vertical is below this; upright then means outwards.
+#: A direction counts as vertical if the sine of its angle to the vertical is below this.  Nothing perpendicular to it
+#: is upright, and `upright` points outwards instead.
 VERTICAL_SINE = 0.3
 Z = (0.0, 0.0, 1.0)
 
@@ -88,21 +89,21 @@ class RobotDrawing:
             return ()
         generated = np.asarray(self._generated.drawing_directions(p), dtype=float)
         uprights = [
-            upright(directions, places, self.vertical)
-            for directions, places in zip(generated[:, :, 0], generated[:, :, 1], strict=True)
+            upright(directions, points, self.vertical)
+            for directions, points in zip(generated[:, :, 0], generated[:, :, 1], strict=True)
         ]
         return (np.array(uprights).reshape(len(p), -1),)
 
 
-def upright(directions: Array, places: Array, vertical: Array) -> Array:
+def upright(directions: Array, points: Array, vertical: Array) -> Array:
     """Choose a unit vector perpendicular to each direction: as upright as possible; outwards for a vertical one.
 
-    - directions, places: unit vectors, and the points [m] where they are used, (k, 3)
+    - directions, points: unit vectors, and the points [m] where they are used, (k, 3)
     - vertical: (3,)
 
     Returns (k, 3).
     """
-    outwards = places - places.mean(axis=0)
+    outwards = points - points.mean(axis=0)
     uprights = []
     for direction, outward in zip(directions, outwards, strict=True):
         preferences = (vertical, outward, *np.eye(3))

@@ -36,15 +36,15 @@ class Scene:
     platform : tuple of Named
         Components of the platform's motion: displacements, then small rotations about base axes.
     lengths : ndarray, shape (components,)
-        Factors that make lengths of them: 1, or the characteristic length for rotations [m].
+        Factors that convert these components to lengths: 1, or the characteristic length for rotations [m].
     coordinates, independent : tuple of str
-        All of them, and those that the others follow from.
+        Names of all coordinates, and of the independent ones, from which the others follow.
     elements : tuple of Element
         Lines, wheels, blocks, plates and balls between points; `spring` indexes `springs`.
     springs : tuple of Named
         Name, unit of the stiffness, description.
     motions_of : ndarray of int, shape (P,)
-        For each point its motion.
+        For each point the index of its motion.
     poses : ndarray, shape (N, d)
         In SI units.
     points : ndarray, shape (N, P, 3)
@@ -69,7 +69,7 @@ class Scene:
     drives : {"free", "held"}
         What the motors do.
     chosen : int
-        The pose to show first.
+        Index of the pose to show first.
     levels : tuple of ndarray, optional
         For each component of the pose, or each varied parameter, its values, if the states belong to a grid.
     places : ndarray of int, optional
@@ -81,7 +81,7 @@ class Scene:
     deviations : ndarray, shape (2 size - 1 along each axis, m - rigid_modes), optional
         How far frequencies between the states of a grid are off: see ``pkmodes.pages.view.interpolation``.
     checked : str
-        Where between the states deviations were computed, in words; empty if at all that the page can show.
+        Where between the states deviations were computed, in words; empty if at every stop of the sliders.
     varied : tuple of Named
         Parameters that change between the states, by path; empty where only the pose does.
     values : ndarray, shape (N, len(varied)), optional
@@ -93,7 +93,7 @@ class Scene:
     what : str
         Which model of the robot moves, such as "as declared"; empty where there is only one.
     measured : tuple of MeasuredMode, optional
-        Measured modes at these poses; None where the scene has nothing to do with a measurement.
+        Measured modes at these poses; None for a scene without a measurement.
     channels : tuple of Channel
         Components at which their shapes were measured.
     head : tuple of (str, str)
@@ -101,7 +101,7 @@ class Scene:
     doing : str
         What the motors do, in words.
     marked : frozenset of int
-        Elements that are marked: of the part that a result names.
+        Indices of the elements to mark: those of the part that a result names.
     """
 
     robot: str

@@ -20,8 +20,8 @@ from pkmodes_description import Element
 Array = NDArray[np.float64]
 #: Width of the picture in its own units; limits of its height, and its margin, as fractions of the width.
 WIDTH, MIN_HEIGHT, MAX_HEIGHT, MARGIN = 800.0, 0.4, 0.9, 0.05
-#: Line widths by kind of element, as fractions of the width; then those of other kinds, the width of a block, the
-#: radius of a ball, and the number of corners of the rim of a wheel.
+#: Line widths by kind of element, as fractions of the width of the picture; then the line width of other kinds, the
+#: width of a block, the radius of a ball, and the number of corners of the rim of a wheel.
 LINE_WIDTHS = {"rail": 0.006, "frame": 0.006, "belt": 0.0055, "arm": 0.012, "gantry": 0.012, "link": 0.006}
 DEFAULT_LINE_WIDTH, BLOCK_WIDTH, BALL_RADIUS, RIM_CORNERS = 0.005, 0.02, 0.009, 24
 #: Colours of strain energy shares from 0 to 100 %, as in palette.js.

@@ -59,7 +59,7 @@ def varied(
         problem = f"expected 1 to {MAX_PARAMETERS} parameters that vary, found {len(values)}"
         raise PkmodesError(problem, "values", "vary the others on another page")
     drives = model.robot.resolve_drives(drives)
-    point = model.modes(pose, drives=drives).poses
+    pose_array = model.modes(pose, drives=drives).poses
     paths = [resolve(model.robot, path) for path in values]
     levels = tuple(
         np.unique(np.append(np.asarray(path_values, dtype=float).ravel(), path.value))
@@ -82,12 +82,12 @@ def varied(
         }
         return model.with_values(changes) if changes else model
 
-    for axis, level in enumerate(levels):  # an error of one value names it alone
+    for axis, level in enumerate(levels):  # each value on its own first, so that an error names it alone
         for end in (level[0], level[-1]):
             machine_with(tuple(end if k == axis else path.value for k, path in enumerate(paths)))
     combinations = list(product(*(level.tolist() for level in levels)))
     machines = [machine_with(combination) for combination in combinations]
-    is_reachable = np.array([bool(variant.check(point).valid) for variant in machines])
+    is_reachable = np.array([bool(variant.check(pose_array).valid) for variant in machines])
     shape = tuple(len(level) for level in levels)
     for axis, path in enumerate(paths):
         has_reachable = np.moveaxis(is_reachable.reshape(shape), axis, 0).reshape(shape[axis], -1).any(axis=1)
@@ -100,20 +100,22 @@ def varied(
     )
     reachable_machines = [variant for variant, valid in zip(machines, is_reachable, strict=True) if valid]
     machine_scene = scene_of(
-        reachable_machines, np.tile(point, (len(reachable_machines), 1)), declared, drives=drives
+        reachable_machines, np.tile(pose_array, (len(reachable_machines), 1)), declared, drives=drives
     )
     order = paired_modes(
         machine_scene.shapes,
-        _masses(machine_scene, reachable_machines, point),
+        _masses(machine_scene, reachable_machines, pose_array),
         places,
         machine_scene.rigid_modes,
     )
     rigid, modes = machine_scene.rigid_modes, machine_scene.frequencies.shape[1]
 
-    def exact_frequencies(points: Array) -> Array:
-        variants = [machine_with(tuple(row)) for row in points.tolist()]
-        spectra = [np.asarray(m.frequencies(point, on_error="nan", drives=drives)) for m in variants]
-        return np.array([spectrum[rigid:modes] for spectrum in spectra])
+    def exact_frequencies(value_rows: Array) -> Array:
+        variants = [machine_with(tuple(row)) for row in value_rows.tolist()]
+        frequency_rows = [
+            np.asarray(m.frequencies(pose_array, on_error="nan", drives=drives)) for m in variants
+        ]
+        return np.array([frequencies[rigid:modes] for frequencies in frequency_rows])
 
     vibrations = machine_scene.frequencies[:, rigid:]
     return replace(
@@ -132,11 +134,11 @@ def varied(
     )
 
 
-def _masses(scene: Scene, machines: list[Model], point: Array) -> Array:
+def _masses(scene: Scene, machines: list[Model], pose: Array) -> Array:
     """Return the mass matrices in the coordinates of the scene, zero at those that a machine locks."""
     size = len(scene.coordinates)
     masses = np.zeros((len(machines), size, size))
     for k, model in enumerate(machines):
         columns = [scene.coordinates.index(name) for name in model.coordinates]
-        masses[k][np.ix_(columns, columns)] = model.matrices(point)[0]
+        masses[k][np.ix_(columns, columns)] = model.matrices(pose)[0]
     return masses

@@ -43,9 +43,10 @@ def workspace(
 
     - pose: a valid pose, (d,)
     - box: from `pkmodes.machine.maps.workspace.box_of`, each (d,)
-    - inside: the test whether poses belong to it; by default whether they can be evaluated, on the branch of the pose
+    - inside: tests whether poses belong to the workspace; by default whether they can be evaluated, on the branch of
+      the pose
 
-    Returns None if the pose has other angles, or other than two or three components besides rotations.
+    Returns None unless the pose has two or three components besides rotations of the platform, all of them lengths.
     """
     linear_components = [i for i in range(len(pose)) if i not in fixed_components(model, pose)]
     if len(linear_components) not in CELLS or any(
@@ -65,12 +66,12 @@ def workspace(
         np.linspace(*ends, CELLS[len(linear_components)] + 1)
         for ends in zip(low - margin, high + margin, strict=True)
     ]
-    mask = _component(is_inside, steps, pose[linear_components])
+    mask = _connected_part(is_inside, steps, pose[linear_components])
     return _contour(is_inside, steps, mask) if mask.any() else None
 
 
-def _component(inside: PoseTest, steps: list[Array], pose: Array) -> NDArray[np.bool_]:
-    """Return which nodes of a grid belong to the connected part of the workspace nearest to a pose."""
+def _connected_part(inside: PoseTest, steps: list[Array], pose: Array) -> NDArray[np.bool_]:
+    """Return a mask of the grid nodes in the connected part of the workspace that is nearest to a pose."""
     from scipy.ndimage import label
 
     nodes = np.stack(np.meshgrid(*steps, indexing="ij"), axis=-1)

@@ -1,4 +1,4 @@
-// Sections that fold: going to one unfolds it, a button unfolds all, and so does printing.
+// Folded sections: a link to one unfolds it, a button unfolds all, and printing does so while it lasts.
 
 const folds = [...document.querySelectorAll(".folded > details")];
 
@@ -10,34 +10,34 @@ function unfoldTarget() {
   target.scrollIntoView();
 }
 
-const every = document.createElement("button");
-every.type = "button";
-every.className = "unfold";
+const foldButton = document.createElement("button");
+foldButton.type = "button";
+foldButton.className = "unfold";
 
-function name() {
-  every.textContent = folds.every((fold) => fold.open) ? "Fold all" : "Unfold all";
+function updateButtonText() {
+  foldButton.textContent = folds.every((fold) => fold.open) ? "Fold all" : "Unfold all";
 }
 
-every.addEventListener("click", () => {
+foldButton.addEventListener("click", () => {
   const open = !folds.every((fold) => fold.open);
   for (const fold of folds) fold.open = open;
 });
-for (const fold of folds) fold.addEventListener("toggle", name);
-name();
-const entry = document.createElement("li");
-entry.append(every);
-document.querySelector(".contents ol").append(entry);
+for (const fold of folds) fold.addEventListener("toggle", updateButtonText);
+updateButtonText();
+const listItem = document.createElement("li");
+listItem.append(foldButton);
+document.querySelector(".contents ol").append(listItem);
 
-// A link to a section that was already the last one gone to makes no event of the address.
+// A click on a link to the address that is already shown causes no hashchange event.
 for (const link of document.querySelectorAll('a[href^="#"]')) {
   link.addEventListener("click", () => { if (link.hash === location.hash) unfoldTarget(); });
 }
 addEventListener("hashchange", unfoldTarget);
 unfoldTarget();
 
-let unfolded = [];
+let openedForPrint = [];
 addEventListener("beforeprint", () => {
-  unfolded = folds.filter((fold) => !fold.open);
-  for (const fold of unfolded) fold.open = true;
+  openedForPrint = folds.filter((fold) => !fold.open);
+  for (const fold of openedForPrint) fold.open = true;
 });
-addEventListener("afterprint", () => { for (const fold of unfolded) fold.open = false; });
+addEventListener("afterprint", () => { for (const fold of openedForPrint) fold.open = false; });

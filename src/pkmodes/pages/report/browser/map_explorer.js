@@ -1,59 +1,61 @@
-// What the user does with a map: choose a pose, a mode and a plane, and look for a frequency.
+// The controls of a map: to choose a pose, a mode and a plane, and to search for a frequency.
 
 class MapExplorer extends MapPicture {
   constructor(root, data, bytes) {
     const find = (name) => root.querySelector(`[data-part="${name}"]`);
     super(data, bytes, find("canvas"));
     this.find = find;
-    this.all = (name) => [...root.querySelectorAll(`[data-part="${name}"]`)];
+    this.findAll = (name) => [...root.querySelectorAll(`[data-part="${name}"]`)];
     this.table = new MapTable(this);
-    this.at = this.map.sizes.map(() => 0);
-    this.choosePlane();
-    const { map } = this, middle = map.sizes.map((size) => Math.floor(size / 2));
-    middle.fill(0, 0, map.first); // the first robot of a sweep
-    if (data.list) middle[map.first] = 0;
-    data.components.forEach((c, k) => { // in the section of the figures
-      const at = data.section ? data.section.at[c.name] : undefined, axis = map.axisOf[k];
-      if (at === undefined || axis < 0) return;
-      const away = data.axes[axis].values.map((value) => Math.abs(value - at));
-      middle[axis] = away.indexOf(Math.min(...away));
+    this.indices = this.map.sizes.map(() => 0);
+    this.chooseComponents();
+    const { map } = this, startIndices = map.sizes.map((size) => Math.floor(size / 2));
+    startIndices.fill(0, 0, map.firstPoseAxis); // the first robot of a sweep
+    if (data.list) startIndices[map.firstPoseAxis] = 0;
+    data.components.forEach((c, k) => { // begin in the section of the figures
+      const sectionValue = data.section ? data.section.at[c.name] : undefined, axis = map.axisOf[k];
+      if (sectionValue === undefined || axis < 0) return;
+      const distances = data.axes[axis].values.map((value) => Math.abs(value - sectionValue));
+      startIndices[axis] = distances.indexOf(Math.min(...distances));
     });
-    this.place = this.nearest(middle);
-    if (this.place >= 0) this.at = map.put(middle, this.place);
-    this.listen();
+    this.poseIndex = this.nearest(startIndices);
+    if (this.poseIndex >= 0) this.indices = map.withPose(startIndices, this.poseIndex);
+    this.addListeners();
     this.refresh();
   }
 
-  // The place with numbers nearest to these, on the chosen values of some axes.
-  nearest(at, held = []) {
+  // Index of the evaluable pose whose indices are nearest to those given, and equal to them on `fixedAxes`.
+  nearest(indices, fixedAxes = []) {
     const { map } = this;
-    return map.least(this.robot, (place) => {
-      const other = map.put(at, place);
-      if (held.some((k) => other[k] !== at[k])) return Infinity;
-      return other.reduce((sum, value, k) => sum + (k < map.first ? 0 : (value - at[k]) ** 2), 0);
+    return map.nearestPose(this.robotIndex, (poseIndex) => {
+      const candidate = map.withPose(indices, poseIndex);
+      if (fixedAxes.some((k) => candidate[k] !== indices[k])) return Infinity;
+      return candidate.reduce((sum, value, k) => sum + (k < map.firstPoseAxis ? 0 : (value - indices[k]) ** 2), 0);
     });
   }
 
-  listen() {
+  addListeners() {
     const canvas = this.chart.canvas;
-    const on = (name, event, act) => this.all(name).forEach((part) => part.addEventListener(event, () => act(part)));
-    on("mode", "change", (input) => { this.mode = Number(input.value); this.refresh(); this.say(); });
-    on("axis", "input", (slider) => this.slide(Number(slider.dataset.axis), Number(slider.value)));
-    on("plane", "change", () => { this.choosePlane(); this.refresh(); });
-    for (const name of ["target", "width"]) on(name, "input", () => this.search());
-    on("which", "change", () => this.search());
-    canvas.addEventListener("pointermove", (event) => this.point(this.under(event)));
-    canvas.addEventListener("pointerleave", () => this.point(-1));
+    const on = (name, event, handler) => this.findAll(name).forEach(
+      (part) => part.addEventListener(event, () => handler(part)),
+    );
+    on("mode", "change", (input) => { this.mode = Number(input.value); this.refresh(); this.announcePose(); });
+    on("axis", "input", (slider) => this.moveSlider(Number(slider.dataset.axis), Number(slider.value)));
+    on("plane", "change", () => { this.chooseComponents(); this.refresh(); });
+    for (const name of ["target", "width"]) on(name, "input", () => this.searchBand());
+    on("which", "change", () => this.searchBand());
+    canvas.addEventListener("pointermove", (event) => this.setPointer(this.poseAtPointer(event)));
+    canvas.addEventListener("pointerleave", () => this.setPointer(-1));
     canvas.addEventListener("click", (event) => {
       canvas.focus({ preventScroll: true });
-      this.go(this.under(event));
+      this.moveTo(this.poseAtPointer(event));
     });
-    canvas.addEventListener("keydown", (event) => this.key(event));
+    canvas.addEventListener("keydown", (event) => this.handleKey(event));
     this.find("rows").addEventListener("click", (event) => {
       const button = event.target.closest("button");
-      if (button) this.go(Number(button.dataset.place));
+      if (button) this.moveTo(Number(button.dataset.poseIndex));
     });
-    document.addEventListener("pkmodes-moved", (event) => this.follow(event.detail.pose));
+    document.addEventListener("pkmodes-moved", (event) => this.followMachine(event.detail.pose));
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.draw());
     let width = 0;
     new ResizeObserver(() => {
@@ -63,140 +65,152 @@ class MapExplorer extends MapPicture {
     }).observe(canvas);
   }
 
-  // Move the cursor, and the machine with it.
-  go(place) {
-    if (place < 0) return;
-    this.place = place;
-    this.at = this.map.put(this.at, place);
-    this.wanted = null;
+  // Move the cursor, and tell the machine viewer of the page to follow.
+  moveTo(poseIndex) {
+    if (poseIndex < 0) return;
+    this.poseIndex = poseIndex;
+    this.indices = this.map.withPose(this.indices, poseIndex);
+    this.requestedIndices = null;
     this.refresh();
-    this.say();
-    document.dispatchEvent(new CustomEvent("pkmodes-pose", { detail: { pose: this.map.pose(place) } }));
+    this.announcePose();
+    document.dispatchEvent(new CustomEvent("pkmodes-pose", { detail: { pose: this.map.pose(poseIndex) } }));
   }
 
   // The machine was moved elsewhere on the page: the cursor goes to the nearest pose.
-  follow(pose) {
-    const { map, data } = this, size = data.components.map((_, k) => this.span(k));
-    const place = map.least(this.robot, (one) => pose.reduce((sum, value, k) => sum + (size[k] ? ((map.component(k, one) - value) / size[k]) ** 2 : 0), 0));
-    if (place < 0) return;
-    this.place = place;
-    this.at = map.put(this.at, place);
-    this.wanted = null;
+  followMachine(pose) {
+    const { map, data } = this, spans = data.components.map((_, k) => this.span(k));
+    const distance = (candidate) => pose.reduce(
+      (sum, value, k) => sum + (spans[k] ? ((map.componentAt(k, candidate) - value) / spans[k]) ** 2 : 0), 0,
+    );
+    const poseIndex = map.nearestPose(this.robotIndex, distance);
+    if (poseIndex < 0) return;
+    this.poseIndex = poseIndex;
+    this.indices = map.withPose(this.indices, poseIndex);
+    this.requestedIndices = null;
     this.refresh();
   }
 
-  // What the other sliders were set to is kept: they return to it where a pose can be evaluated there again.
-  slide(axis, value) {
-    const wanted = (this.wanted || this.at).slice();
-    wanted[axis] = value;
-    if (axis < this.map.first) { // another robot: at the same place if it can be evaluated
-      this.at = wanted;
-      this.place = this.nearest(wanted);
-      if (this.place >= 0) this.at = this.map.put(wanted, this.place);
-      this.wanted = wanted;
+  // Move a slider.  Where no pose can be evaluated, the other sliders give way; what they were set to is kept in
+  // `requestedIndices`, and they return to it as soon as a pose can be evaluated there.
+  moveSlider(axis, value) {
+    const requested = (this.requestedIndices || this.indices).slice();
+    requested[axis] = value;
+    if (axis < this.map.firstPoseAxis) { // another robot: at the same pose if it can be evaluated
+      this.indices = requested;
+      this.poseIndex = this.nearest(requested);
+      if (this.poseIndex >= 0) this.indices = this.map.withPose(requested, this.poseIndex);
+      this.requestedIndices = requested;
       this.refresh();
-      this.say();
+      this.announcePose();
       return;
     }
-    const place = this.map.valid(this.robot, this.map.place(wanted)) ? this.map.place(wanted) : this.nearest(wanted, [axis]);
-    if (place < 0) {
+    const isValid = this.map.isValid(this.robotIndex, this.map.poseIndex(requested));
+    const poseIndex = isValid ? this.map.poseIndex(requested) : this.nearest(requested, [axis]);
+    if (poseIndex < 0) {
       this.refresh();
-      this.find("status").textContent = `No pose can be evaluated at ${this.label(axis, value)}.`;
+      this.find("status").textContent = `No pose can be evaluated at ${this.axisLabel(axis, value)}.`;
       return;
     }
-    this.go(place);
-    this.wanted = wanted;
-    if (this.map.place(wanted) !== place) this.find("status").textContent += " Moved to the nearest pose that can be evaluated.";
+    this.moveTo(poseIndex);
+    this.requestedIndices = requested;
+    if (this.map.poseIndex(requested) !== poseIndex) this.find("status").textContent += " Moved to the nearest pose that can be evaluated.";
   }
 
-  label(axis, value) {
-    const one = this.data.axes[axis];
-    return `${one.name} ${one.labels[value]} ${one.unit}`.trim();
+  axisLabel(axis, value) {
+    const axisData = this.data.axes[axis];
+    return `${axisData.name} ${axisData.labels[value]} ${axisData.unit}`.trim();
   }
 
-  key(event) {
+  handleKey(event) {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const { map } = this, step = { ArrowLeft: [0, -1], ArrowRight: [0, 1], ArrowDown: [1, -1], ArrowUp: [1, 1], PageDown: [2, -1], PageUp: [2, 1] }[event.key];
-    if (!step) return;
+    // Horizontal, vertical or further axis, and direction.
+    const { map } = this, moves = {
+      ArrowLeft: [0, -1], ArrowRight: [0, 1], ArrowDown: [1, -1], ArrowUp: [1, 1], PageDown: [2, -1], PageUp: [2, 1],
+    };
+    const move = moves[event.key];
+    if (!move) return;
     event.preventDefault();
-    let axis = map.first;
+    let axis = map.firstPoseAxis;
     if (!this.data.list) {
-      const drawn = this.shown.map((k) => map.axisOf[k]);
-      const rest = map.axisOf.filter((k) => map.sizes[k] > 1 && !drawn.includes(k));
-      axis = [drawn[0], drawn[1], rest[0]][step[0]];
+      const drawnAxes = this.drawn.map((k) => map.axisOf[k]);
+      const furtherAxes = map.axisOf.filter((k) => map.sizes[k] > 1 && !drawnAxes.includes(k));
+      axis = [drawnAxes[0], drawnAxes[1], furtherAxes[0]][move[0]];
     }
     if (axis === undefined) return;
-    const next = this.at.slice();
-    for (next[axis] += step[1]; next[axis] >= 0 && next[axis] < map.sizes[axis]; next[axis] += step[1]) {
-      if (map.valid(this.robot, map.place(next))) return this.go(map.place(next));
+    const indices = this.indices.slice();
+    for (indices[axis] += move[1]; indices[axis] >= 0 && indices[axis] < map.sizes[axis]; indices[axis] += move[1]) {
+      if (map.isValid(this.robotIndex, map.poseIndex(indices))) return this.moveTo(map.poseIndex(indices));
     }
     this.find("status").textContent = "There is no further pose in this direction.";
   }
 
-  point(place) {
-    if (place === this.pointer) return;
-    this.pointer = place;
-    this.read();
-    this.marks();
+  setPointer(poseIndex) {
+    if (poseIndex === this.pointerPose) return;
+    this.pointerPose = poseIndex;
+    this.showReadout();
+    this.drawMarks();
   }
 
-  search() {
+  searchBand() {
     const { map, data } = this, target = this.find("target").valueAsNumber, width = this.find("width").valueAsNumber;
     this.band = null;
     if (target > 0 && width >= 0) {
       const modes = this.find("which").value === "any" ? data.modes.map((_, k) => k) : [this.mode];
-      const [low, high] = [target - width, target + width].map((one) => Math.round(one * map.unit));
-      this.band = { modes, low, high, target: target * map.unit };
+      const [low, high] = [target - width, target + width].map((frequency) => Math.round(frequency * map.unitsPerHertz));
+      this.band = { modes, low, high, target: target * map.unitsPerHertz };
     }
     this.draw();
-    this.read();
+    this.showReadout();
     this.table.show();
   }
 
   refresh() {
     const which = this.find("which");
     which.options[1].textContent = `mode ${this.data.modes[this.mode]}`;
-    this.all("axis").forEach((slider) => {
-      const axis = Number(slider.dataset.axis), text = this.label(axis, this.at[axis]).slice(this.data.axes[axis].name.length + 1);
-      slider.value = this.at[axis];
+    this.findAll("axis").forEach((slider) => {
+      const axis = Number(slider.dataset.axis), label = this.axisLabel(axis, this.indices[axis]);
+      const text = label.slice(this.data.axes[axis].name.length + 1);
+      slider.value = this.indices[axis];
       slider.setAttribute("aria-valuetext", text);
       slider.closest("label").querySelector("output").textContent = text;
     });
-    const key = `${this.robot} ${this.mode} ${which.value}`;
-    if (key !== this.searched) {
-      this.searched = key;
-      this.search();
+    const key = `${this.robotIndex} ${this.mode} ${which.value}`;
+    if (key !== this.searchKey) {
+      this.searchKey = key;
+      this.searchBand();
     } else {
       this.draw();
-      this.read();
+      this.showReadout();
       this.table.mark();
     }
   }
 
-  words(place) {
-    const { data, map } = this, values = map.pose(place);
-    const pose = data.components.map((c, k) => `${c.name}\u00a0${fixed(values[k] * c.factor, c.decimals)}\u00a0${c.unit}`).join(", ");
-    return data.list ? `${data.axes[map.first].labels[place]}: ${pose}` : pose;
+  poseText(poseIndex) {
+    const { data, map } = this, values = map.pose(poseIndex);
+    const pose = data.components.map((c, k) => `${c.name}\u00a0${formatFixed(values[k] * c.factor, c.decimals)}\u00a0${c.unit}`).join(", ");
+    return data.list ? `${data.axes[map.firstPoseAxis].labels[poseIndex]}: ${pose}` : pose;
   }
 
-  hertz(mode, place) {
-    const one = this.map.frequency(mode, this.robot, place);
-    if (Number.isNaN(one)) return "\u2013";
-    return Math.abs(one) >= this.data.largest ? "over 1 MHz" : fixed(one, this.data.decimals);
+  frequencyText(mode, poseIndex) {
+    const frequency = this.map.frequency(mode, this.robotIndex, poseIndex);
+    if (Number.isNaN(frequency)) return "\u2013";
+    return Math.abs(frequency) >= this.data.largest ? "over 1 MHz" : formatFixed(frequency, this.data.decimals);
   }
 
-  say() {
-    this.find("status").textContent = this.place < 0 ? "" : `${this.words(this.place)}; mode ${this.data.modes[this.mode]}: ${this.hertz(this.mode, this.place)} Hz.`;
+  announcePose() {
+    const { poseIndex, mode } = this;
+    const text = poseIndex < 0 ? "" : `${this.poseText(poseIndex)}; mode ${this.data.modes[mode]}: ${this.frequencyText(mode, poseIndex)} Hz.`;
+    this.find("status").textContent = text;
   }
 
   // Pose and frequencies at the pointer, or else at the cursor.
-  read() {
-    const place = this.pointer >= 0 ? this.pointer : this.place;
-    this.find("where").textContent = this.pointer >= 0 ? "At the pointer" : "At the cursor";
-    this.find("pose").textContent = place < 0 ? "No pose can be evaluated." : this.words(place);
-    this.all("frequency").forEach((cell, mode) => {
-      cell.textContent = place < 0 ? "\u2013" : this.hertz(mode, place);
-      cell.parentElement.querySelector("[data-part='in']").textContent = this.holds(mode, place) ? "in the band" : "";
+  showReadout() {
+    const poseIndex = this.pointerPose >= 0 ? this.pointerPose : this.poseIndex;
+    this.find("where").textContent = this.pointerPose >= 0 ? "At the pointer" : "At the cursor";
+    this.find("pose").textContent = poseIndex < 0 ? "No pose can be evaluated." : this.poseText(poseIndex);
+    this.findAll("frequency").forEach((cell, mode) => {
+      cell.textContent = poseIndex < 0 ? "\u2013" : this.frequencyText(mode, poseIndex);
+      cell.parentElement.querySelector("[data-part='in']").textContent = this.inBand(mode, poseIndex) ? "in the band" : "";
     });
   }
 }
@@ -205,9 +219,9 @@ document.querySelectorAll(".explorer").forEach(async (root) => {
   const data = JSON.parse(root.querySelector("script[type='application/json']").textContent);
   let bytes;
   try {
-    bytes = await inflated(data.packed);
+    bytes = await inflate(data.packed);
   } catch {
-    return; // an old browser: the sentence stays that says so
+    return; // an old browser: the sentence about it stays on the page
   }
   root.querySelector("[data-part='waiting']").hidden = true;
   root.querySelector("[data-part='all']").hidden = false;

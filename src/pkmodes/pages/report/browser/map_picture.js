@@ -1,6 +1,6 @@
-// The picture of a map: which components it shows, what is where, and which pose is under the pointer.
+// The picture of a map: the components that it shows, the poses drawn over them, and the pose under the pointer.
 
-function extent(values) {
+function rangeOf(values) {
   return values.reduce(([low, high], value) => [Math.min(low, value), Math.max(high, value)], [Infinity, -Infinity]);
 }
 
@@ -9,193 +9,201 @@ class MapPicture {
     this.data = data;
     this.map = new MapValues(data, bytes);
     this.chart = new MapChart(canvas, data.colours);
-    this.ends = this.map.reached();
+    this.axisRanges = this.map.evaluatedRanges();
     this.mode = 0;
-    this.band = null; // the frequencies that are looked for
-    this.place = this.pointer = -1;
+    this.band = null; // the range of frequencies that the user searches for
+    this.poseIndex = this.pointerPose = -1;
   }
 
-  // Which components are drawn: two that vary, or one and the frequency.
-  choosePlane() {
+  // Choose the components to draw: two that vary, or one, over which the frequencies are drawn.
+  chooseComponents() {
     const { data, map } = this, select = this.find("plane");
-    const several = data.components.map((_, k) => k).filter((k) => {
+    const varying = data.components.map((_, k) => k).filter((k) => {
       const values = data.list ? data.list[k] : data.axes[map.axisOf[k]].values;
       return values.some((value) => value !== values[0]);
     });
     const names = select ? select.value.split(" ") : [];
-    this.shown = names.length ? names.map((name) => data.components.findIndex((c) => c.name === name)) : several.slice(0, 2);
-    this.flat = this.shown.length > 1;
-    this.turn();
+    const indexOf = (name) => data.components.findIndex((c) => c.name === name);
+    this.drawn = names.length ? names.map(indexOf) : varying.slice(0, 2);
+    this.isPlane = this.drawn.length > 1;
+    this.orderDrawnComponents();
   }
 
-  // As in the figures of the page: in their plane as they draw it, in others the clearly longer component upright.
-  turn() {
-    const { data, shown } = this;
-    if (!this.flat) return;
-    shown.sort((a, b) => a - b);
-    const [a, b] = shown.map((k) => data.components[k]), sides = data.section ? data.section.sides : [];
-    const drawn = sides.includes(a.name) && sides.includes(b.name);
-    if (drawn ? sides[0] === b.name : a.unit === b.unit && this.span(shown[0]) > data.longer * this.span(shown[1])) shown.reverse();
+  // Choose which component is horizontal: in the plane of the page's figures as they have it, in another plane so
+  // that the clearly longer component is vertical.
+  orderDrawnComponents() {
+    const { data, drawn } = this;
+    if (!this.isPlane) return;
+    drawn.sort((a, b) => a - b);
+    const [first, second] = drawn.map((k) => data.components[k]), sides = data.section ? data.section.sides : [];
+    const inSection = sides.includes(first.name) && sides.includes(second.name);
+    const firstIsLonger = first.unit === second.unit && this.span(drawn[0]) > data.longer * this.span(drawn[1]);
+    if (inSection ? sides[0] === second.name : firstIsLonger) drawn.reverse();
   }
 
   // Extent of a component [SI].
   span(k) {
     const { data, map } = this;
-    const [low, high] = data.list ? this.listed(k) : this.ends[map.axisOf[k]].map((i) => data.axes[map.axisOf[k]].values[i]);
+    const axis = map.axisOf[k];
+    const [low, high] = data.list ? this.listRange(k) : this.axisRanges[axis].map((i) => data.axes[axis].values[i]);
     return high - low;
   }
 
-  // Least and largest value of a component in a list, of the poses that can be evaluated.
-  listed(k) {
-    return extent(this.data.list[k].filter((_, place) => this.map.valid(this.robot, place)));
+  // Smallest and largest value of a component over the poses of a list that can be evaluated.
+  listRange(k) {
+    return rangeOf(this.data.list[k].filter((_, poseIndex) => this.map.isValid(this.robotIndex, poseIndex)));
   }
 
-  // The place under the pointer, -1 without one.
-  under(event) {
+  // Index of the pose under the pointer, -1 without one.
+  poseAtPointer(event) {
     const box = this.chart.canvas.getBoundingClientRect();
     const [px, py] = [event.clientX - box.left, event.clientY - box.top];
     if (this.cells) {
-      const { xs, ys, place } = this.cells, { chart } = this;
-      const at = (values, one, inside) => borders(values).findIndex((edge, i, all) => i < values.length && inside(one, edge, all[i + 1]));
-      const i = at(xs, px, (one, a, b) => one >= chart.across(a) && one < chart.across(b));
-      const k = at(ys, py, (one, a, b) => one <= chart.along(a) && one > chart.along(b));
-      return i >= 0 && k >= 0 && this.map.valid(this.robot, place(i, k)) ? place(i, k) : -1;
+      const { xs, ys, poseAtCell } = this.cells, { chart } = this;
+      const findCell = (values, pixel, isInside) => cellBorders(values).findIndex(
+        (edge, i, edges) => i < values.length && isInside(pixel, edge, edges[i + 1]),
+      );
+      const column = findCell(xs, px, (pixel, a, b) => pixel >= chart.xPixel(a) && pixel < chart.xPixel(b));
+      const row = findCell(ys, py, (pixel, a, b) => pixel <= chart.yPixel(a) && pixel > chart.yPixel(b));
+      const poseIndex = column >= 0 && row >= 0 ? poseAtCell(column, row) : -1;
+      return poseIndex >= 0 && this.map.isValid(this.robotIndex, poseIndex) ? poseIndex : -1;
     }
-    // Of points on each other, the one after the cursor.
-    const near = [];
-    let least = 24 ** 2;
-    for (const [place, x, y] of this.points) {
-      const away = this.flat ? (x - px) ** 2 + (y - py) ** 2 : (x - px) ** 2;
-      if (away < least - 1) near.length = 0;
-      if (away <= least) { near.push(place); least = Math.min(least, away); }
+    // Where points coincide, repeated clicks go through them: the next one after the cursor.
+    const candidates = [];
+    let shortest = 24 ** 2;
+    for (const [poseIndex, x, y] of this.points) {
+      const distance = this.isPlane ? (x - px) ** 2 + (y - py) ** 2 : (x - px) ** 2;
+      if (distance < shortest - 1) candidates.length = 0;
+      if (distance <= shortest) { candidates.push(poseIndex); shortest = Math.min(shortest, distance); }
     }
-    const next = near.indexOf(this.place) + 1;
-    return near.length ? near[next % near.length] : -1;
+    const next = candidates.indexOf(this.poseIndex) + 1;
+    return candidates.length ? candidates[next % candidates.length] : -1;
   }
 
-  // Whether a mode lies in the band that is looked for, and whether any of those that are searched does.
-  holds(mode, place) {
+  // Whether a mode is searched for and lies in the band; `anyModeInBand`: whether any mode does.
+  inBand(mode, poseIndex) {
     const { band } = this;
-    if (!band || place < 0 || !band.modes.includes(mode)) return false;
-    const number = this.map.number(mode, this.robot, place);
-    return number !== MISSING && number >= band.low && number <= band.high;
+    if (!band || poseIndex < 0 || !band.modes.includes(mode)) return false;
+    const frequency = this.map.scaledFrequency(mode, this.robotIndex, poseIndex);
+    return frequency !== MISSING && frequency >= band.low && frequency <= band.high;
   }
 
-  inside(place) {
-    return !!this.band && this.band.modes.some((mode) => this.holds(mode, place));
+  anyModeInBand(poseIndex) {
+    return !!this.band && this.band.modes.some((mode) => this.inBand(mode, poseIndex));
   }
 
   draw() {
-    const { data, map, chart, shown } = this, robot = this.robot, limits = data.limits[this.mode];
+    const { data, map, chart, drawn } = this, robotIndex = this.robotIndex, limits = data.limits[this.mode];
     if (!chart.canvas.clientWidth) return;
     this.cells = null;
     this.points = [];
-    const name = (k) => `${data.components[k].name} [${data.components[k].unit}]`;
-    const values = (k) => data.axes[map.axisOf[k]].values.map((one) => one * data.components[k].factor);
-    const colours = () => chart.bar(limits, "f [Hz]");
-    if (this.flat && !data.list) {
-      const [h, v] = shown.map((k) => map.axisOf[k]), at = this.at.slice();
-      const [[left, right], [bottom, top]] = [this.ends[h], this.ends[v]];
-      const xs = values(shown[0]).slice(left, right + 1), ys = values(shown[1]).slice(bottom, top + 1);
-      const place = (i, k) => { at[h] = left + i; at[v] = bottom + k; return map.place(at); };
-      const ends = (all) => [borders(all)[0], borders(all).at(-1)];
-      chart.frame(ends(xs), ends(ys), data.components[shown[0]].unit === data.components[shown[1]].unit);
-      this.cells = { xs, ys, place };
-      chart.cells(xs, ys, (i, k) => map.frequency(this.mode, robot, place(i, k)), limits, (i, k) => this.inside(place(i, k)));
-      chart.axes(name(shown[0]), name(shown[1]));
-      colours();
-    } else if (this.flat) {
-      const xs = data.list[shown[0]].map((one) => one * data.components[shown[0]].factor);
-      const ys = data.list[shown[1]].map((one) => one * data.components[shown[1]].factor);
-      const ends = (k) => {
-        const [a, b] = this.listed(k), { factor } = data.components[k], half = 0.06 * (b - a) || 0.5 / factor;
-        return [factor * (a - half), factor * (b + half)];
+    const axisTitle = (k) => `${data.components[k].name} [${data.components[k].unit}]`;
+    const values = (k) => data.axes[map.axisOf[k]].values.map((value) => value * data.components[k].factor);
+    const drawColourBar = () => chart.drawColourBar(limits, "f [Hz]");
+    if (this.isPlane && !data.list) {
+      const [xAxis, yAxis] = drawn.map((k) => map.axisOf[k]), indices = this.indices.slice();
+      const [[left, right], [bottom, top]] = [this.axisRanges[xAxis], this.axisRanges[yAxis]];
+      const xs = values(drawn[0]).slice(left, right + 1), ys = values(drawn[1]).slice(bottom, top + 1);
+      const poseAtCell = (i, k) => { indices[xAxis] = left + i; indices[yAxis] = bottom + k; return map.poseIndex(indices); };
+      const outerBorders = (centres) => [cellBorders(centres)[0], cellBorders(centres).at(-1)];
+      chart.setFrame(outerBorders(xs), outerBorders(ys), data.components[drawn[0]].unit === data.components[drawn[1]].unit);
+      this.cells = { xs, ys, poseAtCell };
+      const frequencyAt = (i, k) => map.frequency(this.mode, robotIndex, poseAtCell(i, k));
+      chart.drawCells(xs, ys, frequencyAt, limits, (i, k) => this.anyModeInBand(poseAtCell(i, k)));
+      chart.drawAxes(axisTitle(drawn[0]), axisTitle(drawn[1]));
+      drawColourBar();
+    } else if (this.isPlane) {
+      const xs = data.list[drawn[0]].map((value) => value * data.components[drawn[0]].factor);
+      const ys = data.list[drawn[1]].map((value) => value * data.components[drawn[1]].factor);
+      const paddedRange = (k) => {
+        const [low, high] = this.listRange(k), { factor } = data.components[k], margin = 0.06 * (high - low) || 0.5 / factor;
+        return [factor * (low - margin), factor * (high + margin)];
       };
-      chart.frame(ends(shown[0]), ends(shown[1]), data.components[shown[0]].unit === data.components[shown[1]].unit);
-      xs.forEach((x, place) => {
-        const one = map.frequency(this.mode, robot, place);
-        if (Number.isNaN(one)) return;
-        this.points.push([place, chart.across(x), chart.along(ys[place])]);
-        chart.dot(chart.across(x), chart.along(ys[place]), chart.colour(one, limits), this.inside(place));
+      chart.setFrame(paddedRange(drawn[0]), paddedRange(drawn[1]), data.components[drawn[0]].unit === data.components[drawn[1]].unit);
+      xs.forEach((x, poseIndex) => {
+        const frequency = map.frequency(this.mode, robotIndex, poseIndex);
+        if (Number.isNaN(frequency)) return;
+        this.points.push([poseIndex, chart.xPixel(x), chart.yPixel(ys[poseIndex])]);
+        chart.drawDot(chart.xPixel(x), chart.yPixel(ys[poseIndex]), chart.colour(frequency, limits), this.anyModeInBand(poseIndex));
       });
-      chart.axes(name(shown[0]), name(shown[1]));
-      colours();
+      chart.drawAxes(axisTitle(drawn[0]), axisTitle(drawn[1]));
+      drawColourBar();
     } else {
-      this.curves(shown[0], robot);
+      this.drawCurves(drawn[0], robotIndex);
     }
-    this.marks();
+    this.drawMarks();
   }
 
-  // Frequencies of all modes over one component, or over the number in a list.
-  curves(k, robot) {
-    const { data, map, chart, band } = this, places = Array.from({ length: map.places }, (_, place) => place);
-    const xs = places.map((place) => (k === undefined ? place + 1 : map.component(k, place) * data.components[k].factor));
-    const order = places.slice().sort((a, b) => xs[a] - xs[b]), [low, high] = extent(data.limits.flat()), pad = 0.06 * (high - low);
-    const [left, right] = extent(xs);
-    chart.frame([left, right > left ? right : left + 1], [Math.max(low - pad, Math.min(low, 0)), high + pad], false);
+  // Frequencies of all modes over component k, or over the position of each pose in a list if k is undefined.
+  drawCurves(k, robotIndex) {
+    const { data, map, chart, band } = this, poses = Array.from({ length: map.poseCount }, (_, poseIndex) => poseIndex);
+    const xs = poses.map((poseIndex) => (k === undefined ? poseIndex + 1 : map.componentAt(k, poseIndex) * data.components[k].factor));
+    const order = poses.slice().sort((a, b) => xs[a] - xs[b]), [low, high] = rangeOf(data.limits.flat()), pad = 0.06 * (high - low);
+    const [left, right] = rangeOf(xs);
+    chart.setFrame([left, right > left ? right : left + 1], [Math.max(low - pad, Math.min(low, 0)), high + pad], false);
     const { pen } = chart;
     pen.save();
-    pen.clip(new Path2D(`M${chart.left - 9} ${chart.top}h${chart.w + 18}v${chart.h}h${-chart.w - 18}Z`));
+    pen.clip(new Path2D(`M${chart.left - 9} ${chart.top}h${chart.plotWidth + 18}v${chart.plotHeight}h${-chart.plotWidth - 18}Z`));
     if (band) {
-      const [top, bottom] = [band.high, band.low].map((one) => chart.along(one / map.unit)), area = new Path2D();
-      area.rect(chart.left, top, chart.w, bottom - top);
+      const [top, bottom] = [band.high, band.low].map((frequency) => chart.yPixel(frequency / map.unitsPerHertz)), area = new Path2D();
+      area.rect(chart.left, top, chart.plotWidth, bottom - top);
       pen.globalAlpha = 0.35;
       chart.hatch(area, area);
       pen.globalAlpha = 1;
     }
     data.modes.forEach((_, mode) => {
-      const own = mode === this.mode;
-      pen.lineWidth = own ? 2.5 : 1;
-      pen.globalAlpha = own ? 1 : 0.55;
+      const isChosen = mode === this.mode;
+      pen.lineWidth = isChosen ? 2.5 : 1;
+      pen.globalAlpha = isChosen ? 1 : 0.55;
       pen.beginPath();
-      let begun = false;
-      for (const place of order) {
-        const one = map.frequency(mode, robot, place);
-        if (Number.isNaN(one)) { begun = false; continue; }
-        const [x, y] = [chart.across(xs[place]), chart.along(one)];
-        if (begun) pen.lineTo(x, y); else pen.moveTo(x, y);
-        begun = true;
-        if (own) this.points.push([place, x, y]);
+      let penDown = false;
+      for (const poseIndex of order) {
+        const frequency = map.frequency(mode, robotIndex, poseIndex);
+        if (Number.isNaN(frequency)) { penDown = false; continue; }
+        const [x, y] = [chart.xPixel(xs[poseIndex]), chart.yPixel(frequency)];
+        if (penDown) pen.lineTo(x, y); else pen.moveTo(x, y);
+        penDown = true;
+        if (isChosen) this.points.push([poseIndex, x, y]);
       }
       pen.stroke();
     });
     pen.globalAlpha = 1;
-    for (const [place, x] of this.points) data.modes.forEach((_, mode) => {
-      if (this.holds(mode, place)) chart.dot(x, chart.along(map.frequency(mode, robot, place)), chart.paper, false);
+    for (const [poseIndex, x] of this.points) data.modes.forEach((_, mode) => {
+      if (this.inBand(mode, poseIndex)) chart.drawDot(x, chart.yPixel(map.frequency(mode, robotIndex, poseIndex)), chart.paper, false);
     });
     pen.restore();
     Object.assign(pen, { fillStyle: chart.ink, strokeStyle: chart.ink, lineWidth: 1 });
-    chart.axes(k === undefined ? "number in the list" : `${data.components[k].name} [${data.components[k].unit}]`, "f [Hz]");
+    chart.drawAxes(k === undefined ? "number in the list" : `${data.components[k].name} [${data.components[k].unit}]`, "f [Hz]");
     Object.assign(pen, { textAlign: "left", textBaseline: "middle" });
-    const last = order.findLast((place) => map.valid(robot, place));
-    if (last === undefined) return;
-    let above = Infinity; // labels do not cover each other
+    const lastPose = order.findLast((poseIndex) => map.isValid(robotIndex, poseIndex));
+    if (lastPose === undefined) return;
+    let lowestFreeY = Infinity; // labels do not cover each other
     data.modes.forEach((number, mode) => {
-      const y = Math.min(Math.max(chart.along(map.frequency(mode, robot, last)), chart.top + 6), above - 14);
+      const y = Math.min(Math.max(chart.yPixel(map.frequency(mode, robotIndex, lastPose)), chart.top + 6), lowestFreeY - 14);
       if (Number.isNaN(y)) return;
-      above = y;
+      lowestFreeY = y;
       pen.font = `${mode === this.mode ? "bold " : ""}${chart.font}`;
-      pen.fillText(`mode ${number}`, chart.left + chart.w + 12, y);
+      pen.fillText(`mode ${number}`, chart.left + chart.plotWidth + 12, y);
     });
   }
 
-  marks() {
-    const { chart } = this, spot = (place) => {
-      if (place < 0) return null;
-      const point = this.points.find((one) => one[0] === place);
+  drawMarks() {
+    const { chart } = this, positionOf = (poseIndex) => {
+      if (poseIndex < 0) return null;
+      const point = this.points.find((candidate) => candidate[0] === poseIndex);
       if (point) return point.slice(1);
-      if (!this.flat) return null;
-      return [chart.across(this.value(0, place)), chart.along(this.value(1, place))];
+      if (!this.isPlane) return null;
+      return [chart.xPixel(this.drawnValue(0, poseIndex)), chart.yPixel(this.drawnValue(1, poseIndex))];
     };
-    if (chart.pen) chart.show(spot(this.place), spot(this.pointer), !this.flat);
+    if (chart.pen) chart.drawCursors(positionOf(this.poseIndex), positionOf(this.pointerPose), !this.isPlane);
   }
 
-  value(i, place) {
-    const k = this.shown[i];
-    return this.map.component(k, place) * this.data.components[k].factor;
+  drawnValue(i, poseIndex) {
+    const k = this.drawn[i];
+    return this.map.componentAt(k, poseIndex) * this.data.components[k].factor;
   }
 
-  get robot() {
-    return this.map.robot(this.at);
+  get robotIndex() {
+    return this.map.robotIndex(this.indices);
   }
 }

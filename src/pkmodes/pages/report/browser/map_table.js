@@ -1,7 +1,7 @@
-// The poses of a map at which a frequency lies in a band; of a list of poses, all of them.
+// The table of the poses at which a frequency lies in the band; without a band, all poses of a list.
 
-// Rows at most, of a grid and of a list.
-const NEAREST = 20, LISTED = 200;
+// Maximum number of rows for a grid and for a list of poses.
+const MAX_GRID_ROWS = 20, MAX_LIST_ROWS = 200;
 
 class MapTable {
   constructor(explorer) {
@@ -9,73 +9,87 @@ class MapTable {
     Object.assign(this, { map: explorer.map, data: explorer.data, find: explorer.find });
   }
 
-  // How much of the map lies in the band, and the poses nearest to its middle; of a list, all poses.
+  // Show how much of the map lies in the band, and the poses nearest to its middle.
   show() {
-    const { explorer, map, data } = this, { band, robot } = explorer, found = [];
-    let valid = 0;
-    for (let place = 0; place < map.places; place++) {
-      if (!map.valid(robot, place)) continue;
-      valid++;
+    const { explorer, map, data } = this, { band, robotIndex } = explorer, matches = [];
+    let validCount = 0;
+    for (let poseIndex = 0; poseIndex < map.poseCount; poseIndex++) {
+      if (!map.isValid(robotIndex, poseIndex)) continue;
+      validCount++;
       if (!band) continue;
-      let best = null;
+      let nearest = null;
       for (const mode of band.modes) {
-        if (!explorer.holds(mode, place)) continue;
-        const away = Math.abs(map.number(mode, robot, place) - band.target);
-        if (!best || away < best[0]) best = [away, place, mode];
+        if (!explorer.inBand(mode, poseIndex)) continue;
+        const distance = Math.abs(map.scaledFrequency(mode, robotIndex, poseIndex) - band.target);
+        if (!nearest || distance < nearest[0]) nearest = [distance, poseIndex, mode];
       }
-      if (best) found.push(best);
+      if (nearest) matches.push(nearest);
     }
-    const share = this.find("share"), list = !!data.list, box = this.find("hits");
-    const grouped = (count) => String(count).replace(/\B(?=(\d{3})+$)/g, "\u202f");
+    const sentence = this.find("share"), isList = !!data.list, box = this.find("hits");
+    const formatCount = (count) => String(count).replace(/\B(?=(\d{3})+$)/g, "\u202f");
     if (!band) {
-      share.textContent = list ? "All poses of the list:" : "";
-      box.hidden = !list;
-      if (!list) return;
+      sentence.textContent = isList ? "All poses of the list:" : "";
+      box.hidden = !isList;
+      if (!isList) return;
     } else {
-      const who = band.modes.length > 1 ? "A mode" : `Mode ${data.modes[explorer.mode]}`;
-      const ends = [band.low, band.high].map((one) => fixed(one / map.unit, 3).replace(/\.?0+$/, ""));
-      const of = map.first ? " of this robot" : "";
-      share.textContent = `${who} lies within ${ends[0]} to ${ends[1]} Hz at ${grouped(found.length)} of ${grouped(valid)} poses${of}: ${found.length ? Number(((100 * found.length) / valid).toPrecision(3)) : 0} %.`;
-      box.hidden = !found.length;
+      const subject = band.modes.length > 1 ? "A mode" : `Mode ${data.modes[explorer.mode]}`;
+      const limits = [band.low, band.high].map((frequency) => formatFixed(frequency / map.unitsPerHertz, 3).replace(/\.?0+$/, ""));
+      const ofRobot = map.firstPoseAxis ? " of this robot" : "";
+      const count = `${formatCount(matches.length)} of ${formatCount(validCount)} poses${ofRobot}`;
+      const percent = matches.length ? Number(((100 * matches.length) / validCount).toPrecision(3)) : 0;
+      sentence.textContent = `${subject} lies within ${limits[0]} to ${limits[1]} Hz at ${count}: ${percent} %.`;
+      box.hidden = !matches.length;
     }
-    found.sort((a, b) => a[0] - b[0] || a[1] - b[1]);
-    const columns = [...(list ? ["pose"] : []), ...data.components.map((c) => `${c.name} [${c.unit}]`)];
-    const pose = (place) => [...(list ? [data.axes[map.first].labels[place]] : []), ...data.components.map((c, k) => fixed(map.component(k, place) * c.factor, c.decimals))];
+    matches.sort((a, b) => a[0] - b[0] || a[1] - b[1]);
+    const columns = [...(isList ? ["pose"] : []), ...data.components.map((c) => `${c.name} [${c.unit}]`)];
+    const poseCells = (poseIndex) => [
+      ...(isList ? [data.axes[map.firstPoseAxis].labels[poseIndex]] : []),
+      ...data.components.map((c, k) => formatFixed(map.componentAt(k, poseIndex) * c.factor, c.decimals)),
+    ];
     let rows, total;
     if (band) {
-      columns.push("mode", "f [Hz]", `f \u2212 ${fixed(band.target / map.unit, 3).replace(/\.?0+$/, "")} Hz`);
-      total = found.length;
-      rows = found.slice(0, list ? LISTED : NEAREST).map(([, place, mode]) => {
-        const away = (map.number(mode, robot, place) - band.target) / map.unit;
-        return [place, [...pose(place), String(data.modes[mode]), explorer.hertz(mode, place), `${away > 0 ? "+" : ""}${fixed(away, data.decimals)}`]];
+      columns.push("mode", "f [Hz]", `f \u2212 ${formatFixed(band.target / map.unitsPerHertz, 3).replace(/\.?0+$/, "")} Hz`);
+      total = matches.length;
+      rows = matches.slice(0, isList ? MAX_LIST_ROWS : MAX_GRID_ROWS).map(([, poseIndex, mode]) => {
+        const difference = (map.scaledFrequency(mode, robotIndex, poseIndex) - band.target) / map.unitsPerHertz;
+        const differenceText = `${difference > 0 ? "+" : ""}${formatFixed(difference, data.decimals)}`;
+        const frequencyText = explorer.frequencyText(mode, poseIndex);
+        return [poseIndex, [...poseCells(poseIndex), String(data.modes[mode]), frequencyText, differenceText]];
       });
     } else {
       columns.push(...data.modes.map((number) => `mode ${number} [Hz]`));
-      const valids = Array.from({ length: map.places }, (_, place) => place).filter((place) => map.valid(robot, place));
-      total = valids.length;
-      rows = valids.slice(0, LISTED).map((place) => [place, [...pose(place), ...data.modes.map((_, mode) => explorer.hertz(mode, place))]]);
+      const allPoses = Array.from({ length: map.poseCount }, (_, poseIndex) => poseIndex);
+      const validPoses = allPoses.filter((poseIndex) => map.isValid(robotIndex, poseIndex));
+      total = validPoses.length;
+      rows = validPoses.slice(0, MAX_LIST_ROWS).map((poseIndex) => {
+        const frequencies = data.modes.map((_, mode) => explorer.frequencyText(mode, poseIndex));
+        return [poseIndex, [...poseCells(poseIndex), ...frequencies]];
+      });
     }
-    this.find("caption").textContent = `${band ? "Nearest to the middle of the band first" : "In the order of the list"}${rows.length < total ? `: ${rows.length} of ${grouped(total)}` : ""}. Choose a pose to go there.`;
+    const order = band ? "Nearest to the middle of the band first" : "In the order of the list";
+    const part = rows.length < total ? `: ${rows.length} of ${formatCount(total)}` : "";
+    this.find("caption").textContent = `${order}${part}. Choose a pose to go there.`;
     this.fill(columns, rows);
     this.mark();
   }
 
   fill(columns, rows) {
-    const made = (tag, text, settings = {}) => Object.assign(document.createElement(tag), { textContent: text }, settings);
-    const label = this.data.list ? 0 : -1;
-    const head = columns.map((text, i) => made("th", text, { scope: "col", className: i === label ? "" : "number" }));
+    const createElement = (tag, text, properties = {}) => Object.assign(document.createElement(tag), { textContent: text }, properties);
+    const labelColumn = this.data.list ? 0 : -1;
+    const head = columns.map((text, i) => createElement("th", text, { scope: "col", className: i === labelColumn ? "" : "number" }));
     this.find("heads").replaceChildren(...head);
-    this.find("rows").replaceChildren(...rows.map(([place, cells]) => {
+    this.find("rows").replaceChildren(...rows.map(([poseIndex, cells]) => {
       const row = document.createElement("tr");
-      row.dataset.place = place;
+      row.dataset.poseIndex = poseIndex;
       cells.forEach((text, i) => {
-        const cell = made(i ? "td" : "th", i ? text : "", { className: i === label ? "short" : "number" });
+        const cell = createElement(i ? "td" : "th", i ? text : "", { className: i === labelColumn ? "short" : "number" });
         if (!i) {
           cell.scope = "row";
-          const button = made("button", "", { type: "button" });
-          button.dataset.place = place;
-          button.setAttribute("aria-label", `go to ${cells.slice(0, columns.length).map((one, k) => `${columns[k]} ${one}`).join(", ")}`);
-          button.append(made("bdi", text));
+          const button = createElement("button", "", { type: "button" });
+          button.dataset.poseIndex = poseIndex;
+          const description = cells.slice(0, columns.length).map((cellText, k) => `${columns[k]} ${cellText}`);
+          button.setAttribute("aria-label", `go to ${description.join(", ")}`);
+          button.append(createElement("bdi", text));
           cell.append(button);
         }
         row.append(cell);
@@ -84,10 +98,10 @@ class MapTable {
     }));
   }
 
-  // The rows of the pose of the cursor.
+  // Mark the rows of the pose at the cursor.
   mark() {
     this.find("rows").querySelectorAll("tr").forEach((row) => {
-      row.toggleAttribute("aria-current", Number(row.dataset.place) === this.explorer.place);
+      row.toggleAttribute("aria-current", Number(row.dataset.poseIndex) === this.explorer.poseIndex);
       if (row.hasAttribute("aria-current")) row.setAttribute("aria-current", "true");
     });
   }

@@ -1,117 +1,123 @@
-// The frequencies of a map as the page holds them, and the places at which they are: see report/map_values.py.
+// The frequencies of a map, unpacked from the page, and the robots and poses that they belong to: see
+// report/map_values.py, which packs them.
 
 const MISSING = -0x80000000;
 
-async function inflated(text) {
-  const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+async function inflate(text) {
+  const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-// Whole numbers of 10 ** -decimals Hz, by mode and then along the axes of the map; MISSING where there is none.
-function unpacked(bytes, count, row) {
-  const first = Math.ceil(count / 8), whole = new Int32Array(count);
-  const plane = (k) => bytes.subarray(first + k * count, first + (k + 1) * count);
-  const [a, b, c, d] = [plane(0), plane(1), plane(2), plane(3)];
-  let held = 0;
-  for (let i = 0; i < count; i++) {
-    const code = (a[i] | (b[i] << 8) | (c[i] << 16) | (d[i] << 24)) >>> 0;
-    held = ((i % row ? held : 0) + ((code >>> 1) ^ -(code & 1))) | 0;
-    whole[i] = bytes[i >> 3] & (0x80 >> (i & 7)) ? MISSING : held;
+// Frequencies as integers in units of 10 ** -decimals Hz, by mode and then along the axes of the map; MISSING where
+// there is none.  The page holds the bits of the missing values, then the four bytes of each zigzag-coded difference
+// along the last axis, the lowest bytes of all values first.
+function unpack(bytes, valueCount, rowLength) {
+  const headerLength = Math.ceil(valueCount / 8), numbers = new Int32Array(valueCount);
+  const plane = (i) => bytes.subarray(headerLength + i * valueCount, headerLength + (i + 1) * valueCount);
+  const [byte0, byte1, byte2, byte3] = [plane(0), plane(1), plane(2), plane(3)];
+  let current = 0;
+  for (let i = 0; i < valueCount; i++) {
+    const zigzag = (byte0[i] | (byte1[i] << 8) | (byte2[i] << 16) | (byte3[i] << 24)) >>> 0;
+    current = ((i % rowLength ? current : 0) + ((zigzag >>> 1) ^ -(zigzag & 1))) | 0;
+    numbers[i] = bytes[i >> 3] & (0x80 >> (i & 7)) ? MISSING : current;
   }
-  return whole;
+  return numbers;
 }
 
-// A map: robots (of a sweep, or drawn) times places (poses), which are the last axes.
+// A map: the first axes are robots (of a sweep, or drawn at random), the last ones poses.  `indices` holds an index
+// for every axis, `robotIndex` and `poseIndex` count through all robots and all poses.
 class MapValues {
   constructor(data, bytes) {
     this.data = data;
     this.axes = data.axes;
     this.sizes = data.axes.map((axis) => axis.labels.length);
-    this.count = this.sizes.reduce((product, size) => product * size, 1);
-    this.first = data.axes.findIndex((axis) => axis.kind !== "robot");
-    this.places = this.sizes.slice(this.first).reduce((product, size) => product * size, 1);
-    this.whole = unpacked(bytes, this.count * data.modes.length, this.sizes.at(-1));
-    this.unit = 10 ** data.decimals;
+    this.valuesPerMode = this.sizes.reduce((product, size) => product * size, 1);
+    this.firstPoseAxis = data.axes.findIndex((axis) => axis.kind !== "robot");
+    this.poseCount = this.sizes.slice(this.firstPoseAxis).reduce((product, size) => product * size, 1);
+    this.scaledFrequencies = unpack(bytes, this.valuesPerMode * data.modes.length, this.sizes.at(-1));
+    this.unitsPerHertz = 10 ** data.decimals;
     // The axis of the map for each component of a pose; a list of poses has none.
     this.axisOf = data.components.map((c) => data.axes.findIndex((axis) => axis.kind === "pose" && axis.name === c.name));
   }
 
-  // First and last number along each axis at which any pose can be evaluated.
-  reached() {
-    const ends = this.sizes.map((size) => [size, -1]);
-    for (let flat = 0; flat < this.count; flat++) {
-      if (!this.valid(0, flat)) continue;
-      let rest = flat;
+  // First and last index along each axis at which any pose of any robot can be evaluated.
+  evaluatedRanges() {
+    const ranges = this.sizes.map((size) => [size, -1]);
+    for (let flatIndex = 0; flatIndex < this.valuesPerMode; flatIndex++) {
+      if (!this.isValid(0, flatIndex)) continue;
+      let remainder = flatIndex;
       for (let k = this.sizes.length - 1; k >= 0; k--) {
-        const at = rest % this.sizes[k];
-        rest = (rest - at) / this.sizes[k];
-        if (at < ends[k][0]) ends[k][0] = at;
-        if (at > ends[k][1]) ends[k][1] = at;
+        const index = remainder % this.sizes[k];
+        remainder = (remainder - index) / this.sizes[k];
+        if (index < ranges[k][0]) ranges[k][0] = index;
+        if (index > ranges[k][1]) ranges[k][1] = index;
       }
     }
-    return ends;
+    return ranges;
   }
 
-  robot(at) {
-    return this.flat(at, 0, this.first);
+  robotIndex(indices) {
+    return this.flattenIndices(indices, 0, this.firstPoseAxis);
   }
 
-  place(at) {
-    return this.flat(at, this.first, this.sizes.length);
+  poseIndex(indices) {
+    return this.flattenIndices(indices, this.firstPoseAxis, this.sizes.length);
   }
 
-  flat(at, from, to) {
-    let flat = 0;
-    for (let k = from; k < to; k++) flat = flat * this.sizes[k] + at[k];
-    return flat;
+  flattenIndices(indices, firstAxis, endAxis) {
+    let flatIndex = 0;
+    for (let k = firstAxis; k < endAxis; k++) flatIndex = flatIndex * this.sizes[k] + indices[k];
+    return flatIndex;
   }
 
-  // Set the last numbers of `at` to a place.
-  put(at, place) {
-    const next = at.slice();
-    for (let k = this.sizes.length - 1; k >= this.first; k--) {
-      next[k] = place % this.sizes[k];
-      place = (place - next[k]) / this.sizes[k];
+  // A copy of `indices` with those of the pose axes set to a pose.
+  withPose(indices, poseIndex) {
+    const newIndices = indices.slice();
+    for (let k = this.sizes.length - 1; k >= this.firstPoseAxis; k--) {
+      newIndices[k] = poseIndex % this.sizes[k];
+      poseIndex = (poseIndex - newIndices[k]) / this.sizes[k];
     }
-    return next;
+    return newIndices;
   }
 
-  number(mode, robot, place) {
-    return this.whole[mode * this.count + robot * this.places + place];
+  // In units of 10 ** -decimals Hz.
+  scaledFrequency(mode, robotIndex, poseIndex) {
+    return this.scaledFrequencies[mode * this.valuesPerMode + robotIndex * this.poseCount + poseIndex];
   }
 
-  frequency(mode, robot, place) {
-    const number = this.number(mode, robot, place);
-    return number === MISSING ? NaN : number / this.unit;
+  // In Hz; NaN where there is none.
+  frequency(mode, robotIndex, poseIndex) {
+    const number = this.scaledFrequency(mode, robotIndex, poseIndex);
+    return number === MISSING ? NaN : number / this.unitsPerHertz;
   }
 
-  valid(robot, place) {
-    return this.data.modes.some((_, mode) => this.number(mode, robot, place) !== MISSING);
+  isValid(robotIndex, poseIndex) {
+    return this.data.modes.some((_, mode) => this.scaledFrequency(mode, robotIndex, poseIndex) !== MISSING);
   }
 
-  // A component of the pose at a place [SI].
-  component(k, place) {
-    if (this.data.list) return this.data.list[k][place];
-    return this.axes[this.axisOf[k]].values[this.put(this.sizes.map(() => 0), place)[this.axisOf[k]]];
+  // Component k of a pose [SI].
+  componentAt(k, poseIndex) {
+    if (this.data.list) return this.data.list[k][poseIndex];
+    return this.axes[this.axisOf[k]].values[this.withPose(this.sizes.map(() => 0), poseIndex)[this.axisOf[k]]];
   }
 
-  pose(place) {
-    return this.data.components.map((_, k) => this.component(k, place));
+  pose(poseIndex) {
+    return this.data.components.map((_, k) => this.componentAt(k, poseIndex));
   }
 
-  // The valid place with the least of a measure; -1 without one.
-  least(robot, measure) {
-    let best = -1, smallest = Infinity;
-    for (let place = 0; place < this.places; place++) {
-      const size = measure(place);
-      if (size < smallest && this.valid(robot, place)) [best, smallest] = [place, size];
+  // Index of the pose with the shortest distance among those that can be evaluated; -1 without one.
+  nearestPose(robotIndex, distance) {
+    let nearest = -1, shortest = Infinity;
+    for (let poseIndex = 0; poseIndex < this.poseCount; poseIndex++) {
+      const length = distance(poseIndex);
+      if (length < shortest && this.isValid(robotIndex, poseIndex)) [nearest, shortest] = [poseIndex, length];
     }
-    return best;
+    return nearest;
   }
 }
 
-function fixed(value, digits) {
+function formatFixed(value, digits) {
   const text = value.toFixed(digits);
   return (Number(text) === 0 ? text.replace("-", "") : text).replace("-", "\u2212");
 }

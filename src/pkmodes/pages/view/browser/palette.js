@@ -1,5 +1,5 @@
 // Colours of the robot in light and dark, and the scale for the share of a spring in the strain energy of a mode.
-// The scale runs from a quiet grey through orange: its lightness is monotonic, so it also reads without hues.
+// The scale runs from grey through orange to red: its lightness is monotonic, so that it can be read without hues.
 
 const PALETTES = {
   light: {
@@ -15,25 +15,26 @@ const PALETTES = {
     scale: ["#4a5663", "#a34d12", "#f2902c", "#ffe89a"],
   },
 };
-const OF_KIND = {
+// Name of the colour in a palette for each kind of element.
+const COLOUR_OF_KIND = {
   rail: "rail", frame: "base", carriage: "carriage", toolhead: "platform", link: "link", arm: "arm", axle: "link", shaft: "rail",
   platform: "platform", base: "base", pulley: "wheel", idler: "wheel", motor: "wheel", reducer: "wheel",
   gantry: "gantry", body: "body",
 };
 // Radius of a line or ball as a share of the robot's size.
-const THICKNESS = {
+const RELATIVE_RADIUS = {
   rail: 0.0055, frame: 0.0065, link: 0.0048, arm: 0.011, axle: 0.006, shaft: 0.007, gantry: 0.009, belt: 0.0032,
   platform: 0.018, body: 0.014,
 };
 
-function channels(colour) {
+function rgbChannels(colour) {
   return [1, 3, 5].map((i) => parseInt(colour.slice(i, i + 2), 16));
 }
 
 // Colour of a share from 0 to 1 on the scale.
-function onScale(scale, share) {
-  const at = Math.min(Math.max(share, 0), 1) * (scale.length - 1);
-  const i = Math.min(Math.floor(at), scale.length - 2);
-  const [a, b] = [channels(scale[i]), channels(scale[i + 1])];
-  return `rgb(${a.map((v, k) => Math.round(v + (at - i) * (b[k] - v))).join(",")})`;
+function scaleColour(scale, share) {
+  const position = Math.min(Math.max(share, 0), 1) * (scale.length - 1);
+  const i = Math.min(Math.floor(position), scale.length - 2);
+  const [low, high] = [rgbChannels(scale[i]), rgbChannels(scale[i + 1])];
+  return `rgb(${low.map((v, k) => Math.round(v + (position - i) * (high[k] - v))).join(",")})`;
 }

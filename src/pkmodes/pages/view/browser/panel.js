@@ -1,48 +1,51 @@
-// Controls and table around the picture: what they say follows the pose and the mode.
+// Controls, texts and table around the picture, updated for each state and mode.
 
-// A component of the pose, with as many decimals as in page.py.
-function shown(value, unit) {
-  if (unit === "m") return `${fixed(1000 * value, 1)} mm`;
-  if (unit === "rad") return `${fixed((180 * value) / Math.PI, 1)} deg`;
-  return `${fixed(value, 1)} ${unit}`;
+// A component of a pose [SI] as text, with as many decimals as in page.py.
+function formatPoseValue(value, unit) {
+  if (unit === "m") return `${formatFixed(1000 * value, 1)} mm`;
+  if (unit === "rad") return `${formatFixed((180 * value) / Math.PI, 1)} deg`;
+  return `${formatFixed(value, 1)} ${unit}`;
 }
 
 // The springs with the largest share of a mode, as in page.py: by symmetry there may be several.
-function heldBy(shares, springs) {
-  const most = Math.max(...shares), names = springs.filter((_, i) => shares[i] > most - TIED);
-  const [rest, last] = [names.slice(0, -1), names.at(-1)];
-  const where = rest.length ? `each of ${rest.join(", ")} and ${last}` : last;
-  return `${fixed(100 * most, 0)} % of the strain energy in ${where}`;
+function largestSharesText(shares, springs) {
+  const largest = Math.max(...shares), names = springs.filter((_, i) => shares[i] > largest - EQUAL_SHARE_TOLERANCE);
+  const [preceding, last] = [names.slice(0, -1), names.at(-1)];
+  const springNames = preceding.length ? `each of ${preceding.join(", ")} and ${last}` : last;
+  return `${formatFixed(100 * largest, 0)} % of the strain energy in ${springNames}`;
 }
 
-function tidy(value, digits) {
+// At most so many decimals, without zeros at the end.
+function formatRounded(value, digits) {
   return String(Number(value.toFixed(digits)) + 0).replace("-", "\u2212");
 }
 
-// A component of the pose, or a parameter of any size.
-function component(axis, value) {
-  if (!axis.name.includes(".")) return shown(value, axis.unit);
+// A value of an axis: a component of the pose, or a parameter of any magnitude.
+function formatAxisValue(axis, value) {
+  if (!axis.name.includes(".")) return formatPoseValue(value, axis.unit);
   const text = String(Number(value.toPrecision(4))).replace("-", "\u2212");
   return axis.unit === "1" ? text : `${text} ${axis.unit}`;
 }
 
-function precise(value) {
+// Two significant digits.
+function formatTwoDigits(value) {
   return String(Number(value.toPrecision(2)));
 }
 
-function fixed(value, digits) {
+// So many decimals, without a minus sign for a value that rounds to zero.
+function formatFixed(value, digits) {
   return (Math.abs(value) < 0.5 * 10 ** -digits ? 0 : value).toFixed(digits).replace("-", "\u2212");
 }
 
-// Shares of the strain energy that differ by less are equal.
-const TIED = 0.0005;
-// Amplitude, as a share of the robot's size, from which the exaggeration is mentioned.
-const LARGE = 0.1;
+// Shares of the strain energy that differ by less count as equal, as in page.py.
+const EQUAL_SHARE_TOLERANCE = 0.0005;
+// Amplitude, as a share of the robot's size, from which a note explains the exaggeration.
+const LARGE_AMPLITUDE = 0.1;
 
-// The measured mode beside one of the model at a state, null where there is none.
-function measuredAt(data, state, mode) {
+// The measured mode that is paired with a mode of the model at a state; null where there is none.
+function measuredMode(data, state, mode) {
   if (!data.measured || !state.exact) return null;
-  return data.measured.modes.find((one) => one.pose === state.nearest && one.mode === mode) || null;
+  return data.measured.modes.find((measured) => measured.pose === state.nearest && measured.mode === mode) || null;
 }
 
 class Panel {
@@ -50,157 +53,158 @@ class Panel {
     this.root = root;
     this.data = data;
     this.find = (name) => root.querySelector(`[data-part="${name}"]`);
-    this.all = (name) => [...root.querySelectorAll(`[data-part="${name}"]`)];
+    this.findAll = (name) => [...root.querySelectorAll(`[data-part="${name}"]`)];
     this.cycles = 0.5;
   }
 
   // Set sliders, frequencies and table to a state.
-  pose(state) {
+  showState(state) {
     const { data } = this;
-    if (state.place) this.sliders(state.place);
+    if (state.gridPosition) this.setSliders(state.gridPosition);
     if (this.find("pose")) this.find("pose").value = state.nearest;
-    this.all("place").forEach((part) => { part.textContent = this.place(state); });
+    this.findAll("place").forEach((part) => { part.textContent = this.poseText(state); });
     if (this.find("between")) {
-      this.find("between").textContent = state.exact ? `Computed for ${data.varied ? "these values" : "this pose"}.` : this.interpolated(state);
+      const computed = `Computed for ${data.varied ? "these values" : "this pose"}.`;
+      this.find("between").textContent = state.exact ? computed : this.interpolationText(state);
     }
-    this.all("frequency").forEach((part) => {
-      part.textContent = this.hertz(state, Number(part.dataset.mode));
+    this.findAll("frequency").forEach((part) => {
+      part.textContent = this.frequencyText(state, Number(part.dataset.mode));
     });
-    this.all("share").forEach((cell) => {
-      const held = state.shares[Number(cell.dataset.mode)];  // null where no spring is strained
-      const share = held === null ? 0 : held[Number(cell.dataset.spring)];
-      cell.textContent = held === null ? "\u2013" : fixed(100 * share, 1);
+    this.findAll("share").forEach((cell) => {
+      const shares = state.shares[Number(cell.dataset.mode)];  // null where no spring is strained
+      const share = shares === null ? 0 : shares[Number(cell.dataset.spring)];
+      cell.textContent = shares === null ? "\u2013" : formatFixed(100 * share, 1);
       cell.style.setProperty("--share", share.toFixed(3));
     });
-    this.all("direction").forEach((cell) => {
-      cell.textContent = fixed(state.directions[Number(cell.dataset.mode)][Number(cell.dataset.component)], 2);
+    this.findAll("direction").forEach((cell) => {
+      cell.textContent = formatFixed(state.directions[Number(cell.dataset.mode)][Number(cell.dataset.component)], 2);
     });
   }
 
-  sliders(place) {
+  setSliders(gridPosition) {
     const { data } = this;
-    this.all("level").forEach((slider, i) => {
-      const value = valuesAt(data, place)[i];
-      slider.value = Math.round(FINE * place[i]);
-      const text = component(data.axes[i], value);
+    this.findAll("level").forEach((slider, i) => {
+      const value = axisValues(data, gridPosition)[i];
+      slider.value = Math.round(SLIDER_STEPS * gridPosition[i]);
+      const text = formatAxisValue(data.axes[i], value);
       slider.setAttribute("aria-valuetext", text);
-      this.all("level-value")[i].textContent = text;
+      this.findAll("level-value")[i].textContent = text;
     });
   }
 
-  // Where the robot is, in words: the label of the pose and its components.
-  place(state) {
+  // The pose in words: its label and its components, then the values of parameters that vary.
+  poseText(state) {
     const { data } = this, label = state.exact ? data.labels[state.nearest] : undefined;
-    const parts = data.pose.map((c, i) => `${c.name} = ${shown(state.pose[i], c.unit)}`);
+    const parts = data.pose.map((c, i) => `${c.name} = ${formatPoseValue(state.pose[i], c.unit)}`);
     if (data.varied) {
-      const values = valuesAt(data, state.place);
-      parts.push(...data.axes.map((c, i) => `${c.name} = ${component(c, values[i])}`));
+      const values = axisValues(data, state.gridPosition);
+      parts.push(...data.axes.map((c, i) => `${c.name} = ${formatAxisValue(c, values[i])}`));
     }
-    const at = parts.join(", ");
-    return `${label ? `${label}: ` : ""}${at}${state.exact ? "" : ", interpolated"}`;
+    const text = parts.join(", ");
+    return `${label ? `${label}: ` : ""}${text}${state.exact ? "" : ", interpolated"}`;
   }
 
-  interpolated(state) {
-    const off = state.deviation, what = this.data.varied ? "values" : "poses";
-    if (off === null) return `Interpolated between computed ${what}; not checked here.`;
-    const size = off < 1e-4 ? "less than 0.01" : `up to ${precise(100 * off)}`, where = this.data.checked;
-    return `Interpolated between computed ${what}: ${where ? `${where}, ` : ""}frequencies are off by ${size} %.`;
+  interpolationText(state) {
+    const error = state.deviation, kind = this.data.varied ? "values" : "poses";
+    if (error === null) return `Interpolated between computed ${kind}; not checked here.`;
+    const size = error < 1e-4 ? "less than 0.01" : `up to ${formatTwoDigits(100 * error)}`, note = this.data.checked;
+    return `Interpolated between computed ${kind}: ${note ? `${note}, ` : ""}frequencies are off by ${size} %.`;
   }
 
-  // A frequency, between states with no more decimals than it deserves.
-  hertz(state, mode) {
+  // A frequency; an interpolated one only with the decimals that its error allows.
+  frequencyText(state, mode) {
     const value = state.frequencies[mode];
-    if (state.exact) return `${fixed(value, 2)} Hz`;
-    const off = state.deviation === null ? 1 : state.deviation;
-    return `\u2248 ${fixed(value, off > 0.01 ? 0 : off > 0.0005 ? 1 : 2)} Hz`;
+    if (state.exact) return `${formatFixed(value, 2)} Hz`;
+    const error = state.deviation === null ? 1 : state.deviation;
+    return `\u2248 ${formatFixed(value, error > 0.01 ? 0 : error > 0.0005 ? 1 : 2)} Hz`;
   }
 
-  // Say what the chosen mode is.
-  mode(state, mode, amplitude, announce) {
+  // Show the title, the strain energy and the direction of the chosen mode; `announce` also sets the status line.
+  showMode(state, mode, amplitude, announce) {
     const { data } = this, frequency = state.frequencies[mode];
     const number = mode - data.rigid + 1, shares = state.shares[mode];
     const name = number > 0 ? `Mode ${number}` : `Rigid-body motion ${mode + 1}`;
-    const along = state.directions[mode].map((c, i) => `${data.components[i]} ${fixed(c, 2)}`).join(", ");
-    let held = "no spring is strained";
-    if (shares) {
-      held = heldBy(shares, data.springs);
-    }
-    this.find("title").textContent = `${name}: ${this.hertz(state, mode)}`;
-    this.find("held").textContent = held;
-    this.find("along").textContent = along;
+    const directionText = state.directions[mode].map((c, i) => `${data.components[i]} ${formatFixed(c, 2)}`).join(", ");
+    const sharesText = shares ? largestSharesText(shares, data.springs) : "no spring is strained";
+    this.find("title").textContent = `${name}: ${this.frequencyText(state, mode)}`;
+    this.find("held").textContent = sharesText;
+    this.find("along").textContent = directionText;
     this.root.querySelectorAll("[data-column]").forEach((cell) => {
       cell.classList.toggle("pkview-chosen", Number(cell.dataset.column) === mode);
     });
-    const still = number > 0 ? "" : ". Gravity alone gives it a frequency; a negative one means that it falls away";
-    const apart = state.apart[mode] ? " Shape of the nearest computed pose: there is none like it at all poses around." : "";
-    if (announce) this.find("status").textContent = `${name}, ${this.hertz(state, mode)}: ${held}${still}.${apart}`;
-    this.motion(frequency, amplitude);
+    const gravityNote = number > 0 ? "" : ". Gravity alone gives it a frequency; a negative one means that it falls away";
+    const shapeNote = state.shapesDiffer[mode] ? " Shape of the nearest computed pose: there is none like it at all poses around." : "";
+    if (announce) this.find("status").textContent = `${name}, ${this.frequencyText(state, mode)}: ${sharesText}${gravityNote}.${shapeNote}`;
+    this.showMotion(frequency, amplitude);
   }
 
-  // Say what was measured at the pose, and of the chosen mode; fill the table of its components.
-  measured(state, mode, announce) {
+  // Show the measured frequencies at the pose, and the components of the chosen mode as measured and in the model.
+  showMeasured(state, mode, announce) {
     const { data } = this;
     if (!data.measured) return;
-    this.all("beside").forEach((part) => {
-      const one = measuredAt(data, state, Number(part.dataset.mode));
-      part.textContent = one ? `measured ${this.uncertain(one).replaceAll(" ", "\u00a0")}` : "not measured";
-      part.classList.toggle("pkview-without", !one);
+    this.findAll("beside").forEach((part) => {
+      const chosen = measuredMode(data, state, Number(part.dataset.mode));
+      part.textContent = chosen ? `measured ${this.measuredFrequencyText(chosen).replaceAll(" ", "\u00a0")}` : "not measured";
+      part.classList.toggle("pkview-without", !chosen);
     });
-    const one = measuredAt(data, state, mode), said = this.about(one);
-    this.find("observed").textContent = said;
-    if (announce) this.find("status").textContent += ` ${said}`;
-    const alone = data.measured.modes.filter((other) => other.pose === state.nearest && other.mode === null);
-    const without = alone.map((other) => this.uncertain(other)).join(", ");
-    this.find("unmatched").textContent = without ? `Measured, without a partner in the model: ${without} Hz.` : "";
-    const number = mode - data.rigid + 1, compared = !!one && one.shape;
-    this.find("compared").textContent = `${number > 0 ? `mode ${number}` : "a rigid-body motion"} at ${this.place(state)}`;
-    this.all("component").forEach((row, k) => {
-      [["measured", "measured"], ["model", "model"]].forEach(([part, key]) => {
-        const value = compared ? one[key][k] : null;
-        row.querySelector(`[data-part="of-${part}"]`).textContent = value === null ? "\u2013" : fixed(value, 3);
+    const chosen = measuredMode(data, state, mode), sentence = this.measuredText(chosen);
+    this.find("observed").textContent = sentence;
+    if (announce) this.find("status").textContent += ` ${sentence}`;
+    const unmatched = data.measured.modes.filter((measured) => measured.pose === state.nearest && measured.mode === null);
+    const frequencies = unmatched.map((measured) => this.measuredFrequencyText(measured)).join(", ");
+    this.find("unmatched").textContent = frequencies ? `Measured, without a partner in the model: ${frequencies} Hz.` : "";
+    const number = mode - data.rigid + 1, compared = !!chosen && chosen.shape;
+    this.find("compared").textContent = `${number > 0 ? `mode ${number}` : "a rigid-body motion"} at ${this.poseText(state)}`;
+    this.findAll("component").forEach((row, k) => {
+      ["measured", "model"].forEach((part) => {
+        const value = compared ? chosen[part][k] : null;
+        row.querySelector(`[data-part="of-${part}"]`).textContent = value === null ? "\u2013" : formatFixed(value, 3);
       });
     });
   }
 
-  // Frequencies of the declared robot beside those of the robot with the values of the sliders.
-  declared(state, mode, states) {
+  // Show the frequencies of the declared robot beside those with the values of the sliders.
+  showDeclared(state, mode, states) {
     if (!this.data.varied) return;
-    this.all("beside").forEach((part) => {
-      part.textContent = `declared ${fixed(states.declared(state, Number(part.dataset.mode)).frequency, 2)}`;
+    this.findAll("beside").forEach((part) => {
+      part.textContent = `declared ${formatFixed(states.declaredMode(state, Number(part.dataset.mode)).frequency, 2)}`;
       part.classList.add("pkview-without");
     });
-    const { frequency } = states.declared(state, mode), change = state.frequencies[mode] / frequency - 1;
-    const by = Number.isFinite(change) && mode >= this.data.rigid ? ` (${change > 0 ? "+" : ""}${fixed(100 * change, 1)} %)` : "";
-    this.find("declared").textContent = `, ${fixed(frequency, 2)} Hz${by}`;
+    const { frequency } = states.declaredMode(state, mode), change = state.frequencies[mode] / frequency - 1;
+    const isKnown = Number.isFinite(change) && mode >= this.data.rigid;
+    const changeText = isKnown ? ` (${change > 0 ? "+" : ""}${formatFixed(100 * change, 1)} %)` : "";
+    this.find("declared").textContent = `, ${formatFixed(frequency, 2)} Hz${changeText}`;
   }
 
-  uncertain(one) {
-    const digits = Math.max(0, Math.min(4, 1 - Math.floor(Math.log10(one.sigma))));
-    return `${fixed(one.frequency, digits)} \u00b1 ${fixed(one.sigma, digits)}`;
+  // Frequency and standard deviation, with two digits of the latter.
+  measuredFrequencyText(measured) {
+    const digits = Math.max(0, Math.min(4, 1 - Math.floor(Math.log10(measured.sigma))));
+    return `${formatFixed(measured.frequency, digits)} \u00b1 ${formatFixed(measured.sigma, digits)}`;
   }
 
-  about(one) {
-    if (!one) return "Not measured at this pose.";
-    const at = `Measured: ${this.uncertain(one)} Hz`;
-    if (!one.shape) return `${at}, without a shape.`;
-    return `${at}${one.mac === null ? "" : `, MAC ${fixed(one.mac, 3)}`}.`;
+  measuredText(measured) {
+    if (!measured) return "Not measured at this pose.";
+    const text = `Measured: ${this.measuredFrequencyText(measured)} Hz`;
+    if (!measured.shape) return `${text}, without a shape.`;
+    return `${text}${measured.mac === null ? "" : `, MAC ${formatFixed(measured.mac, 3)}`}.`;
   }
 
-  motion(frequency, amplitude) {
-    const { data } = this, enlarged = `${tidy(1000 * amplitude * data.size, 1)} mm`;
-    this.find("amplitude-value").textContent = `${tidy(100 * amplitude, 1)} %`;
-    this.find("amplitude").setAttribute("aria-valuetext", `${tidy(100 * amplitude, 1)} percent of the robot's size`);
-    this.find("speed-value").textContent = `${tidy(this.cycles, 2)} /s`;
-    this.find("speed").setAttribute("aria-valuetext", `${tidy(this.cycles, 2)} periods per second`);
-    const slower = Math.abs(frequency) / this.cycles;
-    const pace = slower > 1.05 ? `, slowed down ${tidy(slower, slower < 10 ? 1 : 0)} times` : "";
-    const large = amplitude >= LARGE ? " So large, a linear displacement visibly changes the length of rigid links; the machine does not." : "";
-    this.find("enlarged").textContent = `The largest displacement is shown as ${enlarged}${pace}.${large}`;
+  // Show what the sliders of the motion are set to, and how much the picture enlarges and slows it.
+  showMotion(frequency, amplitude) {
+    const { data } = this, displacementText = `${formatRounded(1000 * amplitude * data.size, 1)} mm`;
+    this.find("amplitude-value").textContent = `${formatRounded(100 * amplitude, 1)} %`;
+    this.find("amplitude").setAttribute("aria-valuetext", `${formatRounded(100 * amplitude, 1)} percent of the robot's size`);
+    this.find("speed-value").textContent = `${formatRounded(this.cycles, 2)} /s`;
+    this.find("speed").setAttribute("aria-valuetext", `${formatRounded(this.cycles, 2)} periods per second`);
+    const slowdown = Math.abs(frequency) / this.cycles;
+    const slowdownText = slowdown > 1.05 ? `, slowed down ${formatRounded(slowdown, slowdown < 10 ? 1 : 0)} times` : "";
+    const linearityNote = amplitude >= LARGE_AMPLITUDE ? " So large, a linear displacement visibly changes the length of rigid links; the machine does not." : "";
+    this.find("enlarged").textContent = `The largest displacement is shown as ${displacementText}${slowdownText}.${linearityNote}`;
   }
 
-  playing(on) {
+  showPlaying(isPlaying) {
     const button = this.find("play");
-    button.setAttribute("aria-pressed", String(on));
-    button.querySelector("span").textContent = on ? "Pause" : "Play";
+    button.setAttribute("aria-pressed", String(isPlaying));
+    button.querySelector("span").textContent = isPlaying ? "Pause" : "Play";
   }
 }

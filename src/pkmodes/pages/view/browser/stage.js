@@ -1,7 +1,9 @@
 // The three-dimensional part: camera, lights, the robot at a pose, and its motion in a mode.
 
-// Where a label may stand, in widths and heights of a label from its place: there, above, below, beside it.
-const SHIFTS = [[0, 0], [0, 1.05], [0, -1.05], [-0.6, 0], [0.6, 0], [-0.6, 1.05], [0.6, 1.05], [-0.6, -1.05], [0.6, -1.05]];
+// Positions to try for a label, in widths and heights of the label from its point: there, above, below, beside it.
+const LABEL_SHIFTS = [
+  [0, 0], [0, 1.05], [0, -1.05], [-0.6, 0], [0.6, 0], [-0.6, 1.05], [0.6, 1.05], [-0.6, -1.05], [0.6, -1.05],
+];
 
 class Stage {
   constructor(canvas, data, state) {
@@ -16,10 +18,11 @@ class Stage {
     this.controls.enableZoom = false; // a page scrolls over the picture until it is focused
     this.controls.addEventListener("change", () => { this.dirty = true; });
     canvas.style.touchAction = "pan-y";
-    this.lights();
+    this.addLights();
     this.shapes = data.elements.map((e) => new SHAPES[e.shape](e, data.size, this.vertical));
     this.shapes.forEach((shape) => this.world.add(shape.group));
     this.ghost = new T.LineSegments(new T.BufferGeometry(), new T.LineBasicMaterial({ transparent: true, opacity: 0.5 }));
+    // The path of the platform: a bar between its extreme positions, with a cone at each end.
     this.trace = [0, 1, 2].map((i) => mesh(i ? new T.CylinderGeometry(0, 1, 1, 18) : UNIT_BAR, new T.MeshBasicMaterial()));
     this.world.add(this.ghost, ...this.trace);
     this.marks = new MeasuredMarks(data.size);
@@ -32,13 +35,13 @@ class Stage {
     this.state = state;
     this.mode = Math.min(data.rigid, data.frequencies[0].length - 1);
     this.amplitude = data.amplitude;
-    this.lit = -1;
+    this.highlightedSpring = -1;
     this.phase = 1;
     this.dirty = true;
   }
 
-  lights() {
-    const [side, front] = this.horizontal();
+  addLights() {
+    const [side, front] = this.horizontalDirections();
     const key = new T.DirectionalLight("#ffffff", 1.9);
     key.position.copy(this.vertical).multiplyScalar(2).addScaledVector(front, -1.2).addScaledVector(side, 0.9);
     const fill = new T.DirectionalLight("#ffffff", 0.6);
@@ -47,7 +50,7 @@ class Stage {
   }
 
   // Two horizontal directions: to the right and away from the viewer.
-  horizontal() {
+  horizontalDirections() {
     const axes = [new T.Vector3(0, 1, 0), new T.Vector3(0, 0, -1)];
     const front = axes.find((a) => Math.abs(a.dot(this.vertical)) < 0.7);
     front.addScaledVector(this.vertical, -front.dot(this.vertical)).normalize();
@@ -55,20 +58,20 @@ class Stage {
   }
 
   addWorkspace() {
-    const w = this.data.workspace;
+    const surface = this.data.workspace;
     this.workspace = new T.Group();
     this.world.add(this.workspace);
-    if (!w) return;
+    if (!surface) return;
     const geometry = new T.BufferGeometry();
-    geometry.setAttribute("position", new T.BufferAttribute(new Float32Array(w.vertices), 3));
-    if (w.corners === 2) {
-      geometry.setIndex(w.faces);
+    geometry.setAttribute("position", new T.BufferAttribute(new Float32Array(surface.vertices), 3));
+    if (surface.corners === 2) {
+      geometry.setIndex(surface.faces);
       this.workspace.add(new T.LineSegments(geometry, new T.LineBasicMaterial()));
       return;
     }
     const triangles = [];
-    for (let i = 0; i < w.faces.length; i += 4) {
-      const [a, b, c, d] = w.faces.slice(i, i + 4);
+    for (let i = 0; i < surface.faces.length; i += 4) {
+      const [a, b, c, d] = surface.faces.slice(i, i + 4);
       triangles.push(a, b, c, a, c, d);
     }
     geometry.setIndex(triangles);
@@ -102,92 +105,100 @@ class Stage {
     this.world.add(grid);
   }
 
-  // Box of the robot and its workspace at the pose shown first.
+  // Bounding box of the robot at the pose shown first and of its workspace, and their lowest level.
   bounds() {
     const low = new T.Vector3(Infinity, Infinity, Infinity), high = low.clone().negate();
     let lowest = Infinity;
-    const take = (flat) => {
-      for (let i = 0; i < flat.length / 3; i++) {
-        const p = vector(flat, i);
+    const include = (coordinates) => {
+      for (let i = 0; i < coordinates.length / 3; i++) {
+        const p = pointAt(coordinates, i);
         low.min(p); high.max(p);
         lowest = Math.min(lowest, p.dot(this.vertical));
       }
     };
-    take(this.data.points[this.data.chosen]);
-    if (this.data.workspace) take(this.data.workspace.vertices);
+    include(this.data.points[this.data.chosen]);
+    if (this.data.workspace) include(this.data.workspace.vertices);
     return { centre: low.clone().add(high).divideScalar(2), extent: high.clone().sub(low), lowest };
   }
 
   // Look at a flat robot along its normal, at any other from the front, a little from above and from the right.
   resetView() {
-    const { extent } = this.bounds(), [side, front] = this.horizontal();
-    const sizes = ["x", "y", "z"].map((k) => extent[k]), least = sizes.indexOf(Math.min(...sizes));
-    const flat = sizes[least] < 0.15 * Math.max(...sizes), normal = new T.Vector3().setComponent(least, 1);
-    const from = new T.Vector3();
-    if (flat && Math.abs(normal.dot(this.vertical)) > 0.9) {
-      from.copy(this.vertical).addScaledVector(front, -0.9).addScaledVector(side, 0.14);
-    } else if (flat) {
-      from.copy(normal).addScaledVector(this.vertical, 0.18).addScaledVector(side, 0.25);
+    const { extent } = this.bounds(), [side, front] = this.horizontalDirections();
+    const sizes = ["x", "y", "z"].map((k) => extent[k]), thinnest = sizes.indexOf(Math.min(...sizes));
+    const isFlat = sizes[thinnest] < 0.15 * Math.max(...sizes), normal = new T.Vector3().setComponent(thinnest, 1);
+    const direction = new T.Vector3();
+    if (isFlat && Math.abs(normal.dot(this.vertical)) > 0.9) {
+      direction.copy(this.vertical).addScaledVector(front, -0.9).addScaledVector(side, 0.14);
+    } else if (isFlat) {
+      direction.copy(normal).addScaledVector(this.vertical, 0.18).addScaledVector(side, 0.25);
     } else {
-      from.copy(front).multiplyScalar(-1).addScaledVector(side, 0.75).addScaledVector(this.vertical, 0.5);
+      direction.copy(front).multiplyScalar(-1).addScaledVector(side, 0.75).addScaledVector(this.vertical, 0.5);
     }
-    this.frame(from.normalize());
+    this.fitCamera(direction.normalize());
     this.controls.update();
     this.dirty = true;
   }
 
-  // Shares of the height of the picture that its caption covers at the top, and scale and buttons at the bottom.
-  covered() {
+  // Fractions of the height of the picture that are covered: by the title at the top, by scale and buttons at the
+  // bottom.
+  coveredFractions() {
     const canvas = this.renderer.domElement, box = canvas.getBoundingClientRect(), frame = canvas.parentElement;
     if (!box.height) return [0, 0];
-    const ends = (part) => frame.querySelector(part)?.getBoundingClientRect(), share = (part) => Math.min(Math.max(part, 0) / box.height, 0.4);
-    const [title, legend] = [ends(".pkview-title"), ends(".pkview-legend")];
-    return [title ? share(title.bottom - box.top) : 0, legend ? share(box.bottom - legend.top) : 0];
+    const boxOf = (selector) => frame.querySelector(selector)?.getBoundingClientRect();
+    const fraction = (height) => Math.min(Math.max(height, 0) / box.height, 0.4);
+    const [title, legend] = [boxOf(".pkview-title"), boxOf(".pkview-legend")];
+    return [title ? fraction(title.bottom - box.top) : 0, legend ? fraction(box.bottom - legend.top) : 0];
   }
 
-  // Place the camera in a direction so that everything fits into the picture, as large as possible.
-  frame(from) {
-    const right = this.vertical.clone().cross(from).normalize(), up = from.clone().cross(right);
-    const slope = Math.tan((this.camera.fov * Math.PI) / 360), room = [(this.camera.aspect < 1 ? 0.74 : 0.84) * slope * this.camera.aspect, 0.76 * slope];
-    const most = [-Infinity, -Infinity], least = [Infinity, Infinity];
+  // Move the camera so that it looks against `direction`, from the shortest distance at which everything is in the
+  // picture.
+  fitCamera(direction) {
+    const right = this.vertical.clone().cross(direction).normalize(), up = direction.clone().cross(right);
+    // Slopes of the edges of the picture, and those horizontally and vertically within which the robot is to fit.
+    const slope = Math.tan((this.camera.fov * Math.PI) / 360), { aspect } = this.camera;
+    const fittedSlopes = [(aspect < 1 ? 0.74 : 0.84) * slope * aspect, 0.76 * slope];
+    const highest = [-Infinity, -Infinity], lowest = [Infinity, Infinity];
     const { centre } = this.bounds();
-    const take = (flat, part) => {
-      for (let i = 0; i < flat.length / 3; i++) {
-        const p = vector(flat, i).lerp(centre, 1 - part), near = p.dot(from);
+    const include = (coordinates, scale) => {
+      for (let i = 0; i < coordinates.length / 3; i++) {
+        const p = pointAt(coordinates, i).lerp(centre, 1 - scale), depth = p.dot(direction);
         [right, up].forEach((axis, k) => {
-          most[k] = Math.max(most[k], p.dot(axis) + room[k] * near);
-          least[k] = Math.min(least[k], p.dot(axis) - room[k] * near);
+          highest[k] = Math.max(highest[k], p.dot(axis) + fittedSlopes[k] * depth);
+          lowest[k] = Math.min(lowest[k], p.dot(axis) - fittedSlopes[k] * depth);
         });
       }
     };
-    take(this.data.points[this.data.chosen], 1);
-    if (this.data.workspace) take(this.data.workspace.vertices, 0.75); // its edge may lie outside the picture
-    let distance = Math.max(this.data.size, ...room.map((r, k) => (most[k] - least[k]) / (2 * r)));
-    const depth = centre.dot(from), edge = 0.98 * slope * this.camera.aspect, [top, bottom] = this.covered();
-    const above = (1 - 2 * top) * slope, below = (1 - 2 * bottom) * slope, shift = Math.max(0.06, top - bottom);
+    include(this.data.points[this.data.chosen], 1);
+    if (this.data.workspace) include(this.data.workspace.vertices, 0.75); // its edge may lie outside the picture
+    let distance = Math.max(this.data.size, ...fittedSlopes.map((r, k) => (highest[k] - lowest[k]) / (2 * r)));
+    const targetDepth = centre.dot(direction), horizontalLimit = 0.98 * slope * aspect;
+    const [top, bottom] = this.coveredFractions();
+    const upperLimit = (1 - 2 * top) * slope, lowerLimit = (1 - 2 * bottom) * slope, shift = Math.max(0.06, top - bottom);
     for (let i = 0; i < 20; i++) {
-      const aim = new T.Vector3();
-      [right, up].forEach((axis, k) => aim.addScaledVector(axis, (most[k] + least[k]) / 2));
-      aim.addScaledVector(up, shift * slope * distance); // the title is above
-      this.camera.position.copy(aim).addScaledVector(from, distance);
-      this.controls.target.copy(aim).addScaledVector(from, depth);
+      const middle = new T.Vector3();
+      [right, up].forEach((axis, k) => middle.addScaledVector(axis, (highest[k] + lowest[k]) / 2));
+      middle.addScaledVector(up, shift * slope * distance); // the title is above
+      this.camera.position.copy(middle).addScaledVector(direction, distance);
+      this.controls.target.copy(middle).addScaledVector(direction, targetDepth);
       // Labels keep their size: step back until they fit beside the robot, and below the caption.
-      const cut = this.labels.children.some((label) => {
-        const seen = label.position.clone().sub(this.camera.position);
-        const wide = Math.abs(seen.dot(right) / seen.dot(from)), high = seen.dot(up) / -seen.dot(from);
-        return wide + label.scale.x / 2 > edge || high + label.scale.y / 2 > above || label.scale.y / 2 - high > below;
+      const isCut = this.labels.children.some((label) => {
+        const offset = label.position.clone().sub(this.camera.position);
+        const horizontal = Math.abs(offset.dot(right) / offset.dot(direction));
+        const vertical = offset.dot(up) / -offset.dot(direction), halfWidth = label.scale.x / 2, halfHeight = label.scale.y / 2;
+        const isTooHigh = vertical + halfHeight > upperLimit, isTooLow = halfHeight - vertical > lowerLimit;
+        return horizontal + halfWidth > horizontalLimit || isTooHigh || isTooLow;
       });
-      if (!cut) return;
+      if (!isCut) return;
       distance *= 1.03;
     }
   }
 
-  // From where the camera looks, and back there.
-  view() {
+  // Position and target of the camera, to return to them.
+  cameraView() {
     return [this.camera.position.clone(), this.controls.target.clone()];
   }
 
-  look([position, target]) {
+  setCameraView([position, target]) {
     this.camera.position.copy(position);
     this.controls.target.copy(target);
     this.controls.update();
@@ -210,21 +221,21 @@ class Stage {
   }
 
   resize(width, height) {
-    const before = this.camera.aspect;
+    const aspectBefore = this.camera.aspect;
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     this.dirty = true;
-    return Math.abs(before - this.camera.aspect) > 0.05;
+    return Math.abs(aspectBefore - this.camera.aspect) > 0.05;
   }
 
-  // Colours and rest position for the present pose and mode.
+  // Update colours, rest positions, marks and labels for the current state and mode.
   show() {
     const { data, palette, state } = this, { points } = state, shares = state.shares[this.mode];
     this.shapes.forEach((shape) => {
-      const { spring } = shape.element, held = spring >= 0 ? (shares ? shares[spring] : 0) : null;
-      if (shape.rest) shape.rest(points);
-      shape.paint(palette, held, spring >= 0 && spring === this.lit);
+      const { spring } = shape.element, share = spring >= 0 ? (shares ? shares[spring] : 0) : null;
+      if (shape.setRestPoints) shape.setRestPoints(points);
+      shape.paint(palette, share, spring >= 0 && spring === this.highlightedSpring);
     });
     this.drawGhost(points);
     this.marks.show(this.measured, data.elements);
@@ -232,91 +243,95 @@ class Stage {
     this.dirty = true;
   }
 
-  // Thin lines: the robot at rest, or, where its values vary, the declared robot in its mode.
+  // Draw the ghost, thin lines: the robot at rest, or, where its values vary, the declared robot in its mode.
   drawGhost(points) {
     const ends = [];
     this.data.elements.filter((e) => e.shape === "line").forEach((e) => {
-      for (let i = 1; i < e.points.length; i++) ends.push(vector(points, e.points[i - 1]), vector(points, e.points[i]));
+      for (let i = 1; i < e.points.length; i++) ends.push(pointAt(points, e.points[i - 1]), pointAt(points, e.points[i]));
     });
-    const flat = new Float32Array(ends.flatMap((p) => [p.x, p.y, p.z]));
-    this.ghost.geometry.setAttribute("position", new T.BufferAttribute(flat, 3));
+    const coordinates = new Float32Array(ends.flatMap((p) => [p.x, p.y, p.z]));
+    this.ghost.geometry.setAttribute("position", new T.BufferAttribute(coordinates, 3));
     this.ghost.geometry.computeBoundingSphere();
   }
 
   drawLabels(points) {
     this.labels.children.forEach((s) => { s.material.map.dispose(); s.material.dispose(); });
     this.labels.clear();
-    const { centre } = this.bounds(), found = new Map(), shares = this.state.shares[this.mode];
-    const most = new Map();  // a label is the more important the more energy its springs hold
-    for (const e of this.data.elements.filter((one) => one.spring >= 0)) {
-      const at = e.shape === "wheel" ? e.points.slice(0, 1) : e.points;
-      most.set(e.name, Math.max(most.get(e.name) || 0, shares ? shares[e.spring] : 0));
-      for (const p of at.map((i) => vector(points, i))) {
-        if (!found.has(e.name) || p.distanceTo(centre) > found.get(e.name).distanceTo(centre) + 1e-9) found.set(e.name, p);
+    const { centre } = this.bounds(), positions = new Map(), shares = this.state.shares[this.mode];
+    const importances = new Map();  // largest share of the strain energy of the springs that a label names
+    for (const e of this.data.elements.filter((element) => element.spring >= 0)) {
+      const indices = e.shape === "wheel" ? e.points.slice(0, 1) : e.points;
+      importances.set(e.name, Math.max(importances.get(e.name) || 0, shares ? shares[e.spring] : 0));
+      for (const p of indices.map((i) => pointAt(points, i))) {
+        const isOutermost = !positions.has(e.name) || p.distanceTo(centre) > positions.get(e.name).distanceTo(centre) + 1e-9;
+        if (isOutermost) positions.set(e.name, p);
       }
     }
-    found.forEach((at, name) => {
-      at.addScaledVector(at.clone().sub(centre).normalize(), 0.05 * this.data.size);
-      this.labels.add(Object.assign(labelled(name, this.palette, at), { importance: most.get(name) }));
+    positions.forEach((position, name) => {
+      position.addScaledVector(position.clone().sub(centre).normalize(), 0.05 * this.data.size);
+      this.labels.add(Object.assign(labelSprite(name, this.palette, position), { importance: importances.get(name) }));
     });
   }
 
-  // Move labels that would cover each other aside in the picture; one that finds no room near its place is left out.
-  arrange() {
-    const { elements: m } = this.camera.projectionMatrix, placed = [], [top, bottom] = this.covered();
-    const inside = (y, high) => y + high / 2 < 1 - 2 * top && y - high / 2 > 2 * bottom - 1; // the caption stays legible
+  // Shift labels that would cover each other; hide a label that has no room near its point.
+  arrangeLabels() {
+    const { elements: projection } = this.camera.projectionMatrix;
+    const placedLabels = [], [top, bottom] = this.coveredFractions();
+    // Whether a label leaves the title and the legend legible.
+    const isClear = (y, height) => y + height / 2 < 1 - 2 * top && y - height / 2 > 2 * bottom - 1;
     const order = [...this.labels.children].sort((a, b) => b.importance - a.importance);
     this.camera.updateMatrixWorld();
     for (const label of order) {
       const { x, y } = label.position.clone().project(this.camera);
-      const [wide, high] = [label.scale.x * m[0], label.scale.y * m[5]];
-      const beside = (one, u, v) => Math.abs(one.x - u) > (one.wide + wide) / 2 || Math.abs(one.y - v) > high;
-      const free = ([u, v]) => inside(y + v * high, high) && placed.every((one) => beside(one, x + u * wide, y + v * high));
-      const shift = SHIFTS.find(free);
+      const [width, height] = [label.scale.x * projection[0], label.scale.y * projection[5]];
+      const isApart = (other, u, v) => Math.abs(other.x - u) > (other.width + width) / 2 || Math.abs(other.y - v) > height;
+      const isFree = ([u, v]) => isClear(y + v * height, height)
+        && placedLabels.every((other) => isApart(other, x + u * width, y + v * height));
+      const shift = LABEL_SHIFTS.find(isFree);
       label.visible = shift !== undefined;
       if (!label.visible) continue;
       label.center.set(0.5 - shift[0], 0.5 - shift[1]);
-      placed.push({ x: x + shift[0] * wide, y: y + shift[1] * high, wide });
+      placedLabels.push({ x: x + shift[0] * width, y: y + shift[1] * height, width });
     }
   }
 
-  // Positions of all points now; the motion is linear in the amplitude.
-  moved() {
-    return this.displaced(this.state.points, this.state.moved[this.mode], 1);
+  // Positions of all points at the current phase; the motion is linear in the amplitude.
+  displacedPoints() {
+    return this.displace(this.state.points, this.state.displacements[this.mode], 1);
   }
 
-  displaced(rest, by, sign) {
+  displace(points, displacements, sign) {
     const { data } = this, factor = sign * this.amplitude * data.size * this.phase;
-    return rest.map((value, i) => value + factor * by[3 * data.motionsOf[Math.floor(i / 3)] + (i % 3)]);
+    return points.map((value, i) => value + factor * displacements[3 * data.motionsOf[Math.floor(i / 3)] + (i % 3)]);
   }
 
   render() {
-    const { data } = this, points = this.moved(), factor = this.amplitude * data.size;
-    const turned = this.state.turned[this.mode].map((angle) => angle * factor * this.phase);
-    this.shapes.forEach((shape) => shape.place(points, turned));
+    const { data } = this, points = this.displacedPoints(), factor = this.amplitude * data.size;
+    const rotations = this.state.rotations[this.mode].map((angle) => angle * factor * this.phase);
+    this.shapes.forEach((shape) => shape.place(points, rotations));
     const { declared } = this;
-    if (declared) this.drawGhost(this.displaced(declared.points, declared.moved, declared.sign));
+    if (declared) this.drawGhost(this.displace(declared.points, declared.displacements, declared.sign));
     this.marks.place(this.state.points, factor, this.phase);
-    const centre = vector(this.state.points, 0);
-    const reach = vector(this.state.moved[this.mode], data.motionsOf[0]).multiplyScalar(factor);
-    const [bar, ...tips] = this.trace, ends = [1, -1].map((s) => centre.clone().addScaledVector(reach, s));
-    const shown = reach.length() > 0.004 * data.size;
-    this.trace.forEach((part) => { part.visible = shown; });
-    if (shown) {
+    const centre = pointAt(this.state.points, 0);
+    const amplitudeVector = pointAt(this.state.displacements[this.mode], data.motionsOf[0]).multiplyScalar(factor);
+    const [bar, ...tips] = this.trace, ends = [1, -1].map((s) => centre.clone().addScaledVector(amplitudeVector, s));
+    const isVisible = amplitudeVector.length() > 0.004 * data.size;
+    this.trace.forEach((part) => { part.visible = isVisible; });
+    if (isVisible) {
       stretch(bar, ends[0], ends[1], 0.0022 * data.size);
-      const tip = reach.clone().normalize();
+      const direction = amplitudeVector.clone().normalize();
       tips.forEach((cone, i) => {
-        const s = i ? -1 : 1;
-        stretch(cone, ends[i], ends[i].clone().addScaledVector(tip, s * 0.022 * data.size), 0.0075 * data.size);
+        const sign = i ? -1 : 1;
+        stretch(cone, ends[i], ends[i].clone().addScaledVector(direction, sign * 0.022 * data.size), 0.0075 * data.size);
       });
     }
-    if (this.labels.visible) this.arrange();
+    if (this.labels.visible) this.arrangeLabels();
     this.renderer.render(this.world, this.camera);
     this.dirty = false;
   }
 }
 
-function labelled(text, palette, at) {
+function labelSprite(text, palette, position) {
   const canvas = document.createElement("canvas"), context = canvas.getContext("2d"), font = "600 30px system-ui, sans-serif";
   context.font = font;
   canvas.width = Math.ceil(context.measureText(text).width) + 20;
@@ -332,7 +347,7 @@ function labelled(text, palette, at) {
   const map = new T.CanvasTexture(canvas);
   map.colorSpace = T.SRGBColorSpace;
   const sprite = new T.Sprite(new T.SpriteMaterial({ map, depthTest: false, sizeAttenuation: false }));
-  sprite.position.copy(at);
+  sprite.position.copy(position);
   sprite.scale.set((0.023 * canvas.width) / canvas.height, 0.023, 1);
   sprite.renderOrder = 3;
   return sprite;

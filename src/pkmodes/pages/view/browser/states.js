@@ -1,34 +1,36 @@
-// The states of a page: those that were evaluated, and those between them.  A state is the robot at a pose, with its
-// modes; a grid of states is interpolated linearly along each of its axes.
+// The states of a page.  A state is the robot at a pose (or with other values) and its modes.  Some states were
+// evaluated in Python; between those of a grid, states are interpolated linearly along each axis.  A position in the
+// grid counts in levels along each axis, 1.5 being half-way between two evaluated levels.
 
-// Steps of a slider from one evaluated state to the next.
-const FINE = 10;
-// Below this squared cosine two shapes are not one mode, and only the nearest one is shown.
-const ALIKE = 0.5;
+// Steps of a slider from one evaluated level to the next.
+const SLIDER_STEPS = 10;
+// Where two shapes have a smaller MAC they are not interpolated: the shape of the nearest evaluated state is shown.
+const MIN_MAC = 0.5;
 
 class States {
   constructor(data) {
     this.data = data;
     this.sizes = data.levels ? data.levels.map((values) => values.length) : [];
     this.wheels = data.elements.filter((e) => e.turns >= 0);
-    // The place of every state in the grid.
-    // For every state the number that each of its modes carries.
-    this.numbers = (data.order || []).map((order) => order.map((_, mode) => order.indexOf(mode)));
-    this.grid = new Map();
-    (data.places || []).forEach((state, flat) => { if (state >= 0) this.grid.set(state, this.unravelled(flat)); });
+    // A mode is followed over the grid as a track: data.order[state][track] is its index among the modes of a state,
+    // and tracks[state][mode] the track of a mode.
+    this.tracks = (data.order || []).map((order) => order.map((_, mode) => order.indexOf(mode)));
+    // The position of every evaluated state.
+    this.positions = new Map();
+    (data.places || []).forEach((state, flat) => { if (state >= 0) this.positions.set(state, this.gridIndices(flat)); });
   }
 
-  unravelled(flat) {
-    const place = [];
+  gridIndices(flat) {
+    const indices = [];
     for (let i = this.sizes.length - 1; i >= 0; i--) {
-      place.unshift(flat % this.sizes[i]);
+      indices.unshift(flat % this.sizes[i]);
       flat = Math.floor(flat / this.sizes[i]);
     }
-    return place;
+    return indices;
   }
 
-  // The place of values of the axes, at the edge of the grid for values beyond it.
-  placed(values) {
+  // The position of values of the axes, at the edge of the grid for values beyond it.
+  gridPositionOf(values) {
     return values.map((value, i) => {
       const levels = this.data.levels[i], last = levels.length - 1;
       if (!(value > levels[0])) return 0;
@@ -38,140 +40,150 @@ class States {
     });
   }
 
-  // Evaluated states around a place with their weights; null where the robot cannot be at one of them.
-  around(place) {
+  // Evaluated states at the corners of the cell around a position, with their weights; null where one of them is
+  // missing because the robot cannot be there.
+  cornerStates(position) {
     let corners = [{ flat: 0, weight: 1 }];
-    place.forEach((at, i) => {
-      const low = Math.floor(at + 1e-9), part = at - low > 1e-9 ? at - low : 0;
-      const ends = part ? [[low, 1 - part], [low + 1, part]] : [[low, 1]];
-      corners = corners.flatMap(({ flat, weight }) => ends.map(([k, w]) => ({ flat: flat * this.sizes[i] + k, weight: weight * w })));
+    position.forEach((level, i) => {
+      const low = Math.floor(level + 1e-9), fraction = level - low > 1e-9 ? level - low : 0;
+      const ends = fraction ? [[low, 1 - fraction], [low + 1, fraction]] : [[low, 1]];
+      corners = corners.flatMap(
+        ({ flat, weight }) => ends.map(([k, w]) => ({ flat: flat * this.sizes[i] + k, weight: weight * w })),
+      );
     });
-    const found = corners.map(({ flat, weight }) => ({ state: this.data.places[flat], weight }));
-    return found.every(({ state }) => state >= 0) ? found : null;
+    const states = corners.map(({ flat, weight }) => ({ state: this.data.places[flat], weight }));
+    return states.every(({ state }) => state >= 0) ? states : null;
   }
 
-  // The reachable place nearest to a wanted one; with `fixed`, among those with the same value of that axis if any.
-  nearest(wanted, fixed = -1) {
-    if (this.around(wanted)) return wanted;
-    const best = this.search(wanted, fixed);
-    return best || this.search(wanted, -1);
+  // The reachable position nearest to a requested one: if possible, with the requested level of `fixedAxis`.
+  nearestReachable(requested, fixedAxis = -1) {
+    if (this.cornerStates(requested)) return requested;
+    return this.searchNearest(requested, fixedAxis) || this.searchNearest(requested, -1);
   }
 
-  search(wanted, fixed) {
-    let best = null, least = Infinity;
-    const place = wanted.slice();
-    const along = (axis, distance) => {
-      if (distance >= least) return;
-      if (axis === place.length) {
-        if (this.around(place)) { best = place.slice(); least = distance; }
+  searchNearest(requested, fixedAxis) {
+    let nearest = null, shortest = Infinity; // squared distance
+    const position = requested.slice();
+    const searchFrom = (axis, distance) => {
+      if (distance >= shortest) return;
+      if (axis === position.length) {
+        if (this.cornerStates(position)) { nearest = position.slice(); shortest = distance; }
         return;
       }
-      if (axis === fixed) { along(axis + 1, distance); return; }
-      const steps = FINE * (this.sizes[axis] - 1);
+      if (axis === fixedAxis) { searchFrom(axis + 1, distance); return; }
+      const steps = SLIDER_STEPS * (this.sizes[axis] - 1);
       for (let k = 0; k <= steps; k++) {
-        place[axis] = k / FINE;
-        along(axis + 1, distance + (place[axis] - wanted[axis]) ** 2);
+        position[axis] = k / SLIDER_STEPS;
+        searchFrom(axis + 1, distance + (position[axis] - requested[axis]) ** 2);
       }
-      place[axis] = wanted[axis];
+      position[axis] = requested[axis];
     };
-    along(0, 0);
-    return best;
+    searchFrom(0, 0);
+    return nearest;
   }
 
-  // The robot at one of the evaluated states.
-  evaluated(state) {
+  // One of the evaluated states.
+  evaluatedState(state) {
     const { data } = this;
     return {
-      exact: true, nearest: state, place: this.grid.get(state) || null, numbers: this.numbers[state] || null, pose: data.poses[state],
-      points: data.points[state], frequencies: data.frequencies[state], moved: data.moved[state],
-      turned: data.turned[state], shares: data.shares[state], directions: data.directions[state],
-      apart: data.frequencies[state].map(() => false),
+      exact: true, nearest: state, gridPosition: this.positions.get(state) || null, tracks: this.tracks[state] || null,
+      pose: data.poses[state], points: data.points[state], frequencies: data.frequencies[state],
+      displacements: data.moved[state], rotations: data.turned[state], shares: data.shares[state],
+      directions: data.directions[state], shapesDiffer: data.frequencies[state].map(() => false),
     };
   }
 
-  // The robot at a place of the grid: exact at an evaluated state, interpolated between them.
-  at(place) {
-    const corners = this.around(place);
-    const nearest = corners.reduce((best, one) => (one.weight > best.weight + 1e-9 ? one : best)).state;
-    if (corners.length === 1) return this.evaluated(nearest);
-    const { data } = this, sum = (of) => mixed(corners.map(({ state, weight }) => [of(state), weight]));
-    const points = sum((s) => data.points[s]);
-    const modes = data.order[nearest].map((_, number) => this.interpolated(points, corners, nearest, number));
+  // The state at a position in the grid: evaluated, or interpolated between those around it.
+  stateAt(position) {
+    const corners = this.cornerStates(position);
+    const nearest = corners.reduce((best, corner) => (corner.weight > best.weight + 1e-9 ? corner : best)).state;
+    if (corners.length === 1) return this.evaluatedState(nearest);
+    const { data } = this, mean = (values) => weightedSum(corners.map(({ state, weight }) => [values[state], weight]));
+    const points = mean(data.points);
+    const modes = data.order[nearest].map((_, track) => this.interpolateMode(points, corners, nearest, track));
     const sorted = [...modes.slice(0, data.rigid), ...modes.slice(data.rigid).sort((a, b) => a.frequency - b.frequency)];
-    const each = (key) => sorted.map((mode) => mode[key]);
+    const ofModes = (key) => sorted.map((mode) => mode[key]);
     return {
-      exact: false, nearest, place, pose: sum((s) => data.poses[s]), points, deviation: this.deviation(place),
-      frequencies: each("frequency"), moved: each("moved"), turned: each("turned"), shares: each("shares"),
-      directions: each("directions"), numbers: each("number"), apart: each("apart"),
+      exact: false, nearest, gridPosition: position, pose: mean(data.poses), points, deviation: this.deviation(position),
+      frequencies: ofModes("frequency"), displacements: ofModes("displacements"), rotations: ofModes("rotations"),
+      shares: ofModes("shares"), directions: ofModes("directions"), tracks: ofModes("track"),
+      shapesDiffer: ofModes("shapesDiffer"),
     };
   }
 
-  // How far frequencies between states are off about here, where it was checked; null where it was not.
-  deviation(place) {
+  // The largest known error of interpolated frequencies around a position; null where it was not checked.
+  deviation(position) {
     let flat = 0;
-    place.forEach((at, i) => {
-      const low = Math.floor(at + 1e-9);
-      flat = flat * (2 * this.sizes[i] - 1) + 2 * low + (at - low > 1e-9 ? 1 : 0);
+    position.forEach((level, i) => {
+      const low = Math.floor(level + 1e-9);
+      flat = flat * (2 * this.sizes[i] - 1) + 2 * low + (level - low > 1e-9 ? 1 : 0);
     });
     return this.data.deviations[flat];
   }
 
-  // The mode of one number, between the modes of this number at all corners, with the sign of the nearest.
-  interpolated(points, corners, nearest, number) {
-    const { data } = this, own = data.order[nearest][number];
-    const shape = (s, m) => [...data.moved[s][m], ...data.turned[s][m].map((angle) => angle * this.rim(data.points[s]))];
-    const here = shape(nearest, own), pairs = corners.map(({ state: s, weight }) => {
-      const m = data.order[s][number], other = shape(s, m), product = dot(here, other);
-      return { s, m, weight, sign: Math.sign(product) || 1, alike: product ** 2 / (dot(here, here) * dot(other, other) || 1) };
+  // The mode of a track, interpolated between its modes at all corners, with the sign of that at the nearest one.
+  interpolateMode(points, corners, nearest, track) {
+    const { data } = this, nearestMode = data.order[nearest][track];
+    const shape = (s, m) => [...data.moved[s][m], ...data.turned[s][m].map((angle) => angle * this.rimRadius(data.points[s]))];
+    const reference = shape(nearest, nearestMode), cornerModes = corners.map(({ state: s, weight }) => {
+      const m = data.order[s][track], cornerShape = shape(s, m), product = dot(reference, cornerShape);
+      const mac = product ** 2 / (dot(reference, reference) * dot(cornerShape, cornerShape) || 1);
+      return { s, m, weight, sign: Math.sign(product) || 1, mac };
     });
-    const vibration = number >= data.rigid, apart = vibration && pairs.some((pair) => pair.alike < ALIKE);
+    const isVibration = track >= data.rigid, shapesDiffer = isVibration && cornerModes.some(({ mac }) => mac < MIN_MAC);
     const mode = {
-      frequency: frequency(pairs.map(({ s, m, weight }) => [data.frequencies[s][m], weight])), apart,
-      number, moved: data.moved[nearest][own], turned: data.turned[nearest][own], shares: data.shares[nearest][own],
-      directions: data.directions[nearest][own],
+      frequency: meanFrequency(cornerModes.map(({ s, m, weight }) => [data.frequencies[s][m], weight])), shapesDiffer, track,
+      displacements: data.moved[nearest][nearestMode], rotations: data.turned[nearest][nearestMode],
+      shares: data.shares[nearest][nearestMode], directions: data.directions[nearest][nearestMode],
     };
-    if (!vibration || apart) return mode; // the shape is that of the nearest state
-    const sum = (of) => mixed(pairs.map(({ s, m, weight, sign }) => [of(s, m), weight, sign]));
-    const moved = sum((s, m) => data.moved[s][m]), turned = sum((s, m) => data.turned[s][m]);
-    const scale = 1 / (this.largest(points, moved, turned) || 1);
-    const along = sum((s, m) => data.directions[s][m]), size = Math.hypot(...along) || 1;
+    if (!isVibration || shapesDiffer) return mode; // the shape is that of the nearest state
+    const mean = (values) => weightedSum(cornerModes.map(({ s, m, weight, sign }) => [values[s][m], weight, sign]));
+    const displacements = mean(data.moved), rotations = mean(data.turned);
+    const scale = 1 / (this.largestDisplacement(points, displacements, rotations) || 1);
+    const direction = mean(data.directions), length = Math.hypot(...direction) || 1;
+    const hasShares = cornerModes.every(({ s, m }) => data.shares[s][m]);
     return {
-      ...mode, moved: moved.map((v) => v * scale), turned: turned.map((v) => v * scale), directions: along.map((v) => v / size),
-      shares: pairs.some(({ s, m }) => !data.shares[s][m]) ? data.shares[nearest][own] : mixed(pairs.map(({ s, m, weight }) => [data.shares[s][m], weight])),
+      ...mode, displacements: displacements.map((v) => v * scale), rotations: rotations.map((v) => v * scale),
+      directions: direction.map((v) => v / length),
+      shares: hasShares ? weightedSum(cornerModes.map(({ s, m, weight }) => [data.shares[s][m], weight])) : mode.shares,
     };
   }
 
-  // The mode of the declared robot that continues one of a state, and the sign of its shape; null without one.
-  declared(state, mode) {
+  // The mode of the declared robot on the track of a mode, and the sign that its shape needs to agree with that
+  // mode's; null where no values vary.
+  declaredMode(state, mode) {
     const { data } = this, index = data.declared;
     if (index === null) return null;
-    const own = data.order[index][state.numbers[mode]], moved = data.moved[index][own];
+    const partner = data.order[index][state.tracks[mode]], displacements = data.moved[index][partner];
     return {
-      frequency: data.frequencies[index][own], moved, points: data.points[index],
-      sign: Math.sign(dot(state.moved[mode], moved)) || 1,
+      frequency: data.frequencies[index][partner], displacements, points: data.points[index],
+      sign: Math.sign(dot(state.displacements[mode], displacements)) || 1,
     };
   }
 
-  rim(points) {
-    return this.wheels.length ? reach(points, this.wheels[0]) : 0;
+  rimRadius(points) {
+    return this.wheels.length ? wheelRadius(points, this.wheels[0]) : 0;
   }
 
   // The largest displacement of a point or of the rim of a wheel.
-  largest(points, moved, turned) {
-    let most = 0;
-    for (let i = 0; i < moved.length; i += 3) most = Math.max(most, Math.hypot(moved[i], moved[i + 1], moved[i + 2]));
-    this.wheels.forEach((wheel) => { most = Math.max(most, reach(points, wheel) * Math.abs(turned[wheel.turns])); });
-    return most;
+  largestDisplacement(points, displacements, rotations) {
+    let largest = 0;
+    for (let i = 0; i < displacements.length; i += 3) largest = Math.max(largest, Math.hypot(...displacements.slice(i, i + 3)));
+    this.wheels.forEach((wheel) => {
+      largest = Math.max(largest, wheelRadius(points, wheel) * Math.abs(rotations[wheel.turns]));
+    });
+    return largest;
   }
 }
 
-// Between states compliances are interpolated, not frequencies: see interpolation.py, which checks what comes out.
-function frequency(parts) {
+// Mean of [frequency, weight].  Compliances are interpolated, not frequencies: see interpolation.py, which also
+// computes the errors of this.
+function meanFrequency(parts) {
   if (parts.some(([f]) => f <= 0)) return parts.reduce((sum, [f, weight]) => sum + weight * f, 0);
   return parts.reduce((sum, [f, weight]) => sum + weight / (f * f), 0) ** -0.5;
 }
 
-function reach(points, wheel) {
+function wheelRadius(points, wheel) {
   const [a, b] = wheel.points;
   return Math.hypot(...[0, 1, 2].map((k) => points[3 * b + k] - points[3 * a + k]));
 }
@@ -180,15 +192,15 @@ function dot(a, b) {
   return a.reduce((sum, value, i) => sum + value * b[i], 0);
 }
 
-// Values of the axes at a place, which counts in levels and may be between them.
-function valuesAt(data, place) {
-  return place.map((at, i) => {
-    const values = data.levels[i], low = Math.min(Math.floor(at), values.length - 1), part = at - low;
-    return part > 1e-9 ? values[low] + part * (values[low + 1] - values[low]) : values[low];
+// Values of the axes at a position in the grid.
+function axisValues(data, position) {
+  return position.map((level, i) => {
+    const values = data.levels[i], low = Math.min(Math.floor(level), values.length - 1), fraction = level - low;
+    return fraction > 1e-9 ? values[low] + fraction * (values[low + 1] - values[low]) : values[low];
   });
 }
 
-// The weighted sum of lists: of [list, weight, sign].
-function mixed(parts) {
+// The weighted sum of lists, each given as [list, weight, sign].
+function weightedSum(parts) {
   return parts[0][0].map((_, i) => parts.reduce((sum, [list, weight, sign = 1]) => sum + weight * sign * list[i], 0));
 }

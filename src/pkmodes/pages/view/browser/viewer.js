@@ -1,54 +1,55 @@
-// One viewer: the stage, the panel, and what the user does.
+// One viewer of a page: it connects the controls of the user to the stage (the picture) and the panel (the texts).
 
-// Size of the copy for paper.
-const PAPER = [1600, 620];
+// Size of the copy of the picture for printing [px].
+const PRINT_SIZE = [1600, 620];
 
 class Viewer {
-  constructor(root, text) {
+  constructor(root, json) {
     this.root = root;
-    this.data = JSON.parse(text);
+    this.data = JSON.parse(json);
     this.states = new States(this.data);
-    this.state = this.states.evaluated(this.data.chosen);
+    this.state = this.states.evaluatedState(this.data.chosen);
     this.panel = new Panel(root, this.data);
     this.canvas = root.querySelector("canvas");
-    this.stage = this.start();
+    this.stage = this.createStage();
     this.mode = Math.min(this.data.rigid, this.data.frequencies[0].length - 1);
     this.amplitude = this.data.amplitude;
     this.time = 0.25 / this.panel.cycles; // begins at the largest displacement
-    this.on = !!this.stage && !matchMedia("(prefers-reduced-motion: reduce)").matches;
-    if (this.stage) Object.assign(this.stage, this.beside());
-    this.listen();
-    this.panel.pose(this.state);
-    this.panel.mode(this.state, this.mode, this.amplitude, false);
-    this.panel.measured(this.state, this.mode, false);
-    this.panel.declared(this.state, this.mode, this.states);
-    this.panel.playing(this.on);
+    this.isPlaying = !!this.stage && !matchMedia("(prefers-reduced-motion: reduce)").matches;
+    if (this.stage) Object.assign(this.stage, this.comparedModes());
+    this.addListeners();
+    this.panel.showState(this.state);
+    this.panel.showMode(this.state, this.mode, this.amplitude, false);
+    this.panel.showMeasured(this.state, this.mode, false);
+    this.panel.showDeclared(this.state, this.mode, this.states);
+    this.panel.showPlaying(this.isPlaying);
     if (this.stage) this.run();
   }
 
-  // The evaluated state that is shown, or the nearest one.
-  get pose() {
+  // Index of the evaluated state that is shown or is nearest to the one shown.
+  get stateIndex() {
     return this.state.nearest;
   }
 
-  // What stands beside the mode that is shown: a measured one, one of the declared robot, null for none.
-  beside() {
-    return { measured: measuredAt(this.data, this.state, this.mode), declared: this.states.declared(this.state, this.mode) };
+  // The modes that are compared with the one shown: the measured one and that of the declared robot; null for none.
+  comparedModes() {
+    const { data, state, mode } = this;
+    return { measured: measuredMode(data, state, mode), declared: this.states.declaredMode(state, mode) };
   }
 
-  start() {
+  createStage() {
     try {
       const stage = new Stage(this.canvas, this.data, this.state);
       this.root.classList.add("pkview-live"); // the picture takes the place of the still, and has a size
-      this.canvas.addEventListener("webglcontextlost", () => this.fail("The graphics of the browser have stopped."));
+      this.canvas.addEventListener("webglcontextlost", () => this.showFailure("The graphics of the browser have stopped."));
       return stage;
     } catch (error) {
-      this.fail("This browser cannot show the robot in three dimensions: WebGL is not available.");
+      this.showFailure("This browser cannot show the robot in three dimensions: WebGL is not available.");
       return null;
     }
   }
 
-  fail(reason) {
+  showFailure(reason) {
     const message = this.panel.find("message");
     message.textContent = `${reason} All numbers are in the table below.`;
     message.hidden = false;
@@ -56,160 +57,170 @@ class Viewer {
     this.root.classList.add("pkview-flat");
   }
 
-  listen() {
-    const { panel, canvas } = this, on = (name, event, act) => panel.all(name).forEach((part) => part.addEventListener(event, () => act(part)));
-    on("mode", "change", (input) => this.choose(this.state, Number(input.value)));
-    on("pose", "change", (select) => { this.choose(this.states.evaluated(Number(select.value)), this.mode); this.tell(); });
-    on("level", "input", (slider) => this.slide(slider));
+  addListeners() {
+    const { panel, canvas } = this;
+    const on = (name, event, handler) => panel.findAll(name).forEach(
+      (part) => part.addEventListener(event, () => handler(part)),
+    );
+    on("mode", "change", (input) => this.select(this.state, Number(input.value)));
+    on("pose", "change", (list) => { this.select(this.states.evaluatedState(Number(list.value)), this.mode); this.notifyMoved(); });
+    on("level", "input", (slider) => this.moveSlider(slider));
     on("amplitude", "input", (slider) => { this.amplitude = Number(slider.value) / 100; this.refresh(); });
-    on("speed", "input", (slider) => { this.pace(Number(slider.value)); });
-    on("play", "click", () => this.toggle());
-    on("reset", "click", () => { if (this.stage) { this.turned = false; this.stage.resetView(); } });
+    on("speed", "input", (slider) => { this.setSpeed(Number(slider.value)); });
+    on("play", "click", () => this.togglePlaying());
+    on("reset", "click", () => { if (this.stage) { this.viewTurned = false; this.stage.resetView(); } });
     on("labels", "change", (box) => { if (this.stage) { this.stage.labels.visible = box.checked; this.stage.dirty = true; } });
     on("marks", "change", (box) => { if (this.stage) { this.stage.marks.group.visible = box.checked; this.stage.dirty = true; } });
     on("space", "change", (box) => { if (this.stage) { this.stage.workspace.visible = box.checked; this.stage.dirty = true; } });
-    on("spring", "pointerenter", (row) => this.light(Number(row.dataset.spring)));
-    on("spring", "pointerleave", () => this.light(-1));
-    document.addEventListener("pkmodes-pose", (event) => this.go(event.detail.pose));
-    canvas.addEventListener("keydown", (event) => this.key(event));
+    on("spring", "pointerenter", (row) => this.highlightSpring(Number(row.dataset.spring)));
+    on("spring", "pointerleave", () => this.highlightSpring(-1));
+    document.addEventListener("pkmodes-pose", (event) => this.moveToPose(event.detail.pose));
+    canvas.addEventListener("keydown", (event) => this.handleKey(event));
     canvas.addEventListener("pointerdown", () => canvas.focus({ preventScroll: true }));
-    canvas.addEventListener("focus", () => this.zooming(true));
-    canvas.addEventListener("blur", () => this.zooming(false));
+    canvas.addEventListener("focus", () => this.enableZoom(true));
+    canvas.addEventListener("blur", () => this.enableZoom(false));
     if (!this.stage) return;
-    this.stage.controls.addEventListener("start", () => { this.turned = true; });
+    this.stage.controls.addEventListener("start", () => { this.viewTurned = true; });
     const dark = matchMedia("(prefers-color-scheme: dark)"), print = matchMedia("print");
     const repaint = () => {
       this.stage.paint(PALETTES[dark.matches && !this.printing ? "dark" : "light"]);
       this.draw();
     };
-    const printing = (on) => {
-      this.printing = on;
+    const setPrinting = (printing) => {
+      this.printing = printing;
       repaint();
-      if (on) this.still();
+      if (printing) this.copyForPrint();
     };
     dark.addEventListener("change", repaint);
-    print.addEventListener("change", () => printing(print.matches));
-    addEventListener("beforeprint", () => printing(true));
-    addEventListener("afterprint", () => printing(false));
+    print.addEventListener("change", () => setPrinting(print.matches));
+    addEventListener("beforeprint", () => setPrinting(true));
+    addEventListener("afterprint", () => setPrinting(false));
     repaint();
-    this.fit(true);
-    new ResizeObserver(() => this.fit(false)).observe(canvas.parentElement);
-    new IntersectionObserver((entries) => { this.seen = entries.at(-1).isIntersecting; }).observe(canvas);
+    this.fitCanvas(true);
+    new ResizeObserver(() => this.fitCanvas(false)).observe(canvas.parentElement);
+    new IntersectionObserver((entries) => { this.isVisible = entries.at(-1).isIntersecting; }).observe(canvas);
   }
 
-  // A copy of the picture for paper: a browser may print the WebGL canvas as it was a frame ago.
-  still() {
-    if (!this.fitted) return; // opened on paper: the still of the page serves
+  // Copy the picture for printing: a browser may print the WebGL canvas as it was a frame earlier.
+  copyForPrint() {
+    if (!this.fitted) return; // the page was opened for printing: its still picture is printed
     this.root.classList.add("pkview-copied");
     const copy = this.root.querySelector(".pkview-still"), { stage, canvas } = this;
-    const { clientWidth: width, clientHeight: height } = canvas, seen = stage.view();
-    stage.resize(...PAPER);
-    if (!this.turned) stage.resetView();
+    const { clientWidth: width, clientHeight: height } = canvas, cameraView = stage.cameraView();
+    stage.resize(...PRINT_SIZE);
+    if (!this.viewTurned) stage.resetView();
     this.draw();
     [copy.width, copy.height] = [canvas.width, canvas.height];
     copy.getContext("2d").drawImage(canvas, 0, 0);
     if (width && height) stage.resize(width, height);
-    stage.look(seen);
+    stage.setCameraView(cameraView);
     this.draw();
   }
 
-  zooming(on) {
-    if (this.stage) this.stage.controls.enableZoom = on;
+  enableZoom(enabled) {
+    if (this.stage) this.stage.controls.enableZoom = enabled;
   }
 
-  fit(first) {
+  fitCanvas(isFirst) {
     const { clientWidth: width, clientHeight: height } = this.canvas;
-    if (!width || !height) return; // hidden, as on paper
+    if (!width || !height) return; // hidden, as in print
     const changed = this.stage.resize(width, height);
-    if (first || !this.fitted || (changed && !this.turned)) this.stage.resetView();
+    if (isFirst || !this.fitted || (changed && !this.viewTurned)) this.stage.resetView();
     this.fitted = true;
     this.draw();
   }
 
-  // The place of the sliders, or the nearest one that the robot can reach with the slider that moved.  What the other
-  // sliders were set to is kept: they return to it where the robot can reach it again.
-  slide(moved) {
-    const { panel, states } = this, axis = panel.all("level").indexOf(moved), wanted = (this.wanted || this.state.place).slice();
-    wanted[axis] = Number(moved.value) / FINE;
-    const place = states.nearest(wanted, axis);
-    this.choose(states.at(place), this.mode);
-    this.wanted = wanted;
+  // Move to the position of the sliders or, where the robot cannot be there, to the nearest one with the slider that
+  // moved.  The other sliders then give way; what they were set to is kept in `requestedPosition`, and they return to
+  // it as soon as the robot can be there again.
+  moveSlider(slider) {
+    const { panel, states } = this, axis = panel.findAll("level").indexOf(slider);
+    const requested = (this.requestedPosition || this.state.gridPosition).slice();
+    requested[axis] = Number(slider.value) / SLIDER_STEPS;
+    const position = states.nearestReachable(requested, axis);
+    this.select(states.stateAt(position), this.mode);
+    this.requestedPosition = requested;
     const { varied } = this.data, status = panel.find("status");
-    if (place[axis] !== wanted[axis]) status.textContent += varied ? " With that value the robot cannot be at the pose." : " No pose that was computed is reachable there.";
-    else if (place !== wanted) status.textContent += varied ? " Moved to the nearest values with which the robot can be at the pose." : " Moved to the nearest pose that the robot can reach.";
-    this.tell();
+    if (position[axis] !== requested[axis]) {
+      status.textContent += varied ? " With that value the robot cannot be at the pose." : " No pose that was computed is reachable there.";
+    } else if (position !== requested) {
+      status.textContent += varied
+        ? " Moved to the nearest values with which the robot can be at the pose."
+        : " Moved to the nearest pose that the robot can reach.";
+    }
+    this.notifyMoved();
   }
 
-  // Move to the pose given in SI units, as another part of the page asks, or as near to it as the poses here allow.
-  go(values) {
+  // Move to a pose [SI] that another part of the page asks for, or to the nearest one that can be shown.
+  moveToPose(values) {
     const { data, states } = this, { poses } = data;
     if (data.varied || values.length !== poses[0].length) return;
     if (data.levels) {
-      this.choose(states.at(states.nearest(states.placed(values))), this.mode);
+      this.select(states.stateAt(states.nearestReachable(states.gridPositionOf(values))), this.mode);
       return;
     }
-    const spans = values.map((_, i) => span(poses.map((pose) => pose[i])));
-    const far = (pose) => pose.reduce((sum, value, i) => sum + ((value - values[i]) / spans[i]) ** 2, 0);
-    const best = poses.reduce((found, pose, i) => (far(pose) < far(poses[found]) ? i : found), 0);
-    this.choose(states.evaluated(best), this.mode);
+    const spans = values.map((_, i) => spread(poses.map((pose) => pose[i])));
+    const distance = (pose) => pose.reduce((sum, value, i) => sum + ((value - values[i]) / spans[i]) ** 2, 0);
+    const nearest = poses.reduce((best, pose, i) => (distance(pose) < distance(poses[best]) ? i : best), 0);
+    this.select(states.evaluatedState(nearest), this.mode);
   }
 
   // Tell other parts of the page that the controls moved the robot.
-  tell() {
+  notifyMoved() {
     if (this.data.varied) return;
     const detail = { pose: this.state.pose };
     document.dispatchEvent(new CustomEvent("pkmodes-moved", { detail }));
   }
 
-  choose(state, mode) {
-    if (state !== this.state) this.wanted = null;
+  select(state, mode) {
+    if (state !== this.state) this.requestedPosition = null;
     this.state = state;
     this.mode = mode;
-    this.panel.pose(state);
-    this.panel.mode(state, mode, this.amplitude, true);
-    this.panel.measured(state, mode, true);
-    this.panel.declared(state, mode, this.states);
+    this.panel.showState(state);
+    this.panel.showMode(state, mode, this.amplitude, true);
+    this.panel.showMeasured(state, mode, true);
+    this.panel.showDeclared(state, mode, this.states);
     if (!this.stage) return;
-    Object.assign(this.stage, { state, mode, ...this.beside() });
+    Object.assign(this.stage, { state, mode, ...this.comparedModes() });
     this.stage.show();
     this.draw();
   }
 
-  light(spring) {
-    if (!this.stage || this.stage.lit === spring) return;
-    this.stage.lit = spring;
+  highlightSpring(spring) {
+    if (!this.stage || this.stage.highlightedSpring === spring) return;
+    this.stage.highlightedSpring = spring;
     this.stage.show();
     this.draw();
   }
 
-  pace(cycles) {
-    const turn = this.time * this.panel.cycles; // the phase does not jump
+  setSpeed(cycles) {
+    const periods = this.time * this.panel.cycles; // the phase does not jump
     this.panel.cycles = cycles;
-    this.time = turn / cycles;
+    this.time = periods / cycles;
     this.refresh();
   }
 
   refresh() {
-    this.panel.motion(this.state.frequencies[this.mode], this.amplitude);
+    this.panel.showMotion(this.state.frequencies[this.mode], this.amplitude);
     this.draw();
   }
 
-  toggle() {
-    this.on = !this.on;
-    this.panel.playing(this.on);
+  togglePlaying() {
+    this.isPlaying = !this.isPlaying;
+    this.panel.showPlaying(this.isPlaying);
   }
 
-  key(event) {
-    const turn = 0.09, acts = {
-      ArrowLeft: () => this.stage.orbit(-turn, 0), ArrowRight: () => this.stage.orbit(turn, 0),
-      ArrowUp: () => this.stage.orbit(0, -turn), ArrowDown: () => this.stage.orbit(0, turn),
+  handleKey(event) {
+    const angle = 0.09, actions = {
+      ArrowLeft: () => this.stage.orbit(-angle, 0), ArrowRight: () => this.stage.orbit(angle, 0),
+      ArrowUp: () => this.stage.orbit(0, -angle), ArrowDown: () => this.stage.orbit(0, angle),
       "+": () => this.stage.zoom(0.9), "=": () => this.stage.zoom(0.9), "-": () => this.stage.zoom(1 / 0.9),
-      Home: () => this.stage.resetView(), 0: () => this.stage.resetView(), " ": () => this.toggle(),
+      Home: () => this.stage.resetView(), 0: () => this.stage.resetView(), " ": () => this.togglePlaying(),
     };
-    if (!this.stage || !acts[event.key] || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (!this.stage || !actions[event.key] || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
-    this.turned = event.key !== "Home" && event.key !== "0";
-    acts[event.key]();
+    this.viewTurned = event.key !== "Home" && event.key !== "0";
+    actions[event.key]();
   }
 
   draw() {
@@ -220,40 +231,42 @@ class Viewer {
   }
 
   run() {
-    let before = performance.now();
-    const step = (now) => {
-      const passed = Math.min((now - before) / 1000, 0.1);
-      before = now;
-      if (this.on && this.seen !== false && !this.printing) {
-        this.time += passed;
+    let previous = performance.now();
+    const advance = (now) => {
+      const elapsed = Math.min((now - previous) / 1000, 0.1);
+      previous = now;
+      if (this.isPlaying && this.isVisible !== false && !this.printing) {
+        this.time += elapsed;
         this.draw();
       } else if (this.stage.dirty) {
         this.draw();
       }
-      requestAnimationFrame(step);
+      requestAnimationFrame(advance);
     };
-    requestAnimationFrame(step);
+    requestAnimationFrame(advance);
   }
 }
 
-function span(values) {
+// Largest minus smallest value, but 1 for equal values.
+function spread(values) {
   return Math.max(...values) - Math.min(...values) || 1;
 }
 
-// The text of a zlib stream in base 64.
-async function inflatedText(text) {
-  const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+// The text of a zlib stream in Base64.
+async function inflate(base64) {
+  const bytes = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
   return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"))).text();
 }
 
 document.querySelectorAll(".pkview:not([data-started])").forEach(async (root) => {
   root.dataset.started = "";
   const plain = root.querySelector("script[type='application/json']");
-  let text;
+  let json;
   try {
-    text = plain ? plain.textContent : await inflatedText(root.querySelector("script[type='application/x-deflated-json']").textContent);
+    const deflated = root.querySelector("script[type='application/x-deflated-json']");
+    json = plain ? plain.textContent : await inflate(deflated.textContent);
   } catch {
-    return; // an old browser: the still stays
+    return; // an old browser: the still picture stays
   }
-  root.viewer = new Viewer(root, text);
+  root.viewer = new Viewer(root, json);
 });
