@@ -208,7 +208,7 @@ def shaper(options: ShaperOptions) -> None:
     with options.named(kind="--shapers", poses="--poses" if options.poses else "--grid"):
         choose = _shapers_for_robot if measured is None else _shapers_for_measured
         result = choose(options, spectrum, sources)
-    from pkmodes.pages.report.shaper_curves import curves_csv, over_frequency
+    from pkmodes.pages.report.shaper_curves import curves_csv, frequency_figure
 
     picture = b""
     if options.figure is not None:
@@ -216,7 +216,7 @@ def shaper(options: ShaperOptions) -> None:
         from pkmodes.pages.figures.files import image_bytes
         from pkmodes.pages.figures.pictures import Picture
 
-        drawing, caption = over_frequency(result.choice, spectrum)
+        drawing, caption = frequency_figure(result.choice, spectrum)
         kind = options.figure.suffix[1:].lower()
         picture = image_bytes(Picture("shapers", "Input shapers", caption, drawing), kind)
 
@@ -257,11 +257,11 @@ def _shapers_for_robot(
 
     def blocks() -> tuple[Summary, Sequence[Shown]]:
         from pkmodes.pages.report.firmware_lines import firmware_lines, schedule_lines
-        from pkmodes.pages.report.shaper import machine, shaper_summary, shapers_tables
+        from pkmodes.pages.report.shaper import machine_facts, shaper_summary, shapers_tables
         from pkmodes.pages.report.shaper_schedule import schedule_blocks
 
         printed: list[Shown] = [
-            machine(model, choice, content),
+            machine_facts(model, choice, content),
             *shapers_tables(choice),
             *schedule_blocks(choice),
             *firmware_lines(content),

@@ -35,7 +35,7 @@ def figure(title: str, model: str) -> Picture:
         panel.label(x="frequency [Hz]", y="size [\u03c3]")
         panel.axes.legend()
 
-    return Picture.of(Drawing(draw), visible(title), "two curves", "Two curves.")
+    return Picture.from_drawing(Drawing(draw), visible(title), "two curves", "Two curves.")
 
 
 def written(folder: Path, *figures: Picture) -> Path:

@@ -15,7 +15,7 @@ from pkmodes.cli.diagnosis_tables import show_diagnosis
 from pkmodes.loop.diagnosis.verdict.findings import Examined
 from pkmodes.pages.plots.scores import WHOLE, _label
 from pkmodes.pages.report import report
-from pkmodes.pages.report.formatting import LONGEST, clean, label, prose, shortened
+from pkmodes.pages.report.formatting import MAX_LABEL_LENGTH, clean, label_cell, shorten, typeset_powers
 
 #: Longer than any limit that a label or a sentence ever had.
 LONG = "what was measured there cannot be told from what was measured elsewhere " * 40
@@ -54,12 +54,12 @@ def test_every_sentence_of_a_diagnosis_is_whole(capsys: pytest.CaptureFixture[st
 
 def test_only_what_a_file_names_is_shortened() -> None:
     assert clean(LONG) == LONG
-    assert prose(LONG) == LONG
-    assert len(shortened(LONG)) == LONGEST
-    assert shortened(LONG)[-1] == "\u2026"
-    assert shortened("P1") == "P1"
-    assert label(LONG).text == shortened(LONG)
-    assert label(LONG).typed == LONG, "a terminal has it in full"
+    assert typeset_powers(LONG) == LONG
+    assert len(shorten(LONG)) == MAX_LABEL_LENGTH
+    assert shorten(LONG)[-1] == "\u2026"
+    assert shorten("P1") == "P1"
+    assert label_cell(LONG).text == shorten(LONG)
+    assert label_cell(LONG).terminal_text == LONG, "a terminal has it in full"
 
 
 def test_a_row_of_a_figure_has_its_words_whole_or_not_at_all() -> None:

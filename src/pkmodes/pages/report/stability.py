@@ -15,8 +15,8 @@ from pkmodes.loop.diagnosis.verdict.stability_words import (
 from pkmodes.loop.diagnosis.verdict.verdicts import ADEQUATE, EFFECT_FOUND, INSUFFICIENT_DATA, UNEXPLAINED
 
 #: The changes of the stability test, in words.
-CHANGES = {HALVED: "sigma halved", DOUBLED: "sigma doubled", WIDENED: "priors twice as wide"}
-NOTHING = "nothing explains the residual"
+CHANGE_TITLES = {HALVED: "sigma halved", DOUBLED: "sigma doubled", WIDENED: "priors twice as wide"}
+NO_EXPLANATION = "nothing explains the residual"
 
 
 def stability_sentence(result: Diagnosis) -> str:
@@ -31,16 +31,18 @@ def stability_sentence(result: Diagnosis) -> str:
     for entry in result.stability:
         key = _outcome(result, entry, claimed), reason_of_change(result, entry)
         outcomes.setdefault(key, []).append(entry.change)
-    same = _same(result)
-    order = sorted(outcomes, key=lambda outcome: outcome[0] != same)  # what stays comes first
-    parts = []
-    for outcome, why in order:
-        words = joined([CHANGES.get(change, change) for change in outcomes[outcome, why]])
-        also = "also " if len(outcomes) == 1 and " " not in outcome else ""
-        parts.append(f"{outcome} {also}with {words}{f' ({why})' if why else ''}")
-    of = "the catalogue alone, " if result.beyond is not None and result.beyond.found is not None else ""
+    same_outcome = _same_outcome(result)
+    order = sorted(outcomes, key=lambda outcome: outcome[0] != same_outcome)  # what stays comes first
+    outcome_texts = []
+    for outcome, reason in order:
+        words = joined([CHANGE_TITLES.get(change, change) for change in outcomes[outcome, reason]])
+        also_word = "also " if len(outcomes) == 1 and " " not in outcome else ""
+        outcome_texts.append(f"{outcome} {also_word}with {words}{f' ({reason})' if reason else ''}")
+    catalogue_clause = (
+        "the catalogue alone, " if result.beyond is not None and result.beyond.found is not None else ""
+    )
     unchanged = all(same_verdict(result, entry) for entry in result.stability)
-    return f"{of}{'stable' if unchanged else 'stability'}: {'; '.join(parts)}"
+    return f"{catalogue_clause}{'stable' if unchanged else 'stability'}: {'; '.join(outcome_texts)}"
 
 
 def _outcome(result: Diagnosis, entry: Stability, claimed: set[str]) -> str:
@@ -49,11 +51,15 @@ def _outcome(result: Diagnosis, entry: Stability, claimed: set[str]) -> str:
     if entry.verdict == ADEQUATE.word:
         return "no cause is needed" if claimed else ADEQUATE.word
     if entry.verdict == UNEXPLAINED.word:
-        return NOTHING if claimed else UNEXPLAINED.word
+        return NO_EXPLANATION if claimed else UNEXPLAINED.word
     if not names or (not claimed and entry.verdict == result.verdict):
         return entry.verdict
     if claimed and set(entry.effects) <= claimed:
-        return _same(result) if entry.verdict == result.verdict else f"{_same(result)}, but not alone,"
+        return (
+            _same_outcome(result)
+            if entry.verdict == result.verdict
+            else f"{_same_outcome(result)}, but not alone,"
+        )
     explanation = names if entry.verdict == EFFECT_FOUND.word else f"{names}, but not alone,"
     return (
         f"{explanation} instead"
@@ -62,7 +68,7 @@ def _outcome(result: Diagnosis, entry: Stability, claimed: set[str]) -> str:
     )
 
 
-def _same(result: Diagnosis) -> str:
+def _same_outcome(result: Diagnosis) -> str:
     if result.effects:
         return "the same cause" + ("s" if len(result.effects) > 1 else "")
     return result.verdict

@@ -14,13 +14,13 @@ from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.updating.load_cases import settable_paths
 from pkmodes.pages.plots.evidence import PlottedEvidence
 from pkmodes.pages.report.blocks import Cell, Section
-from pkmodes.pages.report.formatting import clean, plural, quantity_cell, shortened
-from pkmodes.pages.report.sections import origin
+from pkmodes.pages.report.formatting import clean, plural, quantity_cell, shorten
+from pkmodes.pages.report.sections import origin_section
 from pkmodes.pages.report.sources import Source
 
 
 @dataclass(frozen=True)
-class ReportSetting:
+class ReportContext:
     """The circumstances of a result.
 
     - subject: what was measured: the name of the robot or structure
@@ -36,9 +36,9 @@ class ReportSetting:
     def title(self, drives: Iterable[str | None]) -> str:
         """Return the subject, with what the motors of a robot did."""
         return (
-            shortened(self.subject)
+            shorten(self.subject)
             if self.robot is None
-            else f"{shortened(self.subject)}, {motors_in_words(self.robot, drives)}"
+            else f"{shorten(self.subject)}, {motors_in_words(self.robot, drives)}"
         )
 
     @property
@@ -50,16 +50,16 @@ class ReportSetting:
     def _units(self) -> dict[str, str]:
         return {} if self.robot is None else settable_paths(self.robot.mechanism)
 
-    def words(self, path: str) -> str:
+    def meaning(self, path: str) -> str:
         """Return what the path of a value means; empty where the robot does not describe it."""
         return "" if self.robot is None else clean(meaning_of(self.robot.mechanism, path))
 
-    def load(self, load: Mapping[str, float]) -> Cell:
+    def load_cell(self, load: Mapping[str, float]) -> Cell:
         """Return the values set at a pose as a cell."""
         cells = {path: quantity_cell(value, self._units.get(path, "1")) for path, value in load.items()}
         return Cell(
             ", ".join(f"{clean(path)} = {cell.text}" for path, cell in cells.items()),
-            plain=", ".join(f"{path} = {cell.plain}" for path, cell in cells.items()),
+            plain_text=", ".join(f"{path} = {cell.plain_text}" for path, cell in cells.items()),
         )
 
     def origin(
@@ -78,7 +78,7 @@ class ReportSetting:
                     (kind, [Cell(clean(f"{name} = {statement.text}")) for name, statement in values.items()])
                 )
         mechanism = None if self.robot is None else self.robot.mechanism
-        return origin(self.sources, mechanism, [*facts, *further_facts])
+        return origin_section(self.sources, mechanism, [*facts, *further_facts])
 
     def components(self, count: int) -> Sequence[tuple[str, str]]:
         """Return the names and units of the components of a pose with `count` components."""
