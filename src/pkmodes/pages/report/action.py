@@ -122,10 +122,8 @@ def _inspection_advice(name: str, result: Diagnosis, context: ReportContext) -> 
         return f"{contrasts[0].part}, which is {contrasts[0].comparison}{colon}{advice}"
     if name in ADVICE_BY_CAUSE:
         return ADVICE_BY_CAUSE[name]
-    if (term_class := claimed_term_class(result)) and term_class.forms.get(name, DECLARED) not in (
-        "",
-        DECLARED,
-    ):
+    term_class = claimed_term_class(result)
+    if term_class and term_class.forms.get(name, DECLARED) not in ("", DECLARED):
         return f"look for {clean(term_class.finding.member(name).words)}"
     for prefix, template in ADVICE_BY_PREFIX.items():
         if name.startswith(prefix):
@@ -146,33 +144,35 @@ def _effect_on_frequencies(result: Diagnosis) -> list[Cell]:
         return []
     spectra = zip(stages.after.spectrum, stages.without, strict=True)
     partners = [dict(_match_modes(after, without)) for after, without in spectra]
-    index = {pose: k for k, pose in enumerate(dict.fromkeys(row.pose for row in result.rows))}
+    pose_indices = {
+        pose: pose_index for pose_index, pose in enumerate(dict.fromkeys(row.pose for row in result.rows))
+    }
     changes = []
     for i, row in enumerate(result.rows):
-        at, k = index[row.pose], int(stages.after.mode[i]) - 1
-        if row.before is not None and k in partners[at] and not row.outlier:
-            changes.append((stages.after.spectrum[at, k] - stages.without[at, partners[at][k]], i))
+        pose_index, mode_index = pose_indices[row.pose], int(stages.after.mode[i]) - 1
+        if row.before is not None and mode_index in partners[pose_index] and not row.outlier:
+            partner = partners[pose_index][mode_index]
+            changes.append(
+                (stages.after.spectrum[pose_index, mode_index] - stages.without[pose_index, partner], i)
+            )
     if not changes:
         return []
     sizes = [change for change, _ in changes]
     largest_change, i = max(changes, key=lambda change_and_row: abs(change_and_row[0]))
-    row, at = result.rows[i], index[result.rows[i].pose]
+    row, pose_index = result.rows[i], pose_indices[result.rows[i].pose]
     mode_count = int(stages.after.mode.max(initial=1))
     new_frequencies = [
         frequency
-        for k, frequency in enumerate(stages.after.spectrum[at, :mode_count])
-        if k not in partners[at]
+        for mode_index, frequency in enumerate(stages.after.spectrum[pose_index, :mode_count])
+        if mode_index not in partners[pose_index]
     ]
     verb = "lower" if max(sizes) <= 0.0 else "raise" if min(sizes) >= 0.0 else "change"
     subject = f"they {verb}" if len(result.effects) > 1 else f"it {verb}s"
     refitted = any(value.after != value.before for value in result.refitted)
     example_start = ". With the refitted values, mode" if refitted else ": mode"
     new_modes_start = "another is" if len(new_frequencies) == 1 else "others are"
-    new_modes = (
-        f"; {new_modes_start} new there, at {joined([f'{frequency:.4g}' for frequency in new_frequencies])} Hz"
-        if new_frequencies
-        else ""
-    )
+    new_modes = joined([f"{frequency:.4g}" for frequency in new_frequencies])
+    new_modes_clause = f"; {new_modes_start} new there, at {new_modes} Hz" if new_frequencies else ""
     return [
         Cell(
             f"In the model {subject} the frequencies of the {plural(len(changes), 'measured mode')} by up to "
@@ -183,7 +183,7 @@ def _effect_on_frequencies(result: Diagnosis) -> list[Cell]:
         frequency_cell(row.before, pointer("rows", i, "before_hz")),
         Cell("Hz as declared to"),
         frequency_cell(row.after, pointer("rows", i, "after_hz")),
-        Cell(f"Hz{new_modes}."),
+        Cell(f"Hz{new_modes_clause}."),
     ]
 
 

@@ -51,7 +51,7 @@ class Cell:
     - json_pointer: JSON pointer of that number in the output of ``--json``; empty if it is not in it
     - strong: whether it is emphasised
     - spread: the standard deviation that its text contains
-    - identifier: of what the text means in words, shown below it, and on a terminal instead of it; empty for none
+    - identifier: of what the text describes, shown below it, and on a terminal instead of it; empty for none
     - plain_text: the text on a terminal: a number or a unit as it can be typed, a label in full; empty where `text`
       is that
     """
@@ -90,17 +90,17 @@ class Column:
 
 
 class TemplateBlock:
-    """What every block of a section has.
+    """Base of the blocks of a section.
 
-    - programs: those that it needs in the browser, files of ``browser/``.  A program of several files names them in
-      their order, joined by ``+``.
+    - programs: programs that the block needs in the browser, files of ``browser/``.  A program of several files names
+      them in their order, joined by ``+``.
     """
 
     programs: ClassVar[Sequence[str]] = ()
 
     @property
     def kind(self) -> str:
-        """How the templates place it."""
+        """Name of the block in the templates."""
         return type(self).__name__.lower()
 
 
@@ -202,7 +202,7 @@ class TextDifference(TemplateBlock):
 
     @staticmethod
     def line_kind(line: str) -> str:
-        """Return what a line does: ``added``, ``removed``, ``place`` or ``same``."""
+        """Return the CSS class of a line: ``added``, ``removed``, ``place`` or ``same``."""
         if line.startswith(("---", "+++", "@@")):
             return "place"
         return {"+": "added", "-": "removed"}.get(line[:1], "same")

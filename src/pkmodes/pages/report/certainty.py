@@ -39,10 +39,8 @@ def certainty(result: Diagnosis) -> list[Cell]:
         if p is None
         else f"it is {next(phrase for minimum, phrase in PROBABILITY_PHRASES if p >= minimum)}"
     )
-    has_several_causes, has_alternatives = (
-        len(result.effects) > 1,
-        any(len(effect.members) > 1 for effect in result.effects),
-    )
+    has_several_causes = len(result.effects) > 1
+    has_alternatives = any(len(effect.members) > 1 for effect in result.effects)
     subject = "these" if has_several_causes else "one of these" if has_alternatives else "this"
     lookalike_clause = (
         f", or what acts like {'this' if subject == 'this' else 'these'}," if includes_excluded else ""
@@ -88,7 +86,7 @@ def certainty(result: Diagnosis) -> list[Cell]:
 
 
 def _accuracy_of_size(relative_sigma: float, error: Error | None) -> str:
-    """Return how well the size of a cause is known, as a part of it; empty where other errors give another verdict.
+    """Return how well the size of a cause is known, relative to it; empty where other errors give another verdict.
 
     - error: of the model with the cause: with a residual far below the stated errors, these are wrong
     """

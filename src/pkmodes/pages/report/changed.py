@@ -122,16 +122,16 @@ def change_summary(result: Change, context: ReportContext) -> Summary:
         ("rms change [%]", numbers.percent_cell(rms)),
         ("error of the model in both [%]", numbers.percent_cell(result.model_error, pointer("model_error"))),
     ]
-    last = result.after or result.refit or result.before
-    term = None if result.beyond is None or result.effects else result.beyond.found
-    if term is not None:
-        last = term.errors[term.finding.name]
-    if last is not None and not result.by_state:
-        facts.append(("final chi\u00b2 per degree of freedom", three_digit_cell(last.chi2_per_dof)))
+    last_error = result.after or result.refit or result.before
+    term_class = None if result.beyond is None or result.effects else result.beyond.found
+    if term_class is not None:
+        last_error = term_class.errors[term_class.finding.name]
+    if last_error is not None and not result.by_state:
+        facts.append(("final chi\u00b2 per degree of freedom", three_digit_cell(last_error.chi2_per_dof)))
     return Summary(
         subject=context.title(row.drives for row in result.rows),
         kind="What changed",
-        verdict="" if result.by_state or term is not None else result.verdict,
+        verdict="" if result.by_state or term_class is not None else result.verdict,
         headline=change_headline(result, context).replace(" +- ", " \u00b1 "),
         reason=typeset_powers(to_sentence(result.reason)),
         tone=AMBIGUOUS.colour if doubtful_probability(result) else TONE_BY_CHANGE[result.changed],
@@ -143,7 +143,7 @@ def change_summary(result: Change, context: ReportContext) -> Summary:
 
 
 def action_after_change(result: Change, context: ReportContext) -> Facts:
-    """Return what to inspect, what it does, how sure that is, and what to measure next, in the words of a change."""
+    """Return what to inspect, its effect, how certain that is, and what to measure next, in the words of a change."""
     trusted, later = result.states
 
     def reword_cell(cell: Cell) -> Cell:

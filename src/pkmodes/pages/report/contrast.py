@@ -1,4 +1,4 @@
-"""Which of two equal parts differs, where the data tell only their ratio: "belt 1 is 29 % softer than belt 2"."""
+"""Which of two equal parts differs, where the data give only their ratio: "belt 1 is 29 % softer than belt 2"."""
 
 from __future__ import annotations
 
@@ -52,8 +52,8 @@ class Contrast:
 def contrast_of_parts(effect: Finding, context: ReportContext | None) -> Contrast | None:
     """Return which of two parts a cause is about; None where it has other parameters, or no clear difference.
 
-    Only causes whose values relative to their mean are far better known than the values themselves have one: the
-    values of the others say which part it is.
+    Only a cause whose values are far better known relative to their mean than by themselves has a contrast; the
+    values of any other cause show by themselves which part differs.
     """
     values = effect.relative()
     if context is None or effect.alone is not None or len(values) != 2:

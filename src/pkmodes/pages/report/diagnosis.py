@@ -48,7 +48,7 @@ MIN_REPORTED_CHANGE = 0.2
 UNFOLDED_SECTIONS = ("errors", "causes", "beyond", "place", "modes")
 #: Most values listed in the header for the members of a class; those of a single cause are all listed.
 MAX_CLASS_VALUES = 6
-#: Written as `diff` writes it.
+#: The note of `diff` on a file without a final newline.
 NO_FINAL_NEWLINE = "\\ No newline at end of file"
 
 
@@ -136,7 +136,7 @@ def _colour(result: Diagnosis) -> Colour:
 
 
 def _large_refits(result: Diagnosis) -> Iterator[tuple[str, float]]:
-    """Yield the uncertain values that the fit changed by a large part, with that part."""
+    """Yield the uncertain values that the fit changed most, with their relative changes."""
     for name, value in ((value.name, value) for value in result.refitted):
         if value.before and abs(change := value.after / value.before - 1.0) >= MIN_REPORTED_CHANGE:
             yield name, change
@@ -175,10 +175,8 @@ def _header_facts(result: Diagnosis, context: ReportContext) -> list[tuple[str, 
     """Return the sizes of the causes, and the errors of the first and the last stage."""
     facts: list[tuple[str, Cell]] = []
     for i, effect in enumerate(result.effects):
-        sizes = (
-            _class_sizes(effect, i, context) if len(effect.members) > 1 else _cause_sizes(result, i, context)
-        )
-        facts += sizes
+        is_class = len(effect.members) > 1
+        facts += _class_sizes(effect, i, context) if is_class else _cause_sizes(result, i, context)
     last_stage = "after" if result.after is not None else "refit"
     stages = {"before": (result.before, "as declared")}
     stages[last_stage] = (
@@ -193,14 +191,9 @@ def _header_facts(result: Diagnosis, context: ReportContext) -> list[tuple[str, 
             facts.append((f"rms difference {title} [%]", cell))
     error = stages[last_stage][0]
     if error is not None:
-        held_out_rms = error.held_out_rms_relative
         error_pointer = pointer("error", last_stage, "held_out_rms_relative")
-        facts.append(
-            (
-                f"rms of held-out poses {stages[last_stage][1]} [%]",
-                numbers.percent_cell(held_out_rms, error_pointer),
-            )
-        )
+        held_out_cell = numbers.percent_cell(error.held_out_rms_relative, error_pointer)
+        facts.append((f"rms of held-out poses {stages[last_stage][1]} [%]", held_out_cell))
         chi2 = three_digit_cell(error.chi2_per_dof, pointer("error", last_stage, "chi2_per_dof"))
         facts.append((f"chi\u00b2 per degree of freedom {stages[last_stage][1]}", chi2))
     return facts
@@ -286,7 +279,7 @@ def _class_sizes(effect: Finding, effect_index: int, context: ReportContext) -> 
 
 
 def _correction_blocks(result: Diagnosis, robot: Robot | None) -> list[Block]:
-    """Return the difference that ``--save-robot`` makes, which `patch` can apply, or why there is none."""
+    """Return what ``--save-robot`` changes in the file, as a difference for `patch`, or why there is none."""
     if robot is None:
         return [Paragraph("The model is not a robot file, so there is no file to correct.")]
     if not result.settled:
@@ -315,7 +308,7 @@ def _correction_blocks(result: Diagnosis, robot: Robot | None) -> list[Block]:
 
 
 def _diff_lines(text: str) -> list[str]:
-    """Return the lines of a text without line ends; as in `diff`, the last one states if it had none."""
+    """Return the lines of a text without line ends; as in `diff`, a note follows if the last one had none."""
     *lines, unended_line = text.replace("\r\n", "\n").split("\n")
     visible = [
         "\t".join(clean(part) for part in line.split("\t"))

@@ -59,10 +59,8 @@ def cause_blocks(result: Diagnosis | Damping, context: ReportContext, *json_keys
         entries.append(("p-value", [p_value_cell(effect.p_value, effect_pointer + pointer("p_value"))]))
         if effect.alone is not None:
             joint_change = effect.alone
-            change_pointer, sigma_pointer = (
-                effect_pointer + pointer("term_change", "value"),
-                effect_pointer + pointer("term_change", "sigma"),
-            )
+            change_pointer = effect_pointer + pointer("term_change", "value")
+            sigma_pointer = effect_pointer + pointer("term_change", "sigma")
             term = f"({clean(joint_change.joint.term)})" if joint_change.joint.term else ""
             value = uncertain_cell(
                 joint_change.change, joint_change.sigma, change_pointer, sigma_pointer, scale=100.0
@@ -116,10 +114,8 @@ def _member_table(
         implausible = effect.member(member).implausible
         for value in effect.alternatives[member]:
             value_pointer = effect_pointer + pointer("alternatives", member, parameter_key(value))
-            fit_sigma_pointer, saved_sigma_pointer = (
-                value_pointer + pointer("sigma"),
-                effect_pointer + pointer("parameters", parameter_key(value), "saved_sigma"),
-            )
+            fit_sigma_pointer = value_pointer + pointer("sigma")
+            saved_sigma_pointer = effect_pointer + pointer("parameters", parameter_key(value), "saved_sigma")
             shown_value = with_saved_sigma(value, corrected) if is_single else value
             rows.append(
                 [
@@ -243,13 +239,13 @@ def _probability_tables(result: Diagnosis) -> list[Block]:
     if probabilities is None:
         return []
 
-    def row(explanation: str, value: float, *keys: str | int) -> list[Cell]:
+    def table_row(explanation: str, value: float, *keys: str | int) -> list[Cell]:
         return [Cell(explanation), three_digit_cell(value, pointer("probabilities", *keys))]
 
-    rows = [row("nothing is missing", probabilities.nothing_missing, "nothing_missing")]
+    rows = [table_row("nothing is missing", probabilities.nothing_missing, "nothing_missing")]
     for i, explanation_class in enumerate(probabilities.classes):
         rows.append(
-            row(
+            table_row(
                 _first_names(explanation_class.members),
                 explanation_class.probability,
                 "classes",
@@ -259,8 +255,8 @@ def _probability_tables(result: Diagnosis) -> list[Block]:
         )
     for i, pair in enumerate(probabilities.pairs):
         names = [" + ".join(causes) for causes in pair.members]
-        rows.append(row(_first_names(names), pair.probability, "pairs", i, "probability"))
-    rows.append(row("something that is not among the candidates", probabilities.outside, "outside"))
+        rows.append(table_row(_first_names(names), pair.probability, "pairs", i, "probability"))
+    rows.append(table_row("something that is not among the candidates", probabilities.outside, "outside"))
     rows.sort(key=lambda cells: -(cells[1].value or 0.0))
     caption = (
         "A second opinion: how probable each explanation is, from the same fits. The verdict does not depend on it. "
@@ -275,12 +271,8 @@ def _first_names(names: Sequence[str]) -> str:
 
 
 def _candidate_table(result: Diagnosis) -> Table:
-    order = sorted(
-        range(len(result.candidates)), key=lambda candidate_index: result.candidates[candidate_index].p_value
-    )
-    rows = [
-        row for candidate_index in order[:MAX_CANDIDATES] for row in _candidate_rows(result, candidate_index)
-    ]
+    order = sorted(range(len(result.candidates)), key=lambda index: result.candidates[index].p_value)
+    rows = [row for index in order[:MAX_CANDIDATES] for row in _candidate_rows(result, index)]
     columns = [Column("candidate", False), Column("standing", False)]
     columns += [
         Column("p of its score"),

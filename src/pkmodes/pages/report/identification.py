@@ -67,10 +67,8 @@ def identification_report(
 
 def _summary(identified: Identification, campaign: Campaign) -> Summary:
     modes = [mode for result in identified.records for mode in result.modes]
-    count, poses = (
-        plural(len(modes), "mode"),
-        plural(sum(not result.is_left_out for result in identified.records), "pose"),
-    )
+    modes_text = plural(len(modes), "mode")
+    poses_text = plural(sum(not result.is_left_out for result in identified.records), "pose")
     points_to_check = _points_to_check(identified)
     sentences = [
         f"{sentence_start} {listed(places_to_check, MAX_PLACES_NAMED)}."
@@ -99,8 +97,7 @@ def _summary(identified: Identification, campaign: Campaign) -> Summary:
     messages = sum(len(result.messages) for result in identified.records)
     reason = (
         f"From {plural(files, 'file')}. The largest part of a frequency's standard deviation is "
-        f"{part_names[dominant]} in "
-        f"{share}."
+        f"{part_names[dominant]} in {share}."
     )
     if messages:
         messages_text = "a message" if messages == 1 else plural(messages, "message")
@@ -109,7 +106,7 @@ def _summary(identified: Identification, campaign: Campaign) -> Summary:
     return Summary(
         subject=shorten(subject),
         kind="Identification",
-        headline=f"{count} at {poses}"
+        headline=f"{modes_text} at {poses_text}"
         + (f", {plural(point_count, 'point')} to check" if point_count else ""),
         reason=reason,
         tone="open" if notes else "good",
@@ -122,8 +119,10 @@ def _summary(identified: Identification, campaign: Campaign) -> Summary:
 def _accuracy_facts(identified: Identification, modes: Sequence[IdentifiedMode]) -> list[tuple[str, Cell]]:
     """Return how many modes there are, and how accurate they are."""
     relative_sigmas = np.array([mode.sigma / mode.frequency for mode in modes])
-    relative_damping = np.array([mode.sigma_damping / mode.damping for mode in modes if mode.damping > 0.0])
-    relative_damping = relative_damping[np.isfinite(relative_damping)]
+    relative_damping_sigmas = np.array(
+        [mode.sigma_damping / mode.damping for mode in modes if mode.damping > 0.0]
+    )
+    relative_damping_sigmas = relative_damping_sigmas[np.isfinite(relative_damping_sigmas)]
     repeatability_pointer = pointer("repeatability")
     facts = [
         ("modes", Cell(str(len(modes)), len(modes))),
@@ -140,10 +139,13 @@ def _accuracy_facts(identified: Identification, modes: Sequence[IdentifiedMode])
             Cell(percent_text(identified.repeatability), identified.repeatability, repeatability_pointer),
         ),
     ]
-    if relative_damping.size:
-        median_damping = float(np.median(relative_damping))
+    if relative_damping_sigmas.size:
+        median_damping_sigma = float(np.median(relative_damping_sigmas))
         facts.append(
-            ("median relative \u03c3 of a damping ratio", Cell(percent_text(median_damping), median_damping))
+            (
+                "median relative \u03c3 of a damping ratio",
+                Cell(percent_text(median_damping_sigma), median_damping_sigma),
+            )
         )
     return facts
 

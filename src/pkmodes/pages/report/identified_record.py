@@ -153,7 +153,7 @@ def modes_table(index: int, modes: Sequence[Mapping[str, Any]]) -> Table:
 
 
 def column_meanings(modes: Sequence[Mapping[str, Any]]) -> list[str]:
-    """Return what columns of the table mean."""
+    """Return the meanings of those columns of the table that need one."""
     texts = {
         "complexity": "MPC is the modal phase collinearity, 1 for a real shape",
         "found_in": "orders: in how many model orders the pole was found",
@@ -225,10 +225,9 @@ def _stabilisation_picture(
         fits.stabilisation(inspection, marked_frequencies, result.record.band),
         f"Stabilisation diagram of {file_text}",
         f"{poles} over {orders}, and {plural(len(result.modes), 'mode')}.",
-        f"{file_text[:1].upper()}{file_text[1:]}: stabilisation diagram. Each short line is a pole at a "
-        "model order; a stable one has nearly the same frequency and damping as a pole of the order "
-        "before. Behind them is the sum "
-        "of the magnitudes of all measured functions, each relative to its rms. "
+        f"{file_text[:1].upper()}{file_text[1:]}: stabilisation diagram. Each short line is a pole at a model order; "
+        "a stable one has nearly the same frequency and damping as a pole of the order before. Behind them is the "
+        "sum of the magnitudes of all measured functions, each relative to its rms. "
         f"{to_sentence('; '.join(line_meanings))}{undrawn_note}",
     )
 
@@ -316,7 +315,7 @@ def auto_macs(modes: Sequence[IdentifiedMode]) -> np.ndarray[Any, np.dtype[np.fl
 
 
 def lengths_note(modes: Sequence[IdentifiedMode]) -> str:
-    """Return what makes metres of the rotations in shapes; empty where they have none."""
+    """Return a note on the length by which rotations in shapes are multiplied; empty where they have none."""
     lengths = [mode.lengths[name] for mode in modes for name in mode.complex_shape if name in mode.lengths]
     return (
         f" Rotations are times L = {lengths[0]:.4g} m, the characteristic length of the platform."

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from pkmodes.machine.maps.pose_path import PosePath
     from pkmodes.machine.maps.poses import PoseGrid
 
-#: Sections that a reader unfolds.
+#: Sections that are folded until a reader unfolds them.
 FOLDED_SECTIONS = ("volume", "figures", "origin")
 #: Explanation of the bands where the robot file states standard deviations.
 BAND_MEANING = (
@@ -205,7 +205,7 @@ def _variation_sections(
 
 
 def _band_in_words(dataset: xarray.Dataset, dim: str, spread: Any) -> str:
-    """Return what line and band of `plots.sweeps.against` are, to end a caption; empty without a band."""
+    """Return the meaning of line and band of `plots.sweeps.against`, to end a caption; empty without a band."""
     if spread is not None:
         return f": {BAND_MEANING}"
     pooled = [str(axis) for axis in dataset["frequency"].dims if axis not in (dim, "mode")]

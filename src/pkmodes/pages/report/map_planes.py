@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 #: Most values along each side of the plane that is drawn.
 MAX_VALUES_PER_SIDE = 150
-#: Titles; below, how a plane was chosen.
+#: Titles, and the criterion by which a plane is chosen.
 WORKING_PLANE_TITLE, MAP_PLANE_TITLE = "Over the working plane", "Over the plane of the map"
 PLANE_CRITERION = (
     "with the lowest mean condition number, among those of at least half the largest area, on a coarse grid"
@@ -165,7 +165,7 @@ def value_in_words(path: str, number: float, units: dict[str, str]) -> str:
 
 
 def declared_values_in_words(model: Model, paths: Sequence[str], units: dict[str, str]) -> str:
-    """Return what swept parameters are in the robot as declared, for a sentence; empty without any."""
+    """Return the declared values of swept parameters, for a sentence; empty without any."""
     quantities = model.robot.quantities
     return ", ".join(
         value_in_words(path, quantities[path].value, units) for path in paths if path in quantities

@@ -81,8 +81,8 @@ def pack_frequencies(frequency: Array) -> str:
     """Return frequencies [Hz] of any shape as text.
 
     The values are whole numbers of 10**-`DECIMALS` Hz; each is its difference from the value before it along the last
-    axis, the sign in the last bit; the four bytes of the numbers stand apart, the lowest of all first.  Before them
-    stand the bits of the values that are missing, which repeat the value before them.
+    axis, the sign in the last bit; the bytes of the numbers are in four planes, the lowest bytes first.  Before them
+    are the bits that mark missing values, each of which repeats the value before it.
     """
     missing = ~np.isfinite(frequency)
     bounded = np.clip(np.where(missing, 0.0, frequency), -MAX_FREQUENCY, MAX_FREQUENCY)

@@ -116,10 +116,10 @@ def shape_tables(result: MeasurementsCompared, max_rows: int | None) -> list[Tab
         caption = "Changes of shapes, relative to the largest component; the second is scaled to the first."
         note = f"{plural(omitted, 'place')} less clear: --all prints every place." if omitted else ""
         tables.append(compact_table(caption, columns, rows, note=note))
-    return [*tables, *_strain_energy(result, max_rows)]
+    return [*tables, *_strain_energy_tables(result, max_rows)]
 
 
-def _strain_energy(result: MeasurementsCompared, max_rows: int | None) -> list[Table]:
+def _strain_energy_tables(result: MeasurementsCompared, max_rows: int | None) -> list[Table]:
     """Return the table of strain energies, if one is clear or all are requested."""
     changes = list(enumerate(result.strain_energy))
     if max_rows is not None:

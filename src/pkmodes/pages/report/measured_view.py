@@ -94,9 +94,8 @@ def measured_scene(
     ][:MAX_POSES]
     if not shown_poses:
         return None
-    shown_poses = [
-        shown_poses[k] for k in natural_order([data.labels[i] for i in shown_poses])
-    ]  # as in tables and figures
+    # In the order of tables and figures.
+    shown_poses = [shown_poses[k] for k in natural_order([data.labels[i] for i in shown_poses])]
     scene = scene_of([models[loads[i]] for i in shown_poses], points[shown_poses], drives=drives)
     path_units, channel_units = settable_paths(shown.robot.mechanism), channels(shown.robot.mechanism)
     labels = []

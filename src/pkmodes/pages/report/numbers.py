@@ -129,10 +129,10 @@ def pull_pictures(result: Diagnosis, context: ReportContext) -> list[Picture]:
             figure,
             "Movement of the uncertain values",
             f"{values_text} with a prior, and how far each moved.",
-            f"How far the fit moved each uncertain value{selection_note}, in standard deviations of its "
-            "prior; the bars are the standard deviations of the table. Beyond 3 the declared value or its "
-            "sigma is wrong, or the value "
-            "makes up for a cause; a bar as wide as the shaded prior means that the data say nothing about it.",
+            f"How far the fit moved each uncertain value{selection_note}, in standard deviations of its prior; the "
+            "bars are the standard deviations of the table. Beyond 3 the declared value or its sigma is wrong, or "
+            "the value makes up for a cause; a bar as wide as the shaded prior means that the data say nothing "
+            "about it.",
         )
     ]
 
@@ -166,10 +166,9 @@ def correlation_pictures(result: Diagnosis) -> list[Picture]:
             figure,
             "Correlation of the fitted values",
             f"Correlation of each pair of the fitted values. {pairs_text}.",
-            f"Correlation of the fitted values{selection_note}, by the fit and the priors. Near +1 or "
-            "\u22121 the data determine a combination of two values far better than either: a better value "
-            "of one then moves the "
-            f"other. {pairs_text}.",
+            f"Correlation of the fitted values{selection_note}, by the fit and the priors. Near +1 or \u22121 the "
+            "data determine a combination of two values far better than either: a better value of one then moves "
+            f"the other. {pairs_text}.",
         )
     ]
     if ellipses is not None:
@@ -184,12 +183,11 @@ def correlation_pictures(result: Diagnosis) -> list[Picture]:
                 ellipses,
                 "Error ellipses",
                 f"Ellipses of 68 and 95 % about the fitted values of {plural(count, 'pair')}.",
-                f"Error ellipses of pairs with a strong correlation{ellipses_note}: deviations from the "
-                "fitted values, in per cent of these, or in the unit of a value near 0. "
-                f"{same_kind_note}The true pair is "
-                "within an ellipse with the probability that it names, if errors are normal and nothing "
-                "else is missing: the standard "
-                "deviations are those of the fit alone. A cross, if there is one, is the declared pair.",
+                f"Error ellipses of pairs with a strong correlation{ellipses_note}: deviations from the fitted "
+                f"values, in per cent of these, or in the unit of a value near 0. {same_kind_note}The true pair is "
+                "within an ellipse with the probability that it names, if errors are normal and nothing else is "
+                "missing: the standard deviations are those of the fit alone. A cross, if there is one, is the "
+                "declared pair.",
             )
         )
     return pictures

@@ -1,4 +1,4 @@
-"""Where it is: a picture of the machine in which the bodies of terms are marked."""
+"""Where a cause is: a picture of the machine in which the bodies of terms are marked."""
 
 from __future__ import annotations
 
@@ -42,8 +42,12 @@ def named_terms(result: Diagnosis, context: ReportContext) -> list[tuple[str, st
         for name in effect.members
         if name.startswith(VALUE_PREFIX)
     ]
-    groups = () if result.beyond is None else result.beyond.classes
-    members = [(name, group.finding.member(name).words) for group in groups for name in group.forms]
+    term_classes = () if result.beyond is None else result.beyond.classes
+    members = [
+        (name, term_class.finding.member(name).words)
+        for term_class in term_classes
+        for name in term_class.forms
+    ]
     return [*((joint.term, joint.words) for joint in joints), *parts, *values, *members]
 
 
@@ -92,10 +96,8 @@ def place_pictures(result: Diagnosis, evidence: PlottedEvidence, context: Report
     middle = points[valid].mean(axis=0)
     pose_index = valid[np.linalg.norm(points[valid] - middle, axis=1).argmin()]
     words = "; ".join(mark.name for mark in marks)
-    title, machine_text = (
-        "Where it is",
-        f"the machine at {evidence.place} {clean(evidence.labels[pose_index])}",
-    )
+    title = "Where it is"
+    machine_text = f"the machine at {evidence.place} {clean(evidence.labels[pose_index])}"
     return [
         Picture.from_drawing(
             places(scene(model, points[pose_index]), marks),

@@ -1,4 +1,4 @@
-"""What a report knows besides the result: the robot, its measurements and files, and how they are named."""
+"""What a report needs besides the result: the robot, its measurements and files, and their names in words."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from pkmodes.pages.report.sources import Source
 
 @dataclass(frozen=True)
 class ReportContext:
-    """The circumstances of a result.
+    """The robot, the measurements and the files of a result.
 
     - subject: what was measured: the name of the robot or structure
     - view: HTML of the view in three dimensions
@@ -43,7 +43,7 @@ class ReportContext:
 
     @property
     def head(self) -> list[tuple[str, str]]:
-        """Lines of the head of the report: what the robot file says of the machine."""
+        """Lines of the head of the report: what the robot file states about the machine."""
         return [] if self.robot is None else head_of(self.robot.report)
 
     @cached_property
@@ -66,13 +66,15 @@ class ReportContext:
         self, evidence: PlottedEvidence, further_facts: Sequence[tuple[str, Sequence[Cell]]] = ()
     ) -> Section:
         """Return the section of data and versions."""
-        places = plural(len(evidence.labels), evidence.place)
-        facts = [("measurements", [Cell(f"{plural(len(evidence.measured), 'measured mode')} at {places}")])]
+        poses_text = plural(len(evidence.labels), evidence.place)
+        facts = [
+            ("measurements", [Cell(f"{plural(len(evidence.measured), 'measured mode')} at {poses_text}")])
+        ]
         if self.data is not None and self.data.band is not None:
             low, high = self.data.band
             facts.append(("band", [Cell(f"{low:g} Hz to {high:g} Hz")]))
-        stated = {} if self.data is None else {"prior": self.data.priors, "usable": self.data.usable}
-        for kind, values in stated.items():
+        statements = {} if self.data is None else {"prior": self.data.priors, "usable": self.data.usable}
+        for kind, values in statements.items():
             if values:
                 facts.append(
                     (kind, [Cell(clean(f"{name} = {statement.text}")) for name, statement in values.items()])
@@ -83,9 +85,9 @@ class ReportContext:
     def components(self, count: int) -> Sequence[tuple[str, str]]:
         """Return the names and units of the components of a pose with `count` components."""
         if self.robot is not None:
-            named = [(component.name, component.unit) for component in self.robot.mechanism.pose]
+            names_and_units = [(component.name, component.unit) for component in self.robot.mechanism.pose]
         elif self.data is not None:
-            named = list(zip(self.data.components, self.data.component_units, strict=True))
+            names_and_units = list(zip(self.data.components, self.data.component_units, strict=True))
         else:
-            named = []
-        return named if len(named) == count else [(str(i + 1), "1") for i in range(count)]
+            names_and_units = []
+        return names_and_units if len(names_and_units) == count else [(str(i + 1), "1") for i in range(count)]

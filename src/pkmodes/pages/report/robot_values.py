@@ -140,8 +140,7 @@ def frequency_difference_blocks(content: dict[str, Any]) -> Iterator[ValueBlock]
     yield Table(caption, [Column(title) for title in titles], rows, groups)
     yield Paragraph(
         "Modes are numbered by frequency in the first robot. At each pose they are paired with those of the second "
-        f"by their shapes: the pairs with the largest sum of MAC, none below {MIN_PAIR_MAC:g}. The partner "
-        "named is the most "
-        "frequent one; exchanged is the share of poses at which it is another, because frequencies cross or veer, or "
-        "there is none; MAC is the median of the pairs."
+        f"by their shapes: the pairs with the largest sum of MAC, none below {MIN_PAIR_MAC:g}. The partner named is "
+        "the most frequent one; exchanged is the share of poses at which it is another, because frequencies cross "
+        "or veer, or there is none; MAC is the median of the pairs."
     )

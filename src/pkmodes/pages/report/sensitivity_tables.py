@@ -39,7 +39,7 @@ ACT_AS_ONE_NOTE = "Quantities in one row act as one: only their product or quoti
 LABEL_COLUMNS = 2
 #: Derivatives below these bounds are rounding errors: relative change of the frequency per relative change of the
 #: value, or per SI unit if the value is 0.
-ROUNDING, ROUNDING_BY_UNIT = 1e-9, 1e-15
+MIN_RELATIVE_RATE, MIN_RATE_PER_UNIT = 1e-9, 1e-15
 
 
 def sensitivities_summary(
@@ -162,9 +162,7 @@ def per_unit_table(model: Model, content: dict[str, Any]) -> Table:
         max((abs(derivative or 0.0) for derivative in derivatives[rigid:]), default=0.0)
         for derivatives in content["relative_derivatives"]
     ]
-    for parameter_index in sorted(
-        influential, key=lambda parameter_index: -float(f"{largest[parameter_index]:.6g}")
-    ):
+    for parameter_index in sorted(influential, key=lambda index: -float(f"{largest[index]:.6g}")):
         path = content["parameters"][parameter_index]
         values = [
             number_cell(value, ".4g", pointer("frequency_derivatives", parameter_index, rigid + mode))
@@ -184,7 +182,9 @@ def influential_quantities(content: dict[str, Any]) -> list[int]:
     """Return the quantities on which a frequency depends, by more than rounding."""
     rigid, frequencies = content["rigid_modes"], np.abs(content["frequencies_hz"])
     rates = np.array(content["frequency_derivatives"], dtype=float).reshape(-1, len(frequencies))
-    smallest_rates = np.array([ROUNDING / abs(v) if v else ROUNDING_BY_UNIT for v in content["values"]])
+    smallest_rates = np.array(
+        [MIN_RELATIVE_RATE / abs(v) if v else MIN_RATE_PER_UNIT for v in content["values"]]
+    )
     # NaN, where a frequency is 0, counts as depending.
     is_constant = np.abs(rates) <= smallest_rates[:, None] * frequencies
     return np.flatnonzero(~is_constant[:, rigid:].all(axis=1)).tolist()

@@ -102,13 +102,12 @@ def shaper_summary(model: Model, choice: Choice, content: dict[str, Any]) -> Sum
         reason += to_sentence(_reason_in_words(choice))
     facts = []
     for axis_index, (axis, part) in enumerate(parts.items()):
-        best, axis_prefix, choice_keys = (
-            part.best,
-            f"{axis}: " if axis else "",
-            ("axes", axis_index) if axis else (),
-        )
+        best, axis_prefix = part.best, f"{axis}: " if axis else ""
+        choice_keys = ("axes", axis_index) if axis else ()
         shaper_keys = (*choice_keys, "shapers", part.recommended)
-        largest, on_pose = (pointer(*shaper_keys, key, "worst") for key in ("left", "left_at_pose"))
+        largest_pointer, pose_pointer = (
+            pointer(*shaper_keys, key, "worst") for key in ("left", "left_at_pose")
+        )
         facts += [
             (
                 f"{axis_prefix}lasts",
@@ -118,11 +117,11 @@ def shaper_summary(model: Model, choice: Choice, content: dict[str, Any]) -> Sum
             ),
             (
                 f"{axis_prefix}left at the worst {part.ringing.point_is}, of the vibration there",
-                Cell(percent_or_nothing(best.left_at_pose.worst), best.left_at_pose.worst, on_pose),
+                Cell(percent_or_nothing(best.left_at_pose.worst), best.left_at_pose.worst, pose_pointer),
             ),
             (
                 f"{axis_prefix}largest vibration left, of the largest without",
-                Cell(percent_or_nothing(best.left.worst), best.left.worst, largest),
+                Cell(percent_or_nothing(best.left.worst), best.left.worst, largest_pointer),
             ),
             (
                 f"{axis_prefix}{MAX_ACCELERATION_TITLE}",
@@ -168,7 +167,7 @@ def _reason_in_words(choice: Choice) -> str:
 
 
 def why_recommended(choice: Choice) -> str:
-    """Return why it is recommended."""
+    """Return why the recommended shaper is recommended."""
     limit, length = choice.left, choice.length
     length_clause = "" if length is None else f" that lasts at most {1e3 * length:.4g} ms"
     firmware_clause = "" if choice.firmware is None else f" of {version_name(choice.firmware)}"

@@ -56,9 +56,8 @@ def frequency_figure(choice: Choice, spectrum: MeasuredSpectrum | None) -> tuple
         )
     drawn_spectrum = marked_modes = None
     if spectrum is not None:
-        above_movement = (
-            spectrum.frequencies >= BAND_START * ringing.frequencies.min()
-        )  # lower, the movement itself is higher
+        # At lower frequencies the movement itself has the higher density.
+        above_movement = spectrum.frequencies >= BAND_START * ringing.frequencies.min()
         before = 100.0 * np.sqrt(spectrum.density / spectrum.density[above_movement].max())
         after = before * residual(best.shaper, spectrum.frequencies, best.damping_ratio)
         drawn_spectrum = shapers.Spectrum(spectrum.frequencies, before, after)

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from pkmodes.core.model import Model
     from pkmodes.machine.shaping.results import Candidate, Choice
 
-#: Relative errors of the frequencies in the second figure.
+#: Relative errors of the frequencies in the figure of their errors.
 FREQUENCY_ERRORS = np.linspace(-0.2, 0.2, 81)
 #: Most poses at which shapers are evaluated over the frequency error.
 MAX_POSES = 400
@@ -60,10 +60,8 @@ def workspace_picture(model: Model, choice: Choice, axis: str = "") -> Picture |
         caption += f", at {clean(worst.setting)}, where the recommended shaper leaves most"
     move_note = ". A shaper that follows the pose is judged at rest; a move adds to it."
     if vanishing and len(shares) < len(_compared_shapers(choice)):
-        move_note = (
-            f". At rest, {' and '.join(vanishing).replace(',', '')} leaves nothing anywhere; a move adds to "
-            "it."
-        )
+        vanishing_names = " and ".join(vanishing).replace(",", "")
+        move_note = f". At rest, {vanishing_names} leaves nothing anywhere; a move adds to it."
     if len(varying) == 1:
         drawing = shapers.along_line(ringing.poses[:, varying[0]], component_names[0], units[0], shares)
     else:
@@ -87,11 +85,8 @@ def frequency_error_picture(choice: Choice, axis: str = "") -> Picture:
     """Return what the compared shapers leave where all frequencies differ from those of the model by one share."""
     ringing = choice.ringing
     sample = np.unique(np.linspace(0, len(ringing.poses) - 1, MAX_POSES).astype(int))
-    frequencies, ratios, weights = (
-        ringing.frequencies[sample],
-        ringing.damping_ratios[sample],
-        ringing.weights[sample],
-    )
+    frequencies, ratios = ringing.frequencies[sample], ringing.damping_ratios[sample]
+    weights = ringing.weights[sample]
     unshaped_rms = np.sqrt(np.mean(np.sum(weights**2, axis=1)))
     fixed = sorted(
         (candidate for candidate in choice.candidates if not candidate.follows_pose),

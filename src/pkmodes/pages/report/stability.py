@@ -1,4 +1,4 @@
-"""What other stated errors and priors make of a diagnosis, and why, in one sentence."""
+"""How a diagnosis changes with other stated errors and priors, and why, in one sentence."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ NO_EXPLANATION = "nothing explains the residual"
 def stability_sentence(result: Diagnosis) -> str:
     """Return what the changes of the stability test find; empty where nothing was tested.
 
-    It begins with "stable" where no change gives another verdict, and where a term was found, with what it is about.
+    It begins with "stable" where no change gives another verdict; where a term was found, with "the catalogue alone".
     """
     if not result.stability or result.verdict == INSUFFICIENT_DATA.word:
         return ""

@@ -23,7 +23,7 @@ def compact_table(
     """Return a table of the columns that differ between rows.
 
     The first column, which names the rows, always stays.  Measured or computed numbers stay too, even where they
-    round to the same: only words and counts are said once, in the note.
+    round to the same: only words and counts are stated once, in the note.
 
     - groups, note, key_columns: as those of `Table`
     """
