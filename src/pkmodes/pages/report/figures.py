@@ -51,8 +51,8 @@ def mode_figures(evidence: PlottedEvidence) -> list[Block]:
             f"Model divided by measurement, minus 1, for each mode of the model. {_rms_by_stage(evidence)}",
             f"Differences by mode: model / measurement \u2212 1. Each mark is one {evidence.place}, the bar is their "
             "median. A bar away from 0 is what the model gets wrong everywhere; scatter about it is noise or depends "
-            "on the "
-            f"{evidence.place}.{'' if has_one_stage else ' Both panels have the same scale.'}{_marks_note(evidence)}",
+            f"on the {evidence.place}.{'' if has_one_stage else ' Both panels have the same scale.'}"
+            f"{_marks_note(evidence)}",
         )
     ]
     blocks.append(

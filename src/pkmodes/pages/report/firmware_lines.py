@@ -24,7 +24,7 @@ def firmware_lines(content: dict[str, Any]) -> list[Paragraph | VerbatimLines]:
     intro = (
         f"For the recommended {shapers_text}. Check which axes your firmware shapes: usually x and y, not z."
     )
-    return _blocks(
+    return _line_blocks(
         intro, content["firmware_versions"], compared_share, "", "{} has none of the shapers compared."
     )
 
@@ -60,10 +60,10 @@ def _schedule_lines(schedule: dict[str, Any], axis: str) -> list[Paragraph | Ver
         missing_sentence = f"{{}} has no shaper for {axis} by itself."
     suffix = f", schedule of {axis}" if axis else ", schedule"
     compared_share = schedule["left_at_pose"]["worst"]
-    return _blocks(intro, schedule["firmware_versions"], compared_share, suffix, missing_sentence)
+    return _line_blocks(intro, schedule["firmware_versions"], compared_share, suffix, missing_sentence)
 
 
-def _blocks(
+def _line_blocks(
     intro: str, versions: list[dict[str, Any]], compared_share: float, suffix: str, missing_sentence: str
 ) -> list[Paragraph | VerbatimLines]:
     """Return the lines; a version whose remaining vibration differs from `compared_share` shows its own.

@@ -173,7 +173,7 @@ def _port_meaning(port: str, mechanism: Mechanism) -> str:
     kind, _, suffix = port.partition("_")
     if kind in ("p", "r", "force", "moment") and suffix not in ("x", "y", "z"):
         return ""  # a direction that the user named
-    motion, load = ("length", "force") if mechanism.drives[0].unit == "N" else ("angle", "torque")
+    motion, effort = ("length", "force") if mechanism.drives[0].unit == "N" else ("angle", "torque")
     body = mechanism.moving_body(suffix if kind in ("p", "force") else "")
     return {
         "p": f"the motion of the {body} along {suffix}",
@@ -181,7 +181,7 @@ def _port_meaning(port: str, mechanism: Mechanism) -> str:
         "force": f"a force on the {body} along {suffix}",
         "moment": f"a moment on the {body} about {suffix}",
         "motor": f"the {motion} of motor {suffix}",
-        "torque": f"the {load} of motor {suffix}",
+        "torque": f"the {effort} of motor {suffix}",
     }.get(kind, "")
 
 

@@ -32,14 +32,14 @@ def _schedule_table(choice: Choice, schedule: Schedule, choice_keys: tuple[str |
     """
     first_step, fixed = schedule.steps[0], choice.best
     has_one_parameter, has_layers = schedule.parameter is not None, first_step.heights is not None
-    settings = [
+    setting_columns = [
         Column(
             clean(path.removeprefix(EFFECTS_PREFIX)) + ("" if symbol == "1" else f" [{unit_text(symbol)}]")
         )
         for path, symbol in first_step.setting.units.items()
     ]
     columns = [
-        *settings,
+        *setting_columns,
         *([Column("from [mm]")] if has_layers else []),
         Column("shaper", numeric=False),
         Column("design [Hz]", numeric=False),
@@ -70,7 +70,7 @@ def _schedule_table(choice: Choice, schedule: Schedule, choice_keys: tuple[str |
         _step_row(step, (*choice_keys, "schedule", "steps", i), has_layers, has_one_parameter)
         for i, step in enumerate(schedule.steps)
     ]
-    return Table(caption, columns, rows, note=note, key_columns=len(settings))
+    return Table(caption, columns, rows, note=note, key_columns=len(setting_columns))
 
 
 def _step_row(
