@@ -59,7 +59,7 @@ ADVICE_BY_PREFIX = {
 }
 #: Factor on the standard deviation of a size from which what makes it larger is worth measuring.
 MIN_SIGMA_FACTOR = 2.0
-#: Most places to inspect that are listed: one for each leg of a machine with six.
+#: Maximum number of places to inspect that are listed: one for each leg of a machine with six.
 MAX_PLACES = 6
 
 

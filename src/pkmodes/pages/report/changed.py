@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 UNFOLDED_SECTIONS = ("changes", "causes", "beyond", "place", "errors")
 #: Prefix of values that differ from day to day, and the number of standard deviations from which that is reported.
 DAY_PREFIX, MIN_DAY_SIGMAS = "day.", 3.0
-#: Most rows in the table of changes on a page.
+#: Maximum number of rows in the table of changes on a page.
 MAX_ROWS = 300
 #: Colours by whether anything changed.
 TONE_BY_CHANGE: dict[bool | None, Colour] = {True: "found", False: "good", None: "plain"}

@@ -30,7 +30,7 @@ from pkmodes.pages.report.tables import compact_table
 
 #: Key of the damping in the JSON.
 JSON_KEY = "damping"
-#: Most rows on the page.
+#: Maximum number of rows on the page.
 MAX_ROWS = 300
 #: Columns of the damping ratios of the model: JSON key and title.
 MODEL_RATIOS = {"damping_before": "as declared [%]", "damping_after": "as diagnosed [%]"}

@@ -46,7 +46,7 @@ from pkmodes.pages.report.stability import stability_sentence
 MIN_REPORTED_CHANGE = 0.2
 #: Sections that are unfolded when the page opens.
 UNFOLDED_SECTIONS = ("errors", "causes", "beyond", "place", "modes")
-#: Most values listed in the header for the members of a class; those of a single cause are all listed.
+#: Maximum number of values listed in the header for the members of a class; those of a single cause are all listed.
 MAX_CLASS_VALUES = 6
 #: The note of `diff` on a file without a final newline.
 NO_FINAL_NEWLINE = "\\ No newline at end of file"

@@ -28,7 +28,7 @@ from pkmodes.pages.report.formatting import (
 from pkmodes.pages.report.report_context import ReportContext
 from pkmodes.pages.report.tables import compact_table
 
-#: Most candidates in the table: more than any robot has.
+#: Maximum number of candidates in the table: more than any robot has.
 MAX_CANDIDATES = 200
 #: Members of a class named in the table of probabilities.
 MAX_MEMBERS_NAMED = 3

@@ -30,7 +30,7 @@ from pkmodes.pages.report.sections import origin_section
 from pkmodes.pages.report.sources import Source
 from pkmodes.pages.report.tables import compact_table
 
-#: Most places named in a header note.
+#: Maximum number of places named in a header note.
 MAX_PLACES_NAMED = 8
 #: MAC between two modes above which the sensors hardly tell them apart.
 MAX_DISTINCT_MAC = 0.8

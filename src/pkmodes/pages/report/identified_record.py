@@ -39,11 +39,11 @@ from pkmodes.pages.report.formatting import (
 )
 from pkmodes.pages.report.tables import compact_table
 
-#: Most complex shapes drawn for one record: the least collinear ones.
+#: Maximum number of complex shapes drawn for one record: the least collinear ones.
 MAX_SHAPES = 18
-#: Most modes of a record for a matrix with legible cells.
+#: Maximum number of modes of a record for a matrix with legible cells.
 MAX_MAC_MODES = 60
-#: Most messages listed for one record.
+#: Maximum number of messages listed for one record.
 MAX_MESSAGES = 40
 #: Kinds of record whose names are abbreviations.
 KIND_TITLES = {"frf": "FRF"}

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     from pkmodes.core.model import Model
 
-#: Most values along each side of the plane that is drawn.
+#: Maximum number of values along each side of the plane that is drawn.
 MAX_VALUES_PER_SIDE = 150
 #: Titles, and the criterion by which a plane is chosen.
 WORKING_PLANE_TITLE, MAP_PLANE_TITLE = "Over the working plane", "Over the plane of the map"

@@ -19,7 +19,7 @@ Array = NDArray[Any]
 DECIMALS = 3
 #: Cap on the stored frequencies [Hz]: near a singular pose they grow without bound.
 MAX_FREQUENCY = 1e6
-#: Most frequencies, and most packed characters, on one page.
+#: Maximum number of frequencies, and of packed characters, on one page.
 MAX_FREQUENCIES, MAX_PACKED_LENGTH = 1_000_000, 1_600_000
 
 
@@ -48,7 +48,8 @@ def pack_map(
     """Return the frequencies of a map for a page.
 
     - dataset: from `pkmodes.Model.map`
-    - max_values, max_length: most frequencies and packed characters; a larger map is thinned along its longest axes
+    - max_values, max_length: limits of the frequencies and of the packed characters; a larger map is thinned along its
+      longest axes
     """
     dims = [str(dim) for dim in dataset["frequency"].dims[:-1]]
     sizes = {dim: dataset.sizes[dim] for dim in dims}

@@ -11,7 +11,7 @@ from pkmodes.pages.report.blocks import Cell, Column, Table
 from pkmodes.pages.report.formatting import MISSING, number_cell, plural, pointer, shorten, three_digit_cell
 from pkmodes.pages.report.tables import compact_table
 
-#: Most modes named in sentences, and channels of each.
+#: Maximum number of modes named in sentences, and channels of each.
 MAX_MODES_NAMED, MAX_CHANNELS_NAMED = 3, 2
 
 

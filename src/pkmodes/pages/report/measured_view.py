@@ -30,7 +30,7 @@ from pkmodes.pages.view.evaluating import scene_of
 from pkmodes.pages.view.measured_modes import Channel, MeasuredMode
 
 Array = NDArray[np.float64]
-#: Most poses of a measurement that are shown.
+#: Maximum number of poses of a measurement that are shown.
 MAX_POSES = 60
 
 

@@ -24,7 +24,7 @@ from pkmodes.pages.report.tables import compact_table
 if TYPE_CHECKING:
     from pkmodes.loop.diagnosis.verdict.verdicts import Colour
 
-#: Most modes named in a headline.
+#: Maximum number of modes named in a headline.
 MAX_MODES_NAMED = 3
 COMMON_FACTOR_NOTE = (
     "Modes change in this way where stiffness or mass changes everywhere in proportion, as with the temperature or "

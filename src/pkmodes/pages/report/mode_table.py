@@ -14,7 +14,7 @@ from pkmodes.pages.report.formatting import frequency_cell, label_cell, number_c
 from pkmodes.pages.report.report_context import ReportContext
 from pkmodes.pages.report.tables import compact_table
 
-#: Most rows on the page; beyond that, only those that differ most.
+#: Maximum number of rows on the page; beyond that, only those that differ most.
 MAX_ROWS = 300
 #: Keys of the measured columns in the JSON of a diagnosis and of a comparison.
 MEASURED_KEYS = {Diagnosis: ("frequency_hz", "sigma_hz"), Comparison: ("measured", "sigma")}

@@ -29,7 +29,7 @@ from pkmodes.pages.report.shaper import shapers_tables
 from pkmodes.pages.report.shaper_schedule import schedule_blocks
 
 Array = NDArray[np.float64]
-#: Most rows of a table.
+#: Maximum number of rows of a table.
 MAX_ROWS = 20
 
 

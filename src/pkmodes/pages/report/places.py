@@ -20,7 +20,7 @@ from pkmodes.pages.report.report_context import ReportContext
 from pkmodes.pages.view import scene
 from pkmodes_description import Element
 
-#: Most places that are marked: each has a colour of its own.
+#: Maximum number of places that are marked: each has a colour of its own.
 MAX_MARKED = len(COLOURS)
 #: Prefix of a declared value as a candidate.
 VALUE_PREFIX = "parameter:"

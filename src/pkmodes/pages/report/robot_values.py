@@ -61,7 +61,7 @@ def different_value_blocks(
 ) -> Iterator[ValueBlock]:
     """Yield what the files declare differently.
 
-    - max_rows: most values, those that differ most; None for all, in the order of the files
+    - max_rows: maximum number of values, those that differ most; None for all, in the order of the files
     """
     indexed_values = list(enumerate(content["values"]))
     note = ""

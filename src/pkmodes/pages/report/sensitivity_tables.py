@@ -100,7 +100,7 @@ def per_cent_table(
 ) -> Table:
     """Return what one per cent more of each quantity does to every frequency.
 
-    - max_rows: most quantities, the first; None for all
+    - max_rows: maximum number of quantities, the first ones; None for all
     """
     order, frequencies = changes.largest_of_all(), changes.frequencies.tolist()
     rigid, paths, rows = content["rigid_modes"], content["parameters"], []

@@ -20,7 +20,7 @@ from pkmodes.pages.report.formatting import clean, number_cell, pointer
 if TYPE_CHECKING:
     from pkmodes.machine.shaping.results import Candidate, Choice
 
-#: Most shapers drawn, and number of frequencies in a curve.
+#: Maximum number of shapers drawn, and the number of frequencies in a curve.
 MAX_CURVES, CURVE_POINTS = 5, 400
 
 

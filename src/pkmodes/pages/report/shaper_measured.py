@@ -141,7 +141,7 @@ def shapers_table(choice: Choice) -> Table:
 def modes_table(content: dict[str, Any], max_modes: int | None = None) -> Table:
     """Return the measured modes with what the recommended shaper leaves of each, the largest remainders first.
 
-    - max_modes: most modes; all by default
+    - max_modes: maximum number of modes; all by default
     """
     modes = content["measured_modes"]
     order = sorted(range(len(modes)), key=lambda i: -modes[i]["left_uncertain"])

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 #: Relative errors of the frequencies in the figure of their errors.
 FREQUENCY_ERRORS = np.linspace(-0.2, 0.2, 81)
-#: Most poses at which shapers are evaluated over the frequency error.
+#: Maximum number of poses at which shapers are evaluated over the frequency error.
 MAX_POSES = 400
 #: Poses whose components differ by less than this lie in one layer [SI].
 LAYER_TOLERANCE = 1e-9
