@@ -48,8 +48,8 @@ def pack_map(
     """Return the frequencies of a map for a page.
 
     - dataset: from `pkmodes.Model.map`
-    - max_values, max_length: limits of the frequencies and of the packed characters; a larger map is thinned along its
-      longest axes
+    - max_values, max_length: limits of the frequencies and of the packed characters; a larger map is thinned along
+      its longest axes
     """
     dims = [str(dim) for dim in dataset["frequency"].dims[:-1]]
     sizes = {dim: dataset.sizes[dim] for dim in dims}
