@@ -293,7 +293,7 @@ def test_a_large_map_is_thinned_and_says_so(tmp_path: Path) -> None:
         found["frequency"].values[:: held.steps["y"], :: held.steps["x"]],
     )
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("pkmodes.pages.report.explorer.values_of", lambda one: pack_map(one, max_values=600))
+        patch.setattr("pkmodes.pages.report.explorer.pack_map", lambda one: pack_map(one, max_values=600))
         text = page_of(model, found, tmp_path, "thin.html").read_text(encoding="utf-8")
     sizes = held.dataset.sizes
     assert f"This page holds {sizes['y'] * sizes['x']} of the 840 poses of the map: every " in text
