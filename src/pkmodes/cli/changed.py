@@ -134,22 +134,22 @@ def changed(
     def show() -> None:
         from pkmodes.cli.diagnosis_tables import show_causes
         from pkmodes.cli.terminal import Terminal
-        from pkmodes.pages.report.changed import changes, changes_summary, what_to_do
-        from pkmodes.pages.report.numbers import errors
-        from pkmodes.pages.report.setting import ReportSetting
+        from pkmodes.pages.report.changed import action_after_change, change_summary, mode_changes_table
+        from pkmodes.pages.report.numbers import error_blocks
+        from pkmodes.pages.report.report_context import ReportContext
 
-        terminal, setting = Terminal(), ReportSetting(declared_robot.name, declared_robot, None, (), None)
-        summary = changes_summary(result, setting)
+        terminal, context = Terminal(), ReportContext(declared_robot.name, declared_robot, None, (), None)
+        summary = change_summary(result, context)
         terminal.summary(summary)
         for name, change in result.by_state.items() or [(result.states[-1], result)]:
             if result.by_state:
                 terminal.line()
                 terminal.line(f"{name}:")
                 terminal.line(change.reason, "  ")
-            terminal.show(what_to_do(change, setting))
-            show_causes(terminal, change, setting)
-            terminal.show(changes(change, None if everything else MAX_MODES_PRINTED))
-        terminal.show(*errors(result))
+            terminal.show(action_after_change(change, context))
+            show_causes(terminal, change, context)
+            terminal.show(mode_changes_table(change, None if everything else MAX_MODES_PRINTED))
+        terminal.show(*error_blocks(result))
         terminal.notes(summary)
 
     deliver(json_file, result.as_json(), show, report)

@@ -35,9 +35,9 @@ MAX_MODES_PRINTED, MAX_CHANGES_PRINTED = 5, 10
 
 
 @click.command(
-    epilog="\b\nExamples:\n"
-    "  pkmodes compare examples/closed_loop/robot.toml \\\n    examples/closed_loop/measured.csv\n"
-    "  pkmodes compare robots/linear-delta-2022.toml \\\n    robots/linear-delta-2022-identified.toml"
+    epilog="\b\nExamples:\n  pkmodes compare examples/closed_loop/robot.toml \\\n    "
+    "examples/closed_loop/measured.csv\n  pkmodes compare robots/linear-delta-2022.toml \\\n    "
+    "robots/linear-delta-2022-identified.toml"
 )
 @robot_argument
 @click.argument("modes", metavar="MODES.csv|ROBOT.toml", type=PATH)
@@ -108,21 +108,21 @@ def show_comparison(robot: Robot, data: Measurements, result: Comparison, limit:
     from pkmodes.cli.measured_rows import rows_in_words, settings_in_words
     from pkmodes.cli.terminal import Terminal
     from pkmodes.pages.plots.evidence import PlottedEvidence
-    from pkmodes.pages.report.comparison import by_mode, comparison_summary
+    from pkmodes.pages.report.comparison import comparison_summary, mode_difference_tables
     from pkmodes.pages.report.mode_table import mode_table
-    from pkmodes.pages.report.setting import ReportSetting
+    from pkmodes.pages.report.report_context import ReportContext
 
-    terminal, setting = Terminal(), ReportSetting(robot.name, robot, data, (), None)
-    head = comparison_summary(result, setting)
+    terminal, context = Terminal(), ReportContext(robot.name, robot, data, (), None)
+    head = comparison_summary(result, context)
     terminal.summary(head)
-    terminal.show(*by_mode(result))
+    terminal.show(*mode_difference_tables(result))
     if result.unpaired and limit < len(result.rows):
         terminal.line()
         terminal.line(f"unmatched measured modes: {rows_in_words(result.unpaired)}")
-    terminal.show(mode_table(result, PlottedEvidence.of(result, data), setting, limit, paired=True))
+    terminal.show(mode_table(result, PlottedEvidence.of(result, data), context, limit, paired_only=True))
     if limit < len(result.rows):
         terminal.line("--all prints every row.")
-    if settings := settings_in_words(setting, result.rows):
+    if settings := settings_in_words(context, result.rows):
         terminal.line()
         terminal.line(settings)
     for note in result.notes:  # verbatim: it may name what the file names
@@ -156,10 +156,10 @@ def _compare_measurements(
     def show() -> None:
         from pkmodes.cli.terminal import Terminal
         from pkmodes.pages.report.measured_shapes import shape_tables
-        from pkmodes.pages.report.measurements import changes, measurements_summary
+        from pkmodes.pages.report.measurements import measurements_summary, mode_pair_tables
 
         limit = None if everything else MAX_CHANGES_PRINTED
-        blocks = [*changes(result, limit), *shape_tables(result, limit)]
+        blocks = [*mode_pair_tables(result, limit), *shape_tables(result, limit)]
         Terminal().result(measurements_summary(result), *blocks)
 
     deliver(json_file, result.as_json(), show, report_file(report_to, page))

@@ -61,13 +61,17 @@ def compare_robot_files(
 
     def show() -> None:
         from pkmodes.cli.terminal import Terminal
-        from pkmodes.pages.report.robot_values import different_values, frequencies, robots_summary
+        from pkmodes.pages.report.robot_values import (
+            different_value_blocks,
+            frequency_difference_blocks,
+            robots_summary,
+        )
 
         terminal, limit = Terminal(), None if everything else MAX_VALUES_PRINTED
         terminal.heading(f"first:  {content['first']} ({files[0]})")
         terminal.heading(f"second: {content['second']} ({files[1]})")
         terminal.line()
-        blocks = [*different_values(first, content, limit), *frequencies(content)]
+        blocks = [*different_value_blocks(first, content, limit), *frequency_difference_blocks(content)]
         terminal.result(robots_summary(first, second, content), *blocks)
 
     deliver(json_file, content, show, report_file(report_to, page))

@@ -22,11 +22,11 @@ from pkmodes.loop.diagnosis.verdict.findings import (
     with_saved_sigma,
 )
 from pkmodes.loop.diagnosis.verdict.result import Damping, Diagnosis
-from pkmodes.pages.report.action import action
-from pkmodes.pages.report.beyond import beyond
-from pkmodes.pages.report.damping import factors, refitted
-from pkmodes.pages.report.numbers import errors, fitted_value_tables
-from pkmodes.pages.report.setting import ReportSetting
+from pkmodes.pages.report.action import recommended_action
+from pkmodes.pages.report.beyond import beyond_blocks
+from pkmodes.pages.report.damping import ratio_error_paragraphs, refitted_loss_blocks
+from pkmodes.pages.report.numbers import error_blocks, fitted_value_tables
+from pkmodes.pages.report.report_context import ReportContext
 from pkmodes.pages.report.stability import stability_sentence
 
 #: Maximum number of limits listed.
@@ -35,20 +35,20 @@ MAX_LIMITS_LISTED = 5
 
 def show_diagnosis(robot: Robot, result: Diagnosis) -> None:
     """Print the diagnosis of a robot."""
-    terminal, setting = Terminal(), ReportSetting(robot.name, robot, None, (), None)
+    terminal, context = Terminal(), ReportContext(robot.name, robot, None, (), None)
     terminal.heading(f"{robot.name}: {result.verdict}")
     terminal.line(result.reason, "  ")
-    terminal.show(action(result, setting))
+    terminal.show(recommended_action(result, context))
     _show_explained(terminal, result)
-    terminal.show(*errors(result))
-    _show_beyond(terminal, result, setting)
+    terminal.show(*error_blocks(result))
+    _show_beyond(terminal, result, context)
     damping = result.damping
     if damping.measured:  # with a verdict that is independent of the one above
         terminal.line()
         terminal.line(f"damping: {damping.verdict}")
         terminal.line(damping.reason, "  ")
         _show_explained(terminal, damping)
-        terminal.show(*factors(result), *refitted(damping, setting))
+        terminal.show(*ratio_error_paragraphs(result), *refitted_loss_blocks(damping, context))
         for note in damping.notes:
             terminal.line()
             terminal.line(f"note on the damping: {note}")
@@ -59,25 +59,25 @@ def show_diagnosis(robot: Robot, result: Diagnosis) -> None:
     if len({row.drives for row in result.rows}) > 1:
         labels = sorted_labels(dict.fromkeys(row.pose for row in result.rows if row.drives == HELD))
         terminal.line(f"motors held: {poses_in_words(labels)}")
-    if settings := settings_in_words(setting, result.rows):
+    if settings := settings_in_words(context, result.rows):
         terminal.line(settings)
-    terminal.show(*fitted_value_tables(result, setting))
+    terminal.show(*fitted_value_tables(result, context))
     _show_remarks(terminal, result)
 
 
-def show_causes(terminal: Terminal, result: Diagnosis, setting: ReportSetting) -> None:
+def show_causes(terminal: Terminal, result: Diagnosis, context: ReportContext) -> None:
     """Print the causes found, and what a single term at one place would explain."""
     _show_explained(terminal, result)
-    _show_beyond(terminal, result, setting)
+    _show_beyond(terminal, result, context)
 
 
-def _show_beyond(terminal: Terminal, result: Diagnosis, setting: ReportSetting) -> None:
+def _show_beyond(terminal: Terminal, result: Diagnosis, context: ReportContext) -> None:
     """Print what a single term at one place would explain that the catalogue does not."""
     if result.beyond is None:
         return
     terminal.line()
     terminal.line(f"beyond the catalogue: {result.beyond.status}")
-    terminal.show(*beyond(result, setting))
+    terminal.show(*beyond_blocks(result, context))
 
 
 def _show_explained(terminal: Terminal, result: Diagnosis | Damping) -> None:

@@ -91,7 +91,7 @@ def identify(
 def _print(identification: Identification, campaign: Campaign, content: dict[str, Any]) -> None:
     """Print a table of each record, and the meaning of its columns."""
     from pkmodes.cli.terminal import Terminal
-    from pkmodes.pages.report.identified_record import meanings, modes_table
+    from pkmodes.pages.report.identified_record import column_meanings, modes_table
 
     terminal = Terminal()
     for record_number, identified in enumerate(identification.records):
@@ -108,5 +108,5 @@ def _print(identification: Identification, campaign: Campaign, content: dict[str
     terminal.line(
         f"+-: one standard deviation; that of a frequency includes a repeatability of {repeatability}"
     )
-    for text in meanings([mode for record in content["records"] for mode in record["modes"]]):
+    for text in column_meanings([mode for record in content["records"] for mode in record["modes"]]):
         terminal.line(text)

@@ -15,9 +15,9 @@ from rich.cells import cell_len
 
 from pkmodes.core.base.errors import printable
 from pkmodes.pages.plots.labels import SUPERSCRIPTS, TIMES
-from pkmodes.pages.report.blocks import Cell, Facts, Lines, Listing, Paragraph, Table
+from pkmodes.pages.report.blocks import Cell, Facts, Listing, Paragraph, Table, VerbatimLines
 
-TerminalBlock = Paragraph | Listing | Facts | Lines | Table
+TerminalBlock = Paragraph | Listing | Facts | VerbatimLines | Table
 INDENT = "  "
 #: Spaces between two columns, and between those of a table that would not fit the terminal otherwise.
 GAP, NARROW_GAP = 2, 1
@@ -74,9 +74,9 @@ def block_lines(block: TerminalBlock, width: int) -> Iterator[str]:
         yield from _table_lines(block, width)
         yield from wrap_sentence(terminal_text(block.note), width)
     elif isinstance(block, Paragraph):
-        yield from wrap_sentence(block.plain or terminal_text(block.text), width)
+        yield from wrap_sentence(block.plain_text or terminal_text(block.text), width)
     elif isinstance(block, Listing):
-        for entry in [", ".join(block.entries)] if block.names else block.entries:
+        for entry in [", ".join(block.entries)] if block.in_columns else block.entries:
             yield from wrap_sentence(entry, width, INDENT)
     elif isinstance(block, Facts):
         for name, cells in block.entries:
@@ -89,7 +89,7 @@ def block_lines(block: TerminalBlock, width: int) -> Iterator[str]:
 
 def _cell_text(cell: Cell) -> str:
     """Return the text of a cell; text from a file, such as a label, is unchanged."""
-    return printable(cell.typed if cell.value is None else terminal_text(cell.typed))
+    return printable(cell.terminal_text if cell.value is None else terminal_text(cell.terminal_text))
 
 
 @dataclass(frozen=True)
@@ -189,8 +189,8 @@ def _table_lines(table: Table, width: int) -> Iterator[str]:
         groups=[terminal_text(group_titles[k]) if group_titles else "" for k in printed_columns],
         names=[[row[0]] for row in rows],
         rows=rows,
-        is_number=[column.numbers for column in columns],
-        heads=sum(k < table.heads for k in printed_columns),
+        is_number=[column.numeric for column in columns],
+        heads=sum(k < table.key_columns for k in printed_columns),
         width=width,
     )
     if text_table.is_crowded:

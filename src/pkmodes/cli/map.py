@@ -110,21 +110,21 @@ def map_(options: MapOptions) -> None:
     content = summary_of(dataset, None if out is None else str(out)).as_json()
 
     def page() -> str:
-        from pkmodes.pages.report.map import map_report, middle_of
+        from pkmodes.pages.report.map import map_report, middle_pose
         from pkmodes.pages.report.map_planes import section_of
         from pkmodes.pages.report.model_view import view_of
 
         section = section_of(model, dataset)
-        start = middle_of(model, dataset, section.places)
+        start = middle_pose(model, dataset, section.plane)
         view = view_of(model, start=start, drives=content["drives"])
         return map_report(model, dataset, content, sources, view, section, path)
 
     def show() -> None:
         from pkmodes.cli.terminal import Terminal
-        from pkmodes.pages.report.map_summary import ranges, summary_of_map
+        from pkmodes.pages.report.map_summary import range_table, summary_of_map
 
         terminal = Terminal()
-        terminal.result(summary_of_map(model, content), ranges(model, content))
+        terminal.result(summary_of_map(model, content), range_table(model, content))
         if content["file"]:
             terminal.line()
             terminal.heading(f"wrote {content['file']}")

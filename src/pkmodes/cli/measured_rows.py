@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pkmodes.core.support.ordering import listed, sorted_labels
 from pkmodes.loop.diagnosis.compare import ComparedRow
 from pkmodes.loop.diagnosis.verdict.rows import Row
-from pkmodes.pages.report.setting import ReportSetting
+from pkmodes.pages.report.report_context import ReportContext
 
 #: Maximum number of rows, poses or settings named in a line; the JSON has all of them.
 MAX_NAMED = 8
@@ -25,9 +25,9 @@ def poses_in_words(labels: Sequence[str]) -> str:
     return f"pose{'' if len(labels) == 1 else 's'} {listed(labels, MAX_NAMED)}"
 
 
-def settings_in_words(setting: ReportSetting, rows: Rows) -> str:
+def settings_in_words(context: ReportContext, rows: Rows) -> str:
     """Return the settings of the measurements and their poses; empty where there are none."""
-    load_of_pose = {row.pose: setting.load(row.load).plain for row in rows if row.load}
+    load_of_pose = {row.pose: context.load_cell(row.load).plain_text for row in rows if row.load}
     poses_of_load: dict[str, list[str]] = {}
     for label in sorted_labels(load_of_pose):
         poses_of_load.setdefault(load_of_pose[label], []).append(label)

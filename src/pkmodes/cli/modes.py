@@ -215,7 +215,7 @@ def _table(model: Model, result: Modes, sigmas: Array | None) -> Table:
     names += unit_vector_headings(model.mechanism)
     components = np.concatenate([scaled_shapes, platform_vectors], axis=1).T
     rows += [[name, *map(_format_fixed, row)] for name, row in zip(names, components, strict=True)]
-    columns = [Column("mode", numbers=False), *map(Column, numbers)]
+    columns = [Column("mode", numeric=False), *map(Column, numbers)]
     return Table("", columns, [list(map(Cell, row)) for row in rows])
 
 

@@ -67,9 +67,9 @@ class ShaperOptions(OptionTable):
     poses: Path | None = entry(poses_option, only=ROBOT, reads="")
     settings: tuple[str, ...] = entry(
         settings_option(
-            "Parameter that takes several values in use, such as effects.payload.mass=0:1.2kg:7: a schedule with "
-            "a shaper for each value, beside the shapers for all values; repeat for several parameters, all of "
-            "whose combinations count."
+            "Parameter that takes several values in use, such as effects.payload.mass=0:1.2kg:7: a schedule "
+            "with a shaper for each value, beside the shapers for all values; repeat for several parameters, "
+            "all of whose combinations count."
         ),
         only=ROBOT,
     )
@@ -103,8 +103,8 @@ class ShaperOptions(OptionTable):
         default="10 %",
         show_default=True,
         passed=True,
-        help="Largest share of the largest vibration that the recommended shaper may leave, or of the worst measured "
-        "mode.",
+        help="Largest share of the largest vibration that the recommended shaper may leave, or of the worst "
+        "measured mode.",
     )
     length: float | None = option(
         "--length",
@@ -134,8 +134,8 @@ class ShaperOptions(OptionTable):
         "--drives",
         type=click.Choice(DRIVES),
         help="Motors: free to turn against the springs of [effects.servo_stiffness], or held by position loops "
-        "far stiffer than the machine; by default as the robot file has them.  With --measured: motors in the "
-        "test, if the file does not state it; by default free.",
+        "far stiffer than the machine; by default as the robot file has them.  With --measured: motors in "
+        "the test, if the file does not state it; by default free.",
     )
     mechanism: Path | None = entry(forwarded_mechanism_option)
     out: Path | None = option(
@@ -173,10 +173,10 @@ class _Result:
 
 
 @click.command(
-    epilog="\b\nExamples:\n  pkmodes shaper robots/linear-delta-2022-identified.toml \\\n"
-    "    --grid x=0.32:0.82:26,y=-0.1:0.1:11,z=-0.24:-0.16:9\n"
-    "  pkmodes shaper robots/clavel-delta.toml --set effects.payload.mass=0:400g:3\n"
-    "  pkmodes shaper --measured modes.csv --spectrum psd_x.csv --figure left.png"
+    epilog="\b\nExamples:\n  pkmodes shaper robots/linear-delta-2022-identified.toml \\\n    --grid "
+    "x=0.32:0.82:26,y=-0.1:0.1:11,z=-0.24:-0.16:9\n  pkmodes shaper robots/clavel-delta.toml --set "
+    "effects.payload.mass=0:400g:3\n  pkmodes shaper --measured modes.csv --spectrum psd_x.csv --figure "
+    "left.png"
 )
 @ShaperOptions.add_to
 def shaper(options: ShaperOptions) -> None:
@@ -208,7 +208,7 @@ def shaper(options: ShaperOptions) -> None:
     with options.name_in_errors(kind="--shapers", poses="--poses" if options.poses else "--grid"):
         choose = _shapers_for_robot if measured is None else _shapers_for_measured
         result = choose(options, spectrum, sources)
-    from pkmodes.pages.report.shaper_curves import curves_csv, over_frequency
+    from pkmodes.pages.report.shaper_curves import curves_csv, frequency_figure
 
     picture = b""
     if options.figure is not None:
@@ -216,7 +216,7 @@ def shaper(options: ShaperOptions) -> None:
         from pkmodes.pages.figures.files import image_bytes
         from pkmodes.pages.figures.pictures import Picture
 
-        drawing, caption = over_frequency(result.choice, spectrum)
+        drawing, caption = frequency_figure(result.choice, spectrum)
         image_format = options.figure.suffix[1:].lower()
         picture = image_bytes(Picture("shapers", "Input shapers", caption, drawing), image_format)
 
@@ -262,11 +262,11 @@ def _shapers_for_robot(
 
     def blocks() -> tuple[Summary, Sequence[TerminalBlock]]:
         from pkmodes.pages.report.firmware_lines import firmware_lines, schedule_lines
-        from pkmodes.pages.report.shaper import machine, shaper_summary, shapers_tables
+        from pkmodes.pages.report.shaper import machine_facts, shaper_summary, shapers_tables
         from pkmodes.pages.report.shaper_schedule import schedule_blocks
 
         printed: list[TerminalBlock] = [
-            machine(model, choice, content),
+            machine_facts(model, choice, content),
             *shapers_tables(choice),
             *schedule_blocks(choice),
             *firmware_lines(content),

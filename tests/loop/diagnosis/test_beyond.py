@@ -18,9 +18,9 @@ from pkmodes.loop.diagnosis import Diagnosis, MatrixStructure, Measurements, dia
 from pkmodes.loop.diagnosis.beyond import term_fits
 from pkmodes.loop.diagnosis.fit.hypothesis import Fit
 from pkmodes.loop.diagnosis.search.score import MAX_DIRECTIONS_CORRELATED, Score, p_of_smallest
-from pkmodes.pages.report.action import action
+from pkmodes.pages.report.action import recommended_action
 from pkmodes.pages.report.diagnosis import verdict_headline
-from pkmodes.pages.report.setting import ReportSetting
+from pkmodes.pages.report.report_context import ReportContext
 
 FRAME = Frame()
 NOTHING = np.zeros((6, 6))
@@ -69,9 +69,9 @@ def test_the_true_term_is_found_with_its_value(term: str, size: float, unit: str
     assert member["error"]["chi2_per_dof"] == pytest.approx(1.0, abs=0.5)
     words = f"Not in the catalogue: {member['sentence']}, "
     assert found.reason.startswith(words)
-    setting = ReportSetting("frame", None, None, (), None)
+    setting = ReportContext("frame", None, None, (), None)
     assert verdict_headline(found).startswith(words)
-    assert action(found, setting).entries[0][1][0].text == f"Look for {member['sentence']}."
+    assert recommended_action(found, setting).entries[0][1][0].text == f"Look for {member['sentence']}."
 
 
 def test_a_term_is_found_in_which_the_linear_model_sees_nothing(monkeypatch: pytest.MonkeyPatch) -> None:

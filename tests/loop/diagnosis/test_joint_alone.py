@@ -14,9 +14,9 @@ from pkmodes.loop.diagnosis import Candidate, Diagnosis, MatrixStructure, Measur
 from pkmodes.loop.diagnosis.problem import Joint
 from pkmodes.loop.diagnosis.verdict import joint_alone
 from pkmodes.loop.updating.candidates import suspects
-from pkmodes.pages.report.action import action
+from pkmodes.pages.report.action import recommended_action
 from pkmodes.pages.report.diagnosis import verdict_headline
-from pkmodes.pages.report.setting import ReportSetting
+from pkmodes.pages.report.report_context import ReportContext
 from pkmodes.pages.view import typical_pose
 from studies import clear_cases
 from studies.clear_cases import ClearCase
@@ -72,7 +72,7 @@ def test_one_soft_storey_is_named_with_its_change() -> None:
     (effect,) = found.effects
     assert effect.alone is not None
     assert abs(effect.alone.change + 0.25) < 3.0 * effect.alone.sigma < 0.02
-    inspect = dict(action(found, ReportSetting("", None, None, (), None)).entries)["inspect"]
+    inspect = dict(recommended_action(found, ReportContext("", None, None, (), None)).entries)["inspect"]
     assert inspect[0].text == "Storey 2, which is 25 % softer than the others."
     (cause,) = found.as_json()["effects"]  # type: ignore[misc]
     assert cause["term"] == "parameter:2"

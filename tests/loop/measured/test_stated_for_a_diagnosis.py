@@ -19,7 +19,7 @@ from pkmodes.core.robot.usable import Limits, Radius
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.loop.measured.writing import as_csv
 from pkmodes.loop.updating.measured_robot import MeasuredRobot
-from pkmodes.pages.report.setting import ReportSetting
+from pkmodes.pages.report.report_context import ReportContext
 
 LOOP = Path(__file__).resolve().parents[3] / "examples" / "closed_loop"
 MODES = (LOOP / "measured.csv").read_text(encoding="utf-8")
@@ -150,7 +150,7 @@ def test_the_command_line_states_the_same(
 def test_the_report_says_what_was_stated(read) -> None:
     data = read(f"# prior: {OFFSET} = 2 mm", "# usable: z = -1, 20 cm")
     evidence = SimpleNamespace(labels=["P1"], measured=[50.0], place="pose")
-    facts = str(ReportSetting("x", None, data, (), None).origin(evidence))
+    facts = str(ReportContext("x", None, data, (), None).origin(evidence))
     assert f"{OFFSET} = 2 mm" in facts
     assert "z = -1.0, 20 cm" in facts
 

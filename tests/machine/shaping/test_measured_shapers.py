@@ -17,7 +17,7 @@ from pkmodes.machine.shaping import measured_shapers
 from pkmodes.machine.shaping.measured_modes import of_measured
 from pkmodes.machine.shaping.measured_spectrum import read_spectrum
 from pkmodes.machine.shaping.results import Candidate
-from pkmodes.pages.report.shaper_curves import over_frequency
+from pkmodes.pages.report.shaper_curves import frequency_figure
 
 KINDS = ["zv", "mzv", "ei", "2hump_ei", "3hump_ei"]
 TABLE = """# drives: held
@@ -266,7 +266,7 @@ def test_the_figure_shows_of_the_spectrum_what_the_recommended_shaper_leaves(tmp
     lines[2] = "1.6,1e9,0,0,1e9"
     spectrum.write_text("\n".join(lines), encoding="utf-8")
     choice = measured_shapers(table(("a", 50.0, 0.2, 0.0, 0.0)), ["zv", "mzv"])
-    drawing, caption = over_frequency(choice, read_spectrum(spectrum))
+    drawing, caption = frequency_figure(choice, read_spectrum(spectrum))
     seen = {series.name: series for panel in drawing.wide.panels for series in panel.series}
     before, after = seen["measured spectrum"], seen["after the recommended shaper"]
     near = before.x > 25.0

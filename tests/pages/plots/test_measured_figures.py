@@ -20,7 +20,7 @@ from pkmodes.pages.plots.setup_frequencies import setup_frequencies
 from pkmodes.pages.plots.style import BLUE, GREEN, GREY
 from pkmodes.pages.report import explanations, figures, numbers
 from pkmodes.pages.report.blocks import Picture
-from pkmodes.pages.report.setting import ReportSetting
+from pkmodes.pages.report.report_context import ReportContext
 
 NAN = np.nan
 MACS = np.array([[0.9, 0.2, 0.1], [0.3, 0.8, 0.15], [NAN] * 3, [0.7, 0.4, 0.06], [0.12, 0.22, 0.6]])
@@ -284,9 +284,9 @@ def test_more_values_than_a_figure_holds_are_said() -> None:
     )
     result, _ = made_up(3, 2)
     many = replace(result, corrected=values, correlation=np.eye(20).tolist(), refitted=(), effects=())
-    setting = ReportSetting("s", None, None, (), None)
-    assert "(the 16 that moved most of 20)" in numbers.pulls(many, setting)[0].caption
-    assert "(the first 16 of 20)" in numbers.correlations(many)[0].caption
+    setting = ReportContext("s", None, None, (), None)
+    assert "(the 16 that moved most of 20)" in numbers.pull_pictures(many, setting)[0].caption
+    assert "(the first 16 of 20)" in numbers.correlation_pictures(many)[0].caption
 
 
 def test_values_stand_where_the_fit_moved_them_in_standard_deviations_of_their_prior() -> None:

@@ -19,10 +19,11 @@ from pkmodes.loop.diagnosis import Diagnosis
 from pkmodes.loop.diagnosis.posterior.document import ClassProbability, PairProbability, Probabilities
 from pkmodes.loop.diagnosis.verdict.findings import Finding
 from pkmodes.pages.plots.evidence import PlottedEvidence
-from pkmodes.pages.report.action import LIKELY, _alike, action
-from pkmodes.pages.report.formatting import sentence
+from pkmodes.pages.report.action import _match_modes, recommended_action
+from pkmodes.pages.report.certainty import PROBABILITY_PHRASES
+from pkmodes.pages.report.formatting import to_sentence
 from pkmodes.pages.report.mode_table import mode_table
-from pkmodes.pages.report.setting import ReportSetting
+from pkmodes.pages.report.report_context import ReportContext
 from studies import tables
 
 ROOT = Path(__file__).parents[3]
@@ -32,8 +33,8 @@ SURE = re.compile(r"likely|certain|found|is the cause|are the causes")
 
 def said(result: Diagnosis, robot: pkmodes.Robot | None = None) -> dict[str, str]:
     """What is said, by its titles; of several ways, the last."""
-    entries = action(result, ReportSetting("", robot, None, (), None)).entries
-    return {title: " ".join(cell.typed for cell in cells) for title, cells in entries}
+    entries = recommended_action(result, ReportContext("", robot, None, (), None)).entries
+    return {title: " ".join(cell.terminal_text for cell in cells) for title, cells in entries}
 
 
 def claiming(*classes: tuple[str, ...], probabilities: Probabilities | None) -> dict[str, str]:
@@ -75,11 +76,11 @@ def test_the_effect_is_the_difference_of_two_robots_and_begins_as_declared(share
 def test_the_numbers_of_the_effect_stand_in_the_table_of_measured_modes(tmp_path: Path) -> None:
     """As cells with the place of the exact number in the JSON."""
     result, robot, data = diagnosed("effect_found", tmp_path)
-    setting = ReportSetting("", robot, data, (), None)
-    shown = dict(action(result, setting).entries)["effect"]
-    numbers = {cell.at: cell.text for cell in shown if cell.at}
+    setting = ReportContext("", robot, data, (), None)
+    shown = dict(recommended_action(result, setting).entries)["effect"]
+    numbers = {cell.json_pointer: cell.text for cell in shown if cell.json_pointer}
     rows = mode_table(result, PlottedEvidence.of(result, data), setting).rows
-    in_table = {cell.at: cell.text for cells in rows for cell in cells}
+    in_table = {cell.json_pointer: cell.text for cells in rows for cell in cells}
     assert [at.rpartition("/")[2] for at in numbers] == ["before_hz", "after_hz"]
     assert numbers == {at: in_table[at] for at in numbers}
 
@@ -89,14 +90,18 @@ def test_modes_that_a_cause_brings_are_no_change_of_others() -> None:
     without = np.array([28.1, 35.8, 50.9, 125.5, 140.6, 155.6])
     moved = without * (1.0 + np.array([-3.0, 2.0, -9.0, 1.0, 0.5, -2.0]) * 1e-3)
     after = np.sort([*moved, 95.0, 96.4, 101.7])
-    assert _alike(after, without) == [(0, 0), (1, 1), (2, 2), (6, 3), (7, 4), (8, 5)]
+    assert _match_modes(after, without) == [(0, 0), (1, 1), (2, 2), (6, 3), (7, 4), (8, 5)]
     lowered = np.array([20.0, 40.0, 60.0, np.nan])
-    assert _alike(lowered, 2.5 * lowered) == [(0, 0), (1, 1), (2, 2)]  # as many: in their order, however far
+    assert _match_modes(lowered, 2.5 * lowered) == [
+        (0, 0),
+        (1, 1),
+        (2, 2),
+    ]  # as many: in their order, however far
 
 
 def test_a_name_that_begins_a_sentence_keeps_its_small_letter() -> None:
-    assert sentence("effects.payload.mass may be it") == "effects.payload.mass may be it."
-    assert sentence("nothing, for once.") == "Nothing, for once."
+    assert to_sentence("effects.payload.mass may be it") == "effects.payload.mass may be it."
+    assert to_sentence("nothing, for once.") == "Nothing, for once."
 
 
 @pytest.mark.parametrize("verdict", VERDICTS)
@@ -113,7 +118,9 @@ def test_nothing_is_surer_than_the_verdict(verdict: str, tmp_path: Path) -> None
 
 def test_every_remaining_explanation_has_a_place(tmp_path: Path) -> None:
     result, robot, _ = diagnosed("ambiguous", tmp_path)
-    titles = [title for title, _ in action(result, ReportSetting("", robot, None, (), None)).entries]
+    titles = [
+        title for title, _ in recommended_action(result, ReportContext("", robot, None, (), None)).entries
+    ]
     assert titles == ["inspect", "or", "or", "difference", "how sure", "measure next"]
 
 
@@ -166,9 +173,11 @@ def test_six_places_are_listed_and_the_rest_is_counted(count: int, rest: str | N
     names = tuple(f"parameter:axis.{k}.leg.stiffness" for k in range(1, count + 1))
     effect = Finding(names[0], names, (), dict.fromkeys(names, ()), 1e-9, "")
     claimed = replace(result, verdict="effect_found", effects=(effect,))
-    entries = action(claimed, ReportSetting("", None, None, (), None)).entries
+    entries = recommended_action(claimed, ReportContext("", None, None, (), None)).entries
     places = [
-        " ".join(cell.typed for cell in cells) for title, cells in entries if title in ("inspect", "or")
+        " ".join(cell.terminal_text for cell in cells)
+        for title, cells in entries
+        if title in ("inspect", "or")
     ]
     assert len(places) == 6 + (rest is not None)
     for k, place in enumerate(places[:6], start=1):
@@ -184,7 +193,7 @@ def test_the_documentation_says_how_often_each_word_is_right() -> None:
         if row["by"] == "largest probability" and row["group"] != "all"
     ]
     rates, above = [], 1.01
-    for least, _ in LIKELY:
+    for least, _ in PROBABILITY_PHRASES:
         some = [
             (int(row["cases"]), int(row["right"]))
             for row in rows

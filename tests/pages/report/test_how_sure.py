@@ -25,20 +25,20 @@ from pkmodes.loop.diagnosis.verdict.findings import (
 )
 from pkmodes.pages.plots.places import MARK_COLOURS
 from pkmodes.pages.report import report
-from pkmodes.pages.report.action import action
-from pkmodes.pages.report.contrast import contrast
+from pkmodes.pages.report.action import recommended_action
+from pkmodes.pages.report.contrast import contrast_of_parts
 from pkmodes.pages.report.diagnosis import verdict_headline
 from pkmodes.pages.report.places import marked_elements
-from pkmodes.pages.report.setting import ReportSetting
+from pkmodes.pages.report.report_context import ReportContext
 
 ROBOT = ROOT / "examples" / "tapped_printer" / "robot.toml"
 BELTS, WIDTH = "axis_belt_stiffness", "parameter:belt_path.2.belt.width"
 
 
-def said(result: Diagnosis, setting: ReportSetting | None = None) -> dict[str, str]:
+def said(result: Diagnosis, setting: ReportContext | None = None) -> dict[str, str]:
     """What is said, by its titles; of several ways, the last."""
-    entries = action(result, setting or ReportSetting("", None, None, (), None)).entries
-    return {title: " ".join(cell.typed for cell in cells) for title, cells in entries}
+    entries = recommended_action(result, setting or ReportContext("", None, None, (), None)).entries
+    return {title: " ".join(cell.terminal_text for cell in cells) for title, cells in entries}
 
 
 def tone(page: str) -> str:
@@ -94,7 +94,7 @@ def belts(first: float, second: float, error: float = 0.005) -> Finding:
 def test_of_two_belts_the_softer_one_is_named_in_title_tile_and_picture() -> None:
     """0.70 and 1.00 of the declared stiffness: 30 % less, and 0.70 / 0.85 - 1 = -17.65 % of the mean."""
     robot = read_robot(ROBOT)
-    setting = ReportSetting("", robot, None, (), None)
+    setting = ReportContext("", robot, None, (), None)
     for first, second, soft, other in ((-0.3, 0.0, 1, 2), (0.0, -0.3, 2, 1)):
         result = claimed(0.25, effects=(belts(first, second),), corrected=())
         sentence = f"belt {soft} is 30 % softer than belt {other}"
@@ -117,11 +117,11 @@ def test_of_two_belts_the_softer_one_is_named_in_title_tile_and_picture() -> Non
 
 
 def test_belts_that_may_be_equal_are_not_compared() -> None:
-    setting = ReportSetting("", read_robot(ROBOT), None, (), None)
-    assert contrast(belts(-0.3, 0.0), setting) is not None
-    assert contrast(belts(-0.01, 0.0), setting) is None
-    assert contrast(replace(belts(-0.3, 0.0), covariances={}), setting) is None
-    assert contrast(belts(-0.3, 0.0), None) is None
+    setting = ReportContext("", read_robot(ROBOT), None, (), None)
+    assert contrast_of_parts(belts(-0.3, 0.0), setting) is not None
+    assert contrast_of_parts(belts(-0.01, 0.0), setting) is None
+    assert contrast_of_parts(replace(belts(-0.3, 0.0), covariances={}), setting) is None
+    assert contrast_of_parts(belts(-0.3, 0.0), None) is None
 
 
 def adequate(after: float, headline: str = "") -> Diagnosis:

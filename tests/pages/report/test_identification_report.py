@@ -17,7 +17,7 @@ from helpers.pages.page_reading import Element, at, powers, read, shown
 from helpers.pages.report_examples import HOSTILE
 from modaltest.campaign.structures import Frame, accelerations, write_frf
 from pkmodes.cli import run
-from pkmodes.pages.report.identification import _attention, lowest_coherence
+from pkmodes.pages.report.identification import _points_to_check, lowest_coherence
 
 F = np.arange(10.0, 220.0, 0.5)
 HEAD = 'format = 1\nchannels = ["u1", "u2", "u3"]\nband = ["20 Hz", "200 Hz"]\ntones = ["50 Hz"]\n'
@@ -166,7 +166,7 @@ def test_a_mode_that_few_model_orders_have_is_a_point_to_check() -> None:
         repeats=[repeat],
         is_left_out=False,
     )
-    assert _attention(SimpleNamespace(records=[result])) == [
+    assert _points_to_check(SimpleNamespace(records=[result])) == [
         ("Weak modes, found in fewer than 25 % of the model orders:", ["P1 (100 Hz)", "P1 (101 Hz)"])
     ]
 

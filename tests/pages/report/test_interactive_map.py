@@ -16,7 +16,7 @@ from pkmodes.machine.maps.poses import Poses
 from pkmodes.pages.plots.plane import Plane
 from pkmodes.pages.report.map import map_report
 from pkmodes.pages.report.map_planes import section_of
-from pkmodes.pages.report.map_values import pack, values_of
+from pkmodes.pages.report.map_values import pack_frequencies, pack_map
 
 ROBOT = "robots/linear-delta-2022.toml"
 GRID = {
@@ -30,7 +30,7 @@ COUNT = "document.querySelectorAll('[data-part=rows] tr').length"
 
 def page_of(model: pkmodes.Model, dataset: Any, folder: Path, name: str) -> Path:
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("pkmodes.pages.report.map._figures", lambda *_: [])  # they have their own tests
+        patch.setattr("pkmodes.pages.report.map._figure_sections", lambda *_: [])  # they have their own tests
         (folder / name).write_text(map_report(model, dataset), encoding="utf-8")
     return folder / name
 
@@ -135,7 +135,7 @@ def test_the_pointer_reads_and_a_click_moves_the_machine(mapped: tuple[Path, Any
         )
         browser.page.mouse.move(box["x"] + x, box["y"] + y)
         assert texts(browser, "where") == ["At the pointer"]
-        z = section_of(pkmodes.load(ROBOT), found).places.axes["z"][0]
+        z = section_of(pkmodes.load(ROBOT), found).plane.axes["z"][0]
         here = found.isel({"platform.mass": 0}).sel(x=0.5, y=0.05, z=z, method="nearest")
         assert texts(browser, "frequency") == [f"{value:.3f}" for value in here["frequency"].values]
         assert browser.page.evaluate("poses.length") == 0
@@ -151,7 +151,7 @@ def test_the_cursor_follows_the_keyboard_and_the_machine(mapped: tuple[Path, Any
     with opened(page) as browser:
         started(browser)
         browser.page.locator("canvas").focus()
-        at = section_of(pkmodes.load(ROBOT), found).places.axes["z"][0]
+        at = section_of(pkmodes.load(ROBOT), found).plane.axes["z"][0]
         level = found["z"].values.tolist().index(at)
         reached = found["valid"].isel({"platform.mass": 0, "z": level, "y": 4}).values
         start = 6
@@ -177,7 +177,7 @@ def test_it_opens_in_the_section_of_the_figures_with_their_axes(mapped: tuple[Pa
     """The section is that of `plane_of`; of x and y there, the longer is upright as the figures draw it."""
     page, found = mapped
     model = pkmodes.load(ROBOT)
-    places = section_of(model, found).places
+    places = section_of(model, found).plane
     assert places is not None
     drawn = Plane.of(model.map(places), ["x", "y", "z"])
     with opened(page) as browser:
@@ -279,7 +279,7 @@ def test_packed_frequencies_are_exact_to_three_decimals() -> None:
     given = rng.normal(60.0, 200.0, (3, 5, 7))  # unstable modes have negative frequencies
     given[:, 1, :3] = np.nan
     given[2, 3, 6], given[1, 2, 0] = 9e9, -9e9
-    shown = decoded(pack(given), given.shape)
+    shown = decoded(pack_frequencies(given), given.shape)
     np.testing.assert_array_equal(np.isnan(shown), np.isnan(given))
     np.testing.assert_allclose(shown, np.clip(given, -1e6, 1e6), rtol=0.0, atol=0.0005 + 1e-9)
 
@@ -287,7 +287,7 @@ def test_packed_frequencies_are_exact_to_three_decimals() -> None:
 def test_a_large_map_is_thinned_and_says_so(tmp_path: Path) -> None:
     model = pkmodes.load("robots/corexy-printer.toml")
     found = model.map({"x": np.linspace(0.05, 0.25, 40), "y": np.linspace(0.05, 0.25, 21)})
-    held = values_of(found, max_values=600)
+    held = pack_map(found, max_values=600)
     assert held.thinned
     assert held.dataset["frequency"].size <= 600
     np.testing.assert_array_equal(
@@ -295,9 +295,9 @@ def test_a_large_map_is_thinned_and_says_so(tmp_path: Path) -> None:
         found["frequency"].values[:: held.steps["y"], :: held.steps["x"]],
     )
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("pkmodes.pages.report.explorer.values_of", lambda one: values_of(one, max_values=600))
+        patch.setattr("pkmodes.pages.report.explorer.pack_map", lambda one: pack_map(one, max_values=600))
         text = page_of(model, found, tmp_path, "thin.html").read_text(encoding="utf-8")
     sizes = held.dataset.sizes
     assert f"This page holds {sizes['y'] * sizes['x']} of the 840 poses of the map: every " in text
-    small = values_of(found, longest=400)
+    small = pack_map(found, max_length=400)
     assert len(small.packed) <= 400

@@ -93,7 +93,7 @@ def test_no_label_of_a_tall_volume_is_cut_off(tmp_path: Path) -> None:
         {name: (name, places, {"units": "m"}) for name, places in zip(dims, (x, x, z), strict=True)},
     )
     model: Any = SimpleNamespace(mechanism=SimpleNamespace(directions=dims))
-    (section,) = map_pages._volume(model, dataset)
+    (section,) = map_pages._volume_sections(model, dataset)
     file = tmp_path / "page.html"
     file.write_text(page(Summary("s", "Map", headline="h"), [section]), encoding="utf-8")
     with opened(file) as browser:

@@ -67,7 +67,7 @@ def test_the_view_begins_in_the_middle_of_the_map(page: Path) -> None:
 def test_large_counts_have_the_same_separator_everywhere(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("pkmodes.pages.report.map._figures", lambda *_: [])
+    monkeypatch.setattr("pkmodes.pages.report.map._figure_sections", lambda *_: [])
     model = pkmodes.load(ROBOT)
     found = model.map({"x": np.linspace(0.3, 0.9, 60), "y": np.linspace(0.0, 0.1, 20), "z": -0.245})
     summary = read(map_report(model, found)).by_id("summary").text
@@ -137,7 +137,7 @@ def test_the_headline_leaves_out_the_edge_where_there_are_enough_poses(
 
 
 def test_a_frequency_beyond_all_others_is_said_to_be_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("pkmodes.pages.report.map._figures", lambda *_: [])
+    monkeypatch.setattr("pkmodes.pages.report.map._figure_sections", lambda *_: [])
     model = pkmodes.load("robots/linear-delta-2022-identified.toml")
     # At this x a belt span vanishes but for rounding (docs/how-to/maps.md).
     found = model.map({"x": [0.28, 0.6, 0.7, 0.8], "y": 0.0, "z": -0.32})

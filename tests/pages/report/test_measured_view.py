@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from pkmodes import read_robot, updating
-from pkmodes.pages.report.measured_view import measured_scene, robot_shown
+from pkmodes.pages.report.measured_view import measured_scene, shown_robot
 
 LOOP = Path(__file__).parents[3] / "examples" / "closed_loop"
 
@@ -30,6 +30,6 @@ def test_poses_are_in_the_order_of_tables_and_figures(
     robot = read_robot(LOOP / "robot.toml")
     data = updating.read(tmp_path / "measured.csv", robot=robot)
     result = updating.compare(robot, data)
-    seen = measured_scene(result, robot_shown(result, robot), data, "free")
+    seen = measured_scene(result, shown_robot(result, robot), data, "free")
     assert seen is not None
     assert list(seen.labels or ()) == expected

@@ -17,8 +17,8 @@ from pkmodes.loop.diagnosis.verdict.joints import JointAlone
 from pkmodes.pages.plots.evidence import PlottedEvidence
 from pkmodes.pages.plots.places import MARK_COLOURS, MarkedBody, marked_machine
 from pkmodes.pages.report.blocks import Picture
-from pkmodes.pages.report.places import marked, marked_elements, picture
-from pkmodes.pages.report.setting import ReportSetting
+from pkmodes.pages.report.places import mark_term, marked_elements, place_pictures
+from pkmodes.pages.report.report_context import ReportContext
 from pkmodes.pages.view import scene
 from pkmodes.pages.view.poses import typical_pose
 
@@ -63,7 +63,7 @@ EACH = [(name, term) for name, terms in SHOWN.items() for term in terms]
 def test_a_term_is_shown_by_its_bodies(name: str, term: str) -> None:
     elements = mechanism(name).drawing.elements
     sentences = {one.name: one.sentence for one in mechanism(name).terms}
-    mark = marked(
+    mark = mark_term(
         term, sentences.get(term, "displacement of the clamp of belt 3 relative to the body"), elements
     )
     shown = SHOWN[name][term]
@@ -112,7 +112,7 @@ def test_every_leg_of_a_hexapod_is_marked_and_what_is_not_is_counted(count: int,
     )
     found = replace(result, effects=effects)
     evidence = replace(PlottedEvidence.of(result, data), poses=np.tile(typical_pose(model), (4, 1)))
-    (drawn,) = picture(found, evidence, ReportSetting("hexapod", robot, data, (), None))
+    (drawn,) = place_pictures(found, evidence, ReportContext("hexapod", robot, data, (), None))
     assert isinstance(drawn, Picture)
     assert f"in colour: {'; '.join(names[:6])}.{others}" in drawn.svg
     assert drawn.caption.endswith(f"acts.{others}")

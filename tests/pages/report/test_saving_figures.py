@@ -35,7 +35,7 @@ def figure(title: str, model: str) -> Picture:
         panel.label(x="frequency [Hz]", y="size [\u03c3]")
         panel.axes.legend()
 
-    return Picture.of(Drawing(draw), visible_text(title), "two curves", "Two curves.")
+    return Picture.from_drawing(Drawing(draw), visible_text(title), "two curves", "Two curves.")
 
 
 def written(folder: Path, *figures: Picture) -> Path:
@@ -83,8 +83,8 @@ def test_a_picture_is_saved_on_white_paper_in_the_colours_of_the_light_page(
 
     with opened(written(tmp_path), scheme=scheme) as browser:
         box = browser.page.evaluate(
-            "[...'wh'].map((_, i) => { const b = document.querySelector('figure svg')"
-            ".viewBox.baseVal; return i ? b.height : b.width; })"
+            "[...'wh'].map((_, i) => "
+            "{ const b = document.querySelector('figure svg').viewBox.baseVal; return i ? b.height : b.width; })"
         )
         file = saved(browser, "PNG", tmp_path)
         assert browser.problems == []

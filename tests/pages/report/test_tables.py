@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from pkmodes.pages.report.blocks import Cell, Column
-from pkmodes.pages.report.formatting import figures, uncertain_cell
-from pkmodes.pages.report.tables import table
+from pkmodes.pages.report.formatting import rounded_cell, uncertain_cell
+from pkmodes.pages.report.tables import compact_table
 
 COLUMNS = [
     Column("mode"),
@@ -16,7 +16,7 @@ COLUMNS = [
 
 
 def row(mode: int, frequency: float, files: int = 3, motors: str = "held", remark: str = "") -> list[Cell]:
-    return [Cell(str(mode)), figures(frequency), Cell(str(files), files), Cell(motors), Cell(remark)]
+    return [Cell(str(mode)), rounded_cell(frequency), Cell(str(files), files), Cell(motors), Cell(remark)]
 
 
 def titles(made: object) -> list[str]:
@@ -24,7 +24,9 @@ def titles(made: object) -> list[str]:
 
 
 def test_words_and_counts_that_never_change_are_said_once() -> None:
-    made = table("Modes.", COLUMNS, [row(1, 29.98), row(2, 37.36)], [("", 2), ("record", 3)], "A note.")
+    made = compact_table(
+        "Modes.", COLUMNS, [row(1, 29.98), row(2, 37.36)], [("", 2), ("record", 3)], "A note."
+    )
     assert titles(made) == ["mode", "f [Hz]"]
     assert made.groups == [("", 2)]
     assert made.note == "In every row: record files 3, record motors held. A note."
@@ -33,14 +35,16 @@ def test_words_and_counts_that_never_change_are_said_once() -> None:
 
 def test_what_differs_once_stays_under_its_title() -> None:
     rows = [row(1, 29.98), row(2, 37.36, files=2), row(3, 41.5, remark="held out")]
-    made = table("Modes.", COLUMNS, rows, [("", 2), ("record", 3)])
+    made = compact_table("Modes.", COLUMNS, rows, [("", 2), ("record", 3)])
     assert titles(made) == ["mode", "f [Hz]", "files", "remark"]
     assert made.groups == [("", 2), ("record", 2)]
     assert made.note == "In every row: record motors held."
 
 
 def test_numbers_that_round_to_the_same_and_a_single_row_stay() -> None:
-    same = [[Cell(str(i)), figures(0.2000001 * 1.0000001**i, 2), uncertain_cell(2.0, 1.0)] for i in range(3)]
-    made = table("Values.", [Column("a"), Column("b"), Column("c")], same)
+    same = [
+        [Cell(str(i)), rounded_cell(0.2000001 * 1.0000001**i, 2), uncertain_cell(2.0, 1.0)] for i in range(3)
+    ]
+    made = compact_table("Values.", [Column("a"), Column("b"), Column("c")], same)
     assert titles(made) == ["a", "b", "c"]
-    assert titles(table("Modes.", COLUMNS, [row(1, 29.98)])) == ["mode", "f [Hz]", "files", "motors"]
+    assert titles(compact_table("Modes.", COLUMNS, [row(1, 29.98)])) == ["mode", "f [Hz]", "files", "motors"]

@@ -12,9 +12,16 @@ from pkmodes.core.base.errors import PkmodesError
 from pkmodes.loop.diagnosis.verdict.findings import Corrected
 from pkmodes.pages.report import numbers
 from pkmodes.pages.report.blocks import Summary, Table
-from pkmodes.pages.report.formatting import plural, prose, read_in, thousands, three_digits, unit
+from pkmodes.pages.report.formatting import (
+    display_unit,
+    group_thousands,
+    plural,
+    three_digit_cell,
+    typeset_powers,
+    unit_text,
+)
 from pkmodes.pages.report.page import date_of_page, page
-from pkmodes.pages.report.setting import ReportSetting
+from pkmodes.pages.report.report_context import ReportContext
 
 
 @pytest.mark.parametrize(
@@ -31,7 +38,7 @@ from pkmodes.pages.report.setting import ReportSetting
     ],
 )
 def test_powers_of_ten_within_sentences(text: str, expected: str) -> None:
-    assert prose(text) == expected
+    assert typeset_powers(text) == expected
 
 
 @pytest.mark.parametrize(
@@ -46,12 +53,12 @@ def test_powers_of_ten_within_sentences(text: str, expected: str) -> None:
     ],
 )
 def test_units_have_points_and_raised_powers(name: str, expected: str) -> None:
-    assert unit(name) == expected
+    assert unit_text(name) == expected
 
 
 def test_counts_have_thin_spaces_between_thousands() -> None:
-    assert thousands(492) == "492"
-    assert thousands(6583) == "6\u202f583"
+    assert group_thousands(492) == "492"
+    assert group_thousands(6583) == "6\u202f583"
     assert plural(1234567, "pose") == "1\u202f234\u202f567 poses"
 
 
@@ -68,7 +75,7 @@ def test_counts_have_thin_spaces_between_thousands() -> None:
     ],
 )
 def test_three_digits_keep_their_zeros(value: float | None, expected: str) -> None:
-    assert three_digits(value).text == expected
+    assert three_digit_cell(value).text == expected
 
 
 @pytest.mark.parametrize(
@@ -84,7 +91,7 @@ def test_three_digits_keep_their_zeros(value: float | None, expected: str) -> No
 def test_short_lengths_are_read_in_mm(
     name: str, values: tuple[float, ...], expected: tuple[str, float]
 ) -> None:
-    assert read_in(name, *values) == expected
+    assert display_unit(name, *values) == expected
 
 
 def test_a_row_of_fitted_values_has_one_unit() -> None:
@@ -92,7 +99,7 @@ def test_a_row_of_fitted_values_has_one_unit() -> None:
     result, _ = made_up(3, 2)
     value = Corrected("measurement.offset.z", 8e-4, 1e-4, "m", 0.0, 2e-3, False)
     few = replace(result, corrected=(value,), refitted=(), effects=())
-    (block,) = numbers.fitted_value_tables(few, ReportSetting("s", None, None, (), None))
+    (block,) = numbers.fitted_value_tables(few, ReportContext("s", None, None, (), None))
     assert isinstance(block, Table)
     texts = [cell.text for cell in block.rows[0]]
     assert "0.80 \u00b1 0.10" in texts

@@ -13,9 +13,10 @@ from helpers.robots.robot_text import PUBLISHED
 from pkmodes import read_robot
 from pkmodes.cli.diagnosis_tables import show_diagnosis
 from pkmodes.loop.diagnosis.verdict.findings import Examined
-from pkmodes.pages.plots.scores import MAX_LABEL_LENGTH, _row_label
+from pkmodes.pages.plots import scores
+from pkmodes.pages.plots.scores import _row_label
 from pkmodes.pages.report import report
-from pkmodes.pages.report.formatting import LONGEST, clean, label, prose, shortened
+from pkmodes.pages.report.formatting import MAX_LABEL_LENGTH, clean, label_cell, shorten, typeset_powers
 
 #: Longer than any limit that a label or a sentence ever had.
 LONG = "what was measured there cannot be told from what was measured elsewhere " * 40
@@ -54,16 +55,16 @@ def test_every_sentence_of_a_diagnosis_is_whole(capsys: pytest.CaptureFixture[st
 
 def test_only_what_a_file_names_is_shortened() -> None:
     assert clean(LONG) == LONG
-    assert prose(LONG) == LONG
-    assert len(shortened(LONG)) == LONGEST
-    assert shortened(LONG)[-1] == "\u2026"
-    assert shortened("P1") == "P1"
-    assert label(LONG).text == shortened(LONG)
-    assert label(LONG).typed == LONG, "a terminal has it in full"
+    assert typeset_powers(LONG) == LONG
+    assert len(shorten(LONG)) == MAX_LABEL_LENGTH
+    assert shorten(LONG)[-1] == "\u2026"
+    assert shorten("P1") == "P1"
+    assert label_cell(LONG).text == shorten(LONG)
+    assert label_cell(LONG).terminal_text == LONG, "a terminal has it in full"
 
 
 def test_a_row_of_a_figure_has_its_words_whole_or_not_at_all() -> None:
     assert _row_label("the belts are heavy", "belt_mass") == "the belts are heavy (belt_mass)"
-    assert _row_label("w" * (MAX_LABEL_LENGTH - len("belt_mass")), "belt_mass").startswith("www")
+    assert _row_label("w" * (scores.MAX_LABEL_LENGTH - len("belt_mass")), "belt_mass").startswith("www")
     assert _row_label(LONG, "belt_mass") == "belt_mass"
     assert _row_label("", "effects.payload.mass") == "payload.mass"

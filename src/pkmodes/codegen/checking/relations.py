@@ -48,7 +48,15 @@ class State:
     - positions: independent coordinates at the pose, (k,)
     """
 
-    def __init__(self, generated: Generated, mechanism: Mechanism, parameters: Any, pose: Array, derivative: Derivative, effects: bool) -> None:
+    def __init__(
+        self,
+        generated: Generated,
+        mechanism: Mechanism,
+        parameters: Any,
+        pose: Array,
+        derivative: Derivative,
+        effects: bool,
+    ) -> None:
         self.generated, self.mechanism, self.parameters = generated, mechanism, parameters
         self.pose, self.derivative, self.effects = pose, derivative, effects
         names = [q.name for q in mechanism.coordinates]
@@ -90,7 +98,9 @@ class State:
         """Numerical derivative of the pose with respect to the independent coordinates, (d, k)."""
         if self.generated.has("direct_kinematics"):
             return self.derivative(self.direct_pose, self.positions, self.step)
-        return np.asarray(np.linalg.inv(self.derivative(self.generated.inverse_kinematics, self.pose, self.step)))
+        return np.asarray(
+            np.linalg.inv(self.derivative(self.generated.inverse_kinematics, self.pose, self.step))
+        )
 
     @cached_property
     def rotation_rates(self) -> Array:
@@ -99,7 +109,9 @@ class State:
         rates, first = np.eye(len(self.pose)), len(mechanism.directions)
         if mechanism.rotations:
             axes = [AXES.index(axis) for axis in mechanism.rotations]
-            rates[first:, first:] = left_jacobian(vectors_about(mechanism.rotations, self.pose[first:]))[np.ix_(axes, axes)]
+            rates[first:, first:] = left_jacobian(vectors_about(mechanism.rotations, self.pose[first:]))[
+                np.ix_(axes, axes)
+            ]
         return rates
 
     def unstrained_motion(self, pose: Array) -> Array:
@@ -108,7 +120,9 @@ class State:
         H = Generated(self.mechanism.model, self.parameters).elastic_hessian(pose)
         motion = np.zeros((self.generated.coordinates, len(self.independent)), dtype=H.dtype)
         motion[self.independent] = np.eye(len(self.independent))
-        motion[dependent] = -np.linalg.solve(H[np.ix_(dependent, dependent)], H[np.ix_(dependent, self.independent)])
+        motion[dependent] = -np.linalg.solve(
+            H[np.ix_(dependent, dependent)], H[np.ix_(dependent, self.independent)]
+        )
         return motion
 
 

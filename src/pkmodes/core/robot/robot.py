@@ -20,7 +20,7 @@ class Robot(Declaration):
     derived ``mechanism`` and ``declared``.
     """
 
-    _repr_html_ = Attached("pkmodes.pages.report.notebook:of_robot")
+    _repr_html_ = Attached("pkmodes.pages.report.notebook:robot_html")
 
     def with_values(self, values: Mapping[str, Any]) -> Robot:
         """Return the robot that a file with these values would declare.

@@ -228,7 +228,7 @@ class Modes(ChosenFields):
     else:
         to_dataset = Attached("pkmodes.machine.dataset.modes:to_dataset")
         to_table = Attached("pkmodes.machine.dataset.modes:to_table")
-        _repr_html_ = Attached("pkmodes.pages.report.notebook:of_modes")
+        _repr_html_ = Attached("pkmodes.pages.report.notebook:modes_html")
 
 
 @dataclass(frozen=True, eq=False)
@@ -258,7 +258,7 @@ class Statics(AtPoses):
     rotations: Array
     robot: Robot = field(repr=False)
 
-    _repr_html_ = Attached("pkmodes.pages.report.notebook:of_statics")
+    _repr_html_ = Attached("pkmodes.pages.report.notebook:statics_html")
 
 
 @dataclass(frozen=True, repr=False, eq=False)

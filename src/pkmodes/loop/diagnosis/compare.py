@@ -119,7 +119,7 @@ class Comparison:
     rigid: int = 0
     stage: PartnerPredictions | None = field(default=None, compare=False, repr=False)
 
-    _repr_html_ = Attached("pkmodes.pages.report.notebook:of_comparison")
+    _repr_html_ = Attached("pkmodes.pages.report.notebook:comparison_html")
 
     @property
     def unpaired(self) -> tuple[ComparedRow, ...]:

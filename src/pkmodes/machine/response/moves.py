@@ -54,7 +54,7 @@ class Move:
     robot: Robot = field(repr=False)
     drives: str = HELD
 
-    _repr_html_ = Attached("pkmodes.pages.report.notebook:of_move")
+    _repr_html_ = Attached("pkmodes.pages.report.notebook:move_html")
 
     def largest(self, after: float = -np.inf) -> float:
         """Return the largest distance of the platform from `poses` [m], from a time [s] on."""

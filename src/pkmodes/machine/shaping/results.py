@@ -185,7 +185,7 @@ class Choice:
     schedule: Schedule | None = None
     by_axis: Mapping[str, Choice] = field(default_factory=dict)
 
-    _repr_html_ = Attached("pkmodes.pages.report.notebook:of_shapers")
+    _repr_html_ = Attached("pkmodes.pages.report.notebook:shapers_html")
 
     @property
     def best(self) -> Candidate:

@@ -9,57 +9,62 @@ from pkmodes.loop.diagnosis.verdict.terms import Beyond
 from pkmodes.pages.report.blocks import Cell, Column, Paragraph, Table
 from pkmodes.pages.report.formatting import (
     clean,
-    p_value,
+    p_value_cell,
     pointer,
-    prose,
-    sentence,
-    three_digits,
+    three_digit_cell,
+    to_sentence,
+    typeset_powers,
     uncertain_cell,
-    unit,
+    unit_text,
 )
-from pkmodes.pages.report.numbers import percent
-from pkmodes.pages.report.setting import ReportSetting
-from pkmodes.pages.report.tables import table
+from pkmodes.pages.report.numbers import percent_cell
+from pkmodes.pages.report.report_context import ReportContext
+from pkmodes.pages.report.tables import compact_table
 
 
-def beyond(result: Diagnosis, setting: ReportSetting) -> list[Paragraph | Table]:
+def beyond_blocks(result: Diagnosis, context: ReportContext) -> list[Paragraph | Table]:
     """Return what terms explain; empty if none was tried."""
     terms = result.beyond
     if terms is None:
         return []
-    blocks: list[Paragraph | Table] = [Paragraph(prose(sentence(terms.reason)), plain=sentence(terms.reason))]
+    blocks: list[Paragraph | Table] = [
+        Paragraph(typeset_powers(to_sentence(terms.reason)), plain_text=to_sentence(terms.reason))
+    ]
     if terms.classes:
-        blocks += [_classes(terms, setting), _errors(result, terms)]
+        blocks += [_class_table(terms, context), _error_table(result, terms)]
     return blocks
 
 
-def _classes(terms: Beyond, setting: ReportSetting) -> Table:
+def _class_table(terms: Beyond, context: ReportContext) -> Table:
     """Return the explanations that remain with their values, a row for each parameter."""
     rows = []
-    for k, group in enumerate(terms.classes):
-        at = pointer("beyond", "classes", k)
-        for i, name in enumerate(group.finding.members):
-            member = group.finding.member(name)
-            for value in group.finding.alternatives[name]:
-                quantity = group.quantity(name, value)
-                of_value = at + pointer("members", i, "parameters", quantity)
+    for class_index, term_class in enumerate(terms.classes):
+        class_pointer = pointer("beyond", "classes", class_index)
+        for member_index, name in enumerate(term_class.finding.members):
+            member = term_class.finding.member(name)
+            for value in term_class.finding.alternatives[name]:
+                quantity = term_class.quantity(name, value)
+                value_pointer = class_pointer + pointer("members", member_index, "parameters", quantity)
                 rows.append(
                     [
-                        Cell(str(k + 1), k + 1),
+                        Cell(str(class_index + 1), class_index + 1),
                         Cell.named(clean(member.words), clean(name)),
-                        Cell(setting.words(value.name) or clean(quantity)),
+                        Cell(context.meaning(value.name) or clean(quantity)),
                         uncertain_cell(
-                            value.value, value.sigma, of_value + pointer("value"), of_value + pointer("sigma")
+                            value.value,
+                            value.sigma,
+                            value_pointer + pointer("value"),
+                            value_pointer + pointer("sigma"),
                         ),
-                        Cell(unit(value.unit)),
-                        Cell(prose(f"no: {member.implausible}") if member.implausible else "yes"),
-                        p_value(group.finding.p_value, at + pointer("p_value")),
-                        three_digits(group.probability, at + pointer("probability")),
+                        Cell(unit_text(value.unit)),
+                        Cell(typeset_powers(f"no: {member.implausible}") if member.implausible else "yes"),
+                        p_value_cell(term_class.finding.p_value, class_pointer + pointer("p_value")),
+                        three_digit_cell(term_class.probability, class_pointer + pointer("probability")),
                     ]
                 )
     columns = [Column("class"), Column("explanation", False), Column("parameter", False), Column("value")]
     columns += [Column("unit", False), Column("plausible", False), Column("p-value"), Column("probability")]
-    return table(
+    return compact_table(
         "One thing at one place, beyond the catalogue: what remains.  These data cannot tell the members of a class "
         "from one another; the p-value accounts for all that was tried, and the probability for all that leaves only "
         "noise.",
@@ -68,7 +73,7 @@ def _classes(terms: Beyond, setting: ReportSetting) -> Table:
     )
 
 
-def _errors(result: Diagnosis, terms: Beyond) -> Table:
+def _error_table(result: Diagnosis, terms: Beyond) -> Table:
     """Return the errors before, after the refit, with the best of the catalogue, and with each term."""
     titles = {"before": "as declared", "refit": "uncertain values refitted"}
     if isinstance(result, Change):
@@ -80,18 +85,24 @@ def _errors(result: Diagnosis, terms: Beyond) -> Table:
     if terms.catalogue is not None:
         name, error = terms.catalogue
         stages.append((f"with the best of the catalogue, {clean(name)}", error, ""))
-    for k, group in enumerate(terms.classes):
-        for i, name in enumerate(group.finding.members):
-            at = pointer("beyond", "classes", k, "members", i, "error")
-            stages.append((f"with {clean(group.finding.member(name).words)}", group.errors[name], at))
+    for class_index, term_class in enumerate(terms.classes):
+        for member_index, name in enumerate(term_class.finding.members):
+            error_pointer = pointer("beyond", "classes", class_index, "members", member_index, "error")
+            stages.append(
+                (
+                    f"with {clean(term_class.finding.member(name).words)}",
+                    term_class.errors[name],
+                    error_pointer,
+                )
+            )
     rows = [
         [
             Cell(title),
-            percent(error.rms_relative, _in(at, "rms_relative")),
-            percent(error.held_out_rms_relative, _in(at, "held_out_rms_relative")),
-            three_digits(error.chi2_per_dof, _in(at, "chi2_per_dof")),
+            percent_cell(error.rms_relative, _sub_pointer(error_pointer, "rms_relative")),
+            percent_cell(error.held_out_rms_relative, _sub_pointer(error_pointer, "held_out_rms_relative")),
+            three_digit_cell(error.chi2_per_dof, _sub_pointer(error_pointer, "chi2_per_dof")),
         ]
-        for title, error, at in stages
+        for title, error, error_pointer in stages
         if error is not None
     ]
     columns = [Column("model", False), Column("rms [%]"), Column("held out [%]")]
@@ -101,5 +112,5 @@ def _errors(result: Diagnosis, terms: Beyond) -> Table:
     return Table("Errors before, and with what remains.", columns, rows)
 
 
-def _in(at: str, key: str) -> str:
-    return at + pointer(key) if at else ""
+def _sub_pointer(parent: str, key: str) -> str:
+    return parent + pointer(key) if parent else ""

@@ -20,9 +20,9 @@ if TYPE_CHECKING:
     from pkmodes.pages.plots.drawing import Drawing
 
 #: Cells of up to this many characters are not wrapped.
-SHORT = 26
+MAX_UNWRAPPED_LENGTH = 26
 #: Ratio of height to width above which a figure counts as tall.
-TALL = 0.85
+TALL_ASPECT_RATIO = 0.85
 VIEW_BOX = re.compile(r'viewBox="\S+ \S+ (\S+) (\S+)"')
 
 
@@ -30,16 +30,16 @@ VIEW_BOX = re.compile(r'viewBox="\S+ \S+ (\S+) (\S+)"')
 class Spread:
     """The standard deviation of a value in the same cell: (1.92 ± 0.13) times a power of ten.
 
-    - at: JSON pointer of it; empty if it is not in the JSON
-    - digits, of_sigma: those of the value and of the standard deviation
-    - power: what both are multiplied by; empty for nothing
+    - json_pointer: JSON pointer of it; empty if it is not in the JSON
+    - value_digits, sigma_digits: those of the value and of the standard deviation
+    - power_of_ten: what both are multiplied by; empty for nothing
     """
 
     sigma: float
-    at: str
-    digits: str
-    of_sigma: str
-    power: str
+    json_pointer: str
+    value_digits: str
+    sigma_digits: str
+    power_of_ten: str
 
 
 @dataclass(frozen=True)
@@ -48,36 +48,36 @@ class Cell:
 
     - text: as shown on a page
     - value: the exact number, if it is one
-    - at: JSON pointer of that number in the output of ``--json``; empty if it is not in it
+    - json_pointer: JSON pointer of that number in the output of ``--json``; empty if it is not in it
     - strong: whether it is emphasised
     - spread: the standard deviation that its text contains
-    - name: identifier of what the text says in words, shown below it, and on a terminal instead of it; empty for none
-    - plain: the text on a terminal: a number or a unit as it can be typed, a label in full; empty where `text` is
-      that
+    - identifier: of what the text describes, shown below it, and on a terminal instead of it; empty for none
+    - plain_text: the text on a terminal: a number or a unit as it can be typed, a label in full; empty where `text`
+      is that
     """
 
     text: str
     value: float | None = None
-    at: str = ""
+    json_pointer: str = ""
     strong: bool = False
     spread: Spread | None = None
-    name: str = ""
-    plain: str = ""
+    identifier: str = ""
+    plain_text: str = ""
 
     @classmethod
     def named(cls, words: str, name: str) -> Cell:
         """Return words with the identifier of what they mean, or the identifier alone where there are none."""
-        return cls(words, name=name) if words and words != name else cls(name)
+        return cls(words, identifier=name) if words and words != name else cls(name)
 
     @property
-    def short(self) -> bool:
+    def fits_one_line(self) -> bool:
         """Whether it is short enough for one line on a small screen."""
-        return len(self.text) <= SHORT
+        return len(self.text) <= MAX_UNWRAPPED_LENGTH
 
     @property
-    def typed(self) -> str:
+    def terminal_text(self) -> str:
         """As shown on a terminal."""
-        return self.plain or self.name or self.text
+        return self.plain_text or self.identifier or self.text
 
 
 @dataclass(frozen=True)
@@ -85,32 +85,33 @@ class Column:
     """A column of a table: its title with the unit, whether it holds numbers, and whether only a page has it."""
 
     title: str
-    numbers: bool = True
+    numeric: bool = True
     page_only: bool = False
 
 
-class Placed:
-    """What every block of a section has.
+class TemplateBlock:
+    """Base of the blocks of a section.
 
-    - programs: those that it needs in the browser, files of ``browser/``.  A program of several files names them in
-      their order, joined by ``+``.
+    - programs: programs that the block needs in the browser, files of ``browser/``.  A program of several files names
+      them in their order, joined by ``+``.
     """
 
     programs: ClassVar[Sequence[str]] = ()
 
     @property
     def kind(self) -> str:
-        """How the templates place it."""
+        """Name of the block in the templates."""
         return type(self).__name__.lower()
 
 
 @dataclass(frozen=True)
-class Table(Placed):
+class Table(TemplateBlock):
     """A table; the first cell of each row names it.
 
     - groups: titles above several columns and how many; empty for none
     - note: what the table leaves out
-    - heads: first columns, which identify the rows: a terminal repeats them where the others do not fit side by side
+    - key_columns: first columns, which identify the rows: a terminal repeats them where the others do not fit side by
+      side
     """
 
     caption: str
@@ -118,33 +119,33 @@ class Table(Placed):
     rows: Sequence[Sequence[Cell]]
     groups: Sequence[tuple[str, int]] = ()
     note: str = ""
-    heads: int = 1
+    key_columns: int = 1
 
 
 @dataclass(frozen=True)
-class Picture(Placed):
+class Picture(TemplateBlock):
     """A figure as an SVG element, how to read it, its name, and the numbers that it shows.
 
-    - data: the numbers, the columns of its table one after the other, deflated (RFC 1950) and in base 64; empty if
-      there are none
-    - narrow: the same laid out for narrow screens; empty if it does not fit one
+    - packed_table: the numbers, the columns of its table one after the other, deflated (RFC 1950) and in base 64;
+      empty if there are none
+    - narrow_svg: the same laid out for narrow screens; empty if it does not fit one
     """
 
     svg: str
     caption: str
     title: str = "Figure"
-    data: str = ""
-    narrow: str = ""
+    packed_table: str = ""
+    narrow_svg: str = ""
     programs: ClassVar[Sequence[str]] = ("download",)
 
     @property
-    def tall(self) -> bool:
+    def is_tall(self) -> bool:
         """Whether it is nearly as tall as wide, and so needs more height on paper."""
         box = VIEW_BOX.search(self.svg)
-        return box is not None and float(box[2]) > TALL * float(box[1])
+        return box is not None and float(box[2]) > TALL_ASPECT_RATIO * float(box[1])
 
     @classmethod
-    def of(
+    def from_drawing(
         cls, drawing: Drawing, title: str, description: str, caption: str, *, cropped: bool = False
     ) -> Picture:
         """Return a figure for a page, which can be saved from there as PNG, and its numbers as CSV.
@@ -156,11 +157,11 @@ class Picture(Placed):
         """
         wide = inline_svg(drawing.figure, title, description, cropped=cropped)
         return cls(
-            wide, caption, title, _packed(drawing.table), inline_narrow_svg(drawing, title, description)
+            wide, caption, title, _pack_table(drawing.table), inline_narrow_svg(drawing, title, description)
         )
 
 
-def _packed(columns: Sequence[Sequence[str]]) -> str:
+def _pack_table(columns: Sequence[Sequence[str]]) -> str:
     """Return a packed table, of which the page's program makes a file: a line per cell, a blank one between columns.
 
     Columns compress to half the size of rows.
@@ -170,45 +171,45 @@ def _packed(columns: Sequence[Sequence[str]]) -> str:
 
 
 @dataclass(frozen=True)
-class Paragraph(Placed):
-    """A sentence or more; `plain` as on a terminal, where it names something of a file, such as a label."""
+class Paragraph(TemplateBlock):
+    """A sentence or more; `plain_text` as on a terminal, where it names something of a file, such as a label."""
 
     text: str
-    plain: str = ""
+    plain_text: str = ""
 
 
 @dataclass(frozen=True)
-class Listing(Placed):
+class Listing(TemplateBlock):
     """A list of sentences, or of names, which are set in columns."""
 
     entries: Sequence[str]
-    names: bool = False
+    in_columns: bool = False
 
 
 @dataclass(frozen=True)
-class Facts(Placed):
+class Facts(TemplateBlock):
     """Names with values."""
 
     entries: Sequence[tuple[str, Sequence[Cell]]]
 
 
 @dataclass(frozen=True)
-class Difference(Placed):
+class TextDifference(TemplateBlock):
     """A unified difference of two texts, line by line."""
 
     name: str
     lines: Sequence[str]
 
     @staticmethod
-    def sort(line: str) -> str:
-        """Return what a line does: ``added``, ``removed``, ``place`` or ``same``."""
+    def line_kind(line: str) -> str:
+        """Return the CSS class of a line: ``added``, ``removed``, ``place`` or ``same``."""
         if line.startswith(("---", "+++", "@@")):
             return "place"
         return {"+": "added", "-": "removed"}.get(line[:1], "same")
 
 
 @dataclass(frozen=True)
-class Lines(Placed):
+class VerbatimLines(TemplateBlock):
     """Lines to copy verbatim."""
 
     name: str
@@ -216,7 +217,7 @@ class Lines(Placed):
 
 
 @dataclass(frozen=True)
-class Foreign(Placed):
+class EmbeddedHtml(TemplateBlock):
     """Finished HTML from another module of pkmodes, inserted as it is: the view in three dimensions."""
 
     html: str
@@ -233,7 +234,7 @@ class Slider:
 
 
 @dataclass(frozen=True)
-class Explorer(Placed):
+class Explorer(TemplateBlock):
     """An interactive map.
 
     - data: JSON for the program, safe inside a page
@@ -241,8 +242,8 @@ class Explorer(Placed):
     - sliders: one for each axis with several values
     - planes: pairs of components over which it can be drawn, empty if there is no choice
     - note: which poses of the map the page holds
-    - machine: whether a view of the machine on the page follows
-    - varied: whether it is a map of several robots: of a sweep, or drawn
+    - has_machine_view: whether a view of the machine on the page follows
+    - has_several_robots: whether it is a map of several robots: of a sweep, or drawn
     """
 
     data: str
@@ -250,23 +251,25 @@ class Explorer(Placed):
     sliders: Sequence[Slider]
     planes: Sequence[tuple[str, str]]
     note: str
-    machine: bool
-    varied: bool
+    has_machine_view: bool
+    has_several_robots: bool
     programs = ("map_values+map_chart+map_picture+map_table+map_explorer",)
 
 
-Block = Table | Picture | Paragraph | Listing | Facts | Difference | Lines | Foreign | Explorer
+Block = (
+    Table | Picture | Paragraph | Listing | Facts | TextDifference | VerbatimLines | EmbeddedHtml | Explorer
+)
 
 
 @dataclass(frozen=True)
 class Section:
     """A section of a page.
 
-    - name: its id: letters and hyphens
+    - html_id: its id: letters and hyphens
     - folded: whether a reader unfolds it, by a click or by going to it; on paper it is unfolded
     """
 
-    name: str
+    html_id: str
     title: str
     blocks: Sequence[Block]
     folded: bool = False

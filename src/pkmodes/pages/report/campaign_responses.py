@@ -138,7 +138,7 @@ def _picture(
         caption += f" The robot {' and '.join(lossless)} has no losses: it is drawn with a damping ratio of "
         caption += f"{plain(100.0 * ratio, 2)} %, {source}."
     text = f"Measured acceleration per force at {clean(record.pose)}, and that of the model."
-    return Picture.of(drawing, f"Responses at {clean(record.pose)}", text, caption)
+    return Picture.from_drawing(drawing, f"Responses at {clean(record.pose)}", text, caption)
 
 
 def accelerances(

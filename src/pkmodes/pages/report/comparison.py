@@ -10,40 +10,47 @@ import numpy as np
 from pkmodes.loop.diagnosis.compare import Comparison
 from pkmodes.loop.diagnosis.criteria import Criteria
 from pkmodes.pages.report.blocks import Cell, Column, Summary, Table
-from pkmodes.pages.report.formatting import number, p_value, plural, pointer, prose, three_digits
-from pkmodes.pages.report.numbers import percent
-from pkmodes.pages.report.setting import ReportSetting
-from pkmodes.pages.report.tables import table
+from pkmodes.pages.report.formatting import (
+    number_cell,
+    p_value_cell,
+    plural,
+    pointer,
+    three_digit_cell,
+    typeset_powers,
+)
+from pkmodes.pages.report.numbers import percent_cell
+from pkmodes.pages.report.report_context import ReportContext
+from pkmodes.pages.report.tables import compact_table
 
 if TYPE_CHECKING:
     from pkmodes.loop.diagnosis.verdict.verdicts import Colour
 
 
-def comparison_summary(result: Comparison, setting: ReportSetting) -> Summary:
+def comparison_summary(result: Comparison, context: ReportContext) -> Summary:
     """Return what the differences mean, and how large they are."""
-    headline, reason, tone = judged(result)
-    count, places = len(result.rows), len({row.pose for row in result.rows})
+    headline, reason, tone = assess_differences(result)
+    mode_count, pose_count = len(result.rows), len({row.pose for row in result.rows})
     facts = [
-        ("rms difference [%]", percent(result.rms_relative, pointer("rms_relative"))),
-        ("chi\u00b2 per degree of freedom", three_digits(result.chi2_per_dof, pointer("chi2_per_dof"))),
-        ("p-value", p_value(result.p_value, pointer("p_value"))),
-        ("measured modes", Cell(str(count), count)),
-        ("poses", Cell(str(places), places)),
+        ("rms difference [%]", percent_cell(result.rms_relative, pointer("rms_relative"))),
+        ("chi\u00b2 per degree of freedom", three_digit_cell(result.chi2_per_dof, pointer("chi2_per_dof"))),
+        ("p-value", p_value_cell(result.p_value, pointer("p_value"))),
+        ("measured modes", Cell(str(mode_count), mode_count)),
+        ("poses", Cell(str(pose_count), pose_count)),
         ("unmatched", Cell(str(len(result.unpaired)), len(result.unpaired), pointer("unpaired"))),
     ]
     return Summary(
-        subject=setting.title(row.drives for row in result.rows),
+        subject=context.title(row.drives for row in result.rows),
         kind="Comparison",
         headline=headline,
         reason=reason,
         tone=tone,
-        notes=[prose(note) for note in result.notes],
+        notes=[typeset_powers(note) for note in result.notes],
         facts=[(name, cell) for name, cell in facts if cell.value is not None],
-        head=setting.head,
+        head=context.head,
     )
 
 
-def judged(result: Comparison) -> tuple[str, str, Colour]:
+def assess_differences(result: Comparison) -> tuple[str, str, Colour]:
     """Return what the differences mean, from their p-value at the level of the diagnosis."""
     p = result.p_value
     if p is None:
@@ -52,40 +59,40 @@ def judged(result: Comparison) -> tuple[str, str, Colour]:
             "The model has no mode near any of the measured frequencies.",
             "bad",
         )
-    unmatched = (
+    unmatched_note = (
         f"; {plural(len(result.unpaired), 'measured mode')} without a partner" if result.unpaired else ""
     )
     if p > Criteria().gate.level:
         headline = "The differences are within the measurement errors"
         reason = "Nothing was fitted: the declared model predicts the measured modes as well as they were measured."
-        return headline + unmatched, reason, "open" if result.unpaired else "good"
+        return headline + unmatched_note, reason, "open" if result.unpaired else "good"
     headline = "The differences are larger than the measurement errors"
     reason = (
         "Nothing was fitted. The declared model differs from the measurements by more than their stated errors: "
         "pkmodes diagnose looks for the cause."
     )
-    return headline + unmatched, reason, "open"
+    return headline + unmatched_note, reason, "open"
 
 
-def by_mode(result: Comparison) -> list[Table]:
+def mode_difference_tables(result: Comparison) -> list[Table]:
     """Return the deviation of each mode of the model from its measurements; empty if none has a partner."""
     rows = []
     for partner in sorted({row.partner for row in result.rows if row.partner is not None}):
-        mine = [row for row in result.rows if row.partner == partner]
-        differences = np.array([row.residual for row in mine], dtype=float)
-        largest = mine[int(np.argmax(np.abs(differences)))]
-        place = pointer("rows", result.rows.index(largest))
+        mode_rows = [row for row in result.rows if row.partner == partner]
+        differences = np.array([row.residual for row in mode_rows], dtype=float)
+        largest = mode_rows[int(np.argmax(np.abs(differences)))]
+        row_pointer = pointer("rows", result.rows.index(largest))
         rows.append(
             [
                 Cell(str(partner - result.rigid)),
-                number(len(mine), ".0f"),
-                number(float(np.median(differences)), "+.2f", scale=100.0),
-                number(float(np.sqrt(np.mean(differences**2))), ".2f", scale=100.0),
-                number(largest.residual, "+.2f", place + pointer("residual"), scale=100.0),
-                number(largest.sigmas, "+.1f", place + pointer("sigmas")),
-                Cell(str(largest.line), largest.line, place + pointer("line")),
-                _median(row.damping for row in mine),
-                _median(row.predicted_damping for row in mine),
+                number_cell(len(mode_rows), ".0f"),
+                number_cell(float(np.median(differences)), "+.2f", scale=100.0),
+                number_cell(float(np.sqrt(np.mean(differences**2))), ".2f", scale=100.0),
+                number_cell(largest.residual, "+.2f", row_pointer + pointer("residual"), scale=100.0),
+                number_cell(largest.sigmas, "+.1f", row_pointer + pointer("sigmas")),
+                Cell(str(largest.line), largest.line, row_pointer + pointer("line")),
+                _median_cell(row.damping for row in mode_rows),
+                _median_cell(row.predicted_damping for row in mode_rows),
             ]
         )
     if not rows:
@@ -103,10 +110,10 @@ def by_mode(result: Comparison) -> list[Table]:
         rows, columns, groups = [row[:-2] for row in rows], columns[:-2], groups[:-1]
     caption = "Each mode of the model: model minus measurement over all that was measured of it"
     caption += "." if len(groups) < 4 else "; damping ratios are medians."
-    return [table(caption, columns, rows, groups)]
+    return [compact_table(caption, columns, rows, groups)]
 
 
-def _median(ratios: Iterable[float | None]) -> Cell:
+def _median_cell(ratios: Iterable[float | None]) -> Cell:
     """Return the median of the damping ratios that are known, in per cent."""
     available = [ratio for ratio in ratios if ratio is not None]
-    return number(float(np.median(available)) if available else None, ".3g", scale=100.0)
+    return number_cell(float(np.median(available)) if available else None, ".3g", scale=100.0)

@@ -1,4 +1,4 @@
-"""Which of two equal parts differs, where the data tell only their ratio: "belt 1 is 29 % softer than belt 2"."""
+"""Which of two equal parts differs, where the data give only their ratio: "belt 1 is 29 % softer than belt 2"."""
 
 from __future__ import annotations
 
@@ -8,40 +8,40 @@ from pkmodes.core.base.numbers import plain
 from pkmodes.loop.diagnosis.verdict.findings import Finding, Value
 from pkmodes.loop.diagnosis.verdict.joints import COMPARATIVES
 from pkmodes.loop.updating.joints import CHANGE
-from pkmodes.pages.report.setting import ReportSetting
+from pkmodes.pages.report.report_context import ReportContext
 
 #: Smallest difference that is named, in standard deviations.
-CLEARLY = 3.0
+MIN_DIFFERENCE_SIGMAS = 3.0
 
 
 @dataclass(frozen=True)
 class Contrast:
     """The part with the smaller value of two equal parts.
 
-    - part, other: "belt 1", "belt 2"
+    - part, other_part: "belt 1", "belt 2"
     - quantity: "stiffness"
     - change: of its value relative to that of the other, negative
     - value: that of the part, relative to the mean of both
     """
 
     part: str
-    other: str
+    other_part: str
     quantity: str
     change: float
     value: Value
 
     @property
-    def compared(self) -> str:
+    def comparison(self) -> str:
         """How it differs from the other: "29 % softer than belt 2"."""
         percent = plain(100.0 * abs(self.change), 2)
         if self.quantity in COMPARATIVES:
-            return f"{percent} % {COMPARATIVES[self.quantity][0]} than {self.other}"
-        return f"{percent} % below {self.other} in {self.quantity}"
+            return f"{percent} % {COMPARATIVES[self.quantity][0]} than {self.other_part}"
+        return f"{percent} % below {self.other_part} in {self.quantity}"
 
     @property
     def sentence(self) -> str:
         """What it means: "belt 1 is 29 % softer than belt 2"."""
-        return f"{self.part} is {self.compared}"
+        return f"{self.part} is {self.comparison}"
 
     @property
     def term(self) -> str:
@@ -49,22 +49,22 @@ class Contrast:
         return f"parameter:{'.'.join(self.part.rsplit(' ', 1))}"
 
 
-def contrast(effect: Finding, setting: ReportSetting | None) -> Contrast | None:
+def contrast_of_parts(effect: Finding, context: ReportContext | None) -> Contrast | None:
     """Return which of two parts a cause is about; None where it has other parameters, or no clear difference.
 
-    Only causes whose values relative to their mean are far better known than the values themselves have one: the
-    values of the others say which part it is.
+    Only a cause whose values are far better known relative to their mean than by themselves has a contrast; the
+    values of any other cause show by themselves which part differs.
     """
     values = effect.relative()
-    if setting is None or effect.alone is not None or len(values) != 2:
+    if context is None or effect.alone is not None or len(values) != 2:
         return None
-    parts = [CHANGE.fullmatch(setting.words(value.name)) for value in values]
-    if parts[0] is None or parts[1] is None:
+    part_matches = [CHANGE.fullmatch(context.meaning(value.name)) for value in values]
+    if part_matches[0] is None or part_matches[1] is None:
         return None
     low, high = sorted(range(2), key=lambda k: values[k].value)
     change = (1.0 + values[low].value) / (1.0 + values[high].value) - 1.0
     sigma = (1.0 - change) * values[low].sigma  # both deviate from their mean by the same amount
-    if abs(change) < CLEARLY * sigma:
+    if abs(change) < MIN_DIFFERENCE_SIGMAS * sigma:
         return None
-    names = [f"{match[2]} {match[3]}" for match in parts if match is not None]
-    return Contrast(names[low], names[high], parts[0][1], change, values[low])
+    names = [f"{match[2]} {match[3]}" for match in part_matches if match is not None]
+    return Contrast(names[low], names[high], part_matches[0][1], change, values[low])

@@ -17,120 +17,138 @@ from pkmodes.loop.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, VERDICT
 from pkmodes.loop.updating.corrected_robot import corrected_robot
 from pkmodes.pages.plots.evidence import PlottedEvidence
 from pkmodes.pages.report import explanations, figures, numbers
-from pkmodes.pages.report.action import action, doubt
-from pkmodes.pages.report.beyond import beyond
-from pkmodes.pages.report.blocks import Block, Cell, Difference, Paragraph, Section, Summary
-from pkmodes.pages.report.contrast import contrast
-from pkmodes.pages.report.damping import damping
+from pkmodes.pages.report.action import recommended_action
+from pkmodes.pages.report.beyond import beyond_blocks
+from pkmodes.pages.report.blocks import Block, Cell, Paragraph, Section, Summary, TextDifference
+from pkmodes.pages.report.certainty import doubtful_probability
+from pkmodes.pages.report.contrast import contrast_of_parts
+from pkmodes.pages.report.damping import damping_blocks
 from pkmodes.pages.report.formatting import (
     clean,
-    number,
+    display_unit,
+    number_cell,
     pointer,
-    prose,
-    read_in,
-    sentence,
-    shortened,
-    three_digits,
+    shorten,
+    three_digit_cell,
+    to_sentence,
+    typeset_powers,
     uncertain_cell,
-    unit,
+    unit_text,
 )
 from pkmodes.pages.report.mode_table import mode_table
 from pkmodes.pages.report.page import page
-from pkmodes.pages.report.places import picture
-from pkmodes.pages.report.sections import glossary, view_section
-from pkmodes.pages.report.setting import ReportSetting
+from pkmodes.pages.report.places import place_pictures
+from pkmodes.pages.report.report_context import ReportContext
+from pkmodes.pages.report.sections import glossary_section, view_section
 from pkmodes.pages.report.stability import stability_sentence
 
 #: Relative change of a refitted value from which an adequate model is reported with it.
-FAR = 0.2
+MIN_REPORTED_CHANGE = 0.2
 #: Sections that are unfolded when the page opens.
-OPEN = ("errors", "causes", "beyond", "place", "modes")
-#: Most values listed in the header for the members of a class; those of a single cause are all listed.
-MOST = 6
-#: Written as `diff` writes it.
-NO_END = "\\ No newline at end of file"
+UNFOLDED_SECTIONS = ("errors", "causes", "beyond", "place", "modes")
+#: Maximum number of values listed in the header for the members of a class; those of a single cause are all listed.
+MAX_CLASS_VALUES = 6
+#: The note of `diff` on a file without a final newline.
+NO_FINAL_NEWLINE = "\\ No newline at end of file"
 
 
 def diagnosis_page(
-    result: Diagnosis, evidence: PlottedEvidence, setting: ReportSetting, measured_responses: list[Block]
+    result: Diagnosis, evidence: PlottedEvidence, context: ReportContext, measured_responses: list[Block]
 ) -> str:
     """Return the report of a diagnosis as HTML.
 
     - measured_responses: pictures of measured frequency responses, if there are any
     """
-    causes = explanations.causes(result, setting)
+    causes = explanations.cause_blocks(result, context)
     title = (
         "Remaining explanations" if result.survivors else "Cause" + ("s" if len(result.effects) > 1 else "")
     )
-    fitted = [
-        *numbers.fitted_value_tables(result, setting),
-        *numbers.pulls(result, setting),
-        *numbers.correlations(result),
+    value_blocks = [
+        *numbers.fitted_value_tables(result, context),
+        *numbers.pull_pictures(result, context),
+        *numbers.correlation_pictures(result),
     ]
-    tried = stability_sentence(result)
-    estimated: list[tuple[str, list[Cell]]] = []
+    stability = stability_sentence(result)
+    scatter_facts: list[tuple[str, list[Cell]]] = []
     if result.scatter:
-        common = number(result.scatter, ".2g", pointer("pose_scatter"), scale=100.0)
-        estimated.append(("error common to the modes of a pose [%]", [common]))
+        scatter_cell = number_cell(result.scatter, ".2g", pointer("pose_scatter"), scale=100.0)
+        scatter_facts.append(("error common to the modes of a pose [%]", [scatter_cell]))
     if result.shape_scatter is not None:
-        scatter = number(result.shape_scatter, ".2g", pointer("shape_scatter"), scale=100.0)
-        estimated.append(("estimated scatter of the shapes [%]", [scatter]))
+        shape_scatter_cell = number_cell(result.shape_scatter, ".2g", pointer("shape_scatter"), scale=100.0)
+        scatter_facts.append(("estimated scatter of the shapes [%]", [shape_scatter_cell]))
     sections = [
-        Section("errors", "Error before and after", numbers.errors(result)),
+        Section("errors", "Error before and after", numbers.error_blocks(result)),
         *([Section("causes", title, causes)] if causes else []),
-        *([Section("beyond", "Beyond the catalogue", terms)] if (terms := beyond(result, setting)) else []),
-        *([Section("place", "Where it is", where)] if (where := picture(result, evidence, setting)) else []),
-        *figures.sections(evidence),
+        *(
+            [Section("beyond", "Beyond the catalogue", term_blocks)]
+            if (term_blocks := beyond_blocks(result, context))
+            else []
+        ),
+        *(
+            [Section("place", "Where it is", place_blocks)]
+            if (place_blocks := place_pictures(result, evidence, context))
+            else []
+        ),
+        *figures.figure_sections(evidence),
         *([Section("responses", "Frequency responses", measured_responses)] if measured_responses else []),
-        *([Section("damping", "Damping", ratios)] if (ratios := damping(result, setting)) else []),
+        *(
+            [Section("damping", "Damping", ratio_blocks)]
+            if (ratio_blocks := damping_blocks(result, context))
+            else []
+        ),
         Section("candidates", "Candidates", explanations.candidate_blocks(result)),
-        Section("values", "Values before and after", fitted),
-        *([Section("stability", "Stability", [Paragraph(sentence(clean(tried)))])] if tried else []),
-        Section("correction", "Correction", _correction(result, setting.robot)),
-        *view_section(setting.view),
-        Section("rows", "All measured modes", [mode_table(result, evidence, setting)]),
-        glossary(diagnosed=True),
-        setting.origin(evidence, estimated),
+        Section("values", "Values before and after", value_blocks),
+        *(
+            [Section("stability", "Stability", [Paragraph(to_sentence(clean(stability)))])]
+            if stability
+            else []
+        ),
+        Section("correction", "Correction", _correction_blocks(result, context.robot)),
+        *view_section(context.view),
+        Section("rows", "All measured modes", [mode_table(result, evidence, context)]),
+        glossary_section(is_diagnosis=True),
+        context.origin(evidence, scatter_facts),
     ]
     return page(
-        _summary(result, setting), [replace(section, folded=section.name not in OPEN) for section in sections]
+        _summary(result, context),
+        [replace(section, folded=section.html_id not in UNFOLDED_SECTIONS) for section in sections],
     )
 
 
-def _summary(result: Diagnosis, setting: ReportSetting) -> Summary:
+def _summary(result: Diagnosis, context: ReportContext) -> Summary:
     notes = [*result.notes]
     if result.damping.measured:  # which changes neither the verdict nor the headline
         notes.append(f"the verdict is that of frequencies and shapes; {result.damping.reason}")
     return Summary(
-        subject=setting.title(row.drives for row in result.rows),
+        subject=context.title(row.drives for row in result.rows),
         kind="Diagnosis",
         verdict=result.verdict,
-        headline=verdict_headline(result, setting),
-        reason=prose(sentence(result.reason)),
+        headline=verdict_headline(result, context),
+        reason=typeset_powers(to_sentence(result.reason)),
         tone=_colour(result),
-        notes=[prose(sentence(note)) for note in notes],
-        action=action(result, setting),
-        facts=[(name, cell) for name, cell in _facts(result, setting) if cell.value is not None],
-        head=setting.head,
+        notes=[typeset_powers(to_sentence(note)) for note in notes],
+        action=recommended_action(result, context),
+        facts=[(name, cell) for name, cell in _header_facts(result, context) if cell.value is not None],
+        head=context.head,
     )
 
 
 def _colour(result: Diagnosis) -> Colour:
     """Return the colour of the heading: that of the verdict, or of doubt."""
-    doubtful = doubt(result) or (
-        result.verdict == ADEQUATE.word and (result.headline or [*_refitted_far(result)])
+    is_doubtful = doubtful_probability(result) or (
+        result.verdict == ADEQUATE.word and (result.headline or [*_large_refits(result)])
     )
-    return AMBIGUOUS.colour if doubtful else VERDICTS[result.verdict].colour
+    return AMBIGUOUS.colour if is_doubtful else VERDICTS[result.verdict].colour
 
 
-def _refitted_far(result: Diagnosis) -> Iterator[tuple[str, float]]:
-    """Yield the uncertain values that the fit changed by a large part, with that part."""
+def _large_refits(result: Diagnosis) -> Iterator[tuple[str, float]]:
+    """Yield the uncertain values that the fit changed most, with their relative changes."""
     for name, value in ((value.name, value) for value in result.refitted):
-        if value.before and abs(change := value.after / value.before - 1.0) >= FAR:
+        if value.before and abs(change := value.after / value.before - 1.0) >= MIN_REPORTED_CHANGE:
             yield name, change
 
 
-def verdict_headline(result: Diagnosis, setting: ReportSetting | None = None) -> str:
+def verdict_headline(result: Diagnosis, context: ReportContext | None = None) -> str:
     """Return the verdict as a sentence, with its doubt, the causes and what matters of the refitted values."""
     if (
         result.beyond is not None
@@ -142,55 +160,63 @@ def verdict_headline(result: Diagnosis, setting: ReportSetting | None = None) ->
     verdict = VERDICTS[result.verdict].sentence.format(
         causes=causes, s="s" if len(result.effects) > 1 else ""
     )
-    if share := doubt(result):
-        verdict = f"Doubtful ({share}): {verdict[0].lower()}{verdict[1:]}"
-    also = [part.sentence for effect in result.effects if (part := contrast(effect, setting)) is not None]
-    also += [clean(result.headline)] if result.headline else []
+    if probability := doubtful_probability(result):
+        verdict = f"Doubtful ({probability}): {verdict[0].lower()}{verdict[1:]}"
+    additions = [
+        part_contrast.sentence
+        for effect in result.effects
+        if (part_contrast := contrast_of_parts(effect, context)) is not None
+    ]
+    additions += [clean(result.headline)] if result.headline else []
     if result.verdict == ADEQUATE.word:
-        also += [
+        additions += [
             f"{clean(name.removeprefix('effects.'))} was refitted by {format_signed(100.0 * change)} %"
-            for name, change in _refitted_far(result)
+            for name, change in _large_refits(result)
             if name.removeprefix("effects.") not in result.headline
         ]
-    return "; ".join([verdict, *also])
+    return "; ".join([verdict, *additions])
 
 
-def _facts(result: Diagnosis, setting: ReportSetting) -> list[tuple[str, Cell]]:
+def _header_facts(result: Diagnosis, context: ReportContext) -> list[tuple[str, Cell]]:
     """Return the sizes of the causes, and the errors of the first and the last stage."""
     facts: list[tuple[str, Cell]] = []
     for i, effect in enumerate(result.effects):
-        sizes = _class_sizes(effect, i, setting) if len(effect.members) > 1 else _sizes(result, i, setting)
-        facts += sizes
-    last = "after" if result.after is not None else "refit"
+        is_class = len(effect.members) > 1
+        facts += _class_sizes(effect, i, context) if is_class else _cause_sizes(result, i, context)
+    last_stage = "after" if result.after is not None else "refit"
     stages = {"before": (result.before, "as declared")}
-    stages[last] = (
+    stages[last_stage] = (
         (result.after, f"with the cause{'s' if len(result.effects) > 1 else ''}")
         if result.after is not None
         else (result.refit, "refitted")
     )
     for name, (error, title) in stages.items():
         if error is not None:
-            at = pointer("error", name, "rms_relative")
-            cell = numbers.percent(error.rms_relative, at)
+            error_pointer = pointer("error", name, "rms_relative")
+            cell = numbers.percent_cell(error.rms_relative, error_pointer)
             facts.append((f"rms difference {title} [%]", cell))
-    error = stages[last][0]
+    error = stages[last_stage][0]
     if error is not None:
-        held = error.held_out_rms_relative
-        at = pointer("error", last, "held_out_rms_relative")
-        facts.append((f"rms of held-out poses {stages[last][1]} [%]", numbers.percent(held, at)))
-        chi2 = three_digits(error.chi2_per_dof, pointer("error", last, "chi2_per_dof"))
-        facts.append((f"chi\u00b2 per degree of freedom {stages[last][1]}", chi2))
+        error_pointer = pointer("error", last_stage, "held_out_rms_relative")
+        held_out_cell = numbers.percent_cell(error.held_out_rms_relative, error_pointer)
+        facts.append((f"rms of held-out poses {stages[last_stage][1]} [%]", held_out_cell))
+        chi2 = three_digit_cell(error.chi2_per_dof, pointer("error", last_stage, "chi2_per_dof"))
+        facts.append((f"chi\u00b2 per degree of freedom {stages[last_stage][1]}", chi2))
     return facts
 
 
-def _sizes(result: Diagnosis, i: int, setting: ReportSetting) -> list[tuple[str, Cell]]:
+def _cause_sizes(result: Diagnosis, effect_index: int, context: ReportContext) -> list[tuple[str, Cell]]:
     """Return the values of a cause, with reliable standard deviations; of a single joint, only its change."""
-    effect = result.effects[i]
+    effect = result.effects[effect_index]
     facts, relative = list[tuple[str, Cell]](), effect.relative()
     if effect.alone is not None:
-        joint_change, at = effect.alone, pointer("effects", i, "term_change")
+        joint_change, change_pointer = effect.alone, pointer("effects", effect_index, "term_change")
         cell = uncertain_cell(
-            joint_change.change, joint_change.sigma, f"{at}/value", f"{at}/sigma", scale=100.0
+            joint_change.change,
+            joint_change.sigma,
+            f"{change_pointer}/value",
+            f"{change_pointer}/sigma",
+            scale=100.0,
         )
         facts.append(
             (
@@ -200,56 +226,66 @@ def _sizes(result: Diagnosis, i: int, setting: ReportSetting) -> list[tuple[str,
         )
         return facts
     for value in relative or effect.parameters:
-        keys = ("effects", i, "relative" if relative else "parameters", parameter_key(value))
-        sigma = pointer(*keys, "sigma" if relative else "saved_sigma")
+        keys = ("effects", effect_index, "relative" if relative else "parameters", parameter_key(value))
+        sigma_pointer = pointer(*keys, "sigma" if relative else "saved_sigma")
         saved = with_saved_sigma(value, result.corrected)
-        read, scale = read_in(value.unit, value.value)
+        shown_unit, scale = display_unit(value.unit, value.value)
         cell = uncertain_cell(
-            value.value, saved.sigma, pointer(*keys, "value"), sigma, scale=scale, fit=saved.fit_sigma
+            value.value,
+            saved.sigma,
+            pointer(*keys, "value"),
+            sigma_pointer,
+            scale=scale,
+            fit_sigma=saved.fit_sigma,
         )
         name = clean(parameter_key(value))
-        title = f"{name} relative to the mean" if relative else setting.words(value.name) or name
-        facts.append((f"{title} [{unit(read)}]" if unit(read) else title, cell))
+        title = f"{name} relative to the mean" if relative else context.meaning(value.name) or name
+        facts.append((f"{title} [{unit_text(shown_unit)}]" if unit_text(shown_unit) else title, cell))
     return facts
 
 
-def _class_sizes(effect: Finding, i: int, setting: ReportSetting) -> list[tuple[str, Cell]]:
+def _class_sizes(effect: Finding, effect_index: int, context: ReportContext) -> list[tuple[str, Cell]]:
     """Return the value of each member of a class; only the number of members if there are too many.
 
     Where only the ratio of two parts is known, the part that is lower is the value.
     """
     facts: list[tuple[str, Cell]] = []
-    part = contrast(effect, setting)
+    part_contrast = contrast_of_parts(effect, context)
     for name in effect.members:
-        if name == effect.name and part is not None:
-            at = pointer("effects", i, "relative", parameter_key(part.value))
+        if name == effect.name and part_contrast is not None:
+            value_pointer = pointer("effects", effect_index, "relative", parameter_key(part_contrast.value))
             cell = uncertain_cell(
-                part.value.value,
-                part.value.sigma,
-                at + pointer("value"),
-                at + pointer("sigma"),
+                part_contrast.value.value,
+                part_contrast.value.sigma,
+                value_pointer + pointer("value"),
+                value_pointer + pointer("sigma"),
                 scale=100.0,
             )
-            start = "either" if not facts else "or"
-            facts.append((f"{start}: {part.quantity} of {part.part} relative to the mean [%]", cell))
+            conjunction = "either" if not facts else "or"
+            facts.append(
+                (
+                    f"{conjunction}: {part_contrast.quantity} of {part_contrast.part} relative to the mean [%]",
+                    cell,
+                )
+            )
             continue
-        start = "either" if not facts else "or"
-        also = ", implausible" if effect.member(name).implausible else ""
+        conjunction = "either" if not facts else "or"
+        implausible_note = ", implausible" if effect.member(name).implausible else ""
         for value in effect.alternatives[name]:
-            keys = ("effects", i, "alternatives", name, parameter_key(value))
+            keys = ("effects", effect_index, "alternatives", name, parameter_key(value))
             cell = uncertain_cell(value.value, value.sigma, pointer(*keys, "value"), pointer(*keys, "sigma"))
-            title = setting.words(value.name) or clean(effect.member(name).words)
-            of = f" [{unit(value.unit)}]" if unit(value.unit) else ""
-            facts.append((f"{start}{also}: {title}{of}", cell))
-    if len(facts) > MOST:
+            title = context.meaning(value.name) or clean(effect.member(name).words)
+            unit_suffix = f" [{unit_text(value.unit)}]" if unit_text(value.unit) else ""
+            facts.append((f"{conjunction}{implausible_note}: {title}{unit_suffix}", cell))
+    if len(facts) > MAX_CLASS_VALUES:
         return [
             ("possible causes, with their values below", Cell(str(len(effect.members)), len(effect.members)))
         ]
     return facts
 
 
-def _correction(result: Diagnosis, robot: Robot | None) -> list[Block]:
-    """Return the difference that ``--save-robot`` makes, which `patch` can apply, or why there is none."""
+def _correction_blocks(result: Diagnosis, robot: Robot | None) -> list[Block]:
+    """Return what ``--save-robot`` changes in the file, as a difference for `patch`, or why there is none."""
     if robot is None:
         return [Paragraph("The model is not a robot file, so there is no file to correct.")]
     if not result.settled:
@@ -259,28 +295,29 @@ def _correction(result: Diagnosis, robot: Robot | None) -> list[Block]:
     except PkmodesError as error:
         return [Paragraph(f"There is no corrected robot file: {clean(error.what)}.")]
     source = Path(robot.source)
-    before, name = source.read_bytes().decode("utf-8"), shortened(source.name)
-    difference = difflib.unified_diff(_lines(before), _lines(after), name, name, lineterm="")
+    before, name = source.read_bytes().decode("utf-8"), shorten(source.name)
+    difference = difflib.unified_diff(_diff_lines(before), _diff_lines(after), name, name, lineterm="")
     lines = [part for line in difference for part in line.split("\n")]
     if not lines:
         return [Paragraph("The robot file needs no correction.")]
     losses = "the losses that the damping shows, " if result.damping.effects else ""
-    several = [effect for effect in result.every_cause if len(effect.members) > 1]
-    chosen = "".join(f" {sentence(clean(naming.choice_in_words(effect)))}" for effect in several)
+    classes = [effect for effect in result.every_cause if len(effect.members) > 1]
+    choice_notes = "".join(f" {to_sentence(clean(naming.choice_in_words(effect)))}" for effect in classes)
     return [
         Paragraph(
             "What changes in the corrected robot file, as written by --save-robot: the cause where one was "
             f"found, {losses}and the refitted values with their new standard deviations. Comments and order "
-            f"are kept.{chosen}"
+            f"are kept.{choice_notes}"
         ),
-        Difference("Difference of the robot file", lines),
+        TextDifference("Difference of the robot file", lines),
     ]
 
 
-def _lines(text: str) -> list[str]:
-    """Return the lines of a text without line ends; as in `diff`, the last one states if it had none."""
-    *lines, rest = text.replace("\r\n", "\n").split("\n")
+def _diff_lines(text: str) -> list[str]:
+    """Return the lines of a text without line ends; as in `diff`, a note follows if the last one had none."""
+    *lines, unended_line = text.replace("\r\n", "\n").split("\n")
     visible = [
-        "\t".join(clean(part) for part in line.split("\t")) for line in [*lines, *([rest] if rest else [])]
+        "\t".join(clean(part) for part in line.split("\t"))
+        for line in [*lines, *([unended_line] if unended_line else [])]
     ]
-    return [*visible[:-1], f"{visible[-1]}\n{NO_END}"] if rest else visible
+    return [*visible[:-1], f"{visible[-1]}\n{NO_FINAL_NEWLINE}"] if unended_line else visible

@@ -10,71 +10,74 @@ from pkmodes.loop.diagnosis.verdict.findings import Corrected, Finding, explain_
 from pkmodes.loop.diagnosis.verdict.result import Damping, Diagnosis, parameter_key
 from pkmodes.pages.plots import scores
 from pkmodes.pages.report.blocks import Block, Cell, Column, Facts, Listing, Paragraph, Picture, Table
-from pkmodes.pages.report.contrast import contrast
+from pkmodes.pages.report.contrast import contrast_of_parts
 from pkmodes.pages.report.formatting import (
-    NOTHING,
+    MISSING,
     clean,
-    figures,
-    named,
-    p_value,
+    explanation_with_names,
+    p_value_cell,
     plural,
     pointer,
-    prose,
-    sentence,
-    three_digits,
+    rounded_cell,
+    three_digit_cell,
+    to_sentence,
+    typeset_powers,
     uncertain_cell,
-    unit,
+    unit_text,
 )
-from pkmodes.pages.report.setting import ReportSetting
-from pkmodes.pages.report.tables import table
+from pkmodes.pages.report.report_context import ReportContext
+from pkmodes.pages.report.tables import compact_table
 
-#: Most candidates in the table: more than any robot has.
-MOST = 200
+#: Maximum number of candidates in the table: more than any robot has.
+MAX_CANDIDATES = 200
 #: Members of a class named in the table of probabilities.
-SHOWN = 3
+MAX_MEMBERS_NAMED = 3
 
 
-def causes(result: Diagnosis | Damping, setting: ReportSetting, *top: str) -> list[Block]:
+def cause_blocks(result: Diagnosis | Damping, context: ReportContext, *json_keys: str) -> list[Block]:
     """Return the causes found with their classes, or the explanations that remain.
 
-    - *top: keys that lead to the result in the JSON: none, or that of the damping
+    - *json_keys: keys that lead to the result in the JSON: none, or that of the damping
     """
     sentences = result.sentences
     blocks: list[Block] = []
-    for i, effect in enumerate(result.effects):
-        several = len(effect.members) > 1
+    for effect_index, effect in enumerate(result.effects):
+        is_class = len(effect.members) > 1
         class_name = clean(naming.class_in_words(effect))
         entries: list[tuple[str, list[Cell]]] = [
             (
-                f"One of {naming.number_in_words(len(effect.members))}" if several else "Cause",
+                f"One of {naming.number_in_words(len(effect.members))}" if is_class else "Cause",
                 [Cell(class_name, strong=True)],
             )
         ]
-        if effect.sentence or several:
+        if effect.sentence or is_class:
             names = ", ".join(map(clean, effect.members))
-            entries.append(("Names" if several else "Name", [Cell(names)]))
-        if (part := contrast(effect, setting)) is not None:
-            entries.append(("Which", [Cell(part.sentence)]))
-        at = pointer(*top, "effects", i)
-        entries.append(("p-value", [p_value(effect.p_value, at + pointer("p_value"))]))
+            entries.append(("Names" if is_class else "Name", [Cell(names)]))
+        if (part_contrast := contrast_of_parts(effect, context)) is not None:
+            entries.append(("Which", [Cell(part_contrast.sentence)]))
+        effect_pointer = pointer(*json_keys, "effects", effect_index)
+        entries.append(("p-value", [p_value_cell(effect.p_value, effect_pointer + pointer("p_value"))]))
         if effect.alone is not None:
             joint_change = effect.alone
-            of, place = at + pointer("term_change", "value"), at + pointer("term_change", "sigma")
+            change_pointer = effect_pointer + pointer("term_change", "value")
+            sigma_pointer = effect_pointer + pointer("term_change", "sigma")
             term = f"({clean(joint_change.joint.term)})" if joint_change.joint.term else ""
-            value = uncertain_cell(joint_change.change, joint_change.sigma, of, place, scale=100.0)
+            value = uncertain_cell(
+                joint_change.change, joint_change.sigma, change_pointer, sigma_pointer, scale=100.0
+            )
             entries.append((f"{clean(joint_change.joint.words)} alone", [value, Cell(f"% {term}".rstrip())]))
-        blocks += [Facts(entries), *_relative(effect, at, setting)]
-        blocks.append(_members(effect, result.corrected, at, setting, sentences))
-        if not several:  # why its standard deviations are larger than those of the fit
+        blocks += [Facts(entries), *_relative_size_blocks(effect, effect_pointer, context)]
+        blocks.append(_member_table(effect, result.corrected, effect_pointer, context, sentences))
+        if not is_class:  # why its standard deviations are larger than those of the fit
             reasons = {
                 value.name: explain_saved_sigma(value, result.corrected) for value in effect.parameters
             }
             blocks += [
-                Paragraph(prose(sentence(f"{setting.words(name) or clean(name)}: {why}")))
-                for name, why in reasons.items()
-                if why
+                Paragraph(typeset_powers(to_sentence(f"{context.meaning(name) or clean(name)}: {reason}")))
+                for name, reason in reasons.items()
+                if reason
             ]
-        if several:
+        if is_class:
             blocks.append(
                 Paragraph(
                     "These data cannot tell the members of this class from one another: each explains the "
@@ -84,171 +87,193 @@ def causes(result: Diagnosis | Damping, setting: ReportSetting, *top: str) -> li
     if result.survivors:
         blocks.append(Paragraph("These explanations remain; the data do not decide between them:"))
         blocks.append(
-            Listing([" or ".join(named(name, sentences) for name in group) for group in result.survivors])
+            Listing(
+                [
+                    " or ".join(explanation_with_names(name, sentences) for name in survivor_class)
+                    for survivor_class in result.survivors
+                ]
+            )
         )
     return blocks
 
 
-def _members(
+def _member_table(
     effect: Finding,
     corrected: Sequence[Corrected],
-    place: str,
-    setting: ReportSetting,
+    effect_pointer: str,
+    context: ReportContext,
     sentences: Mapping[str, str],
 ) -> Table:
     """Return the values of the cause, and those of each other member of its class, as if it were the cause.
 
     For a single cause, the reliable standard deviation is shown beside that of the fit.
     """
-    single = len(effect.members) == 1
+    is_single = len(effect.members) == 1
     rows = []
     for member in effect.members:
-        why = effect.member(member).implausible
+        implausible = effect.member(member).implausible
         for value in effect.alternatives[member]:
-            at = place + pointer("alternatives", member, parameter_key(value))
-            fit, saved = (
-                at + pointer("sigma"),
-                place + pointer("parameters", parameter_key(value), "saved_sigma"),
-            )
-            shown = with_saved_sigma(value, corrected) if single else value
+            value_pointer = effect_pointer + pointer("alternatives", member, parameter_key(value))
+            fit_sigma_pointer = value_pointer + pointer("sigma")
+            saved_sigma_pointer = effect_pointer + pointer("parameters", parameter_key(value), "saved_sigma")
+            shown_value = with_saved_sigma(value, corrected) if is_single else value
             rows.append(
                 [
                     Cell.named(clean(sentences.get(member, "")), clean(member)),
-                    Cell.named(setting.words(value.name), clean(value.name)),
+                    Cell.named(context.meaning(value.name), clean(value.name)),
                     uncertain_cell(
                         value.value,
-                        shown.sigma,
-                        at + pointer("value"),
-                        saved if single else fit,
-                        fit=shown.fit_sigma,
+                        shown_value.sigma,
+                        value_pointer + pointer("value"),
+                        saved_sigma_pointer if is_single else fit_sigma_pointer,
+                        fit_sigma=shown_value.fit_sigma,
                     ),
-                    *((figures(value.sigma, 2, fit),) if single else ()),
-                    Cell(unit(value.unit)),
-                    Cell(prose(f"no: {why}") if why else "yes"),
+                    *((rounded_cell(value.sigma, 2, fit_sigma_pointer),) if is_single else ()),
+                    Cell(unit_text(value.unit)),
+                    Cell(typeset_powers(f"no: {implausible}") if implausible else "yes"),
                 ]
             )
     columns = [Column("cause", False), Column("parameter", False)]
     columns += (
-        [Column("value"), Column("\u03c3 of the fit")] if single else [Column("value, \u03c3 of the fit")]
+        [Column("value"), Column("\u03c3 of the fit")] if is_single else [Column("value, \u03c3 of the fit")]
     )
     columns += [Column("unit", False), Column("plausible", False)]
-    if single:  # the cause stands above
+    if is_single:  # the cause stands above
         rows, columns = [row[1:] for row in rows], columns[1:]
-    if single and all(effect.plausible.values()):
+    if is_single and all(effect.plausible.values()):
         rows, columns = [row[:-1] for row in rows], columns[:-1]
     caption = (
-        f"Size of the cause{', with that mean' if effect.relative() else ''}; its standard deviation includes what "
-        "a candidate that these data do not show could have done to it."
-        if single
+        f"Size of the cause{', with that mean' if effect.relative() else ''}; its standard deviation includes "
+        "what a candidate that these data do not show could have done to it."
+        if is_single
         else "The class: each member as if it were the cause."
     )
-    return table(caption, columns, rows)
+    return compact_table(caption, columns, rows)
 
 
-def _relative(effect: Finding, place: str, setting: ReportSetting) -> list[Block]:
+def _relative_size_blocks(effect: Finding, effect_pointer: str, context: ReportContext) -> list[Block]:
     """Return the values relative to their mean, where the mean is far less certain."""
     rows = []
     for value in effect.relative():
-        at = place + pointer("relative", parameter_key(value))
+        value_pointer = effect_pointer + pointer("relative", parameter_key(value))
         rows.append(
             [
-                Cell.named(setting.words(value.name), clean(value.name)),
-                uncertain_cell(value.value, value.sigma, at + pointer("value"), at + pointer("sigma")),
-                Cell(unit(value.unit)),
+                Cell.named(context.meaning(value.name), clean(value.name)),
+                uncertain_cell(
+                    value.value,
+                    value.sigma,
+                    value_pointer + pointer("value"),
+                    value_pointer + pointer("sigma"),
+                ),
+                Cell(unit_text(value.unit)),
             ]
         )
     if not rows:
         return []
     columns = [Column("parameter", False), Column("value"), Column("unit", False)]
     caption = "Size of the cause, relative to the mean of its values. That mean is less certain."
-    return [table(caption, columns, rows)]
+    return [compact_table(caption, columns, rows)]
 
 
 def candidate_blocks(result: Diagnosis) -> list[Block]:
     """Return all candidates with their scores, classes and smallest visible sizes."""
     if not result.candidates:
         names = [clean(name) for name in result.undetectable]
-        about: list[Block] = [Paragraph("Nothing is said about"), Listing(names, names=True)] if names else []
+        untested_blocks: list[Block] = (
+            [Paragraph("Nothing is said about"), Listing(names, in_columns=True)] if names else []
+        )
         limits = [
-            (clean(name), [_limit(result, name), Cell(unit(limit.unit))])
+            (clean(name), [_limit_cell(result, name), Cell(unit_text(limit.unit))])
             for name, limit in result.limits.items()
             if limit.value is not None
         ]
         if limits:
             intro = Paragraph(
-                "How far a value of a candidate may be from the declared one at 95 %, if everything else is as "
-                "declared within its \u03c3; nothing bounds the others within their plausible range:"
+                "How far a value of a candidate may be from the declared one at 95 %, if everything else is "
+                "as declared within its \u03c3; nothing bounds the others within their plausible range:"
             )
-            about = [intro, Facts(limits), *about]
-        return [Paragraph("No candidate was tested."), *about]
+            untested_blocks = [intro, Facts(limits), *untested_blocks]
+        return [Paragraph("No candidate was tested."), *untested_blocks]
     figure = scores.candidate_scores(result)
     blocks: list[Block] = []
     if figure is not None:
         ranked = sorted(result.candidates, key=lambda candidate: candidate.p_value)
         name, count = clean(ranked[0].name), len(ranked)
-        which = f" (the {scores.MAX_ROWS} most significant of {count})" if count > scores.MAX_ROWS else ""
-        open_marks = ""
+        selection_note = (
+            f" (the {scores.MAX_ROWS} most significant of {count})" if count > scores.MAX_ROWS else ""
+        )
+        marks_note = ""
         if not all(candidate.detectable for candidate in ranked[: scores.MAX_ROWS]):
-            open_marks = " Open marks are candidates that these data cannot detect, listed below the table."
-        beyond = sum(map(scores.is_beyond_axis, ranked))
-        if beyond:
-            open_marks += (
-                f" The p-values of {plural(beyond, 'candidate')} are too small for a number: the arrows end beyond "
-                "the axis, and do not say which is longest."
+            marks_note = " Open marks are candidates that these data cannot detect, listed below the table."
+        off_axis_count = sum(map(scores.is_beyond_axis, ranked))
+        if off_axis_count:
+            marks_note += (
+                f" The p-values of {plural(off_axis_count, 'candidate')} are too small for a number: the arrows "
+                "end beyond the axis, and do not say which is longest."
             )
         blocks.append(
-            Picture.of(
+            Picture.from_drawing(
                 figure,
                 "Scores of the candidates",
-                f"{plural(count, 'candidate')} by the p-value of their score; the most "
-                f"significant is {name}.",
-                f"Scores of the candidates{which}: how clearly the residual of the refitted model points at "
-                "each. The score only shortlists: the choice is made by refitting, so the longest line need not be "
-                f"the cause.{open_marks}",
+                f"{plural(count, 'candidate')} by the p-value of their score; the most significant is {name}.",
+                f"Scores of the candidates{selection_note}: how clearly the residual of the refitted model "
+                "points at each. The score only shortlists: the choice is made by refitting, so the longest "
+                f"line need not be the cause.{marks_note}",
             )
         )
-    blocks += [_table(result), *_probabilities(result)]
+    blocks += [_candidate_table(result), *_probability_tables(result)]
     if result.undetectable:
         intro = Paragraph(
-            "Not detectable with these data: nothing bounds them within their plausible range, and no explanation "
-            "contains them. That they were not found says nothing about them:"
+            "Not detectable with these data: nothing bounds them within their plausible range, and no "
+            "explanation contains them. That they were not found says nothing about them:"
         )
-        blocks += [intro, Listing([named(name, result.sentences) for name in result.undetectable])]
+        blocks += [
+            intro,
+            Listing([explanation_with_names(name, result.sentences) for name in result.undetectable]),
+        ]
     return blocks
 
 
-def _probabilities(result: Diagnosis) -> list[Block]:
+def _probability_tables(result: Diagnosis) -> list[Block]:
     """Return how probable each explanation is, a second opinion."""
     probabilities = result.probabilities
     if probabilities is None:
         return []
 
-    def row(explanation: str, value: float, *at: str | int) -> list[Cell]:
-        return [Cell(explanation), three_digits(value, pointer("probabilities", *at))]
+    def table_row(explanation: str, value: float, *keys: str | int) -> list[Cell]:
+        return [Cell(explanation), three_digit_cell(value, pointer("probabilities", *keys))]
 
-    rows = [row("nothing is missing", probabilities.nothing_missing, "nothing_missing")]
-    for i, group in enumerate(probabilities.classes):
-        rows.append(row(_first_names(group.members), group.probability, "classes", i, "probability"))
+    rows = [table_row("nothing is missing", probabilities.nothing_missing, "nothing_missing")]
+    for i, explanation_class in enumerate(probabilities.classes):
+        rows.append(
+            table_row(
+                _first_names(explanation_class.members),
+                explanation_class.probability,
+                "classes",
+                i,
+                "probability",
+            )
+        )
     for i, pair in enumerate(probabilities.pairs):
-        names = [" + ".join(both) for both in pair.members]
-        rows.append(row(_first_names(names), pair.probability, "pairs", i, "probability"))
-    rows.append(row("something that is not among the candidates", probabilities.outside, "outside"))
+        names = [" + ".join(causes) for causes in pair.members]
+        rows.append(table_row(_first_names(names), pair.probability, "pairs", i, "probability"))
+    rows.append(table_row("something that is not among the candidates", probabilities.outside, "outside"))
     rows.sort(key=lambda cells: -(cells[1].value or 0.0))
     caption = (
-        "A second opinion: how probable each explanation is, from the same fits. The verdict does not depend on it. "
-        "Members of a class, which these data cannot tell apart, have one probability."
+        "A second opinion: how probable each explanation is, from the same fits. The verdict does not depend on "
+        "it. Members of a class, which these data cannot tell apart, have one probability."
     )
-    return [table(caption, [Column("explanation", False), Column("probability")], rows)]
+    return [compact_table(caption, [Column("explanation", False), Column("probability")], rows)]
 
 
 def _first_names(names: Sequence[str]) -> str:
     """Return the first names of a class, and how many more it has."""
-    return listed([clean(name) for name in names], SHOWN, " or ", " or ")
+    return listed([clean(name) for name in names], MAX_MEMBERS_NAMED, " or ", " or ")
 
 
-def _table(result: Diagnosis) -> Table:
-    order = sorted(range(len(result.candidates)), key=lambda k: result.candidates[k].p_value)
-    rows = [row for k in order[:MOST] for row in _rows(result, k)]
+def _candidate_table(result: Diagnosis) -> Table:
+    order = sorted(range(len(result.candidates)), key=lambda index: result.candidates[index].p_value)
+    rows = [row for index in order[:MAX_CANDIDATES] for row in _candidate_rows(result, index)]
     columns = [Column("candidate", False), Column("standing", False)]
     columns += [
         Column("p of its score"),
@@ -257,7 +282,7 @@ def _table(result: Diagnosis) -> Table:
         Column("unit", False),
         Column("detectable", False),
     ]
-    omitted = len(result.candidates) - MOST
+    omitted = len(result.candidates) - MAX_CANDIDATES
     note = (
         f"{plural(omitted, 'more candidate')} with larger p-values: see --json, under candidates."
         if omitted > 0
@@ -266,34 +291,36 @@ def _table(result: Diagnosis) -> Table:
     caption = (
         "Candidates, the most significant score first. Visible from: the smallest change that these data would "
         "probably show (5 \u03c3), of a candidate that they can detect. Limit: how far the value may still be from "
-        f"the declared one at 95 %, beside what the diagnosis says; {NOTHING} where nothing bounds it within its "
+        f"the declared one at 95 %, beside what the diagnosis says; {MISSING} where nothing bounds it within its "
         "plausible range. That nothing was found is no proof that an effect is absent."
     )
-    return table(caption, columns, rows, note=note)
+    return compact_table(caption, columns, rows, note=note)
 
 
-def _rows(result: Diagnosis, k: int) -> list[list[Cell]]:
+def _candidate_rows(result: Diagnosis, candidate_index: int) -> list[list[Cell]]:
     """Return a row for each parameter of a candidate: the smallest visible size, and the limit."""
-    candidate, rows = result.candidates[k], []
+    candidate, rows = result.candidates[candidate_index], []
     sizes = {value.name.removeprefix("effects."): value for value in candidate.visible_from}
-    limited = [name for name, limit in result.limits.items() if limit.candidate == candidate.name]
-    names = [*dict.fromkeys([*limited, *sizes])] or [""]
+    limited_names = [name for name, limit in result.limits.items() if limit.candidate == candidate.name]
+    names = [*dict.fromkeys([*limited_names, *sizes])] or [""]
     for name in names:
-        parameter = "" if len(names) == 1 else f".{name.removeprefix(f'{candidate.name}.')}"
+        parameter_suffix = "" if len(names) == 1 else f".{name.removeprefix(f'{candidate.name}.')}"
         visible = sizes.get(name) if candidate.detectable else None
-        limit, symbol, size = result.limits.get(name), "", Cell(NOTHING)
+        limit, symbol, visible_cell = result.limits.get(name), "", Cell(MISSING)
         if visible is not None:
-            at = pointer("candidates", k, "visible_from", parameter_key(visible), "value")
-            symbol, size = unit(visible.unit), figures(visible.value, 2, at)
+            size_pointer = pointer(
+                "candidates", candidate_index, "visible_from", parameter_key(visible), "value"
+            )
+            symbol, visible_cell = unit_text(visible.unit), rounded_cell(visible.value, 2, size_pointer)
         elif limit is not None and limit.value is not None:
-            symbol = unit(limit.unit)
+            symbol = unit_text(limit.unit)
         rows.append(
             [
-                Cell.named(clean(candidate.sentence), clean(f"{candidate.name}{parameter}")),
-                Cell(standing(result, candidate.name)),
-                p_value(candidate.p_value, pointer("candidates", k, "p_value")),
-                size,
-                _limit(result, name),
+                Cell.named(clean(candidate.sentence), clean(f"{candidate.name}{parameter_suffix}")),
+                Cell(candidate_outcome(result, candidate.name)),
+                p_value_cell(candidate.p_value, pointer("candidates", candidate_index, "p_value")),
+                visible_cell,
+                _limit_cell(result, name),
                 Cell(symbol),
                 Cell("yes" if candidate.detectable else "no"),
             ]
@@ -301,21 +328,21 @@ def _rows(result: Diagnosis, k: int) -> list[list[Cell]]:
     return rows
 
 
-def _limit(result: Diagnosis, name: str) -> Cell:
+def _limit_cell(result: Diagnosis, name: str) -> Cell:
     limit = result.limits.get(name)
     if limit is None:
         return Cell("")
-    at = pointer("limits", name) if limit.value is None else pointer("limits", name, "value")
-    return figures(limit.value, 2, at)
+    limit_pointer = pointer("limits", name) if limit.value is None else pointer("limits", name, "value")
+    return rounded_cell(limit.value, 2, limit_pointer)
 
 
-def standing(result: Diagnosis | Damping, name: str) -> str:
+def candidate_outcome(result: Diagnosis | Damping, name: str) -> str:
     """Return the outcome for a candidate."""
     for effect in result.effects:
         if name in effect.members:
-            several = len(effect.members) > 1
-            return f"one of {naming.number_in_words(len(effect.members))}" if several else "found"
-    for i, group in enumerate(result.survivors, start=1):
-        if any(name in explanation.split(" + ") for explanation in group):
+            is_class = len(effect.members) > 1
+            return f"one of {naming.number_in_words(len(effect.members))}" if is_class else "found"
+    for i, survivor_class in enumerate(result.survivors, start=1):
+        if any(name in explanation.split(" + ") for explanation in survivor_class):
             return f"remains ({i})"
     return "not claimed"

@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 from pkmodes.machine.shaping.firmware import HOW_TO_FIND_VERSION
-from pkmodes.pages.report.blocks import Lines, Paragraph
-from pkmodes.pages.report.formatting import clean, per_cent
+from pkmodes.pages.report.blocks import Paragraph, VerbatimLines
+from pkmodes.pages.report.formatting import clean, percent_text
 
 
-def firmware_lines(content: dict[str, Any]) -> list[Paragraph | Lines]:
+def firmware_lines(content: dict[str, Any]) -> list[Paragraph | VerbatimLines]:
     """Return the lines for each version of a firmware: of the recommended shaper, or of the best that it has.
 
     - content: the JSON of the command
@@ -20,14 +20,16 @@ def firmware_lines(content: dict[str, Any]) -> list[Paragraph | Lines]:
         shaper["left_at_pose"]["worst"] if "left_at_pose" in shaper else shaper["left"]["worst_uncertain"]
         for shaper in recommended
     )
-    which = "shapers of each axis" if len(parts) > 1 else "shaper"
-    intro = f"For the recommended {which}. Check which axes your firmware shapes: usually x and y, not z."
-    return _blocks(
+    shapers_text = "shapers of each axis" if len(parts) > 1 else "shaper"
+    intro = (
+        f"For the recommended {shapers_text}. Check which axes your firmware shapes: usually x and y, not z."
+    )
+    return _line_blocks(
         intro, content["firmware_versions"], compared_share, "", "{} has none of the shapers compared."
     )
 
 
-def schedule_lines(content: dict[str, Any]) -> list[Paragraph | Lines]:
+def schedule_lines(content: dict[str, Any]) -> list[Paragraph | VerbatimLines]:
     """Return the lines of the schedule in the same way; empty without a schedule.
 
     - content: the JSON of the command
@@ -38,7 +40,7 @@ def schedule_lines(content: dict[str, Any]) -> list[Paragraph | Lines]:
     return _schedule_lines(content["schedule"], "") if content["schedule"] else []
 
 
-def _schedule_lines(schedule: dict[str, Any], axis: str) -> list[Paragraph | Lines]:
+def _schedule_lines(schedule: dict[str, Any], axis: str) -> list[Paragraph | VerbatimLines]:
     """Return the lines of a schedule.
 
     - schedule: its part of the JSON
@@ -58,12 +60,12 @@ def _schedule_lines(schedule: dict[str, Any], axis: str) -> list[Paragraph | Lin
         missing_sentence = f"{{}} has no shaper for {axis} by itself."
     suffix = f", schedule of {axis}" if axis else ", schedule"
     compared_share = schedule["left_at_pose"]["worst"]
-    return _blocks(intro, schedule["firmware_versions"], compared_share, suffix, missing_sentence)
+    return _line_blocks(intro, schedule["firmware_versions"], compared_share, suffix, missing_sentence)
 
 
-def _blocks(
+def _line_blocks(
     intro: str, versions: list[dict[str, Any]], compared_share: float, suffix: str, missing_sentence: str
-) -> list[Paragraph | Lines]:
+) -> list[Paragraph | VerbatimLines]:
     """Return the lines; a version whose remaining vibration differs from `compared_share` shows its own.
 
     - versions: those of the JSON of the command
@@ -71,29 +73,29 @@ def _blocks(
     - missing_sentence: for a version without lines, with a field for its name
     """
     remaining_by_version = {
-        version["version"]: per_cent(version["worst_at_pose"])
+        version["version"]: percent_text(version["worst_at_pose"])
         for version in versions
         if version["worst_at_pose"] is not None
     }
-    differing = {name for name, text in remaining_by_version.items() if text != per_cent(compared_share)}
+    differing = {name for name, text in remaining_by_version.items() if text != percent_text(compared_share)}
     if differing:
         intro += (
             " Some versions lack a shaper, or turn these lines into other impulses than those compared above: what "
-            f"theirs leave at most, instead of {per_cent(compared_share)}, is beside their names."
+            f"theirs leave at most, instead of {percent_text(compared_share)}, is beside their names."
         )
-    blocks: list[Paragraph | Lines] = [Paragraph(intro)]
+    blocks: list[Paragraph | VerbatimLines] = [Paragraph(intro)]
     for i, version in enumerate(versions):
         name, firmware = version["version"], version["firmware"]
         if version["lines"]:
             remaining_text = f", leaves {remaining_by_version[name]}" if name in differing else ""
-            instead = f", {clean(version['shaper'])} instead" if version["instead"] else ""
+            replacement_note = f", {clean(version['shaper'])} instead" if version["instead"] else ""
             lines = [clean(line) for line in version["lines"].splitlines()]
-            blocks.append(Lines(f"{name}{suffix}{instead}{remaining_text}", lines))
+            blocks.append(VerbatimLines(f"{name}{suffix}{replacement_note}{remaining_text}", lines))
         else:
             blocks.append(Paragraph(missing_sentence.format(name)))
-        so_far, later = (
+        firmware_to_here, later_firmware = (
             [entry["firmware"] for entry in part] for part in (versions[: i + 1], versions[i + 1 :])
         )
-        if so_far.count(firmware) > 1 and firmware not in later:
+        if firmware_to_here.count(firmware) > 1 and firmware not in later_firmware:
             blocks.append(Paragraph(HOW_TO_FIND_VERSION[firmware]))
     return blocks

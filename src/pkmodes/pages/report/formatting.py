@@ -12,13 +12,13 @@ from pkmodes.pages.plots.labels import MINUS, SUPERSCRIPTS, TIMES, typeset, visi
 from pkmodes.pages.report.blocks import Cell, Spread
 
 #: Longer labels and file names are shortened; the JSON has them in full.
-LONGEST = 100
+MAX_LABEL_LENGTH = 100
 #: Lengths below this are shown in mm [m].
-SHORT = 0.1
+MAX_LENGTH_IN_MM = 0.1
 #: Shown in place of a missing number.
-NOTHING = "\u2013"
+MISSING = "\u2013"
 #: A number with a power of ten within a sentence.
-POWER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?e[+-]?\d+(?!\w|\.\d)")
+POWER_OF_TEN = re.compile(r"(?<![\w.])\d+(?:\.\d+)?e[+-]?\d+(?!\w|\.\d)")
 
 
 def clean(text: object) -> str:
@@ -29,108 +29,119 @@ def clean(text: object) -> str:
     return visible_text(text)
 
 
-def shortened(label: object, longest: int = LONGEST) -> str:
-    """Return a label or name from a file on one line, as `clean` does, shortened to at most `longest` characters."""
-    return visible_text(label, longest)
+def shorten(label: object, max_length: int = MAX_LABEL_LENGTH) -> str:
+    """Return a label or name from a file on one line, as `clean` does, and of at most `max_length` characters."""
+    return visible_text(label, max_length)
 
 
-def prose(text: object) -> str:
+def typeset_powers(text: object) -> str:
     """Return sentences on one line, with their powers of ten set as in print."""
-    return POWER.sub(lambda match: typeset(match[0]), clean(text))
+    return POWER_OF_TEN.sub(lambda match: typeset(match[0]), clean(text))
 
 
-def sentence(text: str) -> str:
+def to_sentence(text: str) -> str:
     """Capitalise the first letter, unless of a name with dots or underscores, and end with a full stop."""
-    first = text.partition(" ")[0].rstrip(".,;:")
-    begun = text if "." in first or "_" in first else f"{text[:1].upper()}{text[1:]}"
-    return begun + ("" if text.endswith((".", "?", "!")) else ".")
+    first_word = text.partition(" ")[0].rstrip(".,;:")
+    capitalised = text if "." in first_word or "_" in first_word else f"{text[:1].upper()}{text[1:]}"
+    return capitalised + ("" if text.endswith((".", "?", "!")) else ".")
 
 
-def figures(value: float | None, digits: int = 6, at: str = "", *, scale: float = 1.0) -> Cell:
-    """Return a number as a cell with at most `digits` significant digits; `NOTHING` if there is none.
+def rounded_cell(value: float | None, digits: int = 6, json_pointer: str = "", *, scale: float = 1.0) -> Cell:
+    """Return a number as a cell with at most `digits` significant digits; `MISSING` if there is none.
 
     - scale: the text shows this multiple of it
     """
-    return _cell(value, lambda finite: plain(scale * finite, digits), at)
+    return _format_cell(value, lambda finite: plain(scale * finite, digits), json_pointer)
 
 
-def read_in(unit_name: str, *values: float) -> tuple[str, float]:
+def display_unit(unit_name: str, *values: float) -> tuple[str, float]:
     """Return the unit in which lengths of a row are read, and its factor: mm where all are below 0.1 m."""
-    if unit_name == "m" and 0.0 < max(map(abs, values), default=0.0) < SHORT:
+    if unit_name == "m" and 0.0 < max(map(abs, values), default=0.0) < MAX_LENGTH_IN_MM:
         return "mm", 1e3
     return unit_name, 1.0
 
 
-def number(
-    value: float | None, form: str = ".6g", at: str = "", *, scale: float = 1.0, strong: bool = False
+def number_cell(
+    value: float | None,
+    form: str = ".6g",
+    json_pointer: str = "",
+    *,
+    scale: float = 1.0,
+    strong: bool = False,
 ) -> Cell:
     """Return a number as a cell.
 
     - value: None or NaN: there is none
     - form: format of the text
-    - at: its place in the JSON
+    - json_pointer: its place in the JSON
     - scale: the text shows this multiple of it, such as per cent
     - strong: whether it is emphasised
     """
-    return _cell(value, lambda finite: format(scale * finite, form), at, strong)
+    return _format_cell(value, lambda finite: format(scale * finite, form), json_pointer, strong)
 
 
-def three_digits(value: float | None, at: str = "", *, scale: float = 1.0, strong: bool = False) -> Cell:
+def three_digit_cell(
+    value: float | None, json_pointer: str = "", *, scale: float = 1.0, strong: bool = False
+) -> Cell:
     """Return a number with three significant digits, zeros among them: 5.30 beside 12.7."""
-    shown = 0.0 if value is None or math.isnan(value) else abs(scale * value)
-    return number(value, "#.3g" if 0.0 < shown < 99.95 else ".0f", at, scale=scale, strong=strong)
+    size = 0.0 if value is None or math.isnan(value) else abs(scale * value)
+    return number_cell(
+        value, "#.3g" if 0.0 < size < 99.95 else ".0f", json_pointer, scale=scale, strong=strong
+    )
 
 
-def hertz(value: float | None, at: str = "") -> Cell:
+def frequency_cell(value: float | None, json_pointer: str = "") -> Cell:
     """Return a frequency as a cell."""
-    return _cell(value, numbers.format_frequency, at)
+    return _format_cell(value, numbers.format_frequency, json_pointer)
 
 
-def p_value(value: float | None, at: str = "") -> Cell:
+def p_value_cell(value: float | None, json_pointer: str = "") -> Cell:
     """Return a p-value, which is never zero."""
-    return _cell(value, p_text, at)
+    return _format_cell(value, p_text, json_pointer)
 
 
-def _cell(value: float | None, write: Callable[[float], str], at: str, strong: bool = False) -> Cell:
+def _format_cell(
+    value: float | None, format_value: Callable[[float], str], json_pointer: str, strong: bool = False
+) -> Cell:
     if value is None or math.isnan(value):
-        return Cell(NOTHING, None, at, plain="-")
-    text = write(value)
-    return Cell(typeset(text), float(value), at, strong, plain=without_zero_sign(text))
+        return Cell(MISSING, None, json_pointer, plain_text="-")
+    text = format_value(value)
+    return Cell(typeset(text), float(value), json_pointer, strong, plain_text=without_zero_sign(text))
 
 
 def uncertain_cell(
     value: float,
     sigma: float,
-    at: str = "",
-    at_sigma: str = "",
+    json_pointer: str = "",
+    sigma_pointer: str = "",
     *,
     scale: float = 1.0,
-    fit: float | None = None,
+    fit_sigma: float | None = None,
 ) -> Cell:
     """Return a value with its standard deviation, both rounded according to the latter.
 
-    - at, at_sigma: their places in the JSON
+    - json_pointer, sigma_pointer: their places in the JSON
     - scale: the text shows this multiple of both
-    - fit: a smaller standard deviation by the fit alone: the value keeps its digits
+    - fit_sigma: a smaller standard deviation by the fit alone: the value keeps its digits
     """
-    rounding = round_to_sigma(scale * value, scale * sigma, None if fit is None else scale * fit)
+    rounding = round_to_sigma(scale * value, scale * sigma, None if fit_sigma is None else scale * fit_sigma)
     power = f"{TIMES}10{str(rounding.exponent).translate(SUPERSCRIPTS)}" if rounding.exponent else ""
-    digits, of_sigma = typeset(rounding.value), typeset(rounding.sigma)
-    spread = Spread(float(sigma), at_sigma, digits, of_sigma, power)
-    return Cell(typeset(str(rounding)), float(value), at, spread=spread, plain=str(rounding))
+    value_digits, sigma_digits = typeset(rounding.value), typeset(rounding.sigma)
+    spread = Spread(float(sigma), sigma_pointer, value_digits, sigma_digits, power)
+    return Cell(typeset(str(rounding)), float(value), json_pointer, spread=spread, plain_text=str(rounding))
 
 
-def label(text: str) -> Cell:
+def label_cell(text: str) -> Cell:
     """Return a label of a file as a cell; a page shortens it."""
-    return Cell(shortened(text), plain=text)
+    return Cell(shorten(text), plain_text=text)
 
 
-def minus(text: str) -> Cell:
+def signed_cell(text: str) -> Cell:
     """Return text of numbers and units as a cell, with minus signs as in print on a page."""
-    return Cell(text.replace("-", MINUS), plain=text)
+    return Cell(text.replace("-", MINUS), plain_text=text)
 
 
-def named(explanation: str, sentences: Mapping[str, str]) -> str:
+def explanation_with_names(explanation: str, sentences: Mapping[str, str]) -> str:
     """Return an explanation of one or two causes in words, with their names."""
     names = explanation.split(" + ")
     return " + ".join(
@@ -138,29 +149,29 @@ def named(explanation: str, sentences: Mapping[str, str]) -> str:
     )
 
 
-def unit(name: str) -> str:
+def unit_text(unit: str) -> str:
     """Return a unit as it is shown after a number; nothing for a number without one."""
-    product = re.sub(r"[* ]+", "\u00b7", clean(name))
-    return "" if name == "1" else product.replace("^2", "\u00b2").replace("^3", "\u00b3")
+    product = re.sub(r"[* ]+", "\u00b7", clean(unit))
+    return "" if unit == "1" else product.replace("^2", "\u00b2").replace("^3", "\u00b3")
 
 
-def quantity_cell(value: float, name: str, digits: int = 6) -> Cell:
+def quantity_cell(value: float, unit: str, digits: int = 6) -> Cell:
     """Return a number with its unit as a cell."""
-    text, symbol = plain(value, digits), "" if name == "1" else f" {clean(name)}"
-    return Cell(f"{typeset(text)} {unit(name)}".rstrip(), value, plain=text + symbol)
+    text, symbol = plain(value, digits), "" if unit == "1" else f" {clean(unit)}"
+    return Cell(f"{typeset(text)} {unit_text(unit)}".rstrip(), value, plain_text=text + symbol)
 
 
-def unit_cell(name: str) -> Cell:
+def unit_cell(unit: str) -> Cell:
     """Return a unit as a cell."""
-    return Cell(unit(name), plain="" if name == "1" else clean(name))
+    return Cell(unit_text(unit), plain_text="" if unit == "1" else clean(unit))
 
 
-def thousands(count: int) -> str:
+def group_thousands(count: int) -> str:
     """Return a count with narrow spaces between its thousands, at which no line breaks."""
     return f"{count:,}".replace(",", "\u202f")
 
 
-def per_cent(share: float) -> str:
+def percent_text(share: float) -> str:
     """Return a share in per cent with two digits, as sentences give it."""
     return f"{plain(100.0 * share, 2)} %"
 
@@ -177,4 +188,4 @@ def pointer(*parts: object) -> str:
 
 def plural(count: int, noun: str) -> str:
     """Return a number with its noun."""
-    return f"{thousands(count)} {noun}{'' if count == 1 else 's'}"
+    return f"{group_thousands(count)} {noun}{'' if count == 1 else 's'}"

@@ -15,21 +15,29 @@ from pkmodes.modaltest.campaign.identify import MIN_COLLINEARITY
 from pkmodes.modaltest.campaign.results import Identification, IdentifiedMode, RecordResult
 from pkmodes.pages.plots import identified_modes
 from pkmodes.pages.report.blocks import Block, Cell, Column, Picture, Section, Summary
-from pkmodes.pages.report.formatting import clean, hertz, number, per_cent, plural, pointer, shortened
-from pkmodes.pages.report.identified_record import SHOWN, auto_macs, record_section
+from pkmodes.pages.report.formatting import (
+    clean,
+    frequency_cell,
+    number_cell,
+    percent_text,
+    plural,
+    pointer,
+    shorten,
+)
+from pkmodes.pages.report.identified_record import KIND_TITLES, auto_macs, record_section
 from pkmodes.pages.report.page import need_report, page
-from pkmodes.pages.report.sections import origin
+from pkmodes.pages.report.sections import origin_section
 from pkmodes.pages.report.sources import Source
-from pkmodes.pages.report.tables import table
+from pkmodes.pages.report.tables import compact_table
 
-#: Most places named in a header note.
-PLACES = 8
+#: Maximum number of places named in a header note.
+MAX_PLACES_NAMED = 8
 #: MAC between two modes above which the sensors hardly tell them apart.
-ALIKE = 0.8
+MAX_DISTINCT_MAC = 0.8
 #: Share of the model orders below which a mode that was found in them is weak.
-FEW = 0.25
+MIN_ORDER_SHARE = 0.25
 #: Relative standard deviation of a damping ratio above which the page mentions it.
-UNCERTAIN = 0.5
+MAX_DAMPING_UNCERTAINTY = 0.5
 
 
 def identification_report(
@@ -45,95 +53,113 @@ def identification_report(
     Raises MissingExtraError if the libraries of the extra ``report`` are not installed.
     """
     need_report()
-    sections = [Section("records", "Records", _overview(identified, content))]
+    sections = [Section("records", "Records", _record_blocks(identified, content))]
     sections += [
         replace(record_section(i, result, campaign, content["records"][i]), folded=True)
         for i, result in enumerate(identified.records)
     ]
-    repeatability = number(identified.repeatability, ".2g", pointer("repeatability"), scale=100.0)
-    sections.append(replace(origin(sources, None, [("repeatability [%]", [repeatability])]), folded=True))
+    repeatability = number_cell(identified.repeatability, ".2g", pointer("repeatability"), scale=100.0)
+    sections.append(
+        replace(origin_section(sources, None, [("repeatability [%]", [repeatability])]), folded=True)
+    )
     return page(_summary(identified, campaign), sections)
 
 
 def _summary(identified: Identification, campaign: Campaign) -> Summary:
     modes = [mode for result in identified.records for mode in result.modes]
-    count, poses = (
-        plural(len(modes), "mode"),
-        plural(sum(not result.is_left_out for result in identified.records), "pose"),
-    )
-    attention = _attention(identified)
-    sentences = [f"{beginning} {listed(places, PLACES)}." for beginning, places in attention]
+    modes_text = plural(len(modes), "mode")
+    poses_text = plural(sum(not result.is_left_out for result in identified.records), "pose")
+    points_to_check = _points_to_check(identified)
+    sentences = [
+        f"{sentence_start} {listed(places_to_check, MAX_PLACES_NAMED)}."
+        for sentence_start, places_to_check in points_to_check
+    ]
     notes = [clean(note) for note in (*sentences, *identified.messages)]
     # A sentence that lists several modes or poses counts as that many points.
-    points = sum(len(places) for _, places in attention) + len(identified.messages)
+    point_count = sum(len(places_to_check) for _, places_to_check in points_to_check) + len(
+        identified.messages
+    )
     # Where the modes come from, and what limits their accuracy.
-    files = sum(_files(result) for result in identified.records)
-    names = {
+    files = sum(_file_count(result) for result in identified.records)
+    part_names = {
         "repeatability": "the repeatability of the pose",
         "scatter": "the scatter of the repeats",
         "fit": "what the fit leaves open",
     }
-    largest = [
+    largest_parts = [
         max(("scatter", "fit", "repeatability"), key=lambda part: getattr(mode.parts, part)) for mode in modes
     ]
-    dominant = max(names, key=largest.count)
-    leading = largest.count(dominant)
-    share = "every mode" if leading == len(modes) else f"{leading} of {plural(len(modes), 'mode')}"
+    dominant = max(part_names, key=largest_parts.count)
+    dominant_count = largest_parts.count(dominant)
+    share = (
+        "every mode" if dominant_count == len(modes) else f"{dominant_count} of {plural(len(modes), 'mode')}"
+    )
     messages = sum(len(result.messages) for result in identified.records)
     reason = (
-        f"From {plural(files, 'file')}. The largest part of a frequency's standard deviation is {names[dominant]} in "
-        f"{share}."
+        f"From {plural(files, 'file')}. The largest part of a frequency's standard deviation is "
+        f"{part_names[dominant]} in {share}."
     )
     if messages:
-        what = "a message" if messages == 1 else plural(messages, "message")
-        reason += f" The sections of the records have {what} to read."
+        messages_text = "a message" if messages == 1 else plural(messages, "message")
+        reason += f" The sections of the records have {messages_text} to read."
     subject = "Structure" if campaign.model is None else campaign.model.robot.name
     return Summary(
-        subject=shortened(subject),
+        subject=shorten(subject),
         kind="Identification",
-        headline=f"{count} at {poses}" + (f", {plural(points, 'point')} to check" if points else ""),
+        headline=f"{modes_text} at {poses_text}"
+        + (f", {plural(point_count, 'point')} to check" if point_count else ""),
         reason=reason,
         tone="open" if notes else "good",
         notes=notes,
-        facts=_facts(identified, modes),
+        facts=_accuracy_facts(identified, modes),
         head=head_of(campaign.report, {} if campaign.model is None else campaign.model.robot.report),
     )
 
 
-def _facts(identified: Identification, modes: Sequence[IdentifiedMode]) -> list[tuple[str, Cell]]:
+def _accuracy_facts(identified: Identification, modes: Sequence[IdentifiedMode]) -> list[tuple[str, Cell]]:
     """Return how many modes there are, and how accurate they are."""
-    relative = np.array([mode.sigma / mode.frequency for mode in modes])
-    damped = np.array([mode.sigma_damping / mode.damping for mode in modes if mode.damping > 0.0])
-    damped = damped[np.isfinite(damped)]
-    at = pointer("repeatability")
+    relative_sigmas = np.array([mode.sigma / mode.frequency for mode in modes])
+    relative_damping_sigmas = np.array(
+        [mode.sigma_damping / mode.damping for mode in modes if mode.damping > 0.0]
+    )
+    relative_damping_sigmas = relative_damping_sigmas[np.isfinite(relative_damping_sigmas)]
+    repeatability_pointer = pointer("repeatability")
     facts = [
         ("modes", Cell(str(len(modes)), len(modes))),
         (
             "median \u03c3 of a frequency",
-            Cell(per_cent(float(np.median(relative))), float(np.median(relative))),
+            Cell(percent_text(float(np.median(relative_sigmas))), float(np.median(relative_sigmas))),
         ),
-        ("largest \u03c3 of a frequency", Cell(per_cent(float(relative.max())), float(relative.max()))),
+        (
+            "largest \u03c3 of a frequency",
+            Cell(percent_text(float(relative_sigmas.max())), float(relative_sigmas.max())),
+        ),
         (
             "repeatability, a part of every \u03c3",
-            Cell(per_cent(identified.repeatability), identified.repeatability, at),
+            Cell(percent_text(identified.repeatability), identified.repeatability, repeatability_pointer),
         ),
     ]
-    if damped.size:
-        middle = float(np.median(damped))
-        facts.append(("median relative \u03c3 of a damping ratio", Cell(per_cent(middle), middle)))
+    if relative_damping_sigmas.size:
+        median_damping_sigma = float(np.median(relative_damping_sigmas))
+        facts.append(
+            (
+                "median relative \u03c3 of a damping ratio",
+                Cell(percent_text(median_damping_sigma), median_damping_sigma),
+            )
+        )
     return facts
 
 
-def _attention(identified: Identification) -> list[tuple[str, list[str]]]:
+def _points_to_check(identified: Identification) -> list[tuple[str, list[str]]]:
     """Return the points to check: the beginning of each sentence, and the modes or poses that it lists."""
-    alike = [
+    similar_modes = [
         f"{result.record.pose} ({result.modes[i].frequency:.4g} and {result.modes[k].frequency:.4g} Hz)"
         for result in identified.records
-        for i, k in np.argwhere(np.triu(np.nan_to_num(auto_macs(result.modes)) > ALIKE, 1))
+        for i, k in np.argwhere(np.triu(np.nan_to_num(auto_macs(result.modes)) > MAX_DISTINCT_MAC, 1))
     ]
-    omitted = [result.record.pose for result in identified.records for _ in result.left_out]
+    poses_with_faulty_files = [result.record.pose for result in identified.records for _ in result.left_out]
     points = [
-        (f"{plural(len(omitted), 'faulty file')} left out:", omitted),
+        (f"{plural(len(poses_with_faulty_files), 'faulty file')} left out:", poses_with_faulty_files),
         (
             "No file could be used at",
             [result.record.pose for result in identified.records if result.is_left_out],
@@ -142,31 +168,35 @@ def _attention(identified: Identification) -> list[tuple[str, list[str]]]:
             "No mode was found at",
             [result.record.pose for result in identified.records if not (result.modes or result.is_left_out)],
         ),
-        ("Added by the campaign:", _modes_with(identified, lambda mode, _: mode.edited is not None)),
+        ("Added by the campaign:", _select_modes(identified, lambda mode, _: mode.edited is not None)),
         (
             "Struck out by the campaign:",
             [f"{result.record.pose} ({f:.4g} Hz)" for result in identified.records for f in result.struck],
         ),
         (
             f"Complex shapes (modal phase collinearity below {MIN_COLLINEARITY:g}):",
-            _modes_with(identified, lambda mode, _: mode.complexity < MIN_COLLINEARITY),
+            _select_modes(identified, lambda mode, _: mode.complexity < MIN_COLLINEARITY),
         ),
         (
-            f"Weak modes, found in fewer than {100.0 * FEW:g} % of the model orders:",
-            _modes_with(
+            f"Weak modes, found in fewer than {100.0 * MIN_ORDER_SHARE:g} % of the model orders:",
+            _select_modes(
                 identified,
-                lambda mode, _: mode.found_in is not None and mode.found_in[0] < FEW * mode.found_in[1],
+                lambda mode, _: (
+                    mode.found_in is not None and mode.found_in[0] < MIN_ORDER_SHARE * mode.found_in[1]
+                ),
             ),
         ),
         (
             "Found in only some of the files:",
-            _modes_with(identified, lambda mode, result: mode.files < _files(result)),
+            _select_modes(identified, lambda mode, result: mode.files < _file_count(result)),
         ),
         (
-            f"Damping known to no better than {100.0 * UNCERTAIN:g} %:",
-            _modes_with(identified, lambda mode, _: mode.sigma_damping > UNCERTAIN * mode.damping),
+            f"Damping known to no better than {100.0 * MAX_DAMPING_UNCERTAINTY:g} %:",
+            _select_modes(
+                identified, lambda mode, _: mode.sigma_damping > MAX_DAMPING_UNCERTAINTY * mode.damping
+            ),
         ),
-        (f"Modes that the sensors hardly tell apart (MAC above {ALIKE:g}):", alike),
+        (f"Modes that the sensors hardly tell apart (MAC above {MAX_DISTINCT_MAC:g}):", similar_modes),
         (
             "A single file, so that the scatter of repeats is unknown:",
             [
@@ -176,10 +206,12 @@ def _attention(identified: Identification) -> list[tuple[str, list[str]]]:
             ],
         ),
     ]
-    return [(beginning, places) for beginning, places in points if places]
+    return [
+        (sentence_start, places_to_check) for sentence_start, places_to_check in points if places_to_check
+    ]
 
 
-def _modes_with(identified: Identification, predicate: Any) -> list[str]:
+def _select_modes(identified: Identification, predicate: Any) -> list[str]:
     return [
         f"{result.record.pose} ({mode.frequency:.4g} Hz)"
         for result in identified.records
@@ -188,26 +220,26 @@ def _modes_with(identified: Identification, predicate: Any) -> list[str]:
     ]
 
 
-def _files(result: RecordResult) -> int:
+def _file_count(result: RecordResult) -> int:
     return sum(len(repeat.files) for repeat in result.repeats)
 
 
-def _overview(identified: Identification, content: Mapping[str, Any]) -> list[Block]:
+def _record_blocks(identified: Identification, content: Mapping[str, Any]) -> list[Block]:
     """Return all records in a table, and their frequencies in a figure if there are several."""
     rows = []
     for i, result in enumerate(identified.records):
         last = len(result.modes) - 1
         rows.append(
             [
-                Cell(shortened(result.record.pose)),
-                Cell(SHOWN.get(result.record.kind, result.record.kind)),
-                number(len(result.modes), ".0f"),
-                _frequency(i, result, 0),
-                _frequency(i, result, last),
-                number(_files(result), ".0f"),
-                number(len(result.left_out), ".0f"),
-                number(len(content["records"][i]["messages"]), ".0f"),
-                number(lowest_coherence(result), ".2f"),
+                Cell(shorten(result.record.pose)),
+                Cell(KIND_TITLES.get(result.record.kind, result.record.kind)),
+                number_cell(len(result.modes), ".0f"),
+                _frequency_cell(i, result, 0),
+                _frequency_cell(i, result, last),
+                number_cell(_file_count(result), ".0f"),
+                number_cell(len(result.left_out), ".0f"),
+                number_cell(len(content["records"][i]["messages"]), ".0f"),
+                number_cell(lowest_coherence(result), ".2f"),
             ]
         )
     columns = [
@@ -233,7 +265,7 @@ def _overview(identified: Identification, content: Mapping[str, Any]) -> list[Bl
         ]
         struck = [(i, f) for i, result in enumerate(identified.records) for f in result.struck]
         blocks.append(
-            Picture.of(
+            Picture.from_drawing(
                 identified_modes.frequencies_by_pose(labels, modes, struck),
                 "Frequencies at each pose",
                 f"{plural(len(modes), 'mode')} at {plural(len(labels), 'pose')}.",
@@ -241,7 +273,7 @@ def _overview(identified: Identification, content: Mapping[str, Any]) -> list[Bl
                 "neighbours lack was hidden there, or is not a mode.",
             )
         )
-    return [*blocks, table(caption, columns, rows)]
+    return [*blocks, compact_table(caption, columns, rows)]
 
 
 def lowest_coherence(result: RecordResult) -> float | None:
@@ -257,19 +289,21 @@ def lowest_coherence(result: RecordResult) -> float | None:
     ]
     lowest: float | None = None
     for mode in result.modes:
-        here = [
+        coherences = [
             float(curve.coherence[int(np.argmin(np.abs(curve.frequencies - mode.frequency)))])
             for curve in curves
             if curve.coherence is not None and curve.frequencies[0] <= mode.frequency <= curve.frequencies[-1]
         ]
-        known = [value for value in here if np.isfinite(value)]
-        if known:
-            lowest = max(known) if lowest is None else min(lowest, max(known))
+        finite = [value for value in coherences if np.isfinite(value)]
+        if finite:
+            lowest = max(finite) if lowest is None else min(lowest, max(finite))
     return lowest
 
 
-def _frequency(index: int, result: RecordResult, k: int) -> Cell:
+def _frequency_cell(record_index: int, result: RecordResult, mode_index: int) -> Cell:
     """Return the frequency of a mode of a record, nothing if it has none."""
     if not result.modes:
-        return number(None)
-    return hertz(result.modes[k].frequency, pointer("records", index, "modes", k, "frequency"))
+        return number_cell(None)
+    return frequency_cell(
+        result.modes[mode_index].frequency, pointer("records", record_index, "modes", mode_index, "frequency")
+    )

@@ -29,26 +29,26 @@ from pkmodes.pages.report.blocks import (
 from pkmodes.pages.report.formatting import (
     clean,
     file_name,
-    hertz,
-    number,
+    frequency_cell,
+    number_cell,
     plural,
     pointer,
-    sentence,
-    shortened,
+    shorten,
+    to_sentence,
     uncertain_cell,
 )
-from pkmodes.pages.report.tables import table
+from pkmodes.pages.report.tables import compact_table
 
-#: Most complex shapes drawn for one record: the least collinear ones.
-MOST_SHAPES = 18
-#: Most modes of a record for a matrix with legible cells.
-MOST_MAC = 60
-#: Most messages listed for one record.
-MOST_MESSAGES = 40
+#: Maximum number of complex shapes drawn for one record: the least collinear ones.
+MAX_SHAPES = 18
+#: Maximum number of modes of a record for a matrix with legible cells.
+MAX_MAC_MODES = 60
+#: Maximum number of messages listed for one record.
+MAX_MESSAGES = 40
 #: Kinds of record whose names are abbreviations.
-SHOWN = {"frf": "FRF"}
+KIND_TITLES = {"frf": "FRF"}
 #: The functions measured in each kind of record.
-FUNCTIONS = {
+FUNCTION_MEANINGS = {
     "frf": "frequency response function, as acceleration per force in SI units",
     "impact": "frequency response function from the blows, as acceleration per force in SI units",
     "ambient": "power spectral density of the responses, in SI units",
@@ -67,21 +67,23 @@ def record_section(
     record = result.record
     facts = list[tuple[str, Sequence[Cell]]]()
     if campaign.model is not None:
-        doing = motors_in_words(campaign.model.robot, record.drives)
-        facts.append(("motors", [Cell(doing.removeprefix("motors "))]))
+        motors = motors_in_words(campaign.model.robot, record.drives)
+        facts.append(("motors", [Cell(motors.removeprefix("motors "))]))
     low, high = record.band
     facts.append(("band", [Cell(f"{low:g} Hz to {high:g} Hz")]))
     for name, paths in record.setups.items():
-        files = listed([shortened(path.name) for path in paths], 12)
-        facts.append((f"files of setup {shortened(name)}" if name else "files", [Cell(files)]))
+        files = listed([shorten(path.name) for path in paths], 12)
+        facts.append((f"files of setup {shorten(name)}" if name else "files", [Cell(files)]))
     if result.struck:
-        cells = [hertz(f, pointer("records", index, "struck", k)) for k, f in enumerate(result.struck)]
+        cells = [
+            frequency_cell(f, pointer("records", index, "struck", k)) for k, f in enumerate(result.struck)
+        ]
         facts.append(("struck out by the campaign [Hz]", cells))
     blocks: list[Block] = [Facts(facts)]
-    nothing = Paragraph("None of its files could be used." if result.is_left_out else "No mode was found.")
-    blocks.append(modes_table(index, content["modes"]) if result.modes else nothing)
+    empty_note = Paragraph("None of its files could be used." if result.is_left_out else "No mode was found.")
+    blocks.append(modes_table(index, content["modes"]) if result.modes else empty_note)
     if result.messages:
-        messages = [clean(message) for message in result.messages[:MOST_MESSAGES]]
+        messages = [clean(message) for message in result.messages[:MAX_MESSAGES]]
         omitted = len(result.messages) - len(messages)
         blocks += [Paragraph("What was noticed:"), Listing(messages)]
         blocks += (
@@ -91,56 +93,67 @@ def record_section(
         faulty = [clean(f"{file_name(omission.file)}: {omission.reason}") for omission in result.left_out]
         blocks += [Paragraph("Files that were left out:"), Listing(faulty)]
     for inspection in result.inspections:
-        blocks += _fit(inspection, result, campaign)
-    blocks += _shapes(result)
-    blocks += _repeats(result)
+        blocks += _fit_pictures(inspection, result, campaign)
+    blocks += _shape_pictures(result)
+    blocks += _repeat_pictures(result)
     return Section(
-        f"record-{index + 1}", shortened(f"{record.pose}: {SHOWN.get(record.kind, record.kind)}", 60), blocks
+        f"record-{index + 1}",
+        shorten(f"{record.pose}: {KIND_TITLES.get(record.kind, record.kind)}", 60),
+        blocks,
     )
 
 
 def modes_table(index: int, modes: Sequence[Mapping[str, Any]]) -> Table:
     """Return the modes of a record with their standard deviations."""
-    damped = any(mode["damping"] is not None for mode in modes)
-    shaped = any(mode["complexity"] is not None for mode in modes)
-    ordered = any(mode["found_in"] is not None for mode in modes)
-    edited = any(mode["edited"] for mode in modes)
+    has_damping = any(mode["damping"] is not None for mode in modes)
+    has_shapes = any(mode["complexity"] is not None for mode in modes)
+    has_orders = any(mode["found_in"] is not None for mode in modes)
+    has_edits = any(mode["edited"] for mode in modes)
     columns = [Column("mode"), Column("f [Hz]")]
     columns += [Column(title, page_only=True) for title in ("scatter", "fit", "repeatability")]
     groups = [("", 2), ("parts of \u03c3 [Hz]", 3)]
-    if damped:
+    if has_damping:
         columns.append(Column("damping ratio [%]"))
         groups.append(("", 1))
-    rest = [Column("MPC")] * shaped + [Column("orders", False)] * ordered + [Column("files")]
-    rest += [Column("edited", False)] * edited
-    columns, groups = [*columns, *rest], [*groups, ("", len(rest))]
+    further_columns = (
+        [Column("MPC")] * has_shapes + [Column("orders", False)] * has_orders + [Column("files")]
+    )
+    further_columns += [Column("edited", False)] * has_edits
+    columns, groups = [*columns, *further_columns], [*groups, ("", len(further_columns))]
     rows = []
     for k, mode in enumerate(modes):
-        at = ("records", index, "modes", k)
+        mode_keys = ("records", index, "modes", k)
         cells = [
             Cell(str(k + 1)),
             uncertain_cell(
-                mode["frequency"], mode["sigma"], pointer(*at, "frequency"), pointer(*at, "sigma")
+                mode["frequency"],
+                mode["sigma"],
+                pointer(*mode_keys, "frequency"),
+                pointer(*mode_keys, "sigma"),
             ),
         ]
         for key, sigma in mode["sigma_parts"].items():  # two significant digits, zeros among them
             form = "#.2g" if sigma is None or 0.0 < sigma < 9.95 else ".0f"
-            cells.append(number(sigma, form, pointer(*at, "sigma_parts", key)))
-        if damped:
-            cells.append(_damping(mode, at))
-        cells += [number(mode["complexity"], ".3f", pointer(*at, "complexity"))] if shaped else []
-        if ordered:
+            cells.append(number_cell(sigma, form, pointer(*mode_keys, "sigma_parts", key)))
+        if has_damping:
+            cells.append(_damping_cell(mode, mode_keys))
+        cells += (
+            [number_cell(mode["complexity"], ".3f", pointer(*mode_keys, "complexity"))] if has_shapes else []
+        )
+        if has_orders:
             orders = mode["found_in"]
-            cells.append(number(None) if orders is None else Cell(f"{orders[0]} of {orders[1]}"))
-        cells.append(number(mode["files"], ".0f", pointer(*at, "files")))
-        cells += [Cell(mode["edited"] or "")] if edited else []
+            cells.append(number_cell(None) if orders is None else Cell(f"{orders[0]} of {orders[1]}"))
+        cells.append(number_cell(mode["files"], ".0f", pointer(*mode_keys, "files")))
+        cells += [Cell(mode["edited"] or "")] if has_edits else []
         rows.append(cells)
-    parts = "A standard deviation \u03c3 is the root of the sum of the squares of its parts"
-    return table(f"Modes. {'; '.join((parts, *meanings(modes)))}.", columns, rows, groups)
+    sigma_meaning = "A standard deviation \u03c3 is the root of the sum of the squares of its parts"
+    return compact_table(
+        f"Modes. {'; '.join((sigma_meaning, *column_meanings(modes)))}.", columns, rows, groups
+    )
 
 
-def meanings(modes: Sequence[Mapping[str, Any]]) -> list[str]:
-    """Return what columns of the table mean."""
+def column_meanings(modes: Sequence[Mapping[str, Any]]) -> list[str]:
+    """Return the meanings of those columns of the table that need one."""
     texts = {
         "complexity": "MPC is the modal phase collinearity, 1 for a real shape",
         "found_in": "orders: in how many model orders the pole was found",
@@ -148,128 +161,145 @@ def meanings(modes: Sequence[Mapping[str, Any]]) -> list[str]:
     return [text for key, text in texts.items() if any(mode[key] is not None for mode in modes)]
 
 
-def _damping(mode: Mapping[str, Any], at: Sequence[object]) -> Cell:
+def _damping_cell(mode: Mapping[str, Any], mode_keys: Sequence[object]) -> Cell:
     """Return a damping ratio in per cent, with its standard deviation where that is known."""
-    ratio, sigma, place = mode["damping"], mode["sigma_damping"], pointer(*at, "damping")
+    ratio, sigma, ratio_pointer = mode["damping"], mode["sigma_damping"], pointer(*mode_keys, "damping")
     if ratio is None or sigma is None:
-        return number(ratio, ".3g", place, scale=100.0)
-    return uncertain_cell(ratio, sigma, place, pointer(*at, "sigma_damping"), scale=100.0)
+        return number_cell(ratio, ".3g", ratio_pointer, scale=100.0)
+    return uncertain_cell(ratio, sigma, ratio_pointer, pointer(*mode_keys, "sigma_damping"), scale=100.0)
 
 
-def _fit(inspection: Inspection, result: RecordResult, campaign: Campaign) -> list[Block]:
+def _fit_pictures(inspection: Inspection, result: RecordResult, campaign: Campaign) -> list[Block]:
     """Return the figures of the fit of a file."""
-    which, whole = f"file {shortened(inspection.file)}", "the record"
+    file_text, measurement_text = f"file {shorten(inspection.file)}", "the record"
     if inspection.setup:
-        which, whole = f"setup {shortened(inspection.setup)}, {which}", "the setup"
+        file_text, measurement_text = f"setup {shorten(inspection.setup)}, {file_text}", "the setup"
     elif "" not in result.record.setups:  # of all setups together
-        which, whole = shortened(inspection.file), "each setup"
+        file_text, measurement_text = shorten(inspection.file), "each setup"
     low, high = result.record.band
     multiples = [
         tone * k for tone in campaign.tones for k in range(1, int(high / tone) + 1) if tone * k >= low
     ]
-    marked = fits.MarkedFrequencies(
+    marked_frequencies = fits.MarkedFrequencies(
         [(mode.frequency, k, bool(mode.edited)) for k, mode in enumerate(result.modes, start=1)],
         result.struck,
         sorted({*inspection.tones, *multiples}),
     )
     blocks: list[Block] = []
     if len(inspection.stabilisation.orders):
-        blocks.append(_stabilisation(inspection, result, marked, which, whole))
+        blocks.append(
+            _stabilisation_picture(inspection, result, marked_frequencies, file_text, measurement_text)
+        )
     if inspection.curves:
-        blocks.append(_functions(inspection, result, marked, which))
+        blocks.append(_function_picture(inspection, result, marked_frequencies, file_text))
     return blocks
 
 
-def _stabilisation(
-    inspection: Inspection, result: RecordResult, marked: fits.MarkedFrequencies, which: str, whole: str
+def _stabilisation_picture(
+    inspection: Inspection,
+    result: RecordResult,
+    marked_frequencies: fits.MarkedFrequencies,
+    file_text: str,
+    measurement_text: str,
 ) -> Picture:
     """Return the stabilisation diagram of a file.
 
-    - which: the file in words
-    - whole: what other files of the same measurement belong to
+    - file_text: the file in words
+    - measurement_text: what other files of the same measurement belong to
     """
-    rest = ""
+    undrawn_note = ""
     if inspection.others:
-        others = "other file" if inspection.others == 1 else plural(inspection.others, "other file")
-        rest = f" The {others} of {whole} {'is' if inspection.others == 1 else 'are'} not drawn."
-    lines = ["lines with a number are the modes of the record, as in the table"]
-    lines += (
+        other_files = "other file" if inspection.others == 1 else plural(inspection.others, "other file")
+        undrawn_note = (
+            f" The {other_files} of {measurement_text} {'is' if inspection.others == 1 else 'are'} not drawn."
+        )
+    line_meanings = ["lines with a number are the modes of the record, as in the table"]
+    line_meanings += (
         ["dash-dotted lines are modes that were added"] if any(mode.edited for mode in result.modes) else []
     )
-    lines += ["dashed lines are modes that were struck out"] if result.struck else []
-    lines += ["dotted lines are tones"] if marked.tones else []
+    line_meanings += ["dashed lines are modes that were struck out"] if result.struck else []
+    line_meanings += ["dotted lines are tones"] if marked_frequencies.tones else []
     poles = plural(sum(map(len, inspection.stabilisation.poles)), "pole")
     orders = plural(len(inspection.stabilisation.orders), "model order")
-    return Picture.of(
-        fits.stabilisation_diagram(inspection, marked, result.record.band),
-        f"Stabilisation diagram of {which}",
+    return Picture.from_drawing(
+        fits.stabilisation_diagram(inspection, marked_frequencies, result.record.band),
+        f"Stabilisation diagram of {file_text}",
         f"{poles} over {orders}, and {plural(len(result.modes), 'mode')}.",
-        f"{which[:1].upper()}{which[1:]}: stabilisation diagram. Each short line is a pole at a model order; a "
-        "stable one has nearly the same frequency and damping as a pole of the order before. Behind them is the sum "
-        "of the magnitudes of all measured functions, each relative to its rms. "
-        f"{sentence('; '.join(lines))}{rest}",
+        f"{file_text[:1].upper()}{file_text[1:]}: stabilisation diagram. Each short line is a pole at a model order; "
+        "a stable one has nearly the same frequency and damping as a pole of the order before. Behind them is the "
+        "sum of the magnitudes of all measured functions, each relative to its rms. "
+        f"{to_sentence('; '.join(line_meanings))}{undrawn_note}",
     )
 
 
-def _functions(
-    inspection: Inspection, result: RecordResult, marked: fits.MarkedFrequencies, which: str
+def _function_picture(
+    inspection: Inspection, result: RecordResult, marked_frequencies: fits.MarkedFrequencies, file_text: str
 ) -> Picture:
     """Return the measured functions of a file over those synthesised from its modes."""
-    kind, count, drawn = result.record.kind, inspection.functions, len(inspection.curves)
-    phase = kind in ("frf", "impact")
-    chosen = f"{drawn} of {count} functions, chosen so that each mode stands out in one of them"
-    if drawn == count:
-        chosen = f"its {plural(count, 'function')}" if count > 1 else "its function"
-    panels = ["magnitude", *(["phase"] if phase else [])]
+    kind, function_count, drawn_count = result.record.kind, inspection.functions, len(inspection.curves)
+    has_phase = kind in ("frf", "impact")
+    functions_text = (
+        f"{drawn_count} of {function_count} functions, chosen so that each mode stands out in one of them"
+    )
+    if drawn_count == function_count:
+        functions_text = f"its {plural(function_count, 'function')}" if function_count > 1 else "its function"
+    panels = ["magnitude", *(["phase"] if has_phase else [])]
     panels += ["coherence"] if any(curve.coherence is not None for curve in inspection.curves) else []
-    in_panels = f": {', '.join(panels)}" if len(panels) > 1 else ""
-    return Picture.of(
-        fits.function_fits(inspection, marked, result.record.band, phase),
-        f"Measured and synthesised functions of {which}",
-        f"{', '.join(shortened(curve.name, 40) for curve in inspection.curves)}: measured, and synthesised from the "
-        "modes.",
-        f"{which[:1].upper()}{which[1:]}: {chosen}, measured and synthesised from the modes of this file. Each is a "
-        f"{FUNCTIONS[kind]}{in_panels}. Faint lines are the modes of the record.",
+    panels_clause = f": {', '.join(panels)}" if len(panels) > 1 else ""
+    return Picture.from_drawing(
+        fits.function_fits(inspection, marked_frequencies, result.record.band, has_phase),
+        f"Measured and synthesised functions of {file_text}",
+        f"{', '.join(shorten(curve.name, 40) for curve in inspection.curves)}: measured, and synthesised from "
+        "the modes.",
+        f"{file_text[:1].upper()}{file_text[1:]}: {functions_text}, measured and synthesised from the modes "
+        f"of this file. Each is a {FUNCTION_MEANINGS[kind]}{panels_clause}. Faint lines are the modes of the "
+        "record.",
     )
 
 
-def _shapes(result: RecordResult) -> list[Block]:
+def _shape_pictures(result: RecordResult) -> list[Block]:
     """Return the figures of how similar and how complex the shapes are."""
-    shaped = [(k, mode) for k, mode in enumerate(result.modes, start=1) if len(mode.complex_shape) > 1]
-    if not shaped:
+    modes_with_shapes = [
+        (k, mode) for k, mode in enumerate(result.modes, start=1) if len(mode.complex_shape) > 1
+    ]
+    if not modes_with_shapes:
         return []
     blocks: list[Block] = []
-    if 1 < len(result.modes) <= MOST_MAC:
+    if 1 < len(result.modes) <= MAX_MAC_MODES:
         macs = auto_macs(result.modes)
-        alike = int(((macs > 0.5) & ~np.eye(len(macs), dtype=bool)).sum()) // 2
+        similar_count = int(((macs > 0.5) & ~np.eye(len(macs), dtype=bool)).sum()) // 2
         blocks.append(
-            Picture.of(
+            Picture.from_drawing(
                 identified_modes.auto_mac(macs),
                 "autoMAC",
-                f"Modal assurance criterion between {plural(len(macs), 'mode')}; {plural(alike, 'pair')} above 0.5.",
-                "autoMAC: how alike the shapes of the record's modes are, 1 for the same shape. A light cell beside "
-                "the diagonal means that the sensors hardly tell two modes apart."
-                f"{lengths_note(result.modes)}",
+                f"Modal assurance criterion between {plural(len(macs), 'mode')}; "
+                f"{plural(similar_count, 'pair')} above 0.5.",
+                "autoMAC: how alike the shapes of the record's modes are, 1 for the same shape. A light cell "
+                "beside the diagonal means that the sensors hardly tell two modes "
+                f"apart.{lengths_note(result.modes)}",
             )
         )
-    drawn = sorted(
-        sorted(shaped, key=lambda entry: entry[1].complexity)[:MOST_SHAPES], key=lambda entry: entry[0]
+    drawn_modes = sorted(
+        sorted(modes_with_shapes, key=lambda entry: entry[1].complexity)[:MAX_SHAPES],
+        key=lambda entry: entry[0],
     )
-    titles = [(f"{k}: {mode.complexity:.2f}", mode.shape_in_metres) for k, mode in drawn]
-    which = (
-        "" if len(drawn) == len(shaped) else f" The {len(drawn)} least collinear of {len(shaped)} are drawn."
+    titled_shapes = [(f"{k}: {mode.complexity:.2f}", mode.shape_in_metres) for k, mode in drawn_modes]
+    selection_note = (
+        ""
+        if len(drawn_modes) == len(modes_with_shapes)
+        else f" The {len(drawn_modes)} least collinear of {len(modes_with_shapes)} are drawn."
     )
-    which += lengths_note(result.modes)
-    lowest = min(shaped, key=lambda entry: entry[1].complexity)
+    selection_note += lengths_note(result.modes)
+    most_complex = min(modes_with_shapes, key=lambda entry: entry[1].complexity)
     blocks.append(
-        Picture.of(
-            identified_modes.complex_shapes(titles),
+        Picture.from_drawing(
+            identified_modes.complex_shapes(titled_shapes),
             "Shapes in the complex plane",
-            f"{plural(len(drawn), 'shape')}. The most complex one is that of mode {lowest[0]}, with a modal phase "
-            f"collinearity of {lowest[1].complexity:.2f}.",
-            "Shapes in the complex plane: a line for each component, relative to the largest, in a circle of radius "
-            "1; above it the number of the mode and its modal phase collinearity. A real shape is a horizontal line; "
-            f"only the real part is used.{which}",
+            f"{plural(len(drawn_modes), 'shape')}. The most complex one is that of mode {most_complex[0]}, "
+            f"with a modal phase collinearity of {most_complex[1].complexity:.2f}.",
+            "Shapes in the complex plane: a line for each component, relative to the largest, in a circle of "
+            "radius 1; above it the number of the mode and its modal phase collinearity. A real shape is a "
+            f"horizontal line; only the real part is used.{selection_note}",
         )
     )
     return blocks
@@ -286,7 +316,7 @@ def auto_macs(modes: Sequence[IdentifiedMode]) -> np.ndarray[Any, np.dtype[np.fl
 
 
 def lengths_note(modes: Sequence[IdentifiedMode]) -> str:
-    """Return what makes metres of the rotations in shapes; empty where they have none."""
+    """Return a note on the length by which rotations in shapes are multiplied; empty where they have none."""
     lengths = [mode.lengths[name] for mode in modes for name in mode.complex_shape if name in mode.lengths]
     return (
         f" Rotations are times L = {lengths[0]:.4g} m, the characteristic length of the platform."
@@ -295,24 +325,25 @@ def lengths_note(modes: Sequence[IdentifiedMode]) -> str:
     )
 
 
-def _repeats(result: RecordResult) -> list[Block]:
-    several = [repeat for repeat in result.repeats if len(repeat.files) > 1 and repeat.modes]
-    if not several:
+def _repeat_pictures(result: RecordResult) -> list[Block]:
+    repeated = [repeat for repeat in result.repeats if len(repeat.files) > 1 and repeat.modes]
+    if not repeated:
         return []
-    files = sum(len(repeat.files) for repeat in several)
-    widest = max(
+    file_count = sum(len(repeat.files) for repeat in repeated)
+    largest_difference = max(
         abs(f / np.mean(list(mode.values())) - 1.0)
-        for repeat in several
+        for repeat in repeated
         for mode in repeat.modes
         for f in mode.values()
     )
-    colours = " Each setup has a colour, and its own means." if len(several) > 1 else ""
+    colours_note = " Each setup has a colour, and its own means." if len(repeated) > 1 else ""
     return [
-        Picture.of(
-            identified_modes.scatter_of_repeats(several),
+        Picture.from_drawing(
+            identified_modes.scatter_of_repeats(repeated),
             "Frequencies in each file",
-            f"{plural(files, 'file')}; the largest difference from a mean is {plain(100.0 * float(widest), 2)} %.",
-            "Frequencies in each file, relative to their mean over the repeats. A file that is off in all modes was "
-            f"measured elsewhere, or at another temperature.{colours}",
+            f"{plural(file_count, 'file')}; the largest difference from a mean is "
+            f"{plain(100.0 * float(largest_difference), 2)} %.",
+            "Frequencies in each file, relative to their mean over the repeats. A file that is off in all "
+            f"modes was measured elsewhere, or at another temperature.{colours_note}",
         )
     ]

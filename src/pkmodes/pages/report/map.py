@@ -16,18 +16,18 @@ from pkmodes.pages.figures.pictures import pictures
 from pkmodes.pages.plots import sweeps
 from pkmodes.pages.plots.volume import volume
 from pkmodes.pages.report.blocks import Block, Cell, Listing, Paragraph, Picture, Section
-from pkmodes.pages.report.explorer import explorer_of
-from pkmodes.pages.report.formatting import clean, file_name, plural, sentence, shortened
+from pkmodes.pages.report.explorer import interactive_map
+from pkmodes.pages.report.formatting import clean, file_name, plural, shorten, to_sentence
 from pkmodes.pages.report.map_planes import (
     MapSection,
-    declared_values,
+    declared_values_in_words,
     section_of,
     swept_paths,
     swept_pictures,
 )
-from pkmodes.pages.report.map_summary import axis_units, ranges, summary_of_map
+from pkmodes.pages.report.map_summary import axis_units, range_table, summary_of_map
 from pkmodes.pages.report.page import need_report, page
-from pkmodes.pages.report.sections import origin, view_section
+from pkmodes.pages.report.sections import origin_section, view_section
 from pkmodes.pages.report.sources import Source, known_sources
 
 if TYPE_CHECKING:
@@ -37,10 +37,10 @@ if TYPE_CHECKING:
     from pkmodes.machine.maps.pose_path import PosePath
     from pkmodes.machine.maps.poses import PoseGrid
 
-#: Sections that a reader unfolds.
-FOLDED = ("volume", "figures", "origin")
+#: Sections that are folded until a reader unfolds them.
+FOLDED_SECTIONS = ("volume", "figures", "origin")
 #: Explanation of the bands where the robot file states standard deviations.
-BAND = (
+BAND_MEANING = (
     "the band is one standard deviation on either side, to first order from those that the robot file states"
 )
 
@@ -87,41 +87,43 @@ def map_report(
     content = summary_of(dataset, None).as_json() if content is None else content
     sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources
     section = section_of(model, dataset) if section is None else section
-    explorer = explorer_of(model, dataset, axis_units(model), machine=view is not None, plane=section.places)
-    about = [("rigid-body modes", [Cell(str(content["rigid_modes"]))])]
+    explorer = interactive_map(
+        model, dataset, axis_units(model), has_machine_view=view is not None, plane=section.plane
+    )
+    origin_facts = [("rigid-body modes", [Cell(str(content["rigid_modes"]))])]
     if content["file"]:
-        about.append(("map", [Cell(shortened(file_name(content["file"])))]))
+        origin_facts.append(("map", [Cell(shorten(file_name(content["file"])))]))
     sections = [
-        Section("modes", "Range of each frequency", [ranges(model, content)]),
+        Section("modes", "Range of each frequency", [range_table(model, content)]),
         *([Section("explore", "Pose by pose", [explorer])] if explorer is not None else []),
         *view_section(view),
-        *_volume(model, dataset),
-        *_changes(model, dataset, without_unrepresentative(dataset), path),
-        *_figures(model, dataset, section),
-        origin(sources, model.mechanism, about, str(dataset.attrs["version"])),
+        *_volume_sections(model, dataset),
+        *_variation_sections(model, dataset, without_unrepresentative(dataset), path),
+        *_figure_sections(model, dataset, section),
+        origin_section(sources, model.mechanism, origin_facts, str(dataset.attrs["version"])),
     ]
     return page(
         summary_of_map(model, content),
-        [replace(section, folded=section.name in FOLDED) for section in sections],
+        [replace(section, folded=section.html_id in FOLDED_SECTIONS) for section in sections],
     )
 
 
-def middle_of(model: Model, dataset: xarray.Dataset, places: PoseGrid | None = None) -> list[float] | None:
+def middle_pose(model: Model, dataset: xarray.Dataset, plane: PoseGrid | None = None) -> list[float] | None:
     """Return the pose in the middle of a map; None for a list of poses, or if it cannot be evaluated.
 
-    - places: the plane of the figures, in which it lies
+    - plane: the plane of the figures, in which it lies
     """
     names = [component.name for component in model.mechanism.pose]
     if not set(names) <= set(dataset.dims):
         return None
     pose = [float(dataset[name].values[dataset.sizes[name] // 2]) for name in names]
-    if places is not None:
-        single = {name: float(values[0]) for name, values in places.axes.items() if len(values) == 1}
-        pose = [single.get(name, value) for name, value in zip(names, pose, strict=True)]
+    if plane is not None:
+        fixed = {name: float(values[0]) for name, values in plane.axes.items() if len(values) == 1}
+        pose = [fixed.get(name, value) for name, value in zip(names, pose, strict=True)]
     return pose if model.check(pose).valid else None
 
 
-def _volume(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
+def _volume_sections(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
     """Yield the picture of a map over a volume, if it has no other axes."""
     components = list(model.mechanism.directions)
     dims = dataset["frequency"].dims[:-1]
@@ -132,15 +134,15 @@ def _volume(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
     title = "The reachable volume"
     text = "The poses that can be reached, coloured by the frequency of mode 1: from outside, and cut open."
     drawing = volume(dataset.squeeze([dim for dim in dims if dim not in components]), components)
-    yield Section("volume", title, [Picture.of(drawing, title, text, text, cropped=True)])
+    yield Section("volume", title, [Picture.from_drawing(drawing, title, text, text, cropped=True)])
 
 
-def _changes(
-    model: Model, dataset: xarray.Dataset, drawn_of: xarray.Dataset, path: PosePath | None
+def _variation_sections(
+    model: Model, dataset: xarray.Dataset, drawn_dataset: xarray.Dataset, path: PosePath | None
 ) -> Iterator[Section]:
     """Yield the sections of swept parameters, samples, and poses on a line or in a list.
 
-    - drawn_of: the same without the poses that are not representative
+    - drawn_dataset: the same without the poses that are not representative
     """
     components = [component.name for component in model.mechanism.pose]
     dims = [str(dim) for dim in dataset["frequency"].dims if dataset.sizes[dim] > 1]
@@ -149,20 +151,24 @@ def _changes(
         blocks: list[Block] = []
         for name in swept:
             spread = spread_along(model.robot, dataset, name, model.max_condition)
-            caption = f"Frequencies against {clean(name)}{_banded(dataset, name, spread)}."
-            drawing = sweeps.against_axis(drawn_of, name, spread)
-            blocks.append(Picture.of(drawing, clean(name), caption, caption))
+            caption = f"Frequencies against {clean(name)}{_band_in_words(dataset, name, spread)}."
+            drawing = sweeps.against_axis(drawn_dataset, name, spread)
+            blocks.append(Picture.from_drawing(drawing, clean(name), caption, caption))
         yield Section("sweeps", "Swept parameters", blocks)
     if "sample" in dims:
-        drawn = [
-            str(name) for name, c in dataset.coords.items() if c.dims == ("sample",) and name != "sample"
+        sampled_names = [
+            str(name)
+            for name, coordinate in dataset.coords.items()
+            if coordinate.dims == ("sample",) and name != "sample"
         ]
         caption = (
             "Scatter of the frequencies over the sampled robots at each pose, relative to their median: half of "
             "the values are within the bar, 95 % within the line."
         )
-        picture = Picture.of(sweeps.sample_scatter(drawn_of), "Scatter over sampled robots", caption, caption)
-        listing = Listing([clean(path) for path in drawn], names=True)
+        picture = Picture.from_drawing(
+            sweeps.sample_scatter(drawn_dataset), "Scatter over sampled robots", caption, caption
+        )
+        listing = Listing([clean(path) for path in sampled_names], in_columns=True)
         yield Section(
             "samples",
             "Sampled robots",
@@ -174,66 +180,73 @@ def _changes(
             f"Frequencies along the path, at {plural(len(path.distance), 'pose')}; dashed lines are its corners. "
             "A gap is a part that cannot be evaluated."
         )
-        caption += "" if spread is None else f" {sentence(BAND)}"
-        picture = Picture.of(
-            sweeps.along_path(drawn_of, path, spread), "Frequencies along the path", caption, caption
+        caption += "" if spread is None else f" {to_sentence(BAND_MEANING)}"
+        picture = Picture.from_drawing(
+            sweeps.along_path(drawn_dataset, path, spread), "Frequencies along the path", caption, caption
         )
         yield Section("poses", "Along the path", [picture])
     elif "pose" in dims:
         spread = spread_along(model.robot, dataset, "pose", model.max_condition)
         caption = "Frequencies along the poses, medians over everything else."
         if spread is not None:
-            caption = f"Frequencies along the poses: {BAND}."
-        drawing = sweeps.along_poses(drawn_of, spread)
-        picture = Picture.of(drawing, "Frequencies along the poses", caption, caption)
+            caption = f"Frequencies along the poses: {BAND_MEANING}."
+        drawing = sweeps.along_poses(drawn_dataset, spread)
+        picture = Picture.from_drawing(drawing, "Frequencies along the poses", caption, caption)
         yield Section("poses", "Along the poses", [picture])
-    line = [dim for dim in dims if dim in components]
-    if len(line) == 1:
-        spread = spread_along(model.robot, dataset, line[0], model.max_condition)
-        caption = f"Frequencies along {line[0]}{_banded(dataset, line[0], spread)}."
-        drawing = sweeps.against_axis(drawn_of, line[0], spread)
-        picture = Picture.of(drawing, f"Along {line[0]}", caption, caption)
-        yield Section("line", f"Along {line[0]}", [picture])
+    line_components = [dim for dim in dims if dim in components]
+    if len(line_components) == 1:
+        spread = spread_along(model.robot, dataset, line_components[0], model.max_condition)
+        caption = (
+            f"Frequencies along {line_components[0]}{_band_in_words(dataset, line_components[0], spread)}."
+        )
+        drawing = sweeps.against_axis(drawn_dataset, line_components[0], spread)
+        picture = Picture.from_drawing(drawing, f"Along {line_components[0]}", caption, caption)
+        yield Section("line", f"Along {line_components[0]}", [picture])
 
 
-def _banded(dataset: xarray.Dataset, dim: str, spread: Any) -> str:
-    """Return what line and band of `plots.sweeps.against_axis` are, to end a caption; empty without a band."""
+def _band_in_words(dataset: xarray.Dataset, dim: str, spread: Any) -> str:
+    """Return the meaning of line and band of `plots.sweeps.against_axis`, to end a caption; empty without a band."""
     if spread is not None:
-        return f": {BAND}"
+        return f": {BAND_MEANING}"
     pooled = [str(axis) for axis in dataset["frequency"].dims if axis not in (dim, "mode")]
     count = math.prod(dataset.sizes[axis] for axis in pooled)
     if count == 1:
         return ""
-    several = [axis for axis in pooled if dataset.sizes[axis] > 1]
-    robots = any("." in axis or axis == "sample" for axis in several)
-    over = "everything else" if robots else "all poses"
+    varying = [axis for axis in pooled if dataset.sizes[axis] > 1]
+    pools_robots = any("." in axis or axis == "sample" for axis in varying)
+    pooled_text = "everything else" if pools_robots else "all poses"
     if count < sweeps.FEW_VALUES:
-        return f": the line is the median, the band the range over {over}"
+        return f": the line is the median, the band the range over {pooled_text}"
     left_out = "the lowest and the highest 2\N{NO-BREAK SPACE}%"
-    return f": the line is the median over {over}, the band leaves out {left_out}"
+    return f": the line is the median over {pooled_text}, the band leaves out {left_out}"
 
 
-def _figures(model: Model, dataset: xarray.Dataset, section: MapSection) -> Iterator[Section]:
+def _figure_sections(model: Model, dataset: xarray.Dataset, section: MapSection) -> Iterator[Section]:
     """Yield the figures of the robot: in the plane of the map if it has one, otherwise in its working plane."""
     if len(model.mechanism.pose) < 2:
         return
-    places, where, title = section.places, section.where, section.title
-    if places is None:
-        yield Section("figures", title, [Paragraph(where)])
+    plane, plane_in_words, title = section.plane, section.description, section.title
+    if plane is None:
+        yield Section("figures", title, [Paragraph(plane_in_words)])
         return
     units, swept, drives = changeable_units(model.robot), swept_paths(dataset), str(dataset.attrs["drives"])
     blocks: list[Block] = []
-    if swept and set(places.axes) <= set(dataset.dims):
-        blocks += swept_pictures(model, dataset, places, units)
-    declared = declared_values(model, swept, units)
-    declared = f" with {declared}" if declared else ""
-    doing = motors_in_words(model.robot, drives)
-    text = f"The robot as declared{declared}, its {doing}, in {where}; modes are numbered by frequency."
+    if swept and set(plane.axes) <= set(dataset.dims):
+        blocks += swept_pictures(model, dataset, plane, units)
+    declared_values = declared_values_in_words(model, swept, units)
+    declared_values = f" with {declared_values}" if declared_values else ""
+    motors = motors_in_words(model.robot, drives)
+    text = (
+        f"The robot as declared{declared_values}, its {motors}, in {plane_in_words}; modes are numbered by "
+        "frequency."
+    )
     blocks.append(Paragraph(text))
-    for picture in pictures(model, places, drives=drives):
+    for picture in pictures(model, plane, drives=drives):
         text = f"{picture.title}. {picture.description}"
         if picture.drawing is None:
             blocks.append(Paragraph(f"{picture.title}: {picture.instead}"))
             continue
-        blocks.append(Picture.of(picture.drawing, picture.title, picture.description, text, cropped=True))
+        blocks.append(
+            Picture.from_drawing(picture.drawing, picture.title, picture.description, text, cropped=True)
+        )
     yield Section("figures", title, blocks)

@@ -14,18 +14,18 @@ from pkmodes.pages.plots import maps
 from pkmodes.pages.plots.labels import typeset
 from pkmodes.pages.plots.plane import Plane, plane_location
 from pkmodes.pages.report.blocks import Paragraph, Picture
-from pkmodes.pages.report.formatting import clean, unit
+from pkmodes.pages.report.formatting import clean, unit_text
 
 if TYPE_CHECKING:
     import xarray
 
     from pkmodes.core.model import Model
 
-#: Most values along each side of the plane that is drawn.
-FINEST = 150
-#: Titles; below, how a plane was chosen.
-WORKING, OF_MAP = "Over the working plane", "Over the plane of the map"
-CHOSEN = (
+#: Maximum number of values along each side of the plane that is drawn.
+MAX_VALUES_PER_SIDE = 150
+#: Titles, and the criterion by which a plane is chosen.
+WORKING_PLANE_TITLE, MAP_PLANE_TITLE = "Over the working plane", "Over the plane of the map"
+PLANE_CRITERION = (
     "with the lowest mean condition number, among those of at least half the largest area, on a coarse grid"
 )
 
@@ -38,24 +38,26 @@ def swept_paths(dataset: xarray.Dataset) -> list[str]:
 class MapSection(NamedTuple):
     """The plane of a map that its page draws.
 
-    - places: None where there is none
-    - where: which plane that is, for a sentence; or why there is none
+    - plane: None where there is none
+    - description: which plane that is, for a sentence; or why there is none
     - title: of the figures
     """
 
-    places: PoseGrid | None
-    where: str
+    plane: PoseGrid | None
+    description: str
     title: str
 
 
 def section_of(model: Model, dataset: xarray.Dataset) -> MapSection:
     """Choose the section of a map that its page draws; a mechanism with one component of the pose has none."""
     return (
-        MapSection(*plane_of(model, dataset)) if len(model.mechanism.pose) > 1 else MapSection(None, "", "")
+        MapSection(*choose_plane(model, dataset))
+        if len(model.mechanism.pose) > 1
+        else MapSection(None, "", "")
     )
 
 
-def plane_of(model: Model, dataset: xarray.Dataset) -> tuple[PoseGrid | None, str, str]:
+def choose_plane(model: Model, dataset: xarray.Dataset) -> tuple[PoseGrid | None, str, str]:
     """Choose the plane in which the report of a map draws the robot, and describe it.
 
     Returns, in this order:
@@ -66,39 +68,51 @@ def plane_of(model: Model, dataset: xarray.Dataset) -> tuple[PoseGrid | None, st
     - a title
     """
     names = [component.name for component in model.mechanism.pose]
-    several = [name for name in names if dataset.sizes.get(name, 1) > 1]
-    listed = "pose" in dataset["frequency"].dims
-    varied = bool(swept_paths(dataset))
-    if len(several) == 2 and not listed:
-        places = _thinned({name: dataset[name].values for name in names}, dataset)
-        return places, "the plane of the map", OF_MAP
-    linear = [name for name in several if name in model.mechanism.directions]
-    if len(several) > 2 and not listed and len(linear) < 3:
-        shown = linear if len(linear) == 2 else several[:2]
+    varying = [name for name in names if dataset.sizes.get(name, 1) > 1]
+    is_list = "pose" in dataset["frequency"].dims
+    is_swept = bool(swept_paths(dataset))
+    if len(varying) == 2 and not is_list:
+        map_plane = _thin({name: dataset[name].values for name in names}, dataset)
+        return map_plane, "the plane of the map", MAP_PLANE_TITLE
+    linear = [name for name in varying if name in model.mechanism.directions]
+    if len(varying) > 2 and not is_list and len(linear) < 3:
+        drawn_components = linear if len(linear) == 2 else varying[:2]
         axes = {name: dataset[name].values for name in names}
-        axes |= {name: nearest_to_zero(values) for name, values in axes.items() if name not in shown}
-        return _thinned(axes, dataset), f"the plane of {' and '.join(shown)} of the map", OF_MAP
-    if len(several) > 2 and not listed:
+        axes |= {
+            name: nearest_to_zero(values) for name, values in axes.items() if name not in drawn_components
+        }
+        return (
+            _thin(axes, dataset),
+            f"the plane of {' and '.join(drawn_components)} of the map",
+            MAP_PLANE_TITLE,
+        )
+    if len(varying) > 2 and not is_list:
         normal = model.mechanism.directions[2]
-        plane = None if varied else working_plane(model)
+        plane = None if is_swept else working_plane(model)
         values = dataset[normal].values
         if plane is None or not values[0] <= plane.axes[normal][0] <= values[-1]:
-            at = best_conditioned(dataset, normal)
-            axes = {name: np.array([at]) if name == normal else dataset[name].values for name in names}
+            normal_value = best_conditioned(dataset, normal)
+            axes = {
+                name: np.array([normal_value]) if name == normal else dataset[name].values for name in names
+            }
             axes |= {name: nearest_to_zero(dataset[name].values) for name in names if name not in linear}
-            return _thinned(axes, dataset), f"the plane of the map {CHOSEN}", OF_MAP
+            return _thin(axes, dataset), f"the plane of the map {PLANE_CRITERION}", MAP_PLANE_TITLE
         # A plane of the map itself, so that the figures and the map pose by pose show the same section.
         nearest = values[[np.argmin(np.abs(values - plane.axes[normal][0]))]]
-        section = PoseGrid({**plane.axes, normal: nearest}, plane.usable_only)
-        return section, f"the plane of the map nearest to that {CHOSEN} of the workspace", WORKING
-    if not listed and (varied or not several):
-        extent = f"along {clean(several[0])}" if several else "at one pose"
+        nearest_plane = PoseGrid({**plane.axes, normal: nearest}, plane.usable_only)
+        return (
+            nearest_plane,
+            f"the plane of the map nearest to that {PLANE_CRITERION} of the workspace",
+            WORKING_PLANE_TITLE,
+        )
+    if not is_list and (is_swept or not varying):
+        extent = f"along {clean(varying[0])}" if varying else "at one pose"
         return (
             None,
             f"The map is {extent}: it has no plane to draw. pkmodes figures draws the robot in a plane.",
-            OF_MAP,
+            MAP_PLANE_TITLE,
         )
-    return working_plane(model), f"the plane {CHOSEN} of the workspace", WORKING
+    return working_plane(model), f"the plane {PLANE_CRITERION} of the workspace", WORKING_PLANE_TITLE
 
 
 def nearest_to_zero(values: np.ndarray) -> np.ndarray:
@@ -106,48 +120,53 @@ def nearest_to_zero(values: np.ndarray) -> np.ndarray:
     return values[[np.argmin(np.abs(values))]]
 
 
-def _thinned(axes: dict[str, np.ndarray], dataset: xarray.Dataset) -> PoseGrid:
-    used = bool((dataset["reason"] == USABLE).any())
-    return PoseGrid({name: values[:: -(-len(values) // FINEST)] for name, values in axes.items()}, used)
+def _thin(axes: dict[str, np.ndarray], dataset: xarray.Dataset) -> PoseGrid:
+    usable_only = bool((dataset["reason"] == USABLE).any())
+    return PoseGrid(
+        {name: values[:: -(-len(values) // MAX_VALUES_PER_SIDE)] for name, values in axes.items()},
+        usable_only,
+    )
 
 
 def swept_pictures(
-    model: Model, dataset: xarray.Dataset, plane: PoseGrid, units: dict[str, str]
+    model: Model, dataset: xarray.Dataset, plane_grid: PoseGrid, units: dict[str, str]
 ) -> Iterator[Picture | Paragraph]:
     """Draw the frequencies in the plane of a sweep, at its first and its last values.
 
-    - plane: from `plane_of`: poses of the map
+    - plane_grid: from `choose_plane`: poses of the map
     - units: units of parameters, by path
     """
     components = [component.name for component in model.mechanism.pose]
     paths = swept_paths(dataset)
-    drawn = dataset[["frequency", "condition", "valid"]].sel(dict(plane.axes)).sortby(paths)
-    if "sample" in drawn.dims:
-        drawn = drawn.isel(sample=0)
+    plane_dataset = dataset[["frequency", "condition", "valid"]].sel(dict(plane_grid.axes)).sortby(paths)
+    if "sample" in plane_dataset.dims:
+        plane_dataset = plane_dataset.isel(sample=0)
     for end in (0, -1):
-        at_end = drawn.isel({path: [end] for path in paths})
-        shown = Plane.of(at_end, components)
-        if not shown.dataset["valid"].values.any():
+        at_end = plane_dataset.isel({path: [end] for path in paths})
+        end_plane = Plane.of(at_end, components)
+        if not end_plane.dataset["valid"].values.any():
             continue
-        values = ", ".join(value(path, float(at_end[path].values[0]), units) for path in paths)
-        title = f"Natural frequencies at {values}"
+        end_values = ", ".join(value_in_words(path, float(at_end[path].values[0]), units) for path in paths)
+        title = f"Natural frequencies at {end_values}"
         description = (
-            f"{title}, in the plane {plane_location(shown)}: an end of the sweep. The picture has its own colour "
-            "scales; triangles mark the lowest (down) and the highest (up) frequency in the plane."
+            f"{title}, in the plane {plane_location(end_plane)}: an end of the sweep. The picture has its own "
+            "colour scales; triangles mark the lowest (down) and the highest (up) frequency in the plane."
         )
-        drawing = maps.frequencies(shown)
+        drawing = maps.frequencies(end_plane)
         if isinstance(drawing, str):
             yield Paragraph(f"{title}: {drawing}")
         else:
-            yield Picture.of(drawing, title, description, description, cropped=True)
+            yield Picture.from_drawing(drawing, title, description, description, cropped=True)
 
 
-def value(path: str, number: float, units: dict[str, str]) -> str:
+def value_in_words(path: str, number: float, units: dict[str, str]) -> str:
     """Return a value of a parameter with its unit."""
-    return f"{clean(path)} = {typeset(f'{number:.6g}')} {unit(units.get(path, '1'))}".rstrip()
+    return f"{clean(path)} = {typeset(f'{number:.6g}')} {unit_text(units.get(path, '1'))}".rstrip()
 
 
-def declared_values(model: Model, paths: Sequence[str], units: dict[str, str]) -> str:
-    """Return what swept parameters are in the robot as declared, for a sentence; empty without any."""
+def declared_values_in_words(model: Model, paths: Sequence[str], units: dict[str, str]) -> str:
+    """Return the declared values of swept parameters, for a sentence; empty without any."""
     quantities = model.robot.quantities
-    return ", ".join(value(path, quantities[path].value, units) for path in paths if path in quantities)
+    return ", ".join(
+        value_in_words(path, quantities[path].value, units) for path in paths if path in quantities
+    )

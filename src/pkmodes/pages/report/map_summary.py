@@ -15,7 +15,16 @@ from pkmodes.machine.maps.left_out import left_out_sentences
 from pkmodes.machine.maps.summary import MIN_POSES_FOR_2_PERCENT, QUANTILES, quantiles_sentence
 from pkmodes.pages.plots.labels import MINUS, typeset
 from pkmodes.pages.report.blocks import Cell, Column, Summary, Table
-from pkmodes.pages.report.formatting import hertz, label, number, plural, pointer, shortened, thousands, unit
+from pkmodes.pages.report.formatting import (
+    frequency_cell,
+    group_thousands,
+    label_cell,
+    number_cell,
+    plural,
+    pointer,
+    shorten,
+    unit_text,
+)
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
@@ -25,18 +34,22 @@ NO_BREAK_PER_CENT = "\N{NO-BREAK SPACE}%"
 
 def summary_of_map(model: Model, content: dict[str, Any]) -> Summary:
     """Return where the lowest frequency lies, and what was mapped."""
-    units, parts = axis_units(model), []
+    units, mapped_axes = axis_units(model), []
     for dim, (low, high) in content["ranges"].items():
         count = content["dimensions"][dim]
         if isinstance(low, str) or dim in ("pose", "sample"):
-            parts.append(plural(count, "pose" if dim == "pose" else "sampled robot"))
+            mapped_axes.append(plural(count, "pose" if dim == "pose" else "sampled robot"))
             continue
         name, factor = units.get(dim, ("", 1.0))
-        ends = _value(low * factor) if count == 1 else f"{_value(low * factor)} to {_value(high * factor)}"
-        values = f" ({count} values)" if count > 1 else ""
-        parts.append(f"{dim} {ends} {name}".rstrip() + values)
-    state = motors_in_words(model.robot, content["drives"])
-    mapped = f"Mapped with {state}: {', '.join(parts)}."
+        range_text = (
+            _value_text(low * factor)
+            if count == 1
+            else f"{_value_text(low * factor)} to {_value_text(high * factor)}"
+        )
+        count_text = f" ({count} values)" if count > 1 else ""
+        mapped_axes.append(f"{dim} {range_text} {name}".rstrip() + count_text)
+    motors = motors_in_words(model.robot, content["drives"])
+    reason = f"Mapped with {motors}: {', '.join(mapped_axes)}."
     share = content["valid"] / content["poses"]
     notes = [
         f"{plural(count, 'pose')} cannot be evaluated: {model.reasons[code]}."
@@ -44,11 +57,11 @@ def summary_of_map(model: Model, content: dict[str, Any]) -> Summary:
     ]
     notes += [sentence.replace("= -", f"= {MINUS}") for sentence in left_out_sentences(content, units)]
     facts = [
-        ("poses", Cell(thousands(content["poses"]), content["poses"], pointer("poses"))),
+        ("poses", Cell(group_thousands(content["poses"]), content["poses"], pointer("poses"))),
         (
             "can be evaluated",
             Cell(
-                f"{thousands(content['valid'])} ({plain(100 * share, 3)} %)",
+                f"{group_thousands(content['valid'])} ({plain(100 * share, 3)} %)",
                 content["valid"],
                 pointer("valid"),
             ),
@@ -56,10 +69,10 @@ def summary_of_map(model: Model, content: dict[str, Any]) -> Summary:
         ("vibration modes", Cell(str(len(content["modes"])), len(content["modes"]))),
     ]
     return Summary(
-        subject=f"{shortened(content['robot'])}, {state}",
+        subject=f"{shorten(content['robot'])}, {motors}",
         kind="Map",
         headline=_headline(content),
-        reason=mapped,
+        reason=reason,
         notes=notes,
         facts=facts,
         head=head_of(model.robot.report),
@@ -68,46 +81,53 @@ def summary_of_map(model: Model, content: dict[str, Any]) -> Summary:
 
 def _headline(content: dict[str, Any]) -> str:
     """Return where the lowest frequency lies, ignoring a few poses at the edge of the workspace."""
-    first, count = content["modes"][0], content["counted"]
-    if first["minimum_hz"] is None:
+    first_mode, count = content["modes"][0], content["counted"]
+    if first_mode["minimum_hz"] is None:
         return "The machine is not stable at any pose" if content["valid"] else "No pose could be evaluated"
     lowest = "Mode 1" if content["tracked"] else "The lowest frequency of vibration"
     if count < MIN_POSES_FOR_2_PERCENT:
-        low, high, where = first["minimum_hz"], first["maximum_hz"], ""
+        low, high, poses_clause = first_mode["minimum_hz"], first_mode["maximum_hz"], ""
     else:
-        low, high, where = first["quantile_2_hz"], first["quantile_98_hz"], " at 96 % of the poses"
+        low, high, poses_clause = (
+            first_mode["quantile_2_hz"],
+            first_mode["quantile_98_hz"],
+            " at 96 % of the poses",
+        )
     if count == 1:
         return f"{lowest} is {numbers.format_frequency(low)} Hz"
-    return f"{lowest} lies between {numbers.format_frequency(low)} and {numbers.format_frequency(high)} Hz{where}"
+    return (
+        f"{lowest} lies between {numbers.format_frequency(low)} and {numbers.format_frequency(high)} "
+        f"Hz{poses_clause}"
+    )
 
 
 def axis_units(model: Model) -> dict[str, tuple[str, float]]:
     """Return the unit of each axis as shown, with the factor from SI."""
-    units = {path: (unit(name), 1.0) for path, name in changeable_units(model.robot).items()}
+    units = {path: (unit_text(name), 1.0) for path, name in changeable_units(model.robot).items()}
     return units | {component.name: DISPLAY_UNITS[component.unit] for component in model.mechanism.pose}
 
 
-def _value(value: float) -> str:
+def _value_text(value: float) -> str:
     return typeset(f"{value:.5g}")
 
 
-def ranges(model: Model, content: dict[str, Any]) -> Table:
+def range_table(model: Model, content: dict[str, Any]) -> Table:
     """Return the quantiles of each frequency, and its extremes with their poses."""
     units = axis_units(model)
     dims = [dim for dim in content["ranges"] if content["dimensions"][dim] > 1]
-    axes = [f"{dim} [{units[dim][0]}]" if units.get(dim, ("",))[0] else dim for dim in dims]
-    places = [Column(axis, numbers=dim != "pose") for dim, axis in zip(dims, axes, strict=True)]
+    axis_titles = [f"{dim} [{units[dim][0]}]" if units.get(dim, ("",))[0] else dim for dim in dims]
+    pose_columns = [Column(axis, numeric=dim != "pose") for dim, axis in zip(dims, axis_titles, strict=True)]
     rows = []
     for i, mode in enumerate(content["modes"]):
-        cells = [Cell(str(mode["mode"])), *(_frequency(mode, i, key) for key in QUANTILES)]
+        cells = [Cell(str(mode["mode"])), *(_frequency_cell(mode, i, key) for key in QUANTILES)]
         for end in ("minimum", "maximum"):
-            at = mode[f"{end}_at"] or {}
-            cells.append(_frequency(mode, i, f"{end}_hz"))
-            cells += [_place(at.get(dim), units.get(dim, ("", 1.0))[1]) for dim in dims]
+            extreme_pose = mode[f"{end}_at"] or {}
+            cells.append(_frequency_cell(mode, i, f"{end}_hz"))
+            cells += [_pose_cell(extreme_pose.get(dim), units.get(dim, ("", 1.0))[1]) for dim in dims]
         rows.append(cells)
     frequency = Column(FIELDS["frequencies"].heading)
-    shares = [Column(title) for title in ("2 %", "median", "98 %")]
-    columns = [Column("mode"), *shares, frequency, *places, frequency, *places]
+    quantile_columns = [Column(title) for title in ("2 %", "median", "98 %")]
+    columns = [Column("mode"), *quantile_columns, frequency, *pose_columns, frequency, *pose_columns]
     ends = [("lowest", 1 + len(dims)), ("highest", 1 + len(dims))]
     groups = [("", 1), ("quantiles [Hz]", 3), *ends]
     if content["poses"] == 1:  # all of these are one value
@@ -119,12 +139,12 @@ def ranges(model: Model, content: dict[str, Any]) -> Table:
     return Table(caption, columns, rows, groups)
 
 
-def _frequency(mode: dict[str, Any], index: int, key: str) -> Cell:
+def _frequency_cell(mode: dict[str, Any], index: int, key: str) -> Cell:
     value = mode[key]
-    return hertz(value, pointer("modes", index, key))
+    return frequency_cell(value, pointer("modes", index, key))
 
 
-def _place(value: Any, factor: float) -> Cell:
-    if value is None or isinstance(value, str):
-        return label(value) if value else number(None)
-    return number(float(value), ".5g", scale=factor)
+def _pose_cell(coordinate: Any, factor: float) -> Cell:
+    if coordinate is None or isinstance(coordinate, str):
+        return label_cell(coordinate) if coordinate else number_cell(None)
+    return number_cell(float(coordinate), ".5g", scale=factor)

@@ -23,16 +23,16 @@ from pkmodes.pages.report import figures
 from pkmodes.pages.report.blocks import Block, Section
 from pkmodes.pages.report.campaign_responses import measured_responses
 from pkmodes.pages.report.changed import change_page
-from pkmodes.pages.report.comparison import by_mode, comparison_summary
+from pkmodes.pages.report.comparison import comparison_summary, mode_difference_tables
 from pkmodes.pages.report.diagnosis import diagnosis_page
 from pkmodes.pages.report.mode_table import mode_table
 from pkmodes.pages.report.page import need_report, page
-from pkmodes.pages.report.sections import glossary, view_section
-from pkmodes.pages.report.setting import ReportSetting
+from pkmodes.pages.report.report_context import ReportContext
+from pkmodes.pages.report.sections import glossary_section, view_section
 from pkmodes.pages.report.sources import Source, known_sources
 
 #: Sections of a comparison that are unfolded when the page opens.
-OPEN = ("modes",)
+UNFOLDED_SECTIONS = ("modes",)
 
 
 def report(
@@ -90,29 +90,35 @@ def report(
         raise PkmodesError("expected a result with rows, found none", "result", "measure at least one mode")
     declared = robot.robot if isinstance(robot, Model) else robot
     if sources is None:
-        places = [] if declared is None else [("robot file", declared.source)]
-        sources = known_sources([*places, *([] if data is None else [("measurement file", data.source)])])
+        robot_files = [] if declared is None else [("robot file", declared.source)]
+        sources = known_sources(
+            [*robot_files, *([] if data is None else [("measurement file", data.source)])]
+        )
     subject = title if title is not None else "Structure" if declared is None else declared.name
     if isinstance(result, Change) and result.by_state:
         data = None  # the rows are of several measurements
-    setting = ReportSetting(subject, declared, data, tuple(sources), view)
+    context = ReportContext(subject, declared, data, tuple(sources), view)
     spread = None if declared is None or data is None else declared_spread(declared, data)
     evidence = PlottedEvidence.of(result, data, "setup" if declared is None else "pose", spread)
     if isinstance(result, Change):
-        return change_page(result, evidence, setting)
+        return change_page(result, evidence, context)
     if isinstance(result, Diagnosis):
-        curves: list[Block] = []
+        response_blocks: list[Block] = []
         if campaign is not None and declared is not None:
-            curves = measured_responses(result, declared, read_campaign(campaign))
-        return diagnosis_page(result, evidence, setting, curves)
+            response_blocks = measured_responses(result, declared, read_campaign(campaign))
+        return diagnosis_page(result, evidence, context, response_blocks)
     sections = [
-        *figures.sections(evidence),
-        *view_section(setting.view),
-        Section("rows", "All measured modes", [*by_mode(result), mode_table(result, evidence, setting)]),
-        glossary(diagnosed=False),
-        setting.origin(evidence),
+        *figures.figure_sections(evidence),
+        *view_section(context.view),
+        Section(
+            "rows",
+            "All measured modes",
+            [*mode_difference_tables(result), mode_table(result, evidence, context)],
+        ),
+        glossary_section(is_diagnosis=False),
+        context.origin(evidence),
     ]
     return page(
-        comparison_summary(result, setting),
-        [replace(section, folded=section.name not in OPEN) for section in sections],
+        comparison_summary(result, context),
+        [replace(section, folded=section.html_id not in UNFOLDED_SECTIONS) for section in sections],
     )

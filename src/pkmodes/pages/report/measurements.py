@@ -8,39 +8,50 @@ from pkmodes.core.base.numbers import p_text, plain
 from pkmodes.loop.measured.comparison import MeasurementsCompared, ModePair
 from pkmodes.loop.measured.significance import MIN_COMMON_SIGMAS, SIGNIFICANCE_LEVEL, CommonChange
 from pkmodes.pages.report.blocks import Cell, Column, Summary, Table
-from pkmodes.pages.report.formatting import NOTHING, number, p_value, plural, pointer, shortened, three_digits
-from pkmodes.pages.report.measured_shapes import deviations_in_words, mode_name, where
-from pkmodes.pages.report.numbers import percent
-from pkmodes.pages.report.tables import table
+from pkmodes.pages.report.formatting import (
+    MISSING,
+    number_cell,
+    p_value_cell,
+    plural,
+    pointer,
+    shorten,
+    three_digit_cell,
+)
+from pkmodes.pages.report.measured_shapes import mode_name, place_sentences, sigmas_in_words
+from pkmodes.pages.report.numbers import percent_cell
+from pkmodes.pages.report.tables import compact_table
 
 if TYPE_CHECKING:
     from pkmodes.loop.diagnosis.verdict.verdicts import Colour
 
-#: Most modes named in a headline.
-NAMED = 3
-FACTOR = (
-    "Modes change in this way where stiffness or mass changes everywhere in proportion, as with the temperature or "
-    "the tension of all belts, and where the clock of one test is wrong."
+#: Maximum number of modes named in a headline.
+MAX_MODES_NAMED = 3
+COMMON_FACTOR_NOTE = (
+    "Modes change in this way where stiffness or mass changes everywhere in proportion, as with the temperature "
+    "or the tension of all belts, and where the clock of one test is wrong."
 )
 
 
 def measurements_summary(result: MeasurementsCompared) -> Summary:
     """Return whether the measurements differ, and by how much."""
-    headline, reason, tone = _judged(result)
-    pairs, common = len(result.pairs), result.common
+    headline, reason, tone = _assess_differences(result)
+    pair_count, common = len(result.pairs), result.common
     facts = [
-        ("median change [%]", percent(result.median_relative, pointer("median_relative"))),
-        ("rms change [%]", percent(result.rms_relative, pointer("rms_relative"))),
-        ("chi\u00b2 per pair", three_digits(result.chi2 / pairs if pairs else None)),
-        ("common change [%]", percent(common.relative if common else None, pointer("common", "relative"))),
-        ("p-value", p_value(result.p_value, pointer("p_value"))),
-        ("pairs", Cell(str(pairs), pairs)),
+        ("median change [%]", percent_cell(result.median_relative, pointer("median_relative"))),
+        ("rms change [%]", percent_cell(result.rms_relative, pointer("rms_relative"))),
+        ("chi\u00b2 per pair", three_digit_cell(result.chi2 / pair_count if pair_count else None)),
+        (
+            "common change [%]",
+            percent_cell(common.relative if common else None, pointer("common", "relative")),
+        ),
+        ("p-value", p_value_cell(result.p_value, pointer("p_value"))),
+        ("pairs", Cell(str(pair_count), pair_count)),
         ("poses", Cell(str(result.poses), result.poses, pointer("poses"))),
         ("only in the first", Cell(str(len(result.first_unpaired)), len(result.first_unpaired))),
         ("only in the second", Cell(str(len(result.second_unpaired)), len(result.second_unpaired))),
     ]
     return Summary(
-        subject=f"{shortened(result.first)} and {shortened(result.second)}",
+        subject=f"{shorten(result.first)} and {shorten(result.second)}",
         kind="Comparison",
         headline=headline,
         reason=reason,
@@ -50,7 +61,7 @@ def measurements_summary(result: MeasurementsCompared) -> Summary:
     )
 
 
-def _judged(result: MeasurementsCompared) -> tuple[str, str, Colour]:
+def _assess_differences(result: MeasurementsCompared) -> tuple[str, str, Colour]:
     """Return what the differences mean."""
     if result.changed == "no_pairs":
         return (
@@ -58,38 +69,44 @@ def _judged(result: MeasurementsCompared) -> tuple[str, str, Colour]:
             "No mode of one is within 25 % of any of the other, with a MAC of 0.5 where shapes are known.",
             "bad",
         )
-    count = len(result.pairs)
+    pair_count = len(result.pairs)
     unpaired = len(result.first_unpaired) + len(result.second_unpaired)
     unpaired_note = f"; {plural(unpaired, 'mode')} without a partner" if unpaired else ""
     common = result.common
-    changed = sorted(
+    changed_pairs = sorted(
         (pair for pair in result.pairs if pair.own_change),
         key=lambda pair: -abs(_single_change(result, pair)[1]),
     )
-    named = ", ".join(
-        f"{mode_name(pair)} by {_change(*_single_change(result, pair))}" for pair in changed[:NAMED]
+    changes_in_words = ", ".join(
+        f"{mode_name(pair)} by {_change_in_words(*_single_change(result, pair))}"
+        for pair in changed_pairs[:MAX_MODES_NAMED]
     )
-    named += f" and {len(changed) - NAMED} more" if len(changed) > NAMED else ""
-    shared = "" if common is None else _change(common.relative, common.sigmas)
+    changes_in_words += (
+        f" and {len(changed_pairs) - MAX_MODES_NAMED} more" if len(changed_pairs) > MAX_MODES_NAMED else ""
+    )
+    common_text = "" if common is None else _change_in_words(common.relative, common.sigmas)
     reasons = []
     tone: Colour = "open"
     match result.changed:
         case "single":
-            headline = f"{len(changed)} of {plural(count, 'mode')} changed: {named}"
-            reasons.append(_nothing_common(common))
+            headline = f"{len(changed_pairs)} of {plural(pair_count, 'mode')} changed: {changes_in_words}"
+            reasons.append(_no_common_change_note(common))
         case "common":
-            headline = f"{_sharing(common, count)} changed by one factor: {shared}"
-            reasons += [_left_of_single(common), FACTOR]
+            headline = f"{_modes_that_share(common, pair_count)} changed by one factor: {common_text}"
+            reasons += [_beyond_common_note(common), COMMON_FACTOR_NOTE]
         case "common_and_single":
-            headline = f"{_sharing(common, count)} changed by one factor, {shared}; beyond it {named}"
-            reasons.append(FACTOR)
+            headline = (
+                f"{_modes_that_share(common, pair_count)} changed by one factor, {common_text}; beyond it "
+                f"{changes_in_words}"
+            )
+            reasons.append(COMMON_FACTOR_NOTE)
         case "together":
             headline = "All modes together changed by more than the errors"
             reasons.append("No single one did.")
         case _:
             headline, tone = "No mode changed by more than the errors", "good"
-            reasons.append(_noticeable(result))
-    reasons += [*where(result), "The stated errors are taken as independent."]
+            reasons.append(_noticeable_changes_note(result))
+    reasons += [*place_sentences(result), "The stated errors are taken as independent."]
     return headline + unpaired_note, " ".join(reason for reason in reasons if reason), tone
 
 
@@ -100,32 +117,35 @@ def _single_change(result: MeasurementsCompared, pair: ModePair) -> tuple[float,
     return pair.relative, pair.sigmas
 
 
-def _change(relative: float | None, sigmas: float | None) -> str:
+def _change_in_words(relative: float | None, sigmas: float | None) -> str:
     """Return a change in per cent and its standard deviations."""
     change = 100.0 * (relative or 0.0)
-    return f"{'-' if change < 0.0 else '+'}{plain(abs(change), 3)} % ({deviations_in_words(sigmas)})"
+    return f"{'-' if change < 0.0 else '+'}{plain(abs(change), 3)} % ({sigmas_in_words(sigmas)})"
 
 
-def _sharing(common: CommonChange | None, count: int) -> str:
+def _modes_that_share(common: CommonChange | None, count: int) -> str:
     """Return how many modes share a change."""
-    shared = count if common is None else common.pairs
-    if shared == count:
+    shared_count = count if common is None else common.pairs
+    if shared_count == count:
         return "Both modes" if count == 2 else f"All {count} modes"
-    return f"{shared} of {count} modes"
+    return f"{shared_count} of {count} modes"
 
 
-def _nothing_common(common: CommonChange | None) -> str:
+def _no_common_change_note(common: CommonChange | None) -> str:
     """Return that no change is shared, and what limits this statement."""
     if common is None:
         return ""
     if common.relative is None:
         p = p_text(common.residual_p_value)
         return f"No change is common to most of them: their factors differ (p-value {p})."
-    whose = f"the {common.pairs} that agree" if common.residual_p_value <= SIGNIFICANCE_LEVEL else "all"
-    return f"No change is common to all modes: that of {whose} is {_change(common.relative, common.sigmas)}."
+    modes_text = f"the {common.pairs} that agree" if common.residual_p_value <= SIGNIFICANCE_LEVEL else "all"
+    return (
+        f"No change is common to all modes: that of {modes_text} is "
+        f"{_change_in_words(common.relative, common.sigmas)}."
+    )
 
 
-def _left_of_single(common: CommonChange | None) -> str:
+def _beyond_common_note(common: CommonChange | None) -> str:
     """Return whether single modes differ from the change that all share."""
     if common is None:
         return ""
@@ -135,9 +155,9 @@ def _left_of_single(common: CommonChange | None) -> str:
     return f"What remains is more than the errors for all modes together (p-value {p}), but not for any single mode."
 
 
-def _noticeable(result: MeasurementsCompared) -> str:
+def _noticeable_changes_note(result: MeasurementsCompared) -> str:
     """Return which changes would have been found."""
-    smallest, largest = (choose(result.pairs, key=lambda pair: pair.noticeable) for choose in (min, max))
+    smallest, largest = (extreme(result.pairs, key=lambda pair: pair.noticeable) for extreme in (min, max))
     text = f"Changes that would have counted: of a single mode by {plain(100.0 * smallest.noticeable, 2)} %"
     if largest is not smallest:
         text += f" ({mode_name(smallest)}) to {plain(100.0 * largest.noticeable, 2)} % ({mode_name(largest)})"
@@ -146,53 +166,60 @@ def _noticeable(result: MeasurementsCompared) -> str:
     return f"{text}."
 
 
-def changes(result: MeasurementsCompared, max_rows: int | None) -> list[Table]:
+def mode_pair_tables(result: MeasurementsCompared, max_rows: int | None) -> list[Table]:
     """Return the pairs: the largest changes in standard deviations first, up to `max_rows`, or all in order."""
     order = sorted(range(len(result.pairs)), key=lambda i: -abs(result.pairs[i].sigmas))
-    shown = list(range(len(result.pairs))) if max_rows is None else order[:max_rows]
-    shared = result.common is not None and result.common.differs
+    pair_indices = list(range(len(result.pairs))) if max_rows is None else order[:max_rows]
+    has_common_change = result.common is not None and result.common.differs
     rows = []
-    for i in shown:
+    for i in pair_indices:
         pair = result.pairs[i]
-        at = pointer("pairs", i)
-        label = pair.pose if pair.pose == pair.second_pose else f"{pair.pose}, {pair.second_pose}"
+        pair_pointer = pointer("pairs", i)
+        pose_label = pair.pose if pair.pose == pair.second_pose else f"{pair.pose}, {pair.second_pose}"
         rows.append(
             [
-                Cell(shortened(label)),
-                number(pair.first_line, ".0f", at + pointer("first_line")),
-                number(pair.first, ".3f", at + pointer("first")),
-                three_digits(pair.first_sigma, at + pointer("first_sigma")),
-                number(pair.second_line, ".0f", at + pointer("second_line")),
-                number(pair.second, ".3f", at + pointer("second")),
-                three_digits(pair.second_sigma, at + pointer("second_sigma")),
-                number(pair.relative, "+.2f", at + pointer("relative"), scale=100.0),
-                number(pair.sigmas, "+.1f", at + pointer("sigmas")),
-                Cell("yes" if pair.differs else NOTHING),
-                *(_beyond(pair, at) if shared else []),
-                number(pair.mac, ".3f", at + pointer("mac")),
+                Cell(shorten(pose_label)),
+                number_cell(pair.first_line, ".0f", pair_pointer + pointer("first_line")),
+                number_cell(pair.first, ".3f", pair_pointer + pointer("first")),
+                three_digit_cell(pair.first_sigma, pair_pointer + pointer("first_sigma")),
+                number_cell(pair.second_line, ".0f", pair_pointer + pointer("second_line")),
+                number_cell(pair.second, ".3f", pair_pointer + pointer("second")),
+                three_digit_cell(pair.second_sigma, pair_pointer + pointer("second_sigma")),
+                number_cell(pair.relative, "+.2f", pair_pointer + pointer("relative"), scale=100.0),
+                number_cell(pair.sigmas, "+.1f", pair_pointer + pointer("sigmas")),
+                Cell("yes" if pair.differs else MISSING),
+                *(_beyond_common_cells(pair, pair_pointer) if has_common_change else []),
+                number_cell(pair.mac, ".3f", pair_pointer + pointer("mac")),
             ]
         )
     if not rows:
         return []
-    of_each = [Column("line"), Column("f [Hz]"), Column("sigma [Hz]")]
-    of_change = [Column("[%]"), Column("[\u03c3]"), Column("clear", numbers=False)]
-    of_beyond = of_change if shared else []
-    columns = [Column("pose", numbers=False), *of_each, *of_each, *of_change, *of_beyond, Column("MAC")]
+    measurement_columns = [Column("line"), Column("f [Hz]"), Column("sigma [Hz]")]
+    change_columns = [Column("[%]"), Column("[\u03c3]"), Column("clear", numeric=False)]
+    beyond_columns = change_columns if has_common_change else []
+    columns = [
+        Column("pose", numeric=False),
+        *measurement_columns,
+        *measurement_columns,
+        *change_columns,
+        *beyond_columns,
+        Column("MAC"),
+    ]
     groups = [("", 1), ("first", 3), ("second", 3), ("change", 3)]
-    groups += [("beyond the common", 3)] if shared else []
+    groups += [("beyond the common", 3)] if has_common_change else []
     groups += [("", 1)]
     caption = "Modes of both measurements; changes are second minus first."
     if all(pair.mac is None for pair in result.pairs):
         rows, columns, groups = [row[:-1] for row in rows], columns[:-1], groups[:-1]
-    omitted = len(result.pairs) - len(shown)
+    omitted = len(result.pairs) - len(pair_indices)
     note = f"{plural(omitted, 'pair')} that changed less: --all prints every pair." if omitted else ""
-    return [table(caption, columns, rows, groups, note)]
+    return [compact_table(caption, columns, rows, groups, note)]
 
 
-def _beyond(pair: ModePair, at: str) -> list[Cell]:
+def _beyond_common_cells(pair: ModePair, pair_pointer: str) -> list[Cell]:
     """Return the cells of a change beyond the common one."""
     return [
-        number(pair.beyond_common, "+.2f", at + pointer("beyond_common"), scale=100.0),
-        number(pair.beyond_common_sigmas, "+.1f", at + pointer("beyond_common_sigmas")),
-        Cell("yes" if pair.own_change else NOTHING),
+        number_cell(pair.beyond_common, "+.2f", pair_pointer + pointer("beyond_common"), scale=100.0),
+        number_cell(pair.beyond_common_sigmas, "+.1f", pair_pointer + pointer("beyond_common_sigmas")),
+        Cell("yes" if pair.own_change else MISSING),
     ]

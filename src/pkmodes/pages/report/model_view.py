@@ -17,7 +17,7 @@ from pkmodes.loop.diagnosis.compare import Comparison
 from pkmodes.loop.diagnosis.states.result import Change
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes.loop.measured.measurements import Measurements
-from pkmodes.pages.report.measured_view import MOST, measured_scene, robot_shown
+from pkmodes.pages.report.measured_view import MAX_POSES, measured_scene, shown_robot
 from pkmodes.pages.report.places import marked_elements
 from pkmodes.pages.view import assets, fragment, poses_around, scene, typical_pose
 
@@ -49,16 +49,16 @@ def view_of(
     """
     try:
         if poses is None:
-            shown = poses_around(model, typical_pose(model) if start is None else start, drives=drives)
+            drawn_scene = poses_around(model, typical_pose(model) if start is None else start, drives=drives)
         else:
             points = np.asarray(poses_by_name(poses, model.mechanism), dtype=float)
-            points = points[model.check(points).valid][:MOST]
+            points = points[model.check(points).valid][:MAX_POSES]
             if not len(points):
                 return None
-            shown = scene(model, points, drives=drives)
+            drawn_scene = scene(model, points, drives=drives)
     except PkmodesError:
         return None
-    return fragment(shown) + assets()
+    return fragment(drawn_scene) + assets()
 
 
 def view_of_result(
@@ -86,15 +86,15 @@ def view_of_result(
     """
     if isinstance(result, Change) and result.by_state:
         return None  # poses of several states, of each of which the view is that of its own result
-    shown = robot_shown(result, robot)
+    robot_to_show = shown_robot(result, robot)
     drives = Counter(row.drives or FREE for row in result.rows).most_common(1)[0][0]
     if not isinstance(data, Measurements):
-        return view_of(Model(shown.robot), data, drives=drives)
+        return view_of(Model(robot_to_show.robot), data, drives=drives)
     try:
-        drawn = measured_scene(result, shown, data, drives)
+        drawn_scene = measured_scene(result, robot_to_show, data, drives)
     except PkmodesError:
         return None
-    if drawn is None:
+    if drawn_scene is None:
         return None
     marks = marked_elements(result, robot) if isinstance(result, Diagnosis) else frozenset[int]()
-    return fragment(replace(drawn, marked=marks)) + assets()
+    return fragment(replace(drawn_scene, marked=marks)) + assets()

@@ -12,31 +12,31 @@ from pkmodes.pages.plots import scores
 from pkmodes.pages.report.blocks import Cell, Column, Paragraph, Picture, Table
 from pkmodes.pages.report.formatting import (
     clean,
-    figures,
-    number,
+    display_unit,
+    number_cell,
     plural,
     pointer,
-    read_in,
-    three_digits,
+    rounded_cell,
+    three_digit_cell,
     uncertain_cell,
     unit_cell,
 )
-from pkmodes.pages.report.setting import ReportSetting
-from pkmodes.pages.report.tables import table
+from pkmodes.pages.report.report_context import ReportContext
+from pkmodes.pages.report.tables import compact_table
 
 
-def errors(result: Diagnosis) -> list[Table | Paragraph]:
+def error_blocks(result: Diagnosis) -> list[Table | Paragraph]:
     """Return the errors of the stages, over fitted and held-out rows."""
     stages, rows = result.errors, []
     for name, (title, error) in stages.items():
-        at, strong = ("error", name), name == [*stages][-1]
-        held = error.held_out_rms_relative
+        stage_keys, is_last = ("error", name), name == [*stages][-1]
+        held_out_rms = error.held_out_rms_relative
         rows.append(
             [
-                Cell(title, strong=strong),
-                percent(error.rms_relative, pointer(*at, "rms_relative"), strong),
-                percent(held, pointer(*at, "held_out_rms_relative"), strong),
-                three_digits(error.chi2_per_dof, pointer(*at, "chi2_per_dof"), strong=strong),
+                Cell(title, strong=is_last),
+                percent_cell(error.rms_relative, pointer(*stage_keys, "rms_relative"), is_last),
+                percent_cell(held_out_rms, pointer(*stage_keys, "held_out_rms_relative"), is_last),
+                three_digit_cell(error.chi2_per_dof, pointer(*stage_keys, "chi2_per_dof"), strong=is_last),
             ]
         )
     columns = [Column("model", False), Column("rms [%]"), Column("held out [%]")]
@@ -47,24 +47,24 @@ def errors(result: Diagnosis) -> list[Table | Paragraph]:
     blocks: list[Table | Paragraph] = [Table(caption, columns, rows)]
     if result.held_out_poses:
         labels = sorted_labels(result.held_out_poses)
-        about, why = "Held out of every choice and fit: ", ". The error there is that of a prediction."
-        whole, named = (listed(texts, 20) for texts in (labels, list(map(clean, labels))))
-        blocks.append(Paragraph(f"{about}{named}{why}", plain=f"{about}{whole}{why}"))
+        intro, ending = "Held out of every choice and fit: ", ". The error there is that of a prediction."
+        full_labels, shown_labels = (listed(texts, 20) for texts in (labels, list(map(clean, labels))))
+        blocks.append(Paragraph(f"{intro}{shown_labels}{ending}", plain_text=f"{intro}{full_labels}{ending}"))
     return blocks
 
 
-def percent(relative: float | None, at: str = "", strong: bool = False) -> Cell:
+def percent_cell(relative: float | None, json_pointer: str = "", strong: bool = False) -> Cell:
     """Return a relative error in per cent."""
     form = ".3f" if relative is None or abs(relative) < 0.1 else ".1f"
-    return number(relative, form, at, scale=100.0, strong=strong)
+    return number_cell(relative, form, json_pointer, scale=100.0, strong=strong)
 
 
-def fitted_value_tables(result: Diagnosis, setting: ReportSetting) -> list[Table | Paragraph]:
+def fitted_value_tables(result: Diagnosis, context: ReportContext) -> list[Table | Paragraph]:
     """Return the fitted values, with what was declared about them."""
-    corrected = _corrected(result)
+    corrected = _corrected_values(result)
     if not corrected:
         return [Paragraph("No value was uncertain, and none was fitted.")]
-    widened = any(value.saved_sigma > MIN_NOTICEABLE_RATIO * value.sigma for value in corrected)
+    has_widened = any(value.saved_sigma > MIN_NOTICEABLE_RATIO * value.sigma for value in corrected)
     rows = []
     for value in corrected:  # its numbers are in the JSON under refitted, or with the cause
         before, after, sigma, saved = "", "", "", ""
@@ -72,116 +72,131 @@ def fitted_value_tables(result: Diagnosis, setting: ReportSetting) -> list[Table
         if any(refitted.name == value.name for refitted in result.refitted):
             role = "uncertain"
             before, after, sigma, saved = (
-                pointer("refitted", value.name, name) for name in ("before", "after", "sigma", "saved_sigma")
+                pointer("refitted", value.name, key) for key in ("before", "after", "sigma", "saved_sigma")
             )
         for i, effect in enumerate(result.effects):
             if any(parameter.name == value.name for parameter in effect.parameters):
-                role, at = "cause", ("effects", i, "parameters", parameter_key(value))
-                after, sigma, saved = (pointer(*at, name) for name in ("value", "sigma", "saved_sigma"))
-        unit, scale = read_in(value.unit, value.declared, value.value)
+                role, cause_keys = "cause", ("effects", i, "parameters", parameter_key(value))
+                after, sigma, saved = (pointer(*cause_keys, key) for key in ("value", "sigma", "saved_sigma"))
+        unit, scale = display_unit(value.unit, value.declared, value.value)
         rows.append(
             [
-                Cell.named(setting.words(value.name), clean(value.name.removeprefix("effects."))),
+                Cell.named(context.meaning(value.name), clean(value.name.removeprefix("effects."))),
                 Cell(f"{role}, at a bound" if value.at_bound else role),
-                figures(value.declared, 6, before, scale=scale),
-                uncertain_cell(value.value, value.saved_sigma, after, saved, scale=scale, fit=value.sigma),
-                figures(value.sigma, 2, sigma, scale=scale),
+                rounded_cell(value.declared, 6, before, scale=scale),
+                uncertain_cell(
+                    value.value, value.saved_sigma, after, saved, scale=scale, fit_sigma=value.sigma
+                ),
+                rounded_cell(value.sigma, 2, sigma, scale=scale),
                 unit_cell(unit),
-                figures(prior, 2, scale=scale),
-                number((value.value - value.declared) / prior if prior else None, "+.1f"),
+                rounded_cell(prior, 2, scale=scale),
+                number_cell((value.value - value.declared) / prior if prior else None, "+.1f"),
             ]
         )
     columns = [Column("value", False), Column("role", False, page_only=True), Column("before")]
     columns += [
         Column("after"),
-        Column("\u03c3 of fit", page_only=not widened),
+        Column("\u03c3 of fit", page_only=not has_widened),
         Column("unit", False),
         Column("prior \u03c3", page_only=True),
         Column("moved [prior\u00a0\u03c3]", page_only=True),
     ]
     caption = "Fitted values: as declared, and after the fit with their standard deviations."
-    if widened:
+    if has_widened:
         caption = (
             "Fitted values: as declared, and after the fit with their standard deviations, which include what a "
-            "candidate that these data do not show could have done to the value; beside them those of the fit alone."
+            "candidate that these data do not show could have done to the value; beside them those of the fit "
+            "alone."
         )
-    return [table(caption, columns, rows)]
+    return [compact_table(caption, columns, rows)]
 
 
-def _corrected(result: Diagnosis) -> list[Corrected]:
-    of_losses = {value.name for value in result.damping.refitted}  # the damping says more of them
-    return [value for value in result.corrected if value.name not in of_losses]
+def _corrected_values(result: Diagnosis) -> list[Corrected]:
+    loss_names = {value.name for value in result.damping.refitted}  # the damping says more of them
+    return [value for value in result.corrected if value.name not in loss_names]
 
 
-def pulls(result: Diagnosis, setting: ReportSetting) -> list[Picture]:
+def pull_pictures(result: Diagnosis, context: ReportContext) -> list[Picture]:
     """Return the figure of how far the fit moved each uncertain value; empty if none has a prior."""
-    corrected = _corrected(result)
-    figure = scores.shifts_from_prior(corrected, setting.words)
+    corrected = _corrected_values(result)
+    figure = scores.shifts_from_prior(corrected, context.meaning)
     if figure is None:
         return []
-    total = sum(bool(v.prior_sigma) for v in corrected)
-    count = plural(total, "value")
-    which = f" (the {scores.MAX_ROWS} that moved most of {total})" if total > scores.MAX_ROWS else ""
+    total = sum(bool(value.prior_sigma) for value in corrected)
+    values_text = plural(total, "value")
+    selection_note = f" (the {scores.MAX_ROWS} that moved most of {total})" if total > scores.MAX_ROWS else ""
     return [
-        Picture.of(
+        Picture.from_drawing(
             figure,
             "Movement of the uncertain values",
-            f"{count} with a prior, and how far each moved.",
-            f"How far the fit moved each uncertain value{which}, in standard deviations of its prior; the bars are "
-            "the standard deviations of the table. Beyond 3 the declared value or its sigma is wrong, or the value "
-            "makes up for a cause; a bar as wide as the shaded prior means that the data say nothing about it.",
+            f"{values_text} with a prior, and how far each moved.",
+            f"How far the fit moved each uncertain value{selection_note}, in standard deviations of its prior; the "
+            "bars are the standard deviations of the table. Beyond 3 the declared value or its sigma is wrong, or "
+            "the value makes up for a cause; a bar as wide as the shaded prior means that the data say nothing "
+            "about it.",
         )
     ]
 
 
-def correlations(result: Diagnosis) -> list[Picture]:
+def correlation_pictures(result: Diagnosis) -> list[Picture]:
     """Return the figures of the correlations of the fitted values; empty for fewer than two values."""
-    kept, correlation = _corrected(result), np.array(result.correlation)
+    values, correlation = _corrected_values(result), np.array(result.correlation)
     if len(correlation) != len(result.corrected):
         return []
-    places = [k for k, value in enumerate(result.corrected) if value in kept]
-    rates = correlation[np.ix_(places, places)] if places else correlation
-    figure, parts = dependence.correlation_matrix(kept, rates), dependence.error_ellipses(kept, rates)
-    pairs, drawn = len(dependence.notable_pairs(kept, rates)), dependence.drawn_pairs(kept, rates)
-    alike = (
-        "" if len(drawn) == pairs else "Pairs of one kind, such as two legs, are in the table above alone. "
+    indices = [k for k, corrected_value in enumerate(result.corrected) if corrected_value in values]
+    matrix = correlation[np.ix_(indices, indices)] if indices else correlation
+    figure, ellipses = (
+        dependence.correlation_matrix(values, matrix),
+        dependence.error_ellipses(values, matrix),
+    )
+    pair_count, drawn_pairs = (
+        len(dependence.notable_pairs(values, matrix)),
+        dependence.drawn_pairs(values, matrix),
+    )
+    same_kind_note = (
+        ""
+        if len(drawn_pairs) == pair_count
+        else "Pairs of one kind, such as two legs, are in the table above alone. "
     )
     if figure is None:
         return []
-    shown = (
-        f" (the first {dependence.MAX_VALUES} of {len(kept)})" if len(kept) > dependence.MAX_VALUES else ""
+    selection_note = (
+        f" (the first {dependence.MAX_VALUES} of {len(values)})"
+        if len(values) > dependence.MAX_VALUES
+        else ""
     )
-    strong = (
-        f"{plural(pairs, 'pair')} with a correlation of {dependence.NOTABLE_CORRELATION:.2f} or more"
-        if pairs
+    pairs_text = (
+        f"{plural(pair_count, 'pair')} with a correlation of {dependence.NOTABLE_CORRELATION:.2f} or more"
+        if pair_count
         else f"No pair has a correlation of {dependence.NOTABLE_CORRELATION:.2f} or more"
     )
     pictures = [
-        Picture.of(
+        Picture.from_drawing(
             figure,
             "Correlation of the fitted values",
-            f"Correlation of each pair of the fitted values. {strong}.",
-            f"Correlation of the fitted values{shown}, by the fit and the priors. Near +1 or \u22121 the data "
-            "determine a combination of two values far better than either: a better value of one then moves the "
-            f"other. {strong}.",
+            f"Correlation of each pair of the fitted values. {pairs_text}.",
+            f"Correlation of the fitted values{selection_note}, by the fit and the priors. Near +1 or \u22121 "
+            "the data determine a combination of two values far better than either: a better value of one "
+            f"then moves the other. {pairs_text}.",
         )
     ]
-    if parts is not None:
-        which = (
-            f" (the {dependence.MAX_PAIRS} strongest of {len(drawn)})"
-            if len(drawn) > dependence.MAX_PAIRS
+    if ellipses is not None:
+        ellipses_note = (
+            f" (the {dependence.MAX_PAIRS} strongest of {len(drawn_pairs)})"
+            if len(drawn_pairs) > dependence.MAX_PAIRS
             else ""
         )
-        count = min(len(drawn), dependence.MAX_PAIRS)
+        count = min(len(drawn_pairs), dependence.MAX_PAIRS)
         pictures.append(
-            Picture.of(
-                parts,
+            Picture.from_drawing(
+                ellipses,
                 "Error ellipses",
                 f"Ellipses of 68 and 95 % about the fitted values of {plural(count, 'pair')}.",
-                f"Error ellipses of pairs with a strong correlation{which}: deviations from the fitted values, in "
-                f"per cent of these, or in the unit of a value near 0. {alike}The true pair is within an ellipse "
-                "with the probability that it names, if errors are normal and nothing else is missing: the standard "
-                "deviations are those of the fit alone. A cross, if there is one, is the declared pair.",
+                f"Error ellipses of pairs with a strong correlation{ellipses_note}: deviations from the fitted "
+                f"values, in per cent of these, or in the unit of a value near 0. {same_kind_note}The true pair is "
+                "within an ellipse with the probability that it names, if errors are normal and nothing else is "
+                "missing: the standard deviations are those of the fit alone. A cross, if there is one, is the "
+                "declared pair.",
             )
         )
     return pictures

@@ -20,9 +20,9 @@ if TYPE_CHECKING:
 
 TEMPLATES, PAGE, STYLE, BROWSER = "templates", "page.html.j2", "style.css", "browser"
 #: Variable of the environment with the time of reproducible files (reproducible-builds.org).
-EPOCH = "SOURCE_DATE_EPOCH"
+EPOCH_VARIABLE = "SOURCE_DATE_EPOCH"
 #: Program that pages with folded sections need.
-FOLDING = "fold"
+FOLDING_PROGRAM = "fold"
 
 
 def need_report() -> None:
@@ -44,7 +44,7 @@ def page(summary: Summary, sections: Sequence[Section]) -> str:
     # The programs that the blocks need in the browser, each once.
     names = dict.fromkeys(name for section in sections for block in section.blocks for name in block.programs)
     if any(section.folded for section in sections):
-        names[FOLDING] = None
+        names[FOLDING_PROGRAM] = None
     folder = files(__package__) / BROWSER
     programs = [
         "".join((folder / f"{part}.js").read_text(encoding="utf-8") for part in name.split("+"))
@@ -66,14 +66,14 @@ def date_of_page() -> str:
 
     Raises PkmodesError if it is not a number of seconds since 1970.
     """
-    epoch = os.environ.get(EPOCH)
+    epoch = os.environ.get(EPOCH_VARIABLE)
     if epoch is None:
         return datetime.now().astimezone().date().isoformat()
     try:
         return datetime.fromtimestamp(int(epoch), UTC).date().isoformat()
     except (ValueError, OverflowError, OSError):
         problem = f"expected whole seconds since 1970, found {shown(epoch)}"
-        raise PkmodesError(problem, EPOCH, "unset it, or give such a number") from None
+        raise PkmodesError(problem, EPOCH_VARIABLE, "unset it, or give such a number") from None
 
 
 @cache

@@ -23,21 +23,21 @@ from pkmodes.pages.plots.responses import responses
 from pkmodes.pages.report.blocks import Block, Cell, Column, Picture, Section, Summary, Table
 from pkmodes.pages.report.formatting import (
     clean,
-    hertz,
-    number,
+    frequency_cell,
+    number_cell,
     plural,
     pointer,
-    sentence,
-    shortened,
-    three_digits,
+    shorten,
+    three_digit_cell,
+    to_sentence,
     uncertain_cell,
-    unit,
     unit_cell,
+    unit_text,
 )
 from pkmodes.pages.report.page import need_report, page
-from pkmodes.pages.report.sections import origin
+from pkmodes.pages.report.sections import origin_section
 from pkmodes.pages.report.sources import Source, known_sources
-from pkmodes.pages.report.tables import table
+from pkmodes.pages.report.tables import compact_table
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
@@ -81,7 +81,7 @@ def response_report(
             "responses", "Frequency responses", [*_response_figures(drawn), largest_responses_table(drawn)]
         ),
         Section("modes", "Modes of the model", [_modes_table(model, response)]),
-        origin(sources, model.mechanism),
+        origin_section(sources, model.mechanism),
     ]
     return page(response_summary(model, response, drawn), sections)
 
@@ -91,32 +91,34 @@ def response_summary(model: Model, response: FrequencyResponse, drawn: DrawnChan
     pose_text = format_pose(model.mechanism, response.poses[response.one(())], "g").replace("-", MINUS)
     measured = {} if drawn.measured is None else drawn.measured.responses
     compared = {name: values for name, values in drawn.model.items() if name in measured} or drawn.model
-    several = len(drawn.frequencies) > 1
+    has_several_frequencies = len(drawn.frequencies) > 1
     first, last = (float(drawn.frequencies[i]) for i in (0, -1))
-    resonance = resonance_of(response, drawn) if several else None
+    resonance = resonance_of(response, drawn) if has_several_frequencies else None
     name = most_responsive(compared, drawn.units) if resonance is None else resonance.channel
     output_port, _, input_port = name.partition("/")
-    most = f"{clean(output_port)} responds most to {clean(input_port)}"
+    strongest_text = f"{clean(output_port)} responds most to {clean(input_port)}"
     if resonance is not None:
-        where = f"in mode {resonance.mode}, at {numbers.format_frequency(resonance.frequency)} Hz"
-        headline = f"{clean(output_port)} resonates most with {clean(input_port)} {where}"
+        mode_text = f"in mode {resonance.mode}, at {numbers.format_frequency(resonance.frequency)} Hz"
+        headline = f"{clean(output_port)} resonates most with {clean(input_port)} {mode_text}"
         if drawn.measured is not None and name in measured:
             index = _measured_peak_near(drawn, measured[name], resonance.frequency)
             if index is not None:
                 headline += f", measured at {numbers.format_frequency(drawn.measured.frequencies[index])} Hz"
-    elif several:
+    elif has_several_frequencies:
         peak = numbers.format_frequency(drawn.frequencies[int(np.abs(drawn.model[name]).argmax())])
-        headline = f"No resonance from {first:g} to {last:g} Hz: {most} at {peak} Hz"
+        headline = f"No resonance from {first:g} to {last:g} Hz: {strongest_text} at {peak} Hz"
     else:
-        headline = f"At {first:g} Hz {most}"
+        headline = f"At {first:g} Hz {strongest_text}"
     facts = [
         ("channels", Cell(str(len(drawn.model)), len(drawn.model))),
         ("frequencies", Cell(f"{first:g} to {last:g} Hz"))
-        if several
+        if has_several_frequencies
         else ("frequency", Cell(f"{first:g} Hz")),
     ]
     if resonance is not None:
-        facts.append((f"mode {resonance.mode}", hertz_cell(resonance.frequency, "resonance", "frequency_hz")))
+        facts.append(
+            (f"mode {resonance.mode}", hertz_with_unit_cell(resonance.frequency, "resonance", "frequency_hz"))
+        )
     if drawn.measured is not None:
         count = len(drawn.measured.responses)
         facts.append(("of the channels measured", Cell(str(count), count)))
@@ -124,9 +126,9 @@ def response_summary(model: Model, response: FrequencyResponse, drawn: DrawnChan
         f"{response.quantity.capitalize()} at {pose_text}, {motors_in_words(model.robot, response.drives)}."
     )
     if len(drawn.model) > 1:
-        which = "measured channels" if measured else "channels"
-        unit_text = unit(drawn.units[name])
-        channel_group = f"{which} in {unit_text}" if unit_text else f"dimensionless {which}"
+        channels_text = "measured channels" if measured else "channels"
+        symbol = unit_text(drawn.units[name])
+        channel_group = f"{channels_text} in {symbol}" if symbol else f"dimensionless {channels_text}"
         strongest = "the largest response" if resonance is None else "the strongest resonance"
         reason += f" Of the {channel_group} this one has {strongest}."
     if meanings := [
@@ -136,7 +138,7 @@ def response_summary(model: Model, response: FrequencyResponse, drawn: DrawnChan
     ]:
         reason += f" Here {', '.join(meanings)}."
     return Summary(
-        subject=f"{shortened(model.robot.name)}, {motors_in_words(model.robot, response.drives)}",
+        subject=f"{shorten(model.robot.name)}, {motors_in_words(model.robot, response.drives)}",
         kind="Frequency responses",
         headline=headline,
         reason=reason,
@@ -146,19 +148,19 @@ def response_summary(model: Model, response: FrequencyResponse, drawn: DrawnChan
     )
 
 
-def hertz_cell(frequency: float, *at: str) -> Cell:
+def hertz_with_unit_cell(frequency: float, *json_keys: str) -> Cell:
     """Return a frequency with its unit.
 
-    - at: its place in the JSON
+    - json_keys: its place in the JSON
     """
-    return Cell(f"{numbers.format_frequency(frequency)} Hz", frequency, pointer(*at))
+    return Cell(f"{numbers.format_frequency(frequency)} Hz", frequency, pointer(*json_keys))
 
 
 def _notes(robot: Robot, drawn: DrawnChannels) -> Iterator[str]:
     """Yield notes on the responses."""
     if not robot.dissipates:
         yield UNDAMPED_NOTE
-    yield from (sentence(clean(note)) for note in drawn.notes)
+    yield from (to_sentence(clean(note)) for note in drawn.notes)
     if drawn.prescribed:
         verb = "is" if len(drawn.prescribed) == 1 else "are"
         yield f"{clean(', '.join(drawn.prescribed))} {verb} left out: the motion is prescribed."
@@ -168,18 +170,18 @@ def _notes(robot: Robot, drawn: DrawnChannels) -> Iterator[str]:
 
 def _port_meaning(port: str, mechanism: Mechanism) -> str:
     """Return what an input or output is; empty if its name says so, or it has no description."""
-    kind, _, which = port.partition("_")
-    if kind in ("p", "r", "force", "moment") and which not in ("x", "y", "z"):
+    kind, _, suffix = port.partition("_")
+    if kind in ("p", "r", "force", "moment") and suffix not in ("x", "y", "z"):
         return ""  # a direction that the user named
-    moved, exerted = ("length", "force") if mechanism.drives[0].unit == "N" else ("angle", "torque")
-    body = mechanism.moving_body(which if kind in ("p", "force") else "")
+    motion, effort = ("length", "force") if mechanism.drives[0].unit == "N" else ("angle", "torque")
+    body = mechanism.moving_body(suffix if kind in ("p", "force") else "")
     return {
-        "p": f"the motion of the {body} along {which}",
-        "r": f"the rotation of the {body} about {which}",
-        "force": f"a force on the {body} along {which}",
-        "moment": f"a moment on the {body} about {which}",
-        "motor": f"the {moved} of motor {which}",
-        "torque": f"the {exerted} of motor {which}",
+        "p": f"the motion of the {body} along {suffix}",
+        "r": f"the rotation of the {body} about {suffix}",
+        "force": f"a force on the {body} along {suffix}",
+        "moment": f"a moment on the {body} about {suffix}",
+        "motor": f"the {motion} of motor {suffix}",
+        "torque": f"the {effort} of motor {suffix}",
     }.get(kind, "")
 
 
@@ -194,12 +196,16 @@ def _largest_measured_index(drawn: DrawnChannels, values: NDArray[Any]) -> int |
 def _measured_peak_near(drawn: DrawnChannels, values: NDArray[Any], frequency: float) -> int | None:
     """Return the index of the largest measured response around a mode [Hz]; None where none of them is a peak."""
     assert drawn.measured is not None
-    f, size = drawn.measured.frequencies, np.abs(values)
-    near = (f >= frequency / NEAR) & (f <= frequency * NEAR) & (f >= drawn.frequencies[0])
-    near &= f <= drawn.frequencies[-1]
-    if not near.any():
+    frequencies, size = drawn.measured.frequencies, np.abs(values)
+    is_near = (
+        (frequencies >= frequency / NEAR)
+        & (frequencies <= frequency * NEAR)
+        & (frequencies >= drawn.frequencies[0])
+    )
+    is_near &= frequencies <= drawn.frequencies[-1]
+    if not is_near.any():
         return None
-    peak = int(np.where(near, size, -1.0).argmax())
+    peak = int(np.where(is_near, size, -1.0).argmax())
     return peak if size[peak] >= size[max(peak - 1, 0) : peak + 2].max() else None
 
 
@@ -226,27 +232,27 @@ def _response_figures(drawn: DrawnChannels) -> list[Block]:
             caption += " Broad lines are measured, thin ones the model."
         if drawn.before is not None:
             caption += " Dashed lines are the machine as it was described before."
-        blocks.append(Picture.of(drawing, title, f"Magnitude and phase of {shown}.", caption))
+        blocks.append(Picture.from_drawing(drawing, title, f"Magnitude and phase of {shown}.", caption))
     return blocks
 
 
 def largest_responses_table(drawn: DrawnChannels) -> Table:
     """Return the table of the first and the largest response in each channel."""
     measured, frequencies = drawn.measured, drawn.frequencies
-    several = len(frequencies) > 1
+    has_several_frequencies = len(frequencies) > 1
     peaks = [Column(title) for title in ("largest", "at [Hz]", "phase [\u00b0]")]
-    of_model = [Column("first"), *peaks] if several else [Column("magnitude"), peaks[-1]]
-    titles = [Column("channel", False), Column("unit", False), *of_model]
+    model_columns = [Column("first"), *peaks] if has_several_frequencies else [Column("magnitude"), peaks[-1]]
+    titles = [Column("channel", False), Column("unit", False), *model_columns]
     groups: list[tuple[str, int]] = []
     if measured is not None:
         titles += peaks
-        groups = [("", 2), ("model", len(of_model)), ("measured", 3)]
+        groups = [("", 2), ("model", len(model_columns)), ("measured", 3)]
     rows = []
     for name, values in drawn.model.items():
         peak = int(np.abs(values).argmax())
         row = [Cell(clean(name)), unit_cell(drawn.units[name])]
         cells = _peak_cells(frequencies, values, peak, pointer("frequencies_hz", peak))
-        row += [_four_digits(abs(values[0])), *cells] if several else [cells[0], cells[-1]]
+        row += [_four_digits(abs(values[0])), *cells] if has_several_frequencies else [cells[0], cells[-1]]
         if measured is not None:
             index = (
                 _largest_measured_index(drawn, measured.responses[name])
@@ -254,17 +260,17 @@ def largest_responses_table(drawn: DrawnChannels) -> Table:
                 else None
             )
             if index is None:
-                row += [number(None)] * 3
+                row += [number_cell(None)] * 3
             else:
                 row += _peak_cells(measured.frequencies, measured.responses[name], index)
         rows.append(row)
     caption = (
         f"Magnitudes at the first of {len(frequencies)} frequencies from {frequencies[0]:g} to "
         f"{frequencies[-1]:g} Hz, and the largest of each channel with its phase"
-        if several
+        if has_several_frequencies
         else f"Magnitude and phase at {frequencies[0]:g} Hz"
     )
-    return table(f"{caption}, for exp(+i\u03c9t).", titles, rows, groups)
+    return compact_table(f"{caption}, for exp(+i\u03c9t).", titles, rows, groups)
 
 
 def _peak_cells(
@@ -273,14 +279,14 @@ def _peak_cells(
     value = complex(values[peak])
     return [
         _four_digits(abs(value)),
-        hertz(float(frequencies[peak]), json_pointer),
-        number(float(np.degrees(np.angle(value))), ".0f"),
+        frequency_cell(float(frequencies[peak]), json_pointer),
+        number_cell(float(np.degrees(np.angle(value))), ".0f"),
     ]
 
 
 def _four_digits(value: float) -> Cell:
     """Return a magnitude with four significant digits, trailing zeros included, so that columns align."""
-    return number(value, "#.4g" if 1e-3 <= value < 999.9 else ".3e")
+    return number_cell(value, "#.4g" if 1e-3 <= value < 999.9 else ".3e")
 
 
 def _modes_table(model: Model, response: FrequencyResponse) -> Block:
@@ -290,7 +296,7 @@ def _modes_table(model: Model, response: FrequencyResponse) -> Block:
     sigmas, rigid = spread_of(model, pose, response.drives), modes.rigid_modes
     columns = [Column("mode"), Column("f [Hz]"), Column("damping [%]")]
     columns += map(Column, unit_vector_headings(model.mechanism))
-    moved = unit_vectors(modes.platform_shapes, lengths_of(model.mechanism, model.robot.parameters))
+    directions = unit_vectors(modes.platform_shapes, lengths_of(model.mechanism, model.robot.parameters))
     rows = []
     for i in range(rigid, len(modes.frequencies)):
         frequency = float(modes.frequencies[i])
@@ -298,9 +304,9 @@ def _modes_table(model: Model, response: FrequencyResponse) -> Block:
         rows.append(
             [
                 Cell(str(i + 1 - rigid)),
-                uncertain_cell(frequency, sigma) if sigma > 0.0 else hertz(frequency),
-                three_digits(float(modes.damping_ratios[i]), scale=100.0),
-                *(number(float(part) + 0.0, ".3f") for part in moved[i]),
+                uncertain_cell(frequency, sigma) if sigma > 0.0 else frequency_cell(frequency),
+                three_digit_cell(float(modes.damping_ratios[i]), scale=100.0),
+                *(number_cell(float(part) + 0.0, ".3f") for part in directions[i]),
             ]
         )
     caption = (
@@ -309,4 +315,4 @@ def _modes_table(model: Model, response: FrequencyResponse) -> Block:
     )
     if model.mechanism.rotations:
         caption += f" Rotations are times L = {model.characteristic_length:.4g} m."
-    return table(caption, columns, rows)
+    return compact_table(caption, columns, rows)

@@ -12,36 +12,39 @@ from pkmodes.core.support.words import meaning_of
 from pkmodes.machine.maps.robots_compared import MIN_PAIR_MAC, ModeChange, largest_difference_sentence
 from pkmodes.pages.plots.labels import MINUS
 from pkmodes.pages.report.blocks import Cell, Column, Listing, Paragraph, Summary, Table
-from pkmodes.pages.report.formatting import clean, number, pointer, shortened, thousands, unit_cell
+from pkmodes.pages.report.formatting import clean, group_thousands, number_cell, pointer, shorten, unit_cell
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
 
 #: Titles of the pose counts by their keys.
-REACHED = {
+POSE_COUNT_TITLES = {
     "both": "poses that both reach",
     "first_only": "poses that only the first reaches",
     "second_only": "poses that only the second reaches",
 }
 #: Titles of the standard deviations by their keys.
-SIGMAS = {"first_sigma": "\u03c3, first", "second_sigma": "\u03c3, second"}
-Shared = Paragraph | Listing | Table
+SIGMA_TITLES = {"first_sigma": "\u03c3, first", "second_sigma": "\u03c3, second"}
+ValueBlock = Paragraph | Listing | Table
 
 
 def robots_summary(first: Model, second: Model, content: dict[str, Any]) -> Summary:
     """Return which frequency differs most, and what was compared."""
-    poses, doing = content["poses"], motors_of_both(first.robot, second.robot, content["drives"])
-    differ = len(content["values"])
+    poses, motors = content["poses"], motors_of_both(first.robot, second.robot, content["drives"])
+    difference_count = len(content["values"])
     facts = [
-        ("declared values that differ", Cell(f"{differ} of {content['compared']}", differ)),
+        (
+            "declared values that differ",
+            Cell(f"{difference_count} of {content['compared']}", difference_count),
+        ),
         *(
-            (title, Cell(thousands(poses[key]), poses[key], pointer("poses", key)))
-            for key, title in REACHED.items()
+            (title, Cell(group_thousands(poses[key]), poses[key], pointer("poses", key)))
+            for key, title in POSE_COUNT_TITLES.items()
         ),
     ]
-    names = f"{shortened(content['first'])} (first) and {shortened(content['second'])} (second)"
+    names = f"{shorten(content['first'])} (first) and {shorten(content['second'])} (second)"
     return Summary(
-        subject=f"{names}, {doing}",
+        subject=f"{names}, {motors}",
         kind="Comparison of robots",
         headline=largest_difference_sentence([ModeChange(**mode) for mode in content["modes"]]).replace(
             "-", MINUS
@@ -53,37 +56,43 @@ def robots_summary(first: Model, second: Model, content: dict[str, Any]) -> Summ
     )
 
 
-def different_values(first: Model, content: dict[str, Any], max_rows: int | None = None) -> Iterator[Shared]:
+def different_value_blocks(
+    first: Model, content: dict[str, Any], max_rows: int | None = None
+) -> Iterator[ValueBlock]:
     """Yield what the files declare differently.
 
-    - max_rows: most values, those that differ most; None for all, in the order of the files
+    - max_rows: maximum number of values, those that differ most; None for all, in the order of the files
     """
-    numbered = list(enumerate(content["values"]))
+    indexed_values = list(enumerate(content["values"]))
     note = ""
-    if max_rows is not None and len(numbered) > max_rows:
+    if max_rows is not None and len(indexed_values) > max_rows:
         # Those without a relative difference first, then the largest ones.
-        sizes = [math.inf if value["relative"] is None else abs(value["relative"]) for _, value in numbered]
-        numbered = sorted(numbered, key=lambda entry: -sizes[entry[0]])[:max_rows]
+        sizes = [
+            math.inf if value["relative"] is None else abs(value["relative"]) for _, value in indexed_values
+        ]
+        indexed_values = sorted(indexed_values, key=lambda entry: -sizes[entry[0]])[:max_rows]
         note = f"The {max_rows} that differ most of {len(content['values'])}; all: --all, --json or --report."
-    if numbered:
-        shown = [value for _, value in numbered]
+    if indexed_values:
+        shown_values = [value for _, value in indexed_values]
         # Columns without information are left out.
-        sigmas = [
-            key for key in ("first_sigma", "second_sigma") if any(value[key] is not None for value in shown)
+        sigma_keys = [
+            key
+            for key in ("first_sigma", "second_sigma")
+            if any(value[key] is not None for value in shown_values)
         ]
         rows = [
             [
                 Cell.named(clean(meaning_of(first.robot.mechanism, value["path"])), clean(value["path"])),
-                number(value["first"], ".6g", pointer("values", i, "first")),
-                number(value["second"], ".6g", pointer("values", i, "second")),
-                number(value["relative"], "+.2f", pointer("values", i, "relative"), scale=100.0),
-                *(number(value[key], ".2g", pointer("values", i, key)) for key in sigmas),
+                number_cell(value["first"], ".6g", pointer("values", i, "first")),
+                number_cell(value["second"], ".6g", pointer("values", i, "second")),
+                number_cell(value["relative"], "+.2f", pointer("values", i, "relative"), scale=100.0),
+                *(number_cell(value[key], ".2g", pointer("values", i, key)) for key in sigma_keys),
                 unit_cell(value["unit"]),
             ]
-            for i, value in numbered
+            for i, value in indexed_values
         ]
-        titles = ["first", "second", "difference [%]", *(SIGMAS[key] for key in sigmas)]
-        columns = [Column("quantity", numbers=False), *map(Column, titles), Column("unit", numbers=False)]
+        titles = ["first", "second", "difference [%]", *(SIGMA_TITLES[key] for key in sigma_keys)]
+        columns = [Column("quantity", numeric=False), *map(Column, titles), Column("unit", numeric=False)]
         yield Table(
             "Declared values that differ, in SI units; \u2013: not declared.", columns, rows, note=note
         )
@@ -101,38 +110,37 @@ def different_values(first: Model, content: dict[str, Any], max_rows: int | None
     ):
         if content[key]:
             yield Paragraph(sentence)
-            yield Listing([clean(name) for name in content[key]], names=True)
+            yield Listing([clean(name) for name in content[key]], in_columns=True)
 
 
-def frequencies(content: dict[str, Any]) -> Iterator[Shared]:
+def frequency_difference_blocks(content: dict[str, Any]) -> Iterator[ValueBlock]:
     """Yield how much each frequency differs over the poses that both reach."""
     counts = {mode["poses"] for mode in content["modes"]}
-    varied = len(counts) > 1  # otherwise the summary says it
+    counts_differ = len(counts) > 1  # otherwise the summary says it
     rows = [
         [
             Cell(str(mode["mode"])),
-            number(mode["partner"], ".0f", pointer("modes", i, "partner")),
-            *([number(mode["poses"], ".0f", pointer("modes", i, "poses"))] if varied else []),
+            number_cell(mode["partner"], ".0f", pointer("modes", i, "partner")),
+            *([number_cell(mode["poses"], ".0f", pointer("modes", i, "poses"))] if counts_differ else []),
             *(
-                number(mode[key], "+.2f", pointer("modes", i, key), scale=100.0)
+                number_cell(mode[key], "+.2f", pointer("modes", i, key), scale=100.0)
                 for key in ("low", "median", "high")
             ),
-            number(mode["exchanged"], ".1f", pointer("modes", i, "exchanged"), scale=100.0),
-            number(mode["mac"], ".3f", pointer("modes", i, "mac")),
+            number_cell(mode["exchanged"], ".1f", pointer("modes", i, "exchanged"), scale=100.0),
+            number_cell(mode["mac"], ".3f", pointer("modes", i, "mac")),
         ]
         for i, mode in enumerate(content["modes"])
     ]
-    titles = ["mode", "partner", *(["poses"] if varied else [])]
+    titles = ["mode", "partner", *(["poses"] if counts_differ else [])]
     titles += ["2 %", "median", "98 %", "exchanged [%]", "MAC"]
-    groups = [("", 2 + varied), ("difference [%]", 3), ("", 2)]
+    groups = [("", 2 + counts_differ), ("difference [%]", 3), ("", 2)]
     caption = (
         "Relative difference of each frequency: its median, and the values below which 2 % and 98 % lie."
     )
     yield Table(caption, [Column(title) for title in titles], rows, groups)
     yield Paragraph(
         "Modes are numbered by frequency in the first robot. At each pose they are paired with those of the second "
-        f"by their shapes: the pairs with the largest sum of MAC, none below {MIN_PAIR_MAC:g}. The partner "
-        "named is the most "
-        "frequent one; exchanged is the share of poses at which it is another, because frequencies cross or veer, or "
-        "there is none; MAC is the median of the pairs."
+        f"by their shapes: the pairs with the largest sum of MAC, none below {MIN_PAIR_MAC:g}. The partner named is "
+        "the most frequent one; exchanged is the share of poses at which it is another, because frequencies cross "
+        "or veer, or there is none; MAC is the median of the pairs."
     )

@@ -6,12 +6,12 @@ from collections.abc import Sequence
 
 from pkmodes.core.base.version import VERSION
 from pkmodes.core.mechanism.registry import Mechanism
-from pkmodes.pages.report.blocks import Block, Cell, Facts, Foreign, Paragraph, Section
-from pkmodes.pages.report.formatting import clean, shortened
+from pkmodes.pages.report.blocks import Block, Cell, EmbeddedHtml, Facts, Paragraph, Section
+from pkmodes.pages.report.formatting import clean, shorten
 from pkmodes.pages.report.sources import Source
 
 #: Terms that the reader of a comparison or a diagnosis needs, as in docs/explanation/diagnosis.md.
-COMPARED = {
+COMPARISON_TERMS = {
     "difference": "Model minus measurement: in per cent of the measured frequency, or in \u03c3.",
     "\u03c3": "Standard deviation of the measured frequency, with the uncertainty of the pose where one is stated. "
     "Differences above 3 \u03c3 are rarely noise.",
@@ -21,7 +21,7 @@ COMPARED = {
     "MAC": "Modal assurance criterion of a measured shape and a shape of the model: 1 if they are the same.",
     "unmatched": "A measured mode for which the model has no mode within a factor of 1.8 in frequency.",
 }
-DIAGNOSED = {
+DIAGNOSIS_TERMS = {
     "uncertain value": "Declared with a standard deviation, its prior, and refitted within it in every fit.",
     "candidate": "Something the model may lack or have wrong. A cause is a candidate that was found.",
     "class": "Candidates that these data cannot tell apart. A claim never goes beyond its class.",
@@ -31,7 +31,7 @@ DIAGNOSED = {
 }
 
 
-def origin(
+def origin_section(
     sources: Sequence[Source],
     mechanism: Mechanism | None,
     further_facts: Sequence[tuple[str, Sequence[Cell]]] = (),
@@ -43,7 +43,7 @@ def origin(
     """
     facts: list[tuple[str, Sequence[Cell]]] = []
     for source in sources:
-        facts.append((source.role, [Cell(shortened(source.name))]))
+        facts.append((source.role, [Cell(shorten(source.name))]))
         facts.append((f"SHA-256 of the {source.role}", [Cell(source.digest)]))
     if mechanism is not None:
         facts.append(("mechanism", [Cell(clean(mechanism.title))]))
@@ -57,13 +57,13 @@ def view_section(view: str | None) -> list[Section]:
         return []
     blocks: list[Block] = [
         Paragraph("The machine in its modes. It moves on a screen; a printed page has a still picture."),
-        Foreign(view),
+        EmbeddedHtml(view),
     ]
     return [Section("view", "In three dimensions", blocks)]
 
 
-def glossary(diagnosed: bool) -> Section:
+def glossary_section(is_diagnosis: bool) -> Section:
     """Return the section that explains the words of a comparison or a diagnosis."""
-    chosen = COMPARED | (DIAGNOSED if diagnosed else {})
-    entries = [(word, [Cell(meaning)]) for word, meaning in chosen.items()]
+    terms = COMPARISON_TERMS | (DIAGNOSIS_TERMS if is_diagnosis else {})
+    entries = [(word, [Cell(meaning)]) for word, meaning in terms.items()]
     return Section("words", "Glossary", [Facts(entries)])

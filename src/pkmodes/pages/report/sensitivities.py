@@ -12,9 +12,9 @@ from pkmodes.pages.figures.tornado_picture import describe_changes
 from pkmodes.pages.plots.tornado import MAX_PANELS, tornado
 from pkmodes.pages.report.blocks import Block, Cell, Paragraph, Picture, Section, Table
 from pkmodes.pages.report.page import need_report, page
-from pkmodes.pages.report.sections import origin
+from pkmodes.pages.report.sections import origin_section
 from pkmodes.pages.report.sensitivity_tables import (
-    NAMED,
+    LABEL_COLUMNS,
     per_cent_table,
     per_sigma_table,
     sensitivities_summary,
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from pkmodes.core.model import Model
 
 #: Modes side by side in one table.
-MODES = 6
+MODES_PER_TABLE = 6
 
 
 def sensitivities_report(
@@ -47,12 +47,12 @@ def sensitivities_report(
     sigma = changes_at(model, pose, drives, SIGMA) if stated_sigmas(model.robot) else None
     by_percent: list[Block] = [Paragraph("No frequency depends on any quantity of the robot file.")]
     if percent.largest_of_all():
-        whole = per_cent_table(model, percent, content)
+        percent_table = per_cent_table(model, percent, content)
         note = (
-            f"{whole.note} Coordinates are left out, since a per cent of a coordinate depends on where the origin "
-            "lies; --all and the JSON have everything."
+            f"{percent_table.note} Coordinates are left out, since a per cent of a coordinate depends on "
+            "where the origin lies; --all and the JSON have everything."
         )
-        by_percent = [*_pictures(percent), *_parts(replace(whole, note=note.strip()))]
+        by_percent = [*_tornado_pictures(percent), *_split_table(replace(percent_table, note=note.strip()))]
     by_sigma: list[Block] = [
         Paragraph(
             'The robot file states no standard deviations. Where it does, as in mass = { value = "1.5 kg", '
@@ -60,36 +60,46 @@ def sensitivities_report(
         )
     ]
     if sigma is not None:
-        by_sigma = [*_pictures(sigma), *_parts(per_sigma_table(model, sigma))]
+        by_sigma = [*_tornado_pictures(sigma), *_split_table(per_sigma_table(model, sigma))]
     sections = [
         Section("percent", "One per cent of each quantity", by_percent),
         Section("sigma", "Standard deviations of the robot file", by_sigma),
-        origin(sources, model.mechanism, [("rigid-body modes", [Cell(str(content["rigid_modes"]))])]),
+        origin_section(sources, model.mechanism, [("rigid-body modes", [Cell(str(content["rigid_modes"]))])]),
     ]
     return page(sensitivities_summary(model, percent, sigma, content), sections)
 
 
-def _pictures(changes: Changes) -> list[Block]:
+def _tornado_pictures(changes: Changes) -> list[Block]:
     """Return the tornado charts, divided into figures that fit on pages."""
     blocks: list[Block] = []
     count, text = len(changes.frequencies), describe_changes(changes)
     for start in range(0, count, MAX_PANELS):
         modes = range(start, min(start + MAX_PANELS, count))
-        drawn = tornado(changes, modes)
+        drawing = tornado(changes, modes)
         title = "Largest changes" if changes.by == PERCENT else "Largest changes by standard deviations"
         if count > MAX_PANELS:
             title += f", modes {modes[0] + 1} to {modes[-1] + 1}"
-        blocks.append(Picture.of(drawn, title, text, text if not start else f"{title}."))
+        blocks.append(Picture.from_drawing(drawing, title, text, text if not start else f"{title}."))
     return blocks
 
 
-def _parts(whole: Table) -> list[Block]:
+def _split_table(full_table: Table) -> list[Block]:
     """Return a table in parts of several modes each where there are many."""
     parts: list[Block] = []
-    count = len(whole.columns) - NAMED
-    for start in range(0, count, MODES):
-        kept = [*range(NAMED), *range(NAMED + start, NAMED + min(start + MODES, count))]
-        columns = [whole.columns[k] for k in kept]
-        rows = [[row[k] for k in kept] for row in whole.rows]
-        parts.append(Table(whole.caption, columns, rows, note=whole.note if start + MODES >= count else ""))
+    count = len(full_table.columns) - LABEL_COLUMNS
+    for start in range(0, count, MODES_PER_TABLE):
+        column_indices = [
+            *range(LABEL_COLUMNS),
+            *range(LABEL_COLUMNS + start, LABEL_COLUMNS + min(start + MODES_PER_TABLE, count)),
+        ]
+        columns = [full_table.columns[k] for k in column_indices]
+        rows = [[row[k] for k in column_indices] for row in full_table.rows]
+        parts.append(
+            Table(
+                full_table.caption,
+                columns,
+                rows,
+                note=full_table.note if start + MODES_PER_TABLE >= count else "",
+            )
+        )
     return parts

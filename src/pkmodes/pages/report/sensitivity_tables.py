@@ -17,15 +17,15 @@ from pkmodes.loop.sensitivity.spread import stated_sigmas
 from pkmodes.pages.plots.labels import MINUS
 from pkmodes.pages.report.blocks import Cell, Column, Summary, Table
 from pkmodes.pages.report.formatting import (
-    NOTHING,
+    MISSING,
     clean,
-    figures,
-    hertz,
-    number,
+    frequency_cell,
+    number_cell,
     pointer,
     quantity_cell,
-    sentence,
-    shortened,
+    rounded_cell,
+    shorten,
+    to_sentence,
     uncertain_cell,
     unit_cell,
 )
@@ -34,12 +34,12 @@ if TYPE_CHECKING:
     from pkmodes.core.model import Model
 
 #: Note on parameters that act as one.
-ONE = "Quantities in one row act as one: only their product or quotient enters the equations."
+ACT_AS_ONE_NOTE = "Quantities in one row act as one: only their product or quotient enters the equations."
 #: Columns of a table to the left of the modes.
-NAMED = 2
+LABEL_COLUMNS = 2
 #: Derivatives below these bounds are rounding errors: relative change of the frequency per relative change of the
 #: value, or per SI unit if the value is 0.
-ROUNDING, ROUNDING_BY_UNIT = 1e-9, 1e-15
+MIN_RELATIVE_RATE, MIN_RATE_PER_UNIT = 1e-9, 1e-15
 
 
 def sensitivities_summary(
@@ -55,37 +55,41 @@ def sensitivities_summary(
     - chosen_only: whether the changes are those of chosen quantities only
     """
     relative = 100.0 * np.abs(percent.changes / percent.frequencies)
-    first = percent.largest_of_all(1)
+    most_influential = percent.largest_of_all(1)
     headline, reason = "No quantity of the robot file changes a frequency", ""
-    if first:
-        mode = int(relative[first[0]].argmax())
-        change = plain(relative[first[0], mode], 2)
+    if most_influential:
+        mode = int(relative[most_influential[0]].argmax())
+        change = plain(relative[most_influential[0], mode], 2)
         names = []
-        for path in map(clean, percent.names[first[0]]):
+        for path in map(clean, percent.names[most_influential[0]]):
             words = clean(meaning_of(model.robot.mechanism, path))
             names.append(f"the {words} ({path})" if words else path)
-        which = f"Of the chosen quantities, mode {mode + 1}" if chosen_only else f"Mode {mode + 1}"
-        headline = f"{which} depends most on {' or '.join(names)}: {change} % for 1 %"
+        mode_text = f"Of the chosen quantities, mode {mode + 1}" if chosen_only else f"Mode {mode + 1}"
+        headline = f"{mode_text} depends most on {' or '.join(names)}: {change} % for 1 %"
         reason = "The largest change of any frequency for one per cent of a quantity. "
-    at = format_pose(model.mechanism, np.array(content["pose"]), "g").replace("-", MINUS)
-    doing, facts, rigid = motors_in_words(model.robot, content["drives"]), [], content["rigid_modes"]
+    pose_text = format_pose(model.mechanism, np.array(content["pose"]), "g").replace("-", MINUS)
+    motors, facts, rigid = motors_in_words(model.robot, content["drives"]), [], content["rigid_modes"]
     for mode, frequency in enumerate(percent.frequencies.tolist()):
-        error = 0.0 if sigma is None or sigma.combined is None else float(sigma.combined[mode])
-        place = pointer("frequencies_hz", rigid + mode)
-        cell = uncertain_cell(frequency, error, place) if error > 0.0 else hertz(frequency, place)
+        frequency_sigma = 0.0 if sigma is None or sigma.combined is None else float(sigma.combined[mode])
+        frequency_pointer = pointer("frequencies_hz", rigid + mode)
+        cell = (
+            uncertain_cell(frequency, frequency_sigma, frequency_pointer)
+            if frequency_sigma > 0.0
+            else frequency_cell(frequency, frequency_pointer)
+        )
         facts.append((f"mode {mode + 1} [Hz]", cell))
     return Summary(
-        subject=f"{shortened(content['robot'])}, {doing}",
+        subject=f"{shorten(content['robot'])}, {motors}",
         kind="Sensitivities",
         headline=headline,
-        reason=f"{reason}At {at}, {doing}; the pose and all other quantities are held constant.",
-        notes=[sentence(text) for text in coinciding(content["groups"], rigid, "changes")],
+        reason=f"{reason}At {pose_text}, {motors}; the pose and all other quantities are held constant.",
+        notes=[to_sentence(text) for text in coinciding(content["groups"], rigid, "changes")],
         facts=facts,
         head=head_of(model.robot.report),
     )
 
 
-def _quantity(model: Model, paths: Sequence[str]) -> Cell:
+def _label_cell(model: Model, paths: Sequence[str]) -> Cell:
     """Return the quantities of a row: in words, and their paths beneath."""
     words = [clean(meaning_of(model.robot.mechanism, path)) for path in paths]
     return Cell.named(", ".join(words) if all(words) else "", clean(", ".join(paths)))
@@ -96,22 +100,29 @@ def per_cent_table(
 ) -> Table:
     """Return what one per cent more of each quantity does to every frequency.
 
-    - max_rows: most quantities, the first; None for all
+    - max_rows: maximum number of quantities, the first ones; None for all
     """
     order, frequencies = changes.largest_of_all(), changes.frequencies.tolist()
     rigid, paths, rows = content["rigid_modes"], content["parameters"], []
-    for i in order[:max_rows]:
-        indices = [paths.index(name) for name in changes.paths[i] if name in paths]
-        values = [quantity_cell(content["values"][t], content["units"][t], 5).text for t in indices]
-        row = [_quantity(model, changes.names[i]), Cell(", ".join(values) or NOTHING)]
+    for change_index in order[:max_rows]:
+        parameter_indices = [paths.index(name) for name in changes.paths[change_index] if name in paths]
+        values = [
+            quantity_cell(content["values"][parameter_index], content["units"][parameter_index], 5).text
+            for parameter_index in parameter_indices
+        ]
+        row = [_label_cell(model, changes.names[change_index]), Cell(", ".join(values) or MISSING)]
         for mode, frequency in enumerate(frequencies):
-            value, place = float(100.0 * changes.changes[i, mode] / frequency), ""
-            if indices:
-                place = pointer("relative_derivatives", indices[0], rigid + mode)
-                value = content["relative_derivatives"][indices[0]][rigid + mode]
-            row.append(number(value, "+.4f", place))
+            value, derivative_pointer = float(100.0 * changes.changes[change_index, mode] / frequency), ""
+            if parameter_indices:
+                derivative_pointer = pointer("relative_derivatives", parameter_indices[0], rigid + mode)
+                value = content["relative_derivatives"][parameter_indices[0]][rigid + mode]
+            row.append(number_cell(value, "+.4f", derivative_pointer))
         rows.append(row)
-    note = "" if all(len(changes.names[i]) == 1 for i in order[:max_rows]) else ONE
+    note = (
+        ""
+        if all(len(changes.names[change_index]) == 1 for change_index in order[:max_rows])
+        else ACT_AS_ONE_NOTE
+    )
     if max_rows is not None and len(order) > max_rows:
         note = f"{note} The {max_rows} largest of {len(order)}, by their largest change in any mode.".strip()
     caption = "Per cent of each frequency for one per cent more of a quantity, the largest first."
@@ -124,20 +135,22 @@ def per_sigma_table(model: Model, changes: Changes) -> Table:
     """Return what one standard deviation more of each value does to every frequency, and all of them together."""
     assert changes.combined is not None
     sigmas, rows = stated_sigmas(model.robot), []
-    for i in changes.largest_of_all():
-        (path,) = changes.names[i]
+    for change_index in changes.largest_of_all():
+        (path,) = changes.names[change_index]
         symbol = model.robot.quantities[path].unit
-        row = [_quantity(model, [path]), quantity_cell(sigmas[path], symbol, 3)]
-        rows.append([*row, *(number(float(value), "+.3f") for value in changes.changes[i])])
-    combined = [number(float(value), ".3f", strong=True) for value in changes.combined]
+        row = [_label_cell(model, [path]), quantity_cell(sigmas[path], symbol, 3)]
+        rows.append([*row, *(number_cell(float(value), "+.3f") for value in changes.changes[change_index])])
+    combined = [number_cell(float(value), ".3f", strong=True) for value in changes.combined]
     rows.append([Cell("all together", strong=True), Cell(""), *combined])
-    how = CORRELATED if model.robot.covariance else "the root of the sum of squares, for independent errors"
+    combination = (
+        CORRELATED if model.robot.covariance else "the root of the sum of squares, for independent errors"
+    )
     return Table(
         "Hz for one standard deviation more of a value, and the standard deviation of each frequency.",
         _columns("quantity", "\u03c3", page_only=False, modes=len(changes.frequencies)),
         rows,
-        note=f"All together: {how}. Exact to first order: good where the standard deviations are small compared with "
-        "the values.",
+        note=f"All together: {combination}. Exact to first order: good where the standard deviations are "
+        "small compared with the values.",
     )
 
 
@@ -146,17 +159,19 @@ def per_unit_table(model: Model, content: dict[str, Any]) -> Table:
     rigid, rows = content["rigid_modes"], []
     influential = influential_quantities(content)
     largest = [
-        max((abs(derivative or 0.0) for derivative in line[rigid:]), default=0.0)
-        for line in content["relative_derivatives"]
+        max((abs(derivative or 0.0) for derivative in derivatives[rigid:]), default=0.0)
+        for derivatives in content["relative_derivatives"]
     ]
-    for t in sorted(influential, key=lambda t: -float(f"{largest[t]:.6g}")):
-        path = content["parameters"][t]
+    for parameter_index in sorted(influential, key=lambda index: -float(f"{largest[index]:.6g}")):
+        path = content["parameters"][parameter_index]
         values = [
-            number(value, ".4g", pointer("frequency_derivatives", t, rigid + mode))
-            for mode, value in enumerate(content["frequency_derivatives"][t][rigid:])
+            number_cell(value, ".4g", pointer("frequency_derivatives", parameter_index, rigid + mode))
+            for mode, value in enumerate(content["frequency_derivatives"][parameter_index][rigid:])
         ]
-        value = figures(content["values"][t], 6, pointer("values", t))
-        rows.append([_quantity(model, [path]), value, unit_cell(content["units"][t]), *values])
+        value = rounded_cell(content["values"][parameter_index], 6, pointer("values", parameter_index))
+        rows.append(
+            [_label_cell(model, [path]), value, unit_cell(content["units"][parameter_index]), *values]
+        )
     modes = len(content["frequencies_hz"]) - rigid
     columns = [Column("quantity", False), Column("value"), Column("unit", False)]
     columns += [Column(f"mode {mode + 1}") for mode in range(modes)]
@@ -167,10 +182,12 @@ def influential_quantities(content: dict[str, Any]) -> list[int]:
     """Return the quantities on which a frequency depends, by more than rounding."""
     rigid, frequencies = content["rigid_modes"], np.abs(content["frequencies_hz"])
     rates = np.array(content["frequency_derivatives"], dtype=float).reshape(-1, len(frequencies))
-    floor = np.array([ROUNDING / abs(v) if v else ROUNDING_BY_UNIT for v in content["values"]])
+    smallest_rates = np.array(
+        [MIN_RELATIVE_RATE / abs(v) if v else MIN_RATE_PER_UNIT for v in content["values"]]
+    )
     # NaN, where a frequency is 0, counts as depending.
-    still = np.abs(rates) <= floor[:, None] * frequencies
-    return np.flatnonzero(~still[:, rigid:].all(axis=1)).tolist()
+    is_constant = np.abs(rates) <= smallest_rates[:, None] * frequencies
+    return np.flatnonzero(~is_constant[:, rigid:].all(axis=1)).tolist()
 
 
 def _columns(first: str, second: str, *, page_only: bool, modes: int) -> list[Column]:

@@ -12,16 +12,29 @@ from pkmodes.machine.shaping.measured_spectrum import MeasuredSpectrum
 from pkmodes.machine.shaping.results import Choice
 from pkmodes.pages.report.blocks import Cell, Column, Section, Summary, Table
 from pkmodes.pages.report.firmware_lines import firmware_lines
-from pkmodes.pages.report.formatting import clean, label, number, plural, pointer, shortened, uncertain_cell
+from pkmodes.pages.report.formatting import (
+    clean,
+    label_cell,
+    number_cell,
+    plural,
+    pointer,
+    shorten,
+    uncertain_cell,
+)
 from pkmodes.pages.report.page import need_report, page
-from pkmodes.pages.report.sections import origin
-from pkmodes.pages.report.shaper import MAX_ACCELERATION, acceleration_cell, as_sentence, why_recommended
-from pkmodes.pages.report.shaper_curves import design_of, over_frequency_section, spectrum_facts
+from pkmodes.pages.report.sections import origin_section
+from pkmodes.pages.report.shaper import (
+    MAX_ACCELERATION_TITLE,
+    acceleration_cell,
+    note_to_sentence,
+    why_recommended,
+)
+from pkmodes.pages.report.shaper_curves import design_of, frequency_section, spectrum_facts
 from pkmodes.pages.report.sources import Source
-from pkmodes.pages.report.tables import table
+from pkmodes.pages.report.tables import compact_table
 
 #: The range of errors for which everything is stated.
-ERRORS = f"within {WITHIN:g} standard deviations of its frequency and damping ratio"
+ERROR_RANGE = f"within {WITHIN:g} standard deviations of its frequency and damping ratio"
 
 
 def measured_shaper_report(
@@ -39,10 +52,10 @@ def measured_shaper_report(
     need_report()
     sections = [
         Section("shapers", "Shapers", [shapers_table(choice)]),
-        over_frequency_section(choice, spectrum),
+        frequency_section(choice, spectrum),
         Section("modes", "The measured modes", [modes_table(content)]),
         Section("firmware", "Lines for firmware", firmware_lines(content)),
-        origin(sources, None),
+        origin_section(sources, None),
     ]
     return page(measured_shaper_summary(choice, content), sections)
 
@@ -51,35 +64,37 @@ def measured_shaper_summary(choice: Choice, content: dict[str, Any]) -> Summary:
     """Return the recommended shaper, and what it leaves."""
     best = choice.best
     remaining = of_measured(choice).shares(best)
-    at = ("shapers", choice.recommended, "left")
+    left_keys = ("shapers", choice.recommended, "left")
     modes, poses = plural(content["modes"], "measured mode"), plural(content["poses"], "pose")
     worst = f"{plain(100.0 * remaining.worst_uncertain, 2)} %"
     reason = (
         f"The recommended shaper, for {design_of(best)}, leaves at most {worst} of the vibration in each of the "
-        f"{modes} at {poses}, {ERRORS}. {why_recommended(choice)} How much each mode takes part in a movement is not "
-        "in the table, so each counts in full: the share left of all of them together is no larger."
+        f"{modes} at {poses}, {ERROR_RANGE}. {why_recommended(choice)} How much each mode takes part in a "
+        "movement is not in the table, so each counts in full: the share left of all of them together is no larger."
     )
     facts = [
         ("lasts", Cell(f"{plain(1e3 * best.duration, 3)} ms", best.duration)),
         (
-            MAX_ACCELERATION,
+            MAX_ACCELERATION_TITLE,
             acceleration_cell(best, pointer("shapers", choice.recommended, "max_acceleration")),
         ),
         (
             "most left of a mode as measured [%]",
-            number(remaining.worst, ".2g", pointer(*at, "worst"), scale=100.0),
+            number_cell(remaining.worst, ".2g", pointer(*left_keys, "worst"), scale=100.0),
         ),
         (
             f"most left of a mode within {WITHIN:g} \u03c3 [%]",
-            number(remaining.worst_uncertain, ".2g", pointer(*at, "worst_uncertain"), scale=100.0),
+            number_cell(
+                remaining.worst_uncertain, ".2g", pointer(*left_keys, "worst_uncertain"), scale=100.0
+            ),
         ),
     ]
     return Summary(
-        subject=shortened(Path(content["measured"]).name),
+        subject=shorten(Path(content["measured"]).name),
         kind="Shaper",
         headline=f"{best.kind} leaves at most {worst} of each measured mode",
         reason=reason,
-        notes=[as_sentence(clean(note)) for note in content["notes"]],
+        notes=[note_to_sentence(clean(note)) for note in content["notes"]],
         facts=[*facts, *spectrum_facts(content)],
     )
 
@@ -88,8 +103,8 @@ def shapers_table(choice: Choice) -> Table:
     """Return all shapers, and what each leaves."""
     keys = {"rms": "rms [%]", "worst": "worst [%]", "worst_uncertain": f"worst, {WITHIN:g} \u03c3 [%]"}
     columns = [
-        Column("shaper", numbers=False),
-        Column("design [Hz]", numbers=False),
+        Column("shaper", numeric=False),
+        Column("design [Hz]", numeric=False),
         Column("lasts [ms]"),
         *(Column(title, page_only=key == "rms") for key, title in keys.items()),
         Column("rounds [\u00b5m]"),
@@ -98,58 +113,67 @@ def shapers_table(choice: Choice) -> Table:
     rows = []
     ringing = of_measured(choice)
     for i, candidate in enumerate(choice.candidates):
-        strong, at, remaining = i == choice.recommended, ("shapers", i), ringing.shares(candidate)
+        is_recommended, shaper_keys, remaining = (
+            i == choice.recommended,
+            ("shapers", i),
+            ringing.shares(candidate),
+        )
         cells = [
-            Cell(clean(candidate.kind) + (" *" if strong else ""), strong=strong),
+            Cell(clean(candidate.kind) + (" *" if is_recommended else ""), strong=is_recommended),
             Cell(", ".join(f"{f:.2f}" for f in candidate.frequencies)),
-            number(candidate.duration, ".1f", pointer(*at, "duration_s"), scale=1e3),
+            number_cell(candidate.duration, ".1f", pointer(*shaper_keys, "duration_s"), scale=1e3),
         ]
         cells += [
-            number(getattr(remaining, key), ".2f", pointer(*at, "left", key), scale=100.0) for key in keys
+            number_cell(getattr(remaining, key), ".2f", pointer(*shaper_keys, "left", key), scale=100.0)
+            for key in keys
         ]
-        cells.append(number(candidate.rounding, ".1f", pointer(*at, "rounding_s2"), scale=1e6))
-        cells.append(acceleration_cell(candidate, pointer(*at, "max_acceleration"), unit=False))
+        cells.append(number_cell(candidate.rounding, ".1f", pointer(*shaper_keys, "rounding_s2"), scale=1e6))
+        cells.append(acceleration_cell(candidate, pointer(*shaper_keys, "max_acceleration"), unit=False))
         rows.append(cells)
     caption = (
         "What shapers leave of the measured modes: the root mean square and the largest of all as measured, and the "
-        f"largest with each mode {ERRORS}. Where a shaped path turns back, it is rounded by this much for each "
+        f"largest with each mode {ERROR_RANGE}. Where a shaped path turns back, it is rounded by this much for each "
         "m/s\u00b2 of acceleration; max_accel [mm/s\u00b2] is what Klipper suggests."
     )
-    return Table(caption, columns, rows, note="* The recommended one.", heads=2)
+    return Table(caption, columns, rows, note="* The recommended one.", key_columns=2)
 
 
 def modes_table(content: dict[str, Any], max_modes: int | None = None) -> Table:
     """Return the measured modes with what the recommended shaper leaves of each, the largest remainders first.
 
-    - max_modes: most modes; all by default
+    - max_modes: maximum number of modes; all by default
     """
     modes = content["measured_modes"]
     order = sorted(range(len(modes)), key=lambda i: -modes[i]["left_uncertain"])
     rows = []
     for i in order[:max_modes]:
-        mode, at = modes[i], ("measured_modes", i)
+        mode, mode_keys = modes[i], ("measured_modes", i)
         rows.append(
             [
-                label(mode["pose"]),
-                number(mode["line"], ".0f", pointer(*at, "line")),
+                label_cell(mode["pose"]),
+                number_cell(mode["line"], ".0f", pointer(*mode_keys, "line")),
                 uncertain_cell(
                     mode["frequency_hz"],
                     mode["sigma_hz"],
-                    pointer(*at, "frequency_hz"),
-                    pointer(*at, "sigma_hz"),
+                    pointer(*mode_keys, "frequency_hz"),
+                    pointer(*mode_keys, "sigma_hz"),
                 ),
-                number(mode["damping_ratio"], ".2f", pointer(*at, "damping_ratio"), scale=100.0),
-                number(mode["left"], ".2f", pointer(*at, "left"), scale=100.0),
-                number(mode["left_uncertain"], ".2f", pointer(*at, "left_uncertain"), scale=100.0),
+                number_cell(mode["damping_ratio"], ".2f", pointer(*mode_keys, "damping_ratio"), scale=100.0),
+                number_cell(mode["left"], ".2f", pointer(*mode_keys, "left"), scale=100.0),
+                number_cell(
+                    mode["left_uncertain"], ".2f", pointer(*mode_keys, "left_uncertain"), scale=100.0
+                ),
             ]
         )
-    columns = [Column("pose", numbers=False), Column("line"), Column("f [Hz]"), Column("damping ratio [%]")]
+    columns = [Column("pose", numeric=False), Column("line"), Column("f [Hz]"), Column("damping ratio [%]")]
     columns += [Column("left [%]"), Column(f"left, {WITHIN:g} \u03c3 [%]")]
-    caption = f"What the recommended shaper leaves of each measured mode: as measured, and at most {ERRORS}."
+    caption = (
+        f"What the recommended shaper leaves of each measured mode: as measured, and at most {ERROR_RANGE}."
+    )
     omitted = len(order) - len(rows)
     note = (
         f"{plural(omitted, 'mode')} of which less is left: the JSON and the report have them."
         if omitted
         else ""
     )
-    return table(caption, columns, rows, note=note)
+    return compact_table(caption, columns, rows, note=note)

@@ -64,11 +64,11 @@ def known_sources(roles: Sequence[tuple[str, str]]) -> tuple[Source, ...]:
     - roles: roles and places
     """
     sources = []
-    for role, place in roles:
+    for role, path in roles:
         try:
-            is_file = Path(place).is_file()
+            is_file = Path(path).is_file()
         except (OSError, ValueError):  # a name that no file can have
             continue
         if is_file:
-            sources.append(Source.of(role, Path(place)))
+            sources.append(Source.of(role, Path(path)))
     return tuple(sources)

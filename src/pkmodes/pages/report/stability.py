@@ -1,4 +1,4 @@
-"""What other stated errors and priors make of a diagnosis, and why, in one sentence."""
+"""How a diagnosis changes with other stated errors and priors, and why, in one sentence."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ from pkmodes.loop.diagnosis.verdict.stability_words import (
 from pkmodes.loop.diagnosis.verdict.verdicts import ADEQUATE, EFFECT_FOUND, INSUFFICIENT_DATA, UNEXPLAINED
 
 #: The changes of the stability test, in words.
-CHANGES = {
+CHANGE_TITLES = {
     HALVED_ERRORS: "sigma halved",
     DOUBLED_ERRORS: "sigma doubled",
     WIDENED_PRIORS: "priors twice as wide",
 }
-NOTHING = "nothing explains the residual"
+NO_EXPLANATION = "nothing explains the residual"
 
 
 def stability_sentence(result: Diagnosis) -> str:
     """Return what the changes of the stability test find; empty where nothing was tested.
 
-    It begins with "stable" where no change gives another verdict, and where a term was found, with what it is about.
+    It begins with "stable" where no change gives another verdict; where a term was found, with "the catalogue alone".
     """
     if not result.stability or result.verdict == INSUFFICIENT_DATA.word:
         return ""
@@ -35,16 +35,18 @@ def stability_sentence(result: Diagnosis) -> str:
     for entry in result.stability:
         key = _outcome(result, entry, claimed), reason_of_change(result, entry)
         outcomes.setdefault(key, []).append(entry.change)
-    same = _same(result)
-    order = sorted(outcomes, key=lambda outcome: outcome[0] != same)  # what stays comes first
-    parts = []
-    for outcome, why in order:
-        words = joined([CHANGES.get(change, change) for change in outcomes[outcome, why]])
-        also = "also " if len(outcomes) == 1 and " " not in outcome else ""
-        parts.append(f"{outcome} {also}with {words}{f' ({why})' if why else ''}")
-    of = "the catalogue alone, " if result.beyond is not None and result.beyond.found is not None else ""
+    same_outcome = _same_outcome(result)
+    order = sorted(outcomes, key=lambda outcome: outcome[0] != same_outcome)  # what stays comes first
+    outcome_texts = []
+    for outcome, reason in order:
+        words = joined([CHANGE_TITLES.get(change, change) for change in outcomes[outcome, reason]])
+        also_word = "also " if len(outcomes) == 1 and " " not in outcome else ""
+        outcome_texts.append(f"{outcome} {also_word}with {words}{f' ({reason})' if reason else ''}")
+    catalogue_clause = (
+        "the catalogue alone, " if result.beyond is not None and result.beyond.found is not None else ""
+    )
     unchanged = all(same_verdict(result, entry) for entry in result.stability)
-    return f"{of}{'stable' if unchanged else 'stability'}: {'; '.join(parts)}"
+    return f"{catalogue_clause}{'stable' if unchanged else 'stability'}: {'; '.join(outcome_texts)}"
 
 
 def _outcome(result: Diagnosis, entry: Stability, claimed: set[str]) -> str:
@@ -53,11 +55,15 @@ def _outcome(result: Diagnosis, entry: Stability, claimed: set[str]) -> str:
     if entry.verdict == ADEQUATE.word:
         return "no cause is needed" if claimed else ADEQUATE.word
     if entry.verdict == UNEXPLAINED.word:
-        return NOTHING if claimed else UNEXPLAINED.word
+        return NO_EXPLANATION if claimed else UNEXPLAINED.word
     if not names or (not claimed and entry.verdict == result.verdict):
         return entry.verdict
     if claimed and set(entry.effects) <= claimed:
-        return _same(result) if entry.verdict == result.verdict else f"{_same(result)}, but not alone,"
+        return (
+            _same_outcome(result)
+            if entry.verdict == result.verdict
+            else f"{_same_outcome(result)}, but not alone,"
+        )
     explanation = names if entry.verdict == EFFECT_FOUND.word else f"{names}, but not alone,"
     return (
         f"{explanation} instead"
@@ -66,7 +72,7 @@ def _outcome(result: Diagnosis, entry: Stability, claimed: set[str]) -> str:
     )
 
 
-def _same(result: Diagnosis) -> str:
+def _same_outcome(result: Diagnosis) -> str:
     if result.effects:
         return "the same cause" + ("s" if len(result.effects) > 1 else "")
     return result.verdict

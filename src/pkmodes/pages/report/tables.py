@@ -6,55 +6,66 @@ from collections.abc import Sequence
 from itertools import groupby
 
 from pkmodes.pages.report.blocks import Cell, Column, Table
-from pkmodes.pages.report.formatting import NOTHING
+from pkmodes.pages.report.formatting import MISSING
 
 #: Texts that carry no information.
-BLANK = ("", NOTHING)
+BLANK_TEXTS = ("", MISSING)
 
 
-def table(
+def compact_table(
     caption: str,
     columns: Sequence[Column],
     rows: Sequence[Sequence[Cell]],
     groups: Sequence[tuple[str, int]] = (),
     note: str = "",
-    heads: int = 1,
+    key_columns: int = 1,
 ) -> Table:
     """Return a table of the columns that differ between rows.
 
     The first column, which names the rows, always stays.  Measured or computed numbers stay too, even where they
-    round to the same: only words and counts are said once, in the note.
+    round to the same: only words and counts are stated once, in the note.
 
-    - groups, note, heads: as those of `Table`
+    - groups, note, key_columns: as those of `Table`
     """
-    over = [k for k, (_, count) in enumerate(groups) for _ in range(count)]
-    same = [c for c in range(1, len(columns)) if not columns[c].page_only and _same([row[c] for row in rows])]
-    kept = [c for c in range(len(columns)) if c not in same]
-    titles = [
-        f"{groups[over[c]][0] if over else ''} {column.title}".strip() for c, column in enumerate(columns)
+    group_of_column = [k for k, (_, count) in enumerate(groups) for _ in range(count)]
+    uniform = [
+        c
+        for c in range(1, len(columns))
+        if not columns[c].page_only and _is_uniform([row[c] for row in rows])
     ]
-    shared = [f"{titles[c]} {rows[0][c].text}" for c in same if rows[0][c].text not in BLANK]
+    kept_columns = [c for c in range(len(columns)) if c not in uniform]
+    titles = [
+        f"{groups[group_of_column[c]][0] if group_of_column else ''} {column.title}".strip()
+        for c, column in enumerate(columns)
+    ]
+    uniform_texts = [f"{titles[c]} {rows[0][c].text}" for c in uniform if rows[0][c].text not in BLANK_TEXTS]
     kept_groups = (
-        [(groups[k][0], len(list(run))) for k, run in groupby(over[c] for c in kept) if over] if over else []
+        [
+            (groups[k][0], len(list(run)))
+            for k, run in groupby(group_of_column[c] for c in kept_columns)
+            if group_of_column
+        ]
+        if group_of_column
+        else []
     )
-    sentences = [f"In every row: {', '.join(shared)}."] if shared else []
+    sentences = [f"In every row: {', '.join(uniform_texts)}."] if uniform_texts else []
     sentences += [note] if note else []
     return Table(
         caption,
-        [columns[c] for c in kept],
-        [[row[c] for c in kept] for row in rows],
+        [columns[c] for c in kept_columns],
+        [[row[c] for c in kept_columns] for row in rows],
         kept_groups,
         " ".join(sentences),
-        sum(c < heads for c in kept),
+        sum(c < key_columns for c in kept_columns),
     )
 
 
-def _same(cells: Sequence[Cell]) -> bool:
+def _is_uniform(cells: Sequence[Cell]) -> bool:
     """Return whether the cells of a column are all the same, and are words, counts or blank."""
     texts = {cell.text for cell in cells}
     if len(texts) > 1 or not texts:
         return False
-    if texts <= set(BLANK):
+    if texts <= set(BLANK_TEXTS):
         return True
-    plain = all(cell.value is None or cell.text.isdigit() for cell in cells)
-    return len(cells) > 1 and plain and not any(cell.spread for cell in cells)
+    are_words_or_counts = all(cell.value is None or cell.text.isdigit() for cell in cells)
+    return len(cells) > 1 and are_words_or_counts and not any(cell.spread for cell in cells)

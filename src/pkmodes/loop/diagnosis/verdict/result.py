@@ -197,7 +197,7 @@ class Diagnosis:
     beyond: Beyond | None = None
     alone: Mapping[str, JointAlone] = field(default_factory=dict)
 
-    _repr_html_ = Attached("pkmodes.pages.report.notebook:of_diagnosis")
+    _repr_html_ = Attached("pkmodes.pages.report.notebook:diagnosis_html")
 
     def __str__(self) -> str:
         lines = [f"{self.verdict}: {self.reason}"]
