@@ -170,11 +170,17 @@ def _effect(result: Diagnosis) -> list[Cell]:
     who = f"they {verb}" if len(result.effects) > 1 else f"it {verb}s"
     refitted = any(value.after != value.before for value in result.refitted)
     total = ". With the refitted values, mode" if refitted else ": mode"
+    left = len(result.rows) - len(changes)
+    all_modes = (
+        f"{len(changes)} of the {plural(len(result.rows), 'measured mode')}"
+        if left
+        else f"the {plural(len(changes), 'measured mode')}"
+    )
     are = "another is" if len(new) == 1 else "others are"
     new_modes = f"; {are} new there, at {joined([f'{f:.4g}' for f in new])} Hz" if new else ""
     return [
         Cell(
-            f"In the model {who} the frequencies of the {plural(len(changes), 'measured mode')} by up to "
+            f"In the model {who} the frequencies of {all_modes} by up to "
             f"{plain(abs(largest), 2)} Hz{total} {stages.after.mode[i]} at"
         ),
         label(row.pose),

@@ -12,6 +12,7 @@ from pkmodes.pages.report.formatting import (
     p_value,
     pointer,
     prose,
+    read_in,
     sentence,
     three_digits,
     uncertain_cell,
@@ -43,15 +44,20 @@ def _classes(terms: Beyond, setting: ReportSetting) -> Table:
             for value in group.finding.alternatives[name]:
                 quantity = group.quantity(name, value)
                 of_value = at + pointer("members", i, "parameters", quantity)
+                read, scale = read_in(value.unit, value.value)
                 rows.append(
                     [
                         Cell(str(k + 1), k + 1),
                         Cell.named(clean(member.words), clean(name)),
                         Cell(setting.words(value.name) or clean(quantity)),
                         uncertain_cell(
-                            value.value, value.sigma, of_value + pointer("value"), of_value + pointer("sigma")
+                            value.value,
+                            value.sigma,
+                            of_value + pointer("value"),
+                            of_value + pointer("sigma"),
+                            scale=scale,
                         ),
-                        Cell(unit(value.unit)),
+                        Cell(unit(read)),
                         Cell(prose(f"no: {member.implausible}") if member.implausible else "yes"),
                         p_value(group.finding.p_value, at + pointer("p_value")),
                         three_digits(group.probability, at + pointer("probability")),

@@ -124,7 +124,7 @@ def changes_summary(result: Change, setting: ReportSetting) -> Summary:
         subject=setting.title(row.drives for row in result.rows),
         kind="What changed",
         verdict="" if result.by_state or term is not None else result.verdict,
-        headline=change_headline(result, setting).replace(" +- ", " \u00b1 "),
+        headline=prose(change_headline(result, setting)),
         reason=prose(sentence(result.reason)),
         tone=AMBIGUOUS.colour if doubt(result) else TONES[result.changed],
         notes=[prose(sentence(note)) for note in result.notes],

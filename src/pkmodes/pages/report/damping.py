@@ -5,8 +5,10 @@ from __future__ import annotations
 from statistics import median
 
 from pkmodes.core.base.numbers import plain
+from pkmodes.core.support.ordering import joined
 from pkmodes.loop.diagnosis.verdict.result import Damping, Diagnosis, parameter_key
 from pkmodes.loop.diagnosis.verdict.rows import Row
+from pkmodes.loop.diagnosis.verdict.verdicts import ADEQUATE, EFFECT_FOUND
 from pkmodes.pages.report import explanations
 from pkmodes.pages.report.blocks import Block, Cell, Column, Facts, Listing, Paragraph, Table
 from pkmodes.pages.report.formatting import (
@@ -41,16 +43,9 @@ def damping(result: Diagnosis, setting: ReportSetting) -> list[Block]:
     damping_result = result.damping
     if not damping_result.measured:
         return []
-    # How the verdict on the damping changes with other errors or priors.
-    claimed = {name for effect in damping_result.effects for name in effect.members}
-    parts = [
-        f"{CHANGES.get(s.change, s.change)}: {' '.join([s.verdict, *s.effects])}"
-        for s in damping_result.stability
-        if s.verdict != damping_result.verdict or not set(s.effects) <= claimed
-    ]
     stability: list[Block] = []
-    if parts:
-        stability = [Paragraph(f"It changes with {'; '.join(map(clean, parts))}.")]
+    if changes := with_other_errors(damping_result):
+        stability = [Paragraph(sentence(clean(changes)))]
     elif damping_result.stability:
         stability = [
             Paragraph("That is the same with \u03c3 halved or doubled, and with priors twice as wide.")
@@ -75,6 +70,24 @@ def damping(result: Diagnosis, setting: ReportSetting) -> list[Block]:
     if damping_result.candidates:
         blocks.append(_candidates(damping_result))
     return blocks
+
+
+def with_other_errors(damping_result: Damping) -> str:
+    """Return how the verdict on the damping changes with other errors or priors; empty if it does not."""
+    claimed = {name for effect in damping_result.effects for name in effect.members}
+    outcomes: dict[str, list[str]] = {}
+    for entry in damping_result.stability:
+        if entry.verdict == damping_result.verdict and {*entry.effects} <= claimed:
+            continue
+        names = joined(entry.effects)
+        if entry.verdict == ADEQUATE.word:
+            outcome = "no cause is needed"
+        elif entry.verdict == EFFECT_FOUND.word and names:
+            outcome = f"{names} would be claimed"
+        else:
+            outcome = f"the verdict is {entry.verdict}{f' ({names})' if names else ''}"
+        outcomes.setdefault(outcome, []).append(CHANGES.get(entry.change, entry.change))
+    return "; ".join(f"with {joined(changes, 'or')}, {outcome}" for outcome, changes in outcomes.items())
 
 
 def refitted(damping_result: Damping, setting: ReportSetting) -> list[Paragraph | Facts]:

@@ -21,7 +21,7 @@ from pkmodes.pages.report.action import action, doubt
 from pkmodes.pages.report.beyond import beyond
 from pkmodes.pages.report.blocks import Block, Cell, Difference, Paragraph, Section, Summary
 from pkmodes.pages.report.contrast import contrast
-from pkmodes.pages.report.damping import damping
+from pkmodes.pages.report.damping import damping, with_other_errors
 from pkmodes.pages.report.formatting import (
     clean,
     number,
@@ -94,12 +94,13 @@ def diagnosis_page(result: Diagnosis, evidence: PlottedEvidence, setting: Report
 def _summary(result: Diagnosis, setting: ReportSetting) -> Summary:
     notes = [*result.notes]
     if result.damping.measured:  # which changes neither the verdict nor the headline
-        notes.append(f"the verdict is that of frequencies and shapes; {result.damping.reason}")
+        doubtful = f", but {other}" if (other := with_other_errors(result.damping)) else ""
+        notes.append(f"the verdict is that of frequencies and shapes; {result.damping.reason}{doubtful}")
     return Summary(
         subject=setting.title(row.drives for row in result.rows),
         kind="Diagnosis",
         verdict=result.verdict,
-        headline=verdict_headline(result, setting),
+        headline=prose(verdict_headline(result, setting)),
         reason=prose(sentence(result.reason)),
         tone=_colour(result),
         notes=[prose(sentence(note)) for note in notes],
@@ -162,17 +163,22 @@ def _facts(result: Diagnosis, setting: ReportSetting) -> list[tuple[str, Cell]]:
         if result.after is not None
         else (result.refit, "refitted")
     )
+    places = {name: pointer("error", name) for name in stages}
+    if result.beyond is not None and (term_class := result.beyond.found) and not result.effects:
+        last, name = "beyond", term_class.finding.name
+        stages[last] = term_class.errors[name], "with what was found"
+        members = [*term_class.finding.members]
+        places[last] = pointer("beyond", "classes", 0, "members", members.index(name), "error")
     for name, (error, title) in stages.items():
         if error is not None:
-            at = pointer("error", name, "rms_relative")
-            cell = numbers.percent(error.rms_relative, at)
+            cell = numbers.percent(error.rms_relative, places[name] + pointer("rms_relative"))
             facts.append((f"rms difference {title} [%]", cell))
     error = stages[last][0]
     if error is not None:
         held = error.held_out_rms_relative
-        at = pointer("error", last, "held_out_rms_relative")
+        at = places[last] + pointer("held_out_rms_relative")
         facts.append((f"rms of held-out poses {stages[last][1]} [%]", numbers.percent(held, at)))
-        chi2 = three_digits(error.chi2_per_dof, pointer("error", last, "chi2_per_dof"))
+        chi2 = three_digits(error.chi2_per_dof, places[last] + pointer("chi2_per_dof"))
         facts.append((f"chi\u00b2 per degree of freedom {stages[last][1]}", chi2))
     return facts
 
@@ -198,9 +204,8 @@ def _sizes(result: Diagnosis, i: int, setting: ReportSetting) -> list[tuple[str,
         sigma = pointer(*keys, "sigma" if relative else "saved_sigma")
         saved = with_saved_sigma(value, result.corrected)
         read, scale = read_in(value.unit, value.value)
-        cell = uncertain_cell(
-            value.value, saved.sigma, pointer(*keys, "value"), sigma, scale=scale, fit=saved.fit_sigma
-        )
+        # The digits are those of the error beside them: that of the fit alone is in the section on the cause.
+        cell = uncertain_cell(value.value, saved.sigma, pointer(*keys, "value"), sigma, scale=scale)
         name = clean(parameter_key(value))
         title = f"{name} relative to the mean" if relative else setting.words(value.name) or name
         facts.append((f"{title} [{unit(read)}]" if unit(read) else title, cell))
@@ -231,9 +236,12 @@ def _class_sizes(effect: Finding, i: int, setting: ReportSetting) -> list[tuple[
         also = ", implausible" if effect.member(name).implausible else ""
         for value in effect.alternatives[name]:
             keys = ("effects", i, "alternatives", name, parameter_key(value))
-            cell = uncertain_cell(value.value, value.sigma, pointer(*keys, "value"), pointer(*keys, "sigma"))
+            read, scale = read_in(value.unit, value.value)
+            cell = uncertain_cell(
+                value.value, value.sigma, pointer(*keys, "value"), pointer(*keys, "sigma"), scale=scale
+            )
             title = setting.words(value.name) or clean(effect.member(name).words)
-            of = f" [{unit(value.unit)}]" if unit(value.unit) else ""
+            of = f" [{unit(read)}]" if unit(read) else ""
             facts.append((f"{start}{also}: {title}{of}", cell))
     if len(facts) > MOST:
         return [

@@ -20,6 +20,7 @@ from pkmodes.pages.report.formatting import (
     plural,
     pointer,
     prose,
+    read_in,
     sentence,
     three_digits,
     uncertain_cell,
@@ -111,6 +112,7 @@ def _members(
                 place + pointer("parameters", parameter_key(value), "saved_sigma"),
             )
             shown = with_saved_sigma(value, corrected) if single else value
+            read, scale = read_in(value.unit, value.value)
             rows.append(
                 [
                     Cell.named(clean(sentences.get(member, "")), clean(member)),
@@ -120,10 +122,11 @@ def _members(
                         shown.sigma,
                         at + pointer("value"),
                         saved if single else fit,
+                        scale=scale,
                         fit=shown.fit_sigma,
                     ),
-                    *((figures(value.sigma, 2, fit),) if single else ()),
-                    Cell(unit(value.unit)),
+                    *((figures(value.sigma, 2, fit, scale=scale),) if single else ()),
+                    Cell(unit(read)),
                     Cell(prose(f"no: {why}") if why else "yes"),
                 ]
             )
@@ -220,8 +223,8 @@ def candidate_blocks(result: Diagnosis) -> list[Block]:
 def _probabilities(result: Diagnosis) -> list[Block]:
     """Return how probable each explanation is, a second opinion."""
     probabilities = result.probabilities
-    if probabilities is None:
-        return []
+    if probabilities is None or (result.beyond is not None and result.beyond.found and not result.effects):
+        return []  # what was found beyond the catalogue has a probability of its own, beside all that was tried
 
     def row(explanation: str, value: float, *at: str | int) -> list[Cell]:
         return [Cell(explanation), three_digits(value, pointer("probabilities", *at))]
@@ -281,32 +284,34 @@ def _rows(result: Diagnosis, k: int) -> list[list[Cell]]:
     for name in names:
         parameter = "" if len(names) == 1 else f".{name.removeprefix(f'{candidate.name}.')}"
         visible = sizes.get(name) if candidate.detectable else None
-        limit, symbol, size = result.limits.get(name), "", Cell(NOTHING)
+        limit, size = result.limits.get(name), Cell(NOTHING)
+        bounds = [value for value in (visible, limit) if value is not None and value.value is not None]
+        read, scale = read_in(
+            bounds[0].unit if bounds else "1", *(value.value for value in bounds if value.value is not None)
+        )
         if visible is not None:
             at = pointer("candidates", k, "visible_from", parameter_key(visible), "value")
-            symbol, size = unit(visible.unit), figures(visible.value, 2, at)
-        elif limit is not None and limit.value is not None:
-            symbol = unit(limit.unit)
+            size = figures(visible.value, 2, at, scale=scale)
         rows.append(
             [
                 Cell.named(clean(candidate.sentence), clean(f"{candidate.name}{parameter}")),
                 Cell(standing(result, candidate.name)),
                 p_value(candidate.p_value, pointer("candidates", k, "p_value")),
                 size,
-                _limit(result, name),
-                Cell(symbol),
+                _limit(result, name, scale),
+                Cell(unit(read)),
                 Cell("yes" if candidate.detectable else "no"),
             ]
         )
     return rows
 
 
-def _limit(result: Diagnosis, name: str) -> Cell:
+def _limit(result: Diagnosis, name: str, scale: float = 1.0) -> Cell:
     limit = result.limits.get(name)
     if limit is None:
         return Cell("")
     at = pointer("limits", name) if limit.value is None else pointer("limits", name, "value")
-    return figures(limit.value, 2, at)
+    return figures(limit.value, 2, at, scale=scale)
 
 
 def standing(result: Diagnosis | Damping, name: str) -> str:

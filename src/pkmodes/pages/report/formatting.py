@@ -19,6 +19,10 @@ SHORT = 0.1
 NOTHING = "\u2013"
 #: A number with a power of ten within a sentence.
 POWER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?e[+-]?\d+(?!\w|\.\d)")
+#: A number with its standard deviation within a sentence, with or without a power of ten.
+UNCERTAIN = re.compile(r"\(?-?\d+(?:\.\d+)? \+- \d+(?:\.\d+)?(?:\)e[+-]?\d+)?")
+#: A product of units after a number within a sentence.
+PRODUCT = re.compile(r"(?<=[\d)] )(?:rad/\()?(?:N|kg)\*[\w*^/()]*\w\)?")
 
 
 def clean(text: object) -> str:
@@ -35,8 +39,9 @@ def shortened(label: object, longest: int = LONGEST) -> str:
 
 
 def prose(text: object) -> str:
-    """Return sentences on one line, with their powers of ten set as in print."""
-    return POWER.sub(lambda match: typeset(match[0]), clean(text))
+    """Return sentences on one line, with their powers of ten, standard deviations and units set as in print."""
+    line = PRODUCT.sub(lambda match: unit(match[0]), clean(text))
+    return POWER.sub(lambda match: typeset(match[0]), UNCERTAIN.sub(lambda match: typeset(match[0]), line))
 
 
 def sentence(text: str) -> str:

@@ -24,6 +24,9 @@ from pkmodes.pages.report.formatting import (
 from pkmodes.pages.report.setting import ReportSetting
 from pkmodes.pages.report.tables import table
 
+#: What a measured mode without a partner counts as, as in the glossary.
+REACH = "a factor of 1.8"
+
 
 def errors(result: Diagnosis) -> list[Table | Paragraph]:
     """Return the errors of the stages, over fitted and held-out rows."""
@@ -45,12 +48,29 @@ def errors(result: Diagnosis) -> list[Table | Paragraph]:
         rows, columns = [[*row[:2], row[3]] for row in rows], [*columns[:2], columns[3]]
     caption = "Errors of the model: rms of model / measurement \u2212 1, and chi\u00b2 per degree of freedom."
     blocks: list[Table | Paragraph] = [Table(caption, columns, rows)]
+    blocks += _without_partner(result)
     if result.held_out_poses:
         labels = sorted_labels(result.held_out_poses)
         about, why = "Held out of every choice and fit: ", ". The error there is that of a prediction."
         whole, named = (listed(texts, 20) for texts in (labels, list(map(clean, labels))))
         blocks.append(Paragraph(f"{about}{named}{why}", plain=f"{about}{whole}{why}"))
     return blocks
+
+
+def _without_partner(result: Diagnosis) -> list[Paragraph]:
+    """Return how fitted modes without a partner count in chi-square; empty where every one has a partner."""
+    fitted = [row for row in result.rows if not (row.held_out or row.outlier)]
+    for name, (title, _) in result.errors.items():
+        if count := sum(getattr(row, name) is None for row in fitted):
+            have, each = ("mode has", "it") if count == 1 else ("modes have", "each")
+            stage = title.partition(": ")[2] or title
+            return [
+                Paragraph(
+                    f"{count} fitted {have} no partner in the model ({stage}): {each} counts in chi\u00b2 as a "
+                    f"difference by {REACH}, and not in the rms."
+                )
+            ]
+    return []
 
 
 def percent(relative: float | None, at: str = "", strong: bool = False) -> Cell:

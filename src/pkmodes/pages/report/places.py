@@ -90,13 +90,16 @@ def picture(result: Diagnosis, evidence: PlottedEvidence, setting: ReportSetting
     middle = points[valid].mean(axis=0)
     chosen = valid[np.linalg.norm(points[valid] - middle, axis=1).argmin()]
     words = "; ".join(mark.name for mark in marks)
+    arrow = (
+        " An arrow shows the direction in which something acts." if any(mark.along for mark in marks) else ""
+    )
     title, at = "Where it is", f"the machine at {evidence.place} {clean(evidence.labels[chosen])}"
     return [
         Picture.of(
             places(scene(model, points[chosen]), marks),
             title,
             f"{at}, with these bodies in colour: {words}.{others}",
-            f"{title}: {at}. An arrow shows the direction in which something acts.{others}",
+            f"{title}: {at}.{arrow}{others}",
         )
     ]
 
