@@ -42,8 +42,8 @@ if TYPE_CHECKING:
 OPEN = ("changes", "causes", "beyond", "place", "errors")
 #: Prefix of values that differ from day to day, and the number of standard deviations from which that is reported.
 DAY, CLEARLY = "day.", 3.0
-#: Most rows in the table of changes on a page.
-MOST = 300
+#: Most rows in the table of all modes of both states, and of those that changed most, which is unfolded.
+MOST, FIRST = 300, 12
 #: Colours by whether anything changed.
 TONES: dict[bool | None, Colour] = {True: "found", False: "good", None: "plain"}
 
@@ -161,10 +161,11 @@ def _changes(result: Change) -> list[tuple[float | None, float | None]]:
     return differences
 
 
-def changes(result: Change, max_rows: int | None = MOST) -> Table:
+def changes(result: Change, max_rows: int | None = MOST, where: str = ": --all prints every mode") -> Table:
     """Return the modes of both states side by side, the largest changes in standard deviations first.
 
     - max_rows: number of rows; None for all
+    - where: the end of the sentence on rows that are left out
     """
     differences = _changes(result)
     chosen = sorted(
@@ -198,7 +199,7 @@ def changes(result: Change, max_rows: int | None = MOST) -> Table:
     if all(_explained(row) is None for row in result.rows):
         rows, columns, groups = [row[:-1] for row in rows], columns[:-1], groups[:-1]
     omitted = len(differences) - len(chosen)
-    note = f"{plural(omitted, 'mode')} changed less: --all prints every mode." if omitted else ""
+    note = f"{plural(omitted, 'mode')} changed less{where}." if omitted else ""
     caption = "Modes of both states: standard deviations are those of the difference."
     return table(caption, columns, rows, groups, note)
 
@@ -211,6 +212,7 @@ def _explained(row: Row) -> float | None:
 def change_page(result: Change, evidence: PlottedEvidence, setting: ReportSetting) -> str:
     """Return the page of what changed as HTML."""
     title = "What remains" if result.survivors else "What changed"
+    terms = beyond(result, setting)
     where = [] if result.by_state else picture(result, evidence, setting)
     states = [
         Section(
@@ -226,12 +228,17 @@ def change_page(result: Change, evidence: PlottedEvidence, setting: ReportSettin
         for k, (name, change) in enumerate(result.by_state.items(), start=1)
     ]
     rows_title = "All measured modes beside the model"
+    every = [Section("pairs", "All modes before and after", [changes(result)])]
+    if len(result.rows) <= FIRST or states:
+        every = []
+    first = changes(result, FIRST if every else MOST, ", or have no counterpart: all are in a section below")
     sections = [
-        Section("changes", "Before and after, mode by mode", [changes(result)]),
+        Section("changes", "Before and after, mode by mode", [first]),
         *([Section("causes", title, causes)] if (causes := explanations.causes(result, setting)) else []),
-        *([Section("beyond", "One thing at one place", terms)] if (terms := beyond(result, setting)) else []),
+        *([Section("beyond", "One thing at one place", terms)] if terms else []),
         *([Section("place", "Where it is", where)] if where else []),
         Section("errors", "Error before and after", numbers.errors(result)),
+        *every,
         *(states or figures.sections(evidence)),
         Section("candidates", "What may have changed", explanations.candidate_blocks(result)),
         Section("values", "Values before and after", numbers.fitted_value_tables(result, setting)),
@@ -240,7 +247,8 @@ def change_page(result: Change, evidence: PlottedEvidence, setting: ReportSettin
         glossary(diagnosed=True),
         setting.origin(evidence),
     ]
+    unfolded = {*OPEN} - ({"errors"} if terms else set())  # which the section on one thing begins with, too
     return page(
         changes_summary(result, setting),
-        [replace(section, folded=section.name not in OPEN) for section in sections],
+        [replace(section, folded=section.name not in unfolded) for section in sections],
     )

@@ -9,7 +9,6 @@ import numpy as np
 
 from pkmodes.core.model import Model
 from pkmodes.core.robot.robot import Robot
-from pkmodes.loop.diagnosis.states.result import Change
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes.pages.plots.evidence import PlottedEvidence
 from pkmodes.pages.plots.places import COLOURS, Marked, places
@@ -35,13 +34,17 @@ def named_terms(result: Diagnosis, setting: ReportSetting) -> list[tuple[str, st
         (part.term, part.part) for effect in result.effects if (part := contrast(effect, setting)) is not None
     ]
     values = [
-        (name, effect.member(name).words if isinstance(result, Change) else _value(name, setting))
+        (name, _value(name, setting))
         for effect in result.effects
         for name in effect.members
         if name.startswith(VALUE)
     ]
     groups = () if result.beyond is None else result.beyond.classes
-    members = [(name, group.finding.member(name).words) for group in groups for name in group.forms]
+    members = [
+        (name, _value(name, setting) if name.startswith(VALUE) else group.finding.member(name).words)
+        for group in groups
+        for name in group.forms
+    ]
     return [*((joint.term, joint.words) for joint in joints), *parts, *values, *members]
 
 
