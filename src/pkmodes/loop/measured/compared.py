@@ -227,10 +227,8 @@ def _mark_significant(
 
 def _common_poses(first: Measurements, second: Measurements) -> Iterator[tuple[int, int]]:
     """Yield the poses that both have: those at one position or with the same label, or the only pose of each."""
-    if len(first.labels) == len(second.labels) == 1:
-        pose_pairs = [(0, 0)]
-    else:
-        pose_pairs = _poses_of_labels(first, second)
+    is_single = len(first.labels) == len(second.labels) == 1
+    pose_pairs = [(0, 0)] if is_single else _poses_of_labels(first, second)
     if not pose_pairs:
         problem = f"expected poses of {first.source}, such as {first.labels[0]}, found {second.labels[0]}"
         raise MeasurementError(
@@ -252,7 +250,7 @@ def _common_poses(first: Measurements, second: Measurements) -> Iterator[tuple[i
 def _poses_of_labels(first: Measurements, second: Measurements) -> list[tuple[int, int]]:
     """Return the poses with the same label, and where that label is of another position, those at the same position.
 
-    The labels of two campaigns need not name the same places: a label pairs only what no position pairs better.
+    The labels of two campaigns need not name the same places: where one position has two labels, labels pair nothing.
     """
     labelled = {
         i: second.labels.index(label) for i, label in enumerate(first.labels) if label in second.labels
@@ -271,7 +269,8 @@ def _poses_of_labels(first: Measurements, second: Measurements) -> list[tuple[in
         ]
         if i not in pairs and len(others) == 1:
             pairs[i] = others[0]
-    pairs |= {i: j for i, j in labelled.items() if i not in pairs and j not in pairs.values()}
+    if all(labelled.get(i) == j for i, j in pairs.items()):  # else the labels are of other lists
+        pairs |= labelled
     return sorted(pairs.items())
 
 
