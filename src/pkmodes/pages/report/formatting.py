@@ -151,8 +151,9 @@ def unit(name: str) -> str:
 
 def quantity_cell(value: float, name: str, digits: int = 6) -> Cell:
     """Return a number with its unit as a cell."""
-    text, symbol = plain(value, digits), "" if name == "1" else f" {clean(name)}"
-    return Cell(f"{typeset(text)} {unit(name)}".rstrip(), value, plain=text + symbol)
+    read, scale = read_in(name, value)
+    text, symbol = plain(scale * value, digits), "" if read == "1" else f" {clean(read)}"
+    return Cell(f"{typeset(text)} {unit(read)}".rstrip(), value, plain=text + symbol)
 
 
 def unit_cell(name: str) -> Cell:

@@ -22,6 +22,7 @@ from pkmodes.pages.report.formatting import (
     figures,
     hertz,
     number,
+    plural,
     pointer,
     quantity_cell,
     sentence,
@@ -35,6 +36,8 @@ if TYPE_CHECKING:
 
 #: Note on parameters that act as one.
 ONE = "Quantities in one row act as one: only their product or quotient enters the equations."
+#: Largest relative difference of changes that are equal in a headline.
+ALIKE = 1e-3
 #: Columns of a table to the left of the modes.
 NAMED = 2
 #: Derivatives below these bounds are rounding errors: relative change of the frequency per relative change of the
@@ -65,7 +68,14 @@ def sensitivities_summary(
             words = clean(meaning_of(model.robot.mechanism, path))
             names.append(f"the {words} ({path})" if words else path)
         which = f"Of the chosen quantities, mode {mode + 1}" if chosen_only else f"Mode {mode + 1}"
-        headline = f"{which} depends most on {' or '.join(names)}: {change} % for 1 %"
+        largest = relative.max(axis=1)
+        alike = int((largest >= (1.0 - ALIKE) * largest[first[0]]).sum()) - 1
+        others = (
+            f"; {plural(alike, 'other')} change{'s' if alike == 1 else ''} a frequency as much"
+            if alike
+            else ""
+        )
+        headline = f"{which} depends most on {' or '.join(names)}: {change} % for 1 %{others}"
         reason = "The largest change of any frequency for one per cent of a quantity. "
     at = format_pose(model.mechanism, np.array(content["pose"]), "g").replace("-", MINUS)
     doing, facts, rigid = motors_in_words(model.robot, content["drives"]), [], content["rigid_modes"]

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.numbers import plain
-from pkmodes.core.mechanism.poses import format_pose
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.robot.units import DISPLAY_UNITS
 from pkmodes.core.support.ordering import joined
@@ -65,10 +65,14 @@ def shaper_report(
     need_report()
     sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources
     parts = choice.parts.items()
+    *recommended, together = shapers_tables(
+        choice
+    )  # where axes are independent, that for all of them is folded
     sections = [
-        Section("shapers", "Shapers", shapers_tables(choice)),
+        Section("shapers", "Shapers", recommended or [together]),
         *([Section("schedule", "Schedule", table)] if (table := schedule_blocks(choice)) else []),
-        Section("machine", "The machine", [machine(model, choice, content)]),
+        *([Section("together", "One shaper for all axes", [together], folded=True)] if recommended else []),
+        Section("machine", "The machine", [machine(model, choice, content)], folded=True),
         Section(
             "workspace", "Over the workspace", [_over_workspace(model, part, axis) for axis, part in parts]
         ),
@@ -77,9 +81,10 @@ def shaper_report(
             "errors",
             "Where frequencies differ from the model's",
             [_against_error(part, axis) for axis, part in parts],
+            folded=True,
         ),
         Section("firmware", "Lines for firmware", [*firmware_lines(content), *schedule_lines(content)]),
-        origin(sources, model.mechanism),
+        replace(origin(sources, model.mechanism), folded=True),
     ]
     return page(shaper_summary(model, choice, content), sections)
 
@@ -92,11 +97,11 @@ def shaper_summary(model: Model, choice: Choice, content: dict[str, Any]) -> Sum
         shapers = [f"{part.best.kind} on {axis} ({design_of(part.best)})" for axis, part in parts.items()]
         headline = f"{joined(shapers)} leave up to {_share(worst)} at the worst {choice.ringing.point_is}"
         reason = "The recommended fixed shapers: the axes are independent, so each has its own. " + " ".join(
-            f"On {axis} {_reason(part)}" for axis, part in parts.items()
+            f"On {axis}, {part.best.kind} {_reason(part)}" for axis, part in parts.items()
         )
     else:
         headline = f"{choice.best.kind} leaves up to {_share(worst)} at the worst {choice.ringing.point_is}"
-        reason = f"The recommended fixed shaper, for {design_of(choice.best)}. {sentence(_reason(choice))}"
+        reason = f"The recommended fixed shaper, for {design_of(choice.best)}. It {_reason(choice)}"
     facts = []
     for i, (axis, part) in enumerate(parts.items()):
         best, of, at = part.best, f"{axis}: " if axis else "", ("axes", i) if axis else ()
@@ -152,7 +157,7 @@ def acceleration_cell(candidate: Candidate, json_pointer: str = "", *, unit: boo
 def _reason(choice: Choice) -> str:
     """Return what the recommended shaper leaves of the largest vibration, and why it is recommended."""
     share = _per_cent(choice.best.left.worst)
-    return f"it leaves at most {share} of the largest vibration without a shaper. {why_recommended(choice)}"
+    return f"leaves at most {share} of the largest vibration without a shaper. {why_recommended(choice)}"
 
 
 def why_recommended(choice: Choice) -> str:
@@ -187,7 +192,13 @@ def machine(model: Model, choice: Choice, content: dict[str, Any]) -> Facts:
     entries = [("poses", [Cell(thousands(content["poses"]), content["poses"], pointer("poses"))])]
     rms = number(choice.unshaped.rms, ".3g", pointer("unshaped", "rms"), scale=1e6)
     entries.append(("rms vibration without a shaper, for a step of 1 m/s\u00b2 [\u00b5m]", [rms]))
-    where = [minus(format_pose(model.mechanism, choice.unshaped.pose, ".4g"))]
+    # In the units of the poses below it.
+    components = zip(model.mechanism.pose, choice.unshaped.pose.tolist(), strict=True)
+    parts = [
+        f"{component.name} = {value * DISPLAY_UNITS[component.unit][1] + 0.0:.5g} {DISPLAY_UNITS[component.unit][0]}"
+        for component, value in components
+    ]
+    where = [minus(", ".join(parts))]
     if choice.unshaped.setting is not None:
         where[0] = Cell(f"{where[0].text},", plain=f"{where[0].plain or where[0].text},")
         where.append(Cell(clean(choice.unshaped.setting)))
