@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from pkmodes.core.robot.report_fields import head_of
+from pkmodes.core.support.motors import motors_in_words
 from pkmodes.core.support.ordering import listed
 from pkmodes.modaltest.campaign.campaign import Campaign
 from pkmodes.modaltest.campaign.identify import MIN_COLLINEARITY
@@ -79,17 +80,21 @@ def _summary(identified: Identification, campaign: Campaign) -> Summary:
     dominant = max(names, key=largest.count)
     leading = largest.count(dominant)
     share = "every mode" if leading == len(modes) else f"{leading} of {plural(len(modes), 'mode')}"
-    messages = sum(len(result.messages) for result in identified.records)
+    with_messages = [result.record.pose for result in identified.records if result.messages]
     reason = (
         f"From {plural(files, 'file')}. The largest part of a frequency's standard deviation is {names[dominant]} in "
         f"{share}."
     )
-    if messages:
-        what = "a message" if messages == 1 else plural(messages, "message")
-        reason += f" The sections of the records have {what} to read."
-    subject = "Structure" if campaign.model is None else campaign.model.robot.name
+    if with_messages:
+        places = listed(with_messages, PLACES)
+        have, its = ("has", "its section") if len(with_messages) == 1 else ("have", "their sections")
+        reason += f" {places} {have} messages of the signals, in {its}."
+    subject = "Structure" if campaign.model is None else shortened(campaign.model.robot.name)
+    if campaign.model is not None:
+        drives = [result.record.drives for result in identified.records]
+        subject += f", {motors_in_words(campaign.model.robot, drives)}"
     return Summary(
-        subject=shortened(subject),
+        subject=subject,
         kind="Identification",
         headline=f"{count} at {poses}" + (f", {plural(points, 'point')} to check" if points else ""),
         reason=reason,
