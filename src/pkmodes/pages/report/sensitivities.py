@@ -62,11 +62,23 @@ def sensitivities_report(
     if sigma is not None:
         by_sigma = [*_pictures(sigma), *_parts(per_sigma_table(model, sigma))]
     sections = [
-        Section("percent", "One per cent of each quantity", by_percent),
-        Section("sigma", "Standard deviations of the robot file", by_sigma),
+        *_sections("percent", "One per cent of each quantity", by_percent),
+        *_sections("sigma", "Standard deviations of the robot file", by_sigma),
         origin(sources, model.mechanism, [("rigid-body modes", [Cell(str(content["rigid_modes"]))])]),
     ]
     return page(sensitivities_summary(model, percent, sigma, content), sections)
+
+
+def _sections(name: str, title: str, blocks: Sequence[Block]) -> list[Section]:
+    """Return a section with the first picture and the first table, and a folded one with those of further modes."""
+    first: list[Block] = []
+    for kind in (Paragraph, Picture, Table):
+        first += [block for block in blocks if isinstance(block, kind)][:1]
+    further = [block for block in blocks if block not in first]
+    sections = [Section(name, title, first)]
+    if further:
+        sections.append(Section(f"{name}-further", f"{title}: further modes", further, folded=True))
+    return sections
 
 
 def _pictures(changes: Changes) -> list[Block]:
@@ -91,5 +103,5 @@ def _parts(whole: Table) -> list[Block]:
         kept = [*range(NAMED), *range(NAMED + start, NAMED + min(start + MODES, count))]
         columns = [whole.columns[k] for k in kept]
         rows = [[row[k] for k in kept] for row in whole.rows]
-        parts.append(Table(whole.caption, columns, rows, note=whole.note if start + MODES >= count else ""))
+        parts.append(Table(whole.caption, columns, rows, note="" if start else whole.note))
     return parts
