@@ -12,7 +12,16 @@ from pkmodes.core.support.words import meaning_of
 from pkmodes.machine.maps.robots_compared import MIN_PAIR_MAC, ModeChange, largest_difference_sentence
 from pkmodes.pages.plots.labels import MINUS
 from pkmodes.pages.report.blocks import Cell, Column, Listing, Paragraph, Summary, Table
-from pkmodes.pages.report.formatting import clean, number, pointer, shortened, thousands, unit_cell
+from pkmodes.pages.report.formatting import (
+    clean,
+    number,
+    pointer,
+    prose,
+    sentence,
+    shortened,
+    thousands,
+    unit_cell,
+)
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
@@ -47,7 +56,7 @@ def robots_summary(first: Model, second: Model, content: dict[str, Any]) -> Summ
             "-", MINUS
         ),
         reason="Differences are second minus first, relative to the first.",
-        notes=[clean(note) for note in content["notes"]],
+        notes=[prose(sentence(note)) for note in content["notes"]],
         facts=facts,
         head=common_head(first.robot.report, second.robot.report),
     )
@@ -95,12 +104,12 @@ def different_values(first: Model, content: dict[str, Any], max_rows: int | None
     ]
     if choices:
         yield Listing(choices)
-    for key, sentence in (
+    for key, title in (
         ("effects_added", "Effects of the second robot only:"),
         ("effects_removed", "Effects of the first robot only:"),
     ):
         if content[key]:
-            yield Paragraph(sentence)
+            yield Paragraph(title)
             yield Listing([clean(name) for name in content[key]], names=True)
 
 

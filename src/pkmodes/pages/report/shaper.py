@@ -145,10 +145,15 @@ def shaper_summary(model: Model, choice: Choice, content: dict[str, Any]) -> Sum
 
 
 def acceleration_cell(candidate: Candidate, json_pointer: str = "", *, unit: bool = True) -> Cell:
-    """Return the largest acceleration that Klipper would suggest in mm/s^2, rounded as Klipper does."""
+    """Return the largest acceleration that Klipper would suggest in mm/s^2, rounded as Klipper does.
+
+    Klipper gives 0 where its speed in corners alone smooths them by more than it allows: it suggests none.
+    """
     value = candidate.max_acceleration
     if value is None:
         return number(None)
+    if value == 0.0:
+        return Cell("none" if not unit else "none: corners are smoothed by more at any", value, json_pointer)
     step = 100 if value >= 1.0 else 1
     text = thousands(step * round(1e3 * value / step))
     return Cell(f"{text} mm/s\u00b2" if unit else text, value, json_pointer)
