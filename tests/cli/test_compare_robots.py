@@ -94,7 +94,7 @@ def test_the_same_robot_twice(tmp_path: Path) -> None:
     page = tmp_path / "same.html"
     out = printed("compare", PRINTER, PRINTER, *GRID, "--report", page)
     assert "  declared values that differ: 0 of 19\n" in out
-    assert "note: the two files declare the same robot" in out
+    assert "note: The two files declare the same robot" in out
     text = page.read_text(encoding="utf-8")
     assert "no frequency changes by more than 0.005 %" in text
     assert "No frequency changes" in text

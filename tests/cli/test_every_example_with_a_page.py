@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from helpers.commands.answers import answer
+from helpers.pages.browser import opened
 from helpers.runs.processes import ROOT
 from pkmodes.cli.examples import CATALOGUE
 
@@ -34,3 +35,5 @@ def test_it_writes_its_page(name: str, tmp_path: Path, monkeypatch: pytest.Monke
     text = page.read_text(encoding="utf-8")
     assert text.count("<svg") >= 1
     assert text.rstrip().endswith("</html>")
+    with opened(page, width=1280, height=900) as view:  # as it opens, most sections are folded
+        assert view.page.evaluate("document.documentElement.scrollHeight") <= 6 * 900

@@ -151,3 +151,29 @@ def test_rotations_in_any_unit_do_not_make_different_modes_alike(unit: float) ->
     assert [pair.mac for pair in found.pairs] == pytest.approx([1.0, 1.0])
     same = compare_measurements(of([50.0, 60.0], shapes), of([50.2, 60.3], shapes))
     assert [pair.mac for pair in same.pairs] == pytest.approx([1.0, 1.0])
+
+
+def test_poses_are_paired_by_position_where_the_labels_name_other_places() -> None:
+    """The labels of two campaigns are those of their own lists: P1 of one need not be P1 of the other."""
+    near, far, third = [0.6, 0.0, -0.2], [0.3, 0.1, -0.2], [0.4, 0.0, -0.3]
+
+    def campaign(*labels: str, source: str, factor: float) -> Measurements:
+        return Measurements.from_rows(
+            labels,
+            np.array([50.0, 80.0, 70.0]) * factor,
+            [0.1] * 3,
+            points=[near, far, third if factor == 1.0 else (np.array(third) + 0.1).tolist()],
+            components={"x": "m", "y": "m", "z": "m"},
+            source=source,
+        )
+
+    first = campaign("A", "B", "D", source="first.csv", factor=1.0)
+    for labels in (("B", "A", "D"), ("C", "A", "D")):
+        result = compare_measurements(first, campaign(*labels, source="second.csv", factor=1.01))
+        assert [(pair.pose, pair.second_pose) for pair in result.pairs] == [
+            ("A", labels[0]),
+            ("B", labels[1]),
+        ]
+        assert [round(pair.relative, 6) for pair in result.pairs] == [0.01, 0.01]
+        assert any("Pose A of the first file is paired with" in note for note in result.notes)
+        assert not any("the positions differ" in note for note in result.notes)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import pkmodes
+from helpers.pages.page_reading import read
 from pkmodes.cli import run
 from pkmodes.machine.shaping import residual
 from pkmodes.machine.shaping.results import Choice
@@ -154,3 +156,7 @@ def test_the_page_says_the_shaper_of_each_axis(tmp_path: Path, capsys: pytest.Ca
     text = page.read_text(encoding="utf-8")
     assert "Left over the workspace along x" in text
     assert "Against frequency error along y" in text
+    folded = {section.attributes["id"] for section in read(text).all("section") if section.all("details")}
+    assert folded == {"together", "machine", "errors", "origin"}  # so that it opens on six screens
+    largest = said.partition("largest without a shaper at: ")[2]
+    assert re.match(r"x = \d+ mm, y = \d+ mm", largest)  # as the poses below it

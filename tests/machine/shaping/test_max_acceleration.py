@@ -9,6 +9,7 @@ from pkmodes.machine.shaping import Shaper, shaper
 from pkmodes.machine.shaping.choice import choose
 from pkmodes.machine.shaping.results import Amplitude, Candidate
 from pkmodes.machine.shaping.ringing import Ringing
+from pkmodes.pages.report.shaper import acceleration_cell
 
 #: Frequency [Hz] and suggested max_accel [mm/s^2] of each shaper in docs/Measuring_Resonances.md of Klipper, made
 #: before its ei and humps changed, with the damping ratio that it takes by default.
@@ -46,7 +47,10 @@ def test_zv_without_damping_has_a_closed_form(frequency: float) -> None:
 
 
 def test_a_shaper_that_smooths_too_much_at_speed_alone_has_none() -> None:
-    assert candidate("zv", Shaper(np.array([0.5, 0.5]), np.array([0.0, 0.2]))).max_acceleration == 0.0
+    slow = candidate("zv", Shaper(np.array([0.5, 0.5]), np.array([0.0, 0.2])))
+    assert slow.max_acceleration == 0.0
+    assert acceleration_cell(slow).text == "none: corners are smoothed by more at any"  # not "0 mm/s^2"
+    assert acceleration_cell(slow, unit=False).text == "none"
     assert candidate("zv", shaper("zv", 40.0, 0.0), follows=True).max_acceleration is None
 
 

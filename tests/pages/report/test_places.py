@@ -115,7 +115,8 @@ def test_every_leg_of_a_hexapod_is_marked_and_what_is_not_is_counted(count: int,
     (drawn,) = place_pictures(found, evidence, ReportContext("hexapod", robot, data, (), None))
     assert isinstance(drawn, Picture)
     assert f"in colour: {'; '.join(names[:6])}.{others}" in drawn.svg
-    assert drawn.caption.endswith(f"acts.{others}")
+    assert drawn.caption.endswith(f".{others}")
+    assert "arrow" not in drawn.caption  # no leg acts along an axis
     legs = {
         element.name for element in robot.mechanism.drawing.elements if element.name.startswith("base part")
     }

@@ -81,6 +81,23 @@ def test_the_same_input_gives_the_same_bytes(page: Path, tmp_path: Path) -> None
     assert str(tmp_path) not in again.read_text(encoding="utf-8")
 
 
+def test_further_modes_are_folded(tmp_path: Path) -> None:
+    """Twelve modes make twelve panels, and two tables."""
+    page, _ = made(tmp_path, "robots/hexaglide.toml", "0.01,0,0.2,0.05,-0.03,0.02")
+    sections = {section.attributes["id"]: section for section in read(page.read_text("utf-8")).all("section")}
+    assert [name for name, section in sections.items() if section.all("details")] == ["percent-further"]
+    assert len(sections["percent"].all("table")) == len(sections["percent-further"].all("table")) == 1
+    assert "mode 6" in sections["percent"].text
+    assert "mode 7" not in sections["percent"].text
+
+
+def test_equal_changes_are_told_in_the_headline(tmp_path: Path) -> None:
+    """f = sqrt(k / m) / (2 pi): one per cent of a mass, or of both stiffnesses, is half a per cent of f."""
+    page, _ = made(tmp_path, "robots/bed-slinger.toml", "0.08,0.03", "--drives", "held")
+    (headline,) = read(page.read_text("utf-8")).by_id("summary").all("h2")
+    assert headline.text.endswith(": 0.5 % for 1 %; 2 others change a frequency as much")
+
+
 def test_modes_that_coincide_are_named(tmp_path: Path) -> None:
     file, _ = made(tmp_path, "robots/clavel-delta.toml", "0,0,-0.8")
     assert "Modes 1, 2 coincide" in file.read_text(encoding="utf-8")

@@ -8,6 +8,8 @@ import pytest
 
 from helpers.pages.report_examples import made_up
 from pkmodes.loop.diagnosis.verdict.findings import Stability
+from pkmodes.loop.diagnosis.verdict.result import Damping
+from pkmodes.pages.report.damping import with_other_errors
 from pkmodes.pages.report.stability import stability_sentence
 
 CHANGES = ("sigma x 0.5", "sigma x 2", "priors x 2")
@@ -100,3 +102,27 @@ def said(verdict: str, *entries: tuple[str, str]) -> str:
 )
 def test_the_sentence(verdict: str, entries: tuple[tuple[str, str], ...], expected: str) -> None:
     assert said(verdict, *entries) == expected
+
+
+@pytest.mark.parametrize(
+    ("entries", "expected"),
+    [
+        ((ENOUGH, ENOUGH, ENOUGH), ""),
+        (
+            (
+                ("effect_found", "belt_loss rail_friction"),
+                ("effect_found", "belt_loss"),
+                ("effect_found", "belt_loss"),
+            ),
+            "with sigma halved, belt_loss and rail_friction would be claimed; with sigma doubled or priors twice as "
+            "wide, belt_loss would be claimed",
+        ),
+        ((ENOUGH, NOTHING, ENOUGH), "with sigma doubled, the verdict is unexplained"),
+    ],
+)
+def test_losses_that_other_errors_would_claim(entries: tuple[tuple[str, str], ...], expected: str) -> None:
+    stability = tuple(
+        Stability(change, word, tuple(names.split()))
+        for change, (word, names) in zip(CHANGES, entries, strict=True)
+    )
+    assert with_other_errors(Damping(verdict="adequate", stability=stability)) == expected

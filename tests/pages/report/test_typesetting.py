@@ -5,12 +5,13 @@ from __future__ import annotations
 import datetime
 from dataclasses import replace
 
+import msgspec
 import pytest
 
 from helpers.pages.report_examples import made_up
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.loop.diagnosis.verdict.findings import Corrected
-from pkmodes.pages.report import numbers
+from pkmodes.loop.diagnosis.verdict.findings import Corrected, Examined, Limit, Value
+from pkmodes.pages.report import explanations, numbers
 from pkmodes.pages.report.blocks import Summary, Table
 from pkmodes.pages.report.formatting import (
     display_unit,
@@ -35,6 +36,13 @@ from pkmodes.pages.report.report_context import ReportContext
         ("up to 5.9e4 N/m", "up to 5.9\u2009\u00d7\u200910\u2074 N/m"),
         ("pose 1e-6b, file a1e-6", "pose 1e-6b, file a1e-6"),  # names
         ("2.9 times, at 50 Hz", "2.9 times, at 50 Hz"),
+        (
+            "along y, (7.996 +- 0.010)e-7 m/N",
+            "along y, (7.996 \u00b1 0.010)\u2009\u00d7\u200910\u207b\u2077 m/N",
+        ),
+        ("a ratio of 3.09 +- 0.63 %", "a ratio of 3.09 \u00b1 0.63 %"),
+        ("from 15 to 9.285 N*m/rad, 2 rad/(N*m)", "from 15 to 9.285 N\u00b7m/rad, 2 rad/(N\u00b7m)"),
+        ("zv*zv leaves 9 %", "zv*zv leaves 9 %"),  # a kind of shaper
     ],
 )
 def test_powers_of_ten_within_sentences(text: str, expected: str) -> None:
@@ -104,6 +112,40 @@ def test_a_row_of_fitted_values_has_one_unit() -> None:
     texts = [cell.text for cell in block.rows[0]]
     assert "0.80 \u00b1 0.10" in texts
     assert {"mm", "2"} <= set(texts)
+
+
+def test_a_row_of_candidates_has_one_unit() -> None:
+    """Visible from 2.4 mm, limit 0.8 mm: not 0.0024 and 8e-4 m."""
+    result, _ = made_up(3, 2)
+    name = "parameter:link.length"
+    visible = Value("link.length", 2.4e-3, 1e-3, "m")
+    few = replace(
+        result,
+        candidates=(Examined(name, 0.1, (visible,), True),),
+        limits={"link.length": Limit(name, 8e-4, "m")},
+    )
+    (block,) = (block for block in explanations.candidate_blocks(few) if isinstance(block, Table))
+    assert {"2.4", "0.8", "mm"} <= {cell.text for cell in block.rows[0]}
+
+
+def test_fitted_modes_without_a_partner_are_told_beside_the_errors() -> None:
+    """They make a chi-square of thousands beside an rms of half a per cent."""
+    result, _ = made_up(6, 4)
+    whole = replace(
+        result,
+        rows=tuple(msgspec.structs.replace(row, before=1.0, refit=1.0, after=1.0) for row in result.rows),
+    )
+    assert not any("no partner" in getattr(block, "text", "") for block in numbers.errors(whole))
+    fitted = [i for i, row in enumerate(whole.rows) if not (row.held_out or row.outlier)]
+    lost = {fitted[0], fitted[2], next(i for i, row in enumerate(whole.rows) if row.held_out)}
+    rows = tuple(
+        msgspec.structs.replace(row, before=None) if i in lost else row for i, row in enumerate(whole.rows)
+    )
+    texts = [getattr(block, "text", "") for block in numbers.errors(replace(whole, rows=rows))]
+    assert (
+        "2 fitted modes have no partner in the model (as declared): each counts in chi\u00b2 as a difference by a "
+        "factor of 1.8, and not in the rms."
+    ) in texts
 
 
 @pytest.mark.parametrize(("epoch", "date"), [("1700000000", "2023-11-14"), ("0", "1970-01-01")])

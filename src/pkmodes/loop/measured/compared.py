@@ -43,6 +43,9 @@ Array = NDArray[np.float64]
 RowPair = tuple[int, int, float | None]
 #: Largest difference between the logarithms of the frequencies of one mode.
 MAX_FREQUENCY_DIFFERENCE = 0.25
+#: Poses are the same if no component differs by more than this part of the range of the first file, or by more than
+#: this [m or rad].
+NEAR_PART_OF_RANGE, NEAR_DISTANCE = 0.02, 5e-4
 #: Rows whose shapes have a smaller MAC are not of one mode.
 MIN_MAC_OF_PAIR = 0.5
 #: Difference between the logarithms of two frequencies that costs as much as shapes with a MAC of 0.
@@ -54,7 +57,7 @@ def compare_measurements(first: Measurements, second: Measurements) -> Measureme
 
     Modes at one pose are paired so that frequencies and, where both have them, shapes agree best overall.
 
-    - first, second: with the same pose labels, or with a single pose each, whatever its label
+    - first, second: with poses at the same positions or with the same labels, or with a single pose each
 
     Raises MeasurementError if they have the same rows, no pose in common, or poses of different components, or if
     the motors were in different states at a common pose.
@@ -223,13 +226,9 @@ def _mark_significant(
 
 
 def _common_poses(first: Measurements, second: Measurements) -> Iterator[tuple[int, int]]:
-    """Yield the poses that both have: those with the same label, or the only pose of each."""
-    if len(first.labels) == len(second.labels) == 1:
-        pose_pairs = [(0, 0)]
-    else:
-        pose_pairs = [
-            (i, second.labels.index(label)) for i, label in enumerate(first.labels) if label in second.labels
-        ]
+    """Yield the poses that both have: those at one position or with the same label, or the only pose of each."""
+    is_single = len(first.labels) == len(second.labels) == 1
+    pose_pairs = [(0, 0)] if is_single else _poses_of_labels(first, second)
     if not pose_pairs:
         problem = f"expected poses of {first.source}, such as {first.labels[0]}, found {second.labels[0]}"
         raise MeasurementError(
@@ -246,6 +245,33 @@ def _common_poses(first: Measurements, second: Measurements) -> Iterator[tuple[i
             where = f"{second.source}: pose {second.labels[second_pose]}"
             raise MeasurementError(problem, where, "compare measurements with the motors in the same state")
         yield first_pose, second_pose
+
+
+def _poses_of_labels(first: Measurements, second: Measurements) -> list[tuple[int, int]]:
+    """Return the poses with the same label, and where that label is of another position, those at the same position.
+
+    The labels of two campaigns need not name the same places: where one position has two labels, labels pair nothing.
+    """
+    labelled = {
+        i: second.labels.index(label) for i, label in enumerate(first.labels) if label in second.labels
+    }
+    if first.components != second.components or not (first.points.any() and second.points.any()):
+        return [*labelled.items()]
+    tolerance = np.maximum(NEAR_PART_OF_RANGE * np.ptp(first.points, axis=0), NEAR_DISTANCE)
+    near = (np.abs(first.points[:, None] - second.points[None]) <= tolerance).all(axis=-1)
+    pairs = {i: j for i, j in labelled.items() if near[i, j]}
+    for i in range(len(first.labels)):
+        conditions = first.drives[i], first.load(i)
+        others = [
+            j
+            for j in np.flatnonzero(near[i]).tolist()
+            if (second.drives[j], second.load(j)) == conditions and j not in pairs.values()
+        ]
+        if i not in pairs and len(others) == 1:
+            pairs[i] = others[0]
+    if all(labelled.get(i) == j for i, j in pairs.items()):  # else the labels are of other lists
+        pairs |= labelled
+    return sorted(pairs.items())
 
 
 def paired_rows(

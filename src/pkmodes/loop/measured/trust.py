@@ -115,6 +115,15 @@ def notes_on_poses(
             f"Pose {loaded_labels[0]}{_and_others(loaded_labels)}: columns set: differ; the changes include the "
             "effect of the other load."
         )
+    renamed = [(first.labels[i], second.labels[j]) for i, j in pose_pairs if len(pose_pairs) > 1]
+    renamed = [(label, other) for label, other in renamed if label != other]
+    if renamed:
+        label, other = renamed[0]
+        notes.append(
+            f"Pose {label} of the first file is paired with {other} of the second"
+            f"{f', and {len(renamed) - 1} more in this way' if len(renamed) > 1 else ''}: they have one position, "
+            "and the labels name others."
+        )
     moved_labels = [first.labels[i] for i, j in pose_pairs if _positions_differ(first, second, i, j)]
     if moved_labels:
         notes.append(

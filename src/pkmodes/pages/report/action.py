@@ -175,11 +175,17 @@ def _effect_on_frequencies(result: Diagnosis) -> list[Cell]:
     refitted = any(value.after != value.before for value in result.refitted)
     example_start = ". With the refitted values, mode" if refitted else ": mode"
     new_modes_start = "another is" if len(new_frequencies) == 1 else "others are"
+    unpaired_count = len(result.rows) - len(changes)
+    measured_modes = (
+        f"{len(changes)} of the {plural(len(result.rows), 'measured mode')}"
+        if unpaired_count
+        else f"the {plural(len(changes), 'measured mode')}"
+    )
     new_modes = joined([f"{frequency:.4g}" for frequency in new_frequencies])
     new_modes_clause = f"; {new_modes_start} new there, at {new_modes} Hz" if new_frequencies else ""
     return [
         Cell(
-            f"In the model {subject} the frequencies of the {plural(len(changes), 'measured mode')} by up to "
+            f"In the model {subject} the frequencies of {measured_modes} by up to "
             f"{plain(abs(largest_change), 2)} Hz{example_start} {stages.after.partner_mode[i]} at"
         ),
         label_cell(row.pose),

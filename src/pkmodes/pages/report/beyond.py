@@ -9,6 +9,7 @@ from pkmodes.loop.diagnosis.verdict.terms import Beyond
 from pkmodes.pages.report.blocks import Cell, Column, Paragraph, Table
 from pkmodes.pages.report.formatting import (
     clean,
+    display_unit,
     p_value_cell,
     pointer,
     three_digit_cell,
@@ -45,6 +46,7 @@ def _class_table(terms: Beyond, context: ReportContext) -> Table:
             for value in term_class.finding.alternatives[name]:
                 quantity = term_class.quantity(name, value)
                 value_pointer = class_pointer + pointer("members", member_index, "parameters", quantity)
+                shown_unit, scale = display_unit(value.unit, value.value)
                 rows.append(
                     [
                         Cell(str(class_index + 1), class_index + 1),
@@ -55,8 +57,9 @@ def _class_table(terms: Beyond, context: ReportContext) -> Table:
                             value.sigma,
                             value_pointer + pointer("value"),
                             value_pointer + pointer("sigma"),
+                            scale=scale,
                         ),
-                        Cell(unit_text(value.unit)),
+                        Cell(unit_text(shown_unit)),
                         Cell(typeset_powers(f"no: {member.implausible}") if member.implausible else "yes"),
                         p_value_cell(term_class.finding.p_value, class_pointer + pointer("p_value")),
                         three_digit_cell(term_class.probability, class_pointer + pointer("probability")),

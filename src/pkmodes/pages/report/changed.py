@@ -43,8 +43,8 @@ if TYPE_CHECKING:
 UNFOLDED_SECTIONS = ("changes", "causes", "beyond", "place", "errors")
 #: Prefix of values that differ from day to day, and the number of standard deviations from which that is reported.
 DAY_PREFIX, MIN_DAY_SIGMAS = "day.", 3.0
-#: Maximum number of rows in the table of changes on a page.
-MAX_ROWS = 300
+#: Maximum number of rows in the table of all modes of both states, and of the largest changes, which are unfolded.
+MAX_ROWS, MAX_LARGEST_CHANGES = 300, 12
 #: Colours by whether anything changed.
 TONE_BY_CHANGE: dict[bool | None, Colour] = {True: "found", False: "good", None: "plain"}
 
@@ -132,7 +132,7 @@ def change_summary(result: Change, context: ReportContext) -> Summary:
         subject=context.title(row.drives for row in result.rows),
         kind="What changed",
         verdict="" if result.by_state or term_class is not None else result.verdict,
-        headline=change_headline(result, context).replace(" +- ", " \u00b1 "),
+        headline=typeset_powers(change_headline(result, context)),
         reason=typeset_powers(to_sentence(result.reason)),
         tone=AMBIGUOUS.colour if doubtful_probability(result) else TONE_BY_CHANGE[result.changed],
         notes=[typeset_powers(to_sentence(note)) for note in result.notes],
@@ -171,10 +171,13 @@ def _relative_changes(result: Change) -> list[tuple[float | None, float | None]]
     return differences
 
 
-def mode_changes_table(result: Change, max_rows: int | None = MAX_ROWS) -> Table:
+def mode_changes_table(
+    result: Change, max_rows: int | None = MAX_ROWS, omission_remark: str = ": --all prints every mode"
+) -> Table:
     """Return the modes of both states side by side, the largest changes in standard deviations first.
 
     - max_rows: number of rows; None for all
+    - omission_remark: end of the sentence on modes that are left out
     """
     differences = _relative_changes(result)
     row_indices = sorted(
@@ -214,7 +217,7 @@ def mode_changes_table(result: Change, max_rows: int | None = MAX_ROWS) -> Table
     if all(_explained_change(row) is None for row in result.rows):
         rows, columns, groups = [row[:-1] for row in rows], columns[:-1], groups[:-1]
     omitted = len(differences) - len(row_indices)
-    note = f"{plural(omitted, 'mode')} changed less: --all prints every mode." if omitted else ""
+    note = f"{plural(omitted, 'mode')} changed less{omission_remark}." if omitted else ""
     caption = "Modes of both states: standard deviations are those of the difference."
     return compact_table(caption, columns, rows, groups, note)
 
@@ -242,20 +245,23 @@ def change_page(result: Change, evidence: PlottedEvidence, context: ReportContex
         for k, (name, change) in enumerate(result.by_state.items(), start=1)
     ]
     rows_title = "All measured modes beside the model"
+    term_blocks = beyond_blocks(result, context)
+    largest_changes, all_changes = mode_changes_table(result), list[Section]()
+    if len(result.rows) > MAX_LARGEST_CHANGES and not state_sections:
+        remark = ", or have no counterpart: all are in a section below"
+        largest_changes = mode_changes_table(result, MAX_LARGEST_CHANGES, remark)
+        all_changes = [Section("pairs", "All modes before and after", [mode_changes_table(result)])]
     sections = [
-        Section("changes", "Before and after, mode by mode", [mode_changes_table(result)]),
+        Section("changes", "Before and after, mode by mode", [largest_changes]),
         *(
             [Section("causes", title, causes)]
             if (causes := explanations.cause_blocks(result, context))
             else []
         ),
-        *(
-            [Section("beyond", "One thing at one place", term_blocks)]
-            if (term_blocks := beyond_blocks(result, context))
-            else []
-        ),
+        *([Section("beyond", "One thing at one place", term_blocks)] if term_blocks else []),
         *([Section("place", "Where it is", place_blocks)] if place_blocks else []),
         Section("errors", "Error before and after", numbers.error_blocks(result)),
+        *all_changes,
         *(state_sections or figures.figure_sections(evidence)),
         Section("candidates", "What may have changed", explanations.candidate_blocks(result)),
         Section("values", "Values before and after", numbers.fitted_value_tables(result, context)),
@@ -264,7 +270,9 @@ def change_page(result: Change, evidence: PlottedEvidence, context: ReportContex
         glossary_section(is_diagnosis=True),
         context.origin(evidence),
     ]
+    # The section on one thing begins with the errors, too.
+    unfolded_sections = {*UNFOLDED_SECTIONS} - ({"errors"} if term_blocks else set())
     return page(
         change_summary(result, context),
-        [replace(section, folded=section.html_id not in UNFOLDED_SECTIONS) for section in sections],
+        [replace(section, folded=section.html_id not in unfolded_sections) for section in sections],
     )

@@ -5,8 +5,10 @@ from __future__ import annotations
 from statistics import median
 
 from pkmodes.core.base.numbers import plain
+from pkmodes.core.support.ordering import joined
 from pkmodes.loop.diagnosis.verdict.result import Damping, Diagnosis, parameter_key
 from pkmodes.loop.diagnosis.verdict.rows import Row
+from pkmodes.loop.diagnosis.verdict.verdicts import ADEQUATE, EFFECT_FOUND
 from pkmodes.pages.report import explanations
 from pkmodes.pages.report.blocks import Block, Cell, Column, Facts, Listing, Paragraph, Table
 from pkmodes.pages.report.formatting import (
@@ -41,16 +43,9 @@ def damping_blocks(result: Diagnosis, context: ReportContext) -> list[Block]:
     damping_result = result.damping
     if not damping_result.measured:
         return []
-    # How the verdict on the damping changes with other errors or priors.
-    claimed = {name for effect in damping_result.effects for name in effect.members}
-    changed_outcomes = [
-        f"{CHANGE_TITLES.get(outcome.change, outcome.change)}: {' '.join([outcome.verdict, *outcome.effects])}"
-        for outcome in damping_result.stability
-        if outcome.verdict != damping_result.verdict or not set(outcome.effects) <= claimed
-    ]
     stability_blocks: list[Block] = []
-    if changed_outcomes:
-        stability_blocks = [Paragraph(f"It changes with {'; '.join(map(clean, changed_outcomes))}.")]
+    if changes := stability_clause(damping_result):
+        stability_blocks = [Paragraph(to_sentence(clean(changes)))]
     elif damping_result.stability:
         stability_blocks = [
             Paragraph("That is the same with \u03c3 halved or doubled, and with priors twice as wide.")
@@ -75,6 +70,25 @@ def damping_blocks(result: Diagnosis, context: ReportContext) -> list[Block]:
     if damping_result.candidates:
         blocks.append(_loss_table(damping_result))
     return blocks
+
+
+def stability_clause(damping_result: Damping) -> str:
+    """Return how the verdict on the damping changes with other errors or priors; empty if it does not."""
+    claimed = {name for effect in damping_result.effects for name in effect.members}
+    changes_by_outcome: dict[str, list[str]] = {}
+    for entry in damping_result.stability:
+        if entry.verdict == damping_result.verdict and {*entry.effects} <= claimed:
+            continue
+        names = joined(entry.effects)
+        if entry.verdict == ADEQUATE.word:
+            outcome = "no cause is needed"
+        elif entry.verdict == EFFECT_FOUND.word and names:
+            outcome = f"{names} would be claimed"
+        else:
+            outcome = f"the verdict is {entry.verdict}{f' ({names})' if names else ''}"
+        changes_by_outcome.setdefault(outcome, []).append(CHANGE_TITLES.get(entry.change, entry.change))
+    clauses = [f"with {joined(changes, 'or')}, {outcome}" for outcome, changes in changes_by_outcome.items()]
+    return "; ".join(clauses)
 
 
 def refitted_loss_blocks(damping_result: Damping, context: ReportContext) -> list[Paragraph | Facts]:

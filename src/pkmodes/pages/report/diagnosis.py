@@ -22,7 +22,7 @@ from pkmodes.pages.report.beyond import beyond_blocks
 from pkmodes.pages.report.blocks import Block, Cell, Paragraph, Section, Summary, TextDifference
 from pkmodes.pages.report.certainty import doubtful_probability
 from pkmodes.pages.report.contrast import contrast_of_parts
-from pkmodes.pages.report.damping import damping_blocks
+from pkmodes.pages.report.damping import damping_blocks, stability_clause
 from pkmodes.pages.report.formatting import (
     clean,
     display_unit,
@@ -118,12 +118,13 @@ def diagnosis_page(
 def _summary(result: Diagnosis, context: ReportContext) -> Summary:
     notes = [*result.notes]
     if result.damping.measured:  # which changes neither the verdict nor the headline
-        notes.append(f"the verdict is that of frequencies and shapes; {result.damping.reason}")
+        doubt = f", but {clause}" if (clause := stability_clause(result.damping)) else ""
+        notes.append(f"the verdict is that of frequencies and shapes; {result.damping.reason}{doubt}")
     return Summary(
         subject=context.title(row.drives for row in result.rows),
         kind="Diagnosis",
         verdict=result.verdict,
-        headline=verdict_headline(result, context),
+        headline=typeset_powers(verdict_headline(result, context)),
         reason=typeset_powers(to_sentence(result.reason)),
         tone=_colour(result),
         notes=[typeset_powers(to_sentence(note)) for note in notes],
@@ -190,17 +191,22 @@ def _header_facts(result: Diagnosis, context: ReportContext) -> list[tuple[str, 
         if result.after is not None
         else (result.refit, "refitted")
     )
+    error_pointers = {name: pointer("error", name) for name in stages}
+    if result.beyond is not None and (term_class := result.beyond.found) and not result.effects:
+        last_stage, name = "beyond", term_class.finding.name
+        stages[last_stage] = term_class.errors[name], "with what was found"
+        member_index = [*term_class.finding.members].index(name)
+        error_pointers[last_stage] = pointer("beyond", "classes", 0, "members", member_index, "error")
     for name, (error, title) in stages.items():
         if error is not None:
-            error_pointer = pointer("error", name, "rms_relative")
-            cell = numbers.percent_cell(error.rms_relative, error_pointer)
+            cell = numbers.percent_cell(error.rms_relative, error_pointers[name] + pointer("rms_relative"))
             facts.append((f"rms difference {title} [%]", cell))
     error = stages[last_stage][0]
     if error is not None:
-        error_pointer = pointer("error", last_stage, "held_out_rms_relative")
-        held_out_cell = numbers.percent_cell(error.held_out_rms_relative, error_pointer)
+        held_out_pointer = error_pointers[last_stage] + pointer("held_out_rms_relative")
+        held_out_cell = numbers.percent_cell(error.held_out_rms_relative, held_out_pointer)
         facts.append((f"rms of held-out poses {stages[last_stage][1]} [%]", held_out_cell))
-        chi2 = three_digit_cell(error.chi2_per_dof, pointer("error", last_stage, "chi2_per_dof"))
+        chi2 = three_digit_cell(error.chi2_per_dof, error_pointers[last_stage] + pointer("chi2_per_dof"))
         facts.append((f"chi\u00b2 per degree of freedom {stages[last_stage][1]}", chi2))
     return facts
 
@@ -230,14 +236,8 @@ def _cause_sizes(result: Diagnosis, effect_index: int, context: ReportContext) -
         sigma_pointer = pointer(*keys, "sigma" if relative else "saved_sigma")
         saved = with_saved_sigma(value, result.corrected)
         shown_unit, scale = display_unit(value.unit, value.value)
-        cell = uncertain_cell(
-            value.value,
-            saved.sigma,
-            pointer(*keys, "value"),
-            sigma_pointer,
-            scale=scale,
-            fit_sigma=saved.fit_sigma,
-        )
+        # The digits are those of the error beside them: that of the fit alone is in the section on the cause.
+        cell = uncertain_cell(value.value, saved.sigma, pointer(*keys, "value"), sigma_pointer, scale=scale)
         name = clean(parameter_key(value))
         title = f"{name} relative to the mean" if relative else context.meaning(value.name) or name
         facts.append((f"{title} [{unit_text(shown_unit)}]" if unit_text(shown_unit) else title, cell))
@@ -273,9 +273,12 @@ def _class_sizes(effect: Finding, effect_index: int, context: ReportContext) -> 
         implausible_note = ", implausible" if effect.member(name).implausible else ""
         for value in effect.alternatives[name]:
             keys = ("effects", effect_index, "alternatives", name, parameter_key(value))
-            cell = uncertain_cell(value.value, value.sigma, pointer(*keys, "value"), pointer(*keys, "sigma"))
+            shown_unit, scale = display_unit(value.unit, value.value)
+            cell = uncertain_cell(
+                value.value, value.sigma, pointer(*keys, "value"), pointer(*keys, "sigma"), scale=scale
+            )
             title = context.meaning(value.name) or clean(effect.member(name).words)
-            unit_suffix = f" [{unit_text(value.unit)}]" if unit_text(value.unit) else ""
+            unit_suffix = f" [{unit_text(shown_unit)}]" if unit_text(shown_unit) else ""
             facts.append((f"{conjunction}{implausible_note}: {title}{unit_suffix}", cell))
     if len(facts) > MAX_CLASS_VALUES:
         return [

@@ -14,6 +14,7 @@ from pkmodes.pages.report.contrast import contrast_of_parts
 from pkmodes.pages.report.formatting import (
     MISSING,
     clean,
+    display_unit,
     explanation_with_names,
     p_value_cell,
     plural,
@@ -117,6 +118,7 @@ def _member_table(
             fit_sigma_pointer = value_pointer + pointer("sigma")
             saved_sigma_pointer = effect_pointer + pointer("parameters", parameter_key(value), "saved_sigma")
             shown_value = with_saved_sigma(value, corrected) if is_single else value
+            shown_unit, scale = display_unit(value.unit, value.value)
             rows.append(
                 [
                     Cell.named(clean(sentences.get(member, "")), clean(member)),
@@ -126,10 +128,11 @@ def _member_table(
                         shown_value.sigma,
                         value_pointer + pointer("value"),
                         saved_sigma_pointer if is_single else fit_sigma_pointer,
+                        scale=scale,
                         fit_sigma=shown_value.fit_sigma,
                     ),
-                    *((rounded_cell(value.sigma, 2, fit_sigma_pointer),) if is_single else ()),
-                    Cell(unit_text(value.unit)),
+                    *((rounded_cell(value.sigma, 2, fit_sigma_pointer, scale=scale),) if is_single else ()),
+                    Cell(unit_text(shown_unit)),
                     Cell(typeset_powers(f"no: {implausible}") if implausible else "yes"),
                 ]
             )
@@ -237,8 +240,8 @@ def candidate_blocks(result: Diagnosis) -> list[Block]:
 def _probability_tables(result: Diagnosis) -> list[Block]:
     """Return how probable each explanation is, a second opinion."""
     probabilities = result.probabilities
-    if probabilities is None:
-        return []
+    if probabilities is None or (result.beyond is not None and result.beyond.found and not result.effects):
+        return []  # what was found beyond the catalogue has a probability of its own, beside all that was tried
 
     def table_row(explanation: str, value: float, *keys: str | int) -> list[Cell]:
         return [Cell(explanation), three_digit_cell(value, pointer("probabilities", *keys))]
@@ -306,34 +309,36 @@ def _candidate_rows(result: Diagnosis, candidate_index: int) -> list[list[Cell]]
     for name in names:
         parameter_suffix = "" if len(names) == 1 else f".{name.removeprefix(f'{candidate.name}.')}"
         visible = sizes.get(name) if candidate.detectable else None
-        limit, symbol, visible_cell = result.limits.get(name), "", Cell(MISSING)
+        limit, visible_cell = result.limits.get(name), Cell(MISSING)
+        bounds = [bound for bound in (visible, limit) if bound is not None and bound.value is not None]
+        shown_unit, scale = display_unit(
+            bounds[0].unit if bounds else "1", *(bound.value for bound in bounds if bound.value is not None)
+        )
         if visible is not None:
             size_pointer = pointer(
                 "candidates", candidate_index, "visible_from", parameter_key(visible), "value"
             )
-            symbol, visible_cell = unit_text(visible.unit), rounded_cell(visible.value, 2, size_pointer)
-        elif limit is not None and limit.value is not None:
-            symbol = unit_text(limit.unit)
+            visible_cell = rounded_cell(visible.value, 2, size_pointer, scale=scale)
         rows.append(
             [
                 Cell.named(clean(candidate.sentence), clean(f"{candidate.name}{parameter_suffix}")),
                 Cell(candidate_outcome(result, candidate.name)),
                 p_value_cell(candidate.p_value, pointer("candidates", candidate_index, "p_value")),
                 visible_cell,
-                _limit_cell(result, name),
-                Cell(symbol),
+                _limit_cell(result, name, scale),
+                Cell(unit_text(shown_unit)),
                 Cell("yes" if candidate.detectable else "no"),
             ]
         )
     return rows
 
 
-def _limit_cell(result: Diagnosis, name: str) -> Cell:
+def _limit_cell(result: Diagnosis, name: str, scale: float) -> Cell:
     limit = result.limits.get(name)
     if limit is None:
         return Cell("")
     limit_pointer = pointer("limits", name) if limit.value is None else pointer("limits", name, "value")
-    return rounded_cell(limit.value, 2, limit_pointer)
+    return rounded_cell(limit.value, 2, limit_pointer, scale=scale)
 
 
 def candidate_outcome(result: Diagnosis | Damping, name: str) -> str:

@@ -20,6 +20,11 @@ MISSING = "\u2013"
 #: A number with a power of ten within a sentence.
 POWER_OF_TEN = re.compile(r"(?<![\w.])\d+(?:\.\d+)?e[+-]?\d+(?!\w|\.\d)")
 
+#: A number with its standard deviation within a sentence, with or without a power of ten.
+UNCERTAIN_NUMBER = re.compile(r"\(?-?\d+(?:\.\d+)? \+- \d+(?:\.\d+)?(?:\)e[+-]?\d+)?")
+#: A product of units after a number within a sentence.
+UNIT_PRODUCT = re.compile(r"(?<=[\d)] )(?:rad/\()?(?:N|kg)\*[\w*^/()]*\w\)?")
+
 
 def clean(text: object) -> str:
     """Return text on one line, without invisible characters, such as those that reverse the direction.
@@ -35,8 +40,11 @@ def shorten(label: object, max_length: int = MAX_LABEL_LENGTH) -> str:
 
 
 def typeset_powers(text: object) -> str:
-    """Return sentences on one line, with their powers of ten set as in print."""
-    return POWER_OF_TEN.sub(lambda match: typeset(match[0]), clean(text))
+    """Return sentences on one line, with their powers of ten, standard deviations and units set as in print."""
+    line = UNIT_PRODUCT.sub(lambda match: unit_text(match[0]), clean(text))
+    for pattern in (UNCERTAIN_NUMBER, POWER_OF_TEN):
+        line = pattern.sub(lambda match: typeset(match[0]), line)
+    return line
 
 
 def to_sentence(text: str) -> str:
@@ -157,8 +165,9 @@ def unit_text(unit: str) -> str:
 
 def quantity_cell(value: float, unit: str, digits: int = 6) -> Cell:
     """Return a number with its unit as a cell."""
-    text, symbol = plain(value, digits), "" if unit == "1" else f" {clean(unit)}"
-    return Cell(f"{typeset(text)} {unit_text(unit)}".rstrip(), value, plain_text=text + symbol)
+    shown_unit, scale = display_unit(unit, value)
+    text, symbol = plain(scale * value, digits), "" if shown_unit == "1" else f" {clean(shown_unit)}"
+    return Cell(f"{typeset(text)} {unit_text(shown_unit)}".rstrip(), value, plain_text=text + symbol)
 
 
 def unit_cell(unit: str) -> Cell:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from pkmodes.core.robot.report_fields import head_of
+from pkmodes.core.support.motors import motors_in_words
 from pkmodes.core.support.ordering import listed
 from pkmodes.modaltest.campaign.campaign import Campaign
 from pkmodes.modaltest.campaign.identify import MIN_COLLINEARITY
@@ -94,17 +95,23 @@ def _summary(identified: Identification, campaign: Campaign) -> Summary:
     share = (
         "every mode" if dominant_count == len(modes) else f"{dominant_count} of {plural(len(modes), 'mode')}"
     )
-    messages = sum(len(result.messages) for result in identified.records)
+    poses_with_messages = [result.record.pose for result in identified.records if result.messages]
     reason = (
         f"From {plural(files, 'file')}. The largest part of a frequency's standard deviation is "
         f"{part_names[dominant]} in {share}."
     )
-    if messages:
-        messages_text = "a message" if messages == 1 else plural(messages, "message")
-        reason += f" The sections of the records have {messages_text} to read."
-    subject = "Structure" if campaign.model is None else campaign.model.robot.name
+    if poses_with_messages:
+        has_one = len(poses_with_messages) == 1
+        verb, sections = ("has", "its section") if has_one else ("have", "their sections")
+        reason += (
+            f" {listed(poses_with_messages, MAX_PLACES_NAMED)} {verb} messages of the signals, in {sections}."
+        )
+    subject = "Structure" if campaign.model is None else shorten(campaign.model.robot.name)
+    if campaign.model is not None:
+        drives = [result.record.drives for result in identified.records]
+        subject += f", {motors_in_words(campaign.model.robot, drives)}"
     return Summary(
-        subject=shorten(subject),
+        subject=subject,
         kind="Identification",
         headline=f"{modes_text} at {poses_text}"
         + (f", {plural(point_count, 'point')} to check" if point_count else ""),

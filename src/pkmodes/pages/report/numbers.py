@@ -24,6 +24,9 @@ from pkmodes.pages.report.formatting import (
 from pkmodes.pages.report.report_context import ReportContext
 from pkmodes.pages.report.tables import compact_table
 
+#: What a measured mode without a partner counts as, as in the glossary.
+FACTOR_WITHOUT_PARTNER = "a factor of 1.8"
+
 
 def error_blocks(result: Diagnosis) -> list[Table | Paragraph]:
     """Return the errors of the stages, over fitted and held-out rows."""
@@ -45,12 +48,29 @@ def error_blocks(result: Diagnosis) -> list[Table | Paragraph]:
         rows, columns = [[*row[:2], row[3]] for row in rows], [*columns[:2], columns[3]]
     caption = "Errors of the model: rms of model / measurement \u2212 1, and chi\u00b2 per degree of freedom."
     blocks: list[Table | Paragraph] = [Table(caption, columns, rows)]
+    blocks += _unpaired_paragraphs(result)
     if result.held_out_poses:
         labels = sorted_labels(result.held_out_poses)
         intro, ending = "Held out of every choice and fit: ", ". The error there is that of a prediction."
         full_labels, shown_labels = (listed(texts, 20) for texts in (labels, list(map(clean, labels))))
         blocks.append(Paragraph(f"{intro}{shown_labels}{ending}", plain_text=f"{intro}{full_labels}{ending}"))
     return blocks
+
+
+def _unpaired_paragraphs(result: Diagnosis) -> list[Paragraph]:
+    """Return how fitted modes without a partner count in chi-square; empty where every one has a partner."""
+    fitted = [row for row in result.rows if not (row.held_out or row.outlier)]
+    for name, (title, _) in result.errors.items():
+        if count := sum(getattr(row, name) is None for row in fitted):
+            verb, subject = ("mode has", "it") if count == 1 else ("modes have", "each")
+            stage = title.partition(": ")[2] or title
+            return [
+                Paragraph(
+                    f"{count} fitted {verb} no partner in the model ({stage}): {subject} counts in chi\u00b2 as a "
+                    f"difference by {FACTOR_WITHOUT_PARTNER}, and not in the rms."
+                )
+            ]
+    return []
 
 
 def percent_cell(relative: float | None, json_pointer: str = "", strong: bool = False) -> Cell:

@@ -9,7 +9,6 @@ import numpy as np
 
 from pkmodes.core.model import Model
 from pkmodes.core.robot.robot import Robot
-from pkmodes.loop.diagnosis.states.result import Change
 from pkmodes.loop.diagnosis.verdict.result import Diagnosis
 from pkmodes.pages.plots.evidence import PlottedEvidence
 from pkmodes.pages.plots.places import MARK_COLOURS, MarkedBody, marked_machine
@@ -37,14 +36,19 @@ def named_terms(result: Diagnosis, context: ReportContext) -> list[tuple[str, st
         if (part := contrast_of_parts(effect, context)) is not None
     ]
     values = [
-        (name, effect.member(name).words if isinstance(result, Change) else _value_in_words(name, context))
+        (name, _value_in_words(name, context))
         for effect in result.effects
         for name in effect.members
         if name.startswith(VALUE_PREFIX)
     ]
     term_classes = () if result.beyond is None else result.beyond.classes
     members = [
-        (name, term_class.finding.member(name).words)
+        (
+            name,
+            _value_in_words(name, context)
+            if name.startswith(VALUE_PREFIX)
+            else term_class.finding.member(name).words,
+        )
         for term_class in term_classes
         for name in term_class.forms
     ]
@@ -97,13 +101,15 @@ def place_pictures(result: Diagnosis, evidence: PlottedEvidence, context: Report
     pose_index = valid[np.linalg.norm(points[valid] - middle, axis=1).argmin()]
     words = "; ".join(mark.name for mark in marks)
     title = "Where it is"
+    has_direction = any(mark.axis for mark in marks)
+    arrow_note = " An arrow shows the direction in which something acts." if has_direction else ""
     machine_text = f"the machine at {evidence.setup_noun} {clean(evidence.labels[pose_index])}"
     return [
         Picture.from_drawing(
             marked_machine(scene(model, points[pose_index]), marks),
             title,
             f"{machine_text}, with these bodies in colour: {words}.{omitted_note}",
-            f"{title}: {machine_text}. An arrow shows the direction in which something acts.{omitted_note}",
+            f"{title}: {machine_text}.{arrow_note}{omitted_note}",
         )
     ]
 

@@ -12,7 +12,16 @@ from pkmodes.core.support.words import meaning_of
 from pkmodes.machine.maps.robots_compared import MIN_PAIR_MAC, ModeChange, largest_difference_sentence
 from pkmodes.pages.plots.labels import MINUS
 from pkmodes.pages.report.blocks import Cell, Column, Listing, Paragraph, Summary, Table
-from pkmodes.pages.report.formatting import clean, group_thousands, number_cell, pointer, shorten, unit_cell
+from pkmodes.pages.report.formatting import (
+    clean,
+    group_thousands,
+    number_cell,
+    pointer,
+    shorten,
+    to_sentence,
+    typeset_powers,
+    unit_cell,
+)
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
@@ -50,7 +59,7 @@ def robots_summary(first: Model, second: Model, content: dict[str, Any]) -> Summ
             "-", MINUS
         ),
         reason="Differences are second minus first, relative to the first.",
-        notes=[clean(note) for note in content["notes"]],
+        notes=[typeset_powers(to_sentence(note)) for note in content["notes"]],
         facts=facts,
         head=common_head(first.robot.report, second.robot.report),
     )
@@ -104,12 +113,12 @@ def different_value_blocks(
     ]
     if choices:
         yield Listing(choices)
-    for key, sentence in (
+    for key, title in (
         ("effects_added", "Effects of the second robot only:"),
         ("effects_removed", "Effects of the first robot only:"),
     ):
         if content[key]:
-            yield Paragraph(sentence)
+            yield Paragraph(title)
             yield Listing([clean(name) for name in content[key]], in_columns=True)
 
 

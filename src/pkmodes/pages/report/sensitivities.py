@@ -62,11 +62,24 @@ def sensitivities_report(
     if sigma is not None:
         by_sigma = [*_tornado_pictures(sigma), *_split_table(per_sigma_table(model, sigma))]
     sections = [
-        Section("percent", "One per cent of each quantity", by_percent),
-        Section("sigma", "Standard deviations of the robot file", by_sigma),
+        *_sections_of_modes("percent", "One per cent of each quantity", by_percent),
+        *_sections_of_modes("sigma", "Standard deviations of the robot file", by_sigma),
         origin_section(sources, model.mechanism, [("rigid-body modes", [Cell(str(content["rigid_modes"]))])]),
     ]
     return page(sensitivities_summary(model, percent, sigma, content), sections)
+
+
+def _sections_of_modes(html_id: str, title: str, blocks: Sequence[Block]) -> list[Section]:
+    """Return a section with the first picture and the first table, and a folded one with those of further modes."""
+    first_blocks: list[Block] = []
+    for kind in (Paragraph, Picture, Table):
+        first_blocks += [block for block in blocks if isinstance(block, kind)][:1]
+    further_blocks = [block for block in blocks if block not in first_blocks]
+    sections = [Section(html_id, title, first_blocks)]
+    if further_blocks:
+        further_title = f"{title}: further modes"
+        sections.append(Section(f"{html_id}-further", further_title, further_blocks, folded=True))
+    return sections
 
 
 def _tornado_pictures(changes: Changes) -> list[Block]:
@@ -99,7 +112,7 @@ def _split_table(full_table: Table) -> list[Block]:
                 full_table.caption,
                 columns,
                 rows,
-                note=full_table.note if start + MODES_PER_TABLE >= count else "",
+                note="" if start else full_table.note,
             )
         )
     return parts

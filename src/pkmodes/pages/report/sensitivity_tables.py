@@ -21,6 +21,7 @@ from pkmodes.pages.report.formatting import (
     clean,
     frequency_cell,
     number_cell,
+    plural,
     pointer,
     quantity_cell,
     rounded_cell,
@@ -35,6 +36,8 @@ if TYPE_CHECKING:
 
 #: Note on parameters that act as one.
 ACT_AS_ONE_NOTE = "Quantities in one row act as one: only their product or quotient enters the equations."
+#: Largest relative difference of changes that are equal in a headline.
+MAX_TIE_DIFFERENCE = 1e-3
 #: Columns of a table to the left of the modes.
 LABEL_COLUMNS = 2
 #: Derivatives below these bounds are rounding errors: relative change of the frequency per relative change of the
@@ -65,7 +68,11 @@ def sensitivities_summary(
             words = clean(meaning_of(model.robot.mechanism, path))
             names.append(f"the {words} ({path})" if words else path)
         mode_text = f"Of the chosen quantities, mode {mode + 1}" if chosen_only else f"Mode {mode + 1}"
-        headline = f"{mode_text} depends most on {' or '.join(names)}: {change} % for 1 %"
+        largest = relative.max(axis=1)
+        tie_count = int((largest >= (1.0 - MAX_TIE_DIFFERENCE) * largest[most_influential[0]]).sum()) - 1
+        verb = "changes" if tie_count == 1 else "change"
+        tie = f"; {plural(tie_count, 'other')} {verb} a frequency as much" if tie_count else ""
+        headline = f"{mode_text} depends most on {' or '.join(names)}: {change} % for 1 %{tie}"
         reason = "The largest change of any frequency for one per cent of a quantity. "
     pose_text = format_pose(model.mechanism, np.array(content["pose"]), "g").replace("-", MINUS)
     motors, facts, rigid = motors_in_words(model.robot, content["drives"]), [], content["rigid_modes"]
@@ -149,8 +156,8 @@ def per_sigma_table(model: Model, changes: Changes) -> Table:
         "Hz for one standard deviation more of a value, and the standard deviation of each frequency.",
         _columns("quantity", "\u03c3", page_only=False, modes=len(changes.frequencies)),
         rows,
-        note=f"All together: {combination}. Exact to first order: good where the standard deviations are "
-        "small compared with the values.",
+        note=f"All together: {combination}. Exact to first order: good where the standard deviations are small "
+        "compared with the values.",
     )
 
 

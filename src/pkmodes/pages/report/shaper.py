@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.numbers import plain
-from pkmodes.core.mechanism.poses import format_pose
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.robot.units import DISPLAY_UNITS
 from pkmodes.core.support.ordering import joined
@@ -65,10 +65,17 @@ def shaper_report(
     need_report()
     sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources
     parts = choice.parts.items()
+    # Where axes are independent, the table of one shaper for all of them is folded.
+    *axis_tables, common_table = shapers_tables(choice)
     sections = [
-        Section("shapers", "Shapers", shapers_tables(choice)),
+        Section("shapers", "Shapers", axis_tables or [common_table]),
         *([Section("schedule", "Schedule", table)] if (table := schedule_blocks(choice)) else []),
-        Section("machine", "The machine", [machine_facts(model, choice, content)]),
+        *(
+            [Section("together", "One shaper for all axes", [common_table], folded=True)]
+            if axis_tables
+            else []
+        ),
+        Section("machine", "The machine", [machine_facts(model, choice, content)], folded=True),
         Section(
             "workspace", "Over the workspace", [workspace_picture(model, part, axis) for axis, part in parts]
         ),
@@ -77,9 +84,10 @@ def shaper_report(
             "errors",
             "Where frequencies differ from the model's",
             [frequency_error_picture(part, axis) for axis, part in parts],
+            folded=True,
         ),
         Section("firmware", "Lines for firmware", [*firmware_lines(content), *schedule_lines(content)]),
-        origin_section(sources, model.mechanism),
+        replace(origin_section(sources, model.mechanism), folded=True),
     ]
     return page(shaper_summary(model, choice, content), sections)
 
@@ -94,12 +102,11 @@ def shaper_summary(model: Model, choice: Choice, content: dict[str, Any]) -> Sum
             f"{joined(shapers)} leave up to {_vibration_share(worst)} at the worst {choice.ringing.point_is}"
         )
         reason = "The recommended fixed shapers: the axes are independent, so each has its own. " + " ".join(
-            f"On {axis} {_reason_in_words(part)}" for axis, part in parts.items()
+            f"On {axis}, {part.best.kind} {_reason_in_words(part)}" for axis, part in parts.items()
         )
     else:
         headline = f"{choice.best.kind} leaves up to {_vibration_share(worst)} at the worst {choice.ringing.point_is}"
-        reason = f"The recommended fixed shaper, for {design_of(choice.best)}. "
-        reason += to_sentence(_reason_in_words(choice))
+        reason = f"The recommended fixed shaper, for {design_of(choice.best)}. It {_reason_in_words(choice)}"
     facts = []
     for axis_index, (axis, part) in enumerate(parts.items()):
         best, axis_prefix = part.best, f"{axis}: " if axis else ""
@@ -151,10 +158,15 @@ def shaper_summary(model: Model, choice: Choice, content: dict[str, Any]) -> Sum
 
 
 def acceleration_cell(candidate: Candidate, json_pointer: str = "", *, unit: bool = True) -> Cell:
-    """Return the largest acceleration that Klipper would suggest in mm/s^2, rounded as Klipper does."""
+    """Return the largest acceleration that Klipper would suggest in mm/s^2, rounded as Klipper does.
+
+    Klipper gives 0 where its speed in corners alone smooths them by more than it allows: it suggests none.
+    """
     value = candidate.max_acceleration
     if value is None:
         return number_cell(None)
+    if value == 0.0:
+        return Cell("none" if not unit else "none: corners are smoothed by more at any", value, json_pointer)
     step = 100 if value >= 1.0 else 1
     text = group_thousands(step * round(1e3 * value / step))
     return Cell(f"{text} mm/s\u00b2" if unit else text, value, json_pointer)
@@ -163,7 +175,7 @@ def acceleration_cell(candidate: Candidate, json_pointer: str = "", *, unit: boo
 def _reason_in_words(choice: Choice) -> str:
     """Return what the recommended shaper leaves of the largest vibration, and why it is recommended."""
     share = percent_or_nothing(choice.best.left.worst)
-    return f"it leaves at most {share} of the largest vibration without a shaper. {why_recommended(choice)}"
+    return f"leaves at most {share} of the largest vibration without a shaper. {why_recommended(choice)}"
 
 
 def why_recommended(choice: Choice) -> str:
@@ -194,7 +206,13 @@ def machine_facts(model: Model, choice: Choice, content: dict[str, Any]) -> Fact
     entries = [("poses", [Cell(group_thousands(content["poses"]), content["poses"], pointer("poses"))])]
     rms = number_cell(choice.unshaped.rms, ".3g", pointer("unshaped", "rms"), scale=1e6)
     entries.append(("rms vibration without a shaper, for a step of 1 m/s\u00b2 [\u00b5m]", [rms]))
-    pose_cells = [signed_cell(format_pose(model.mechanism, choice.unshaped.pose, ".4g"))]
+    # In the units of the poses below it.
+    components = zip(model.mechanism.pose, choice.unshaped.pose.tolist(), strict=True)
+    component_texts = [
+        f"{component.name} = {value * DISPLAY_UNITS[component.unit][1] + 0.0:.5g} {DISPLAY_UNITS[component.unit][0]}"
+        for component, value in components
+    ]
+    pose_cells = [signed_cell(", ".join(component_texts))]
     if choice.unshaped.setting is not None:
         pose_cells[0] = Cell(
             f"{pose_cells[0].text},", plain_text=f"{pose_cells[0].plain_text or pose_cells[0].text},"

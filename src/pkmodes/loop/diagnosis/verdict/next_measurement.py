@@ -156,7 +156,7 @@ def _why_none(
         if any(condition.has_other_drives for condition in conditions)
         else ""
     )
-    other_ways += ", or with a load" if any(condition.load for condition in conditions) else ""
+    other_ways += ", with or without a load" if any(condition.load for condition in conditions) else ""
     return (
         f"none of {setups_in_words} separates the remaining explanations by {min_sigmas:g} standard deviations or "
         f"more{other_ways}: {' and '.join(best.measurement.separates)} differ by {plain(best.sigmas, 2)} at most"
