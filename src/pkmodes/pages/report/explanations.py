@@ -333,7 +333,7 @@ def _candidate_rows(result: Diagnosis, candidate_index: int) -> list[list[Cell]]
     return rows
 
 
-def _limit_cell(result: Diagnosis, name: str, scale: float) -> Cell:
+def _limit_cell(result: Diagnosis, name: str, scale: float = 1.0) -> Cell:
     limit = result.limits.get(name)
     if limit is None:
         return Cell("")
