@@ -79,8 +79,8 @@ def _mean_mode(modes: Sequence[ModeEstimate], shape: dict[str, complex]) -> Mode
 
     damping_ratios = [mode.damping for mode in modes if np.isfinite(mode.damping)]
     order_counts = [mode.found_in for mode in modes if mode.found_in is not None]
-    participation, size_sigma = _mean_participations(modes, shape)
-    fit_sigma = pooled([mode.sigma_size for mode in modes])
+    participation, scale_sigma = _mean_participations(modes, shape)
+    fit_sigma = pooled([mode.sigma_scale for mode in modes])
     return ModeEstimate(
         float(np.mean([mode.frequency for mode in modes])),
         float(np.mean(damping_ratios)) if damping_ratios else np.nan,
@@ -94,7 +94,7 @@ def _mean_mode(modes: Sequence[ModeEstimate], shape: dict[str, complex]) -> Mode
         resolution=max(mode.resolution for mode in modes),
         shift=largest_shift([mode.shift for mode in modes]),
         participation=participation,
-        sigma_size=max((sigma for sigma in (fit_sigma, size_sigma) if np.isfinite(sigma)), default=np.nan),
+        sigma_scale=max((sigma for sigma in (fit_sigma, scale_sigma) if np.isfinite(sigma)), default=np.nan),
         lengths=modes[0].lengths,
     )
 

@@ -159,7 +159,7 @@ def fit_responses(responses: Responses, averages: int | None, record: Record, ca
         power=ACCELERATION,
         coherence=responses.coherence,
         averages=averages,
-        exponential=record.exponential,
+        window_time_constant=record.exponential,
         tones=campaign.tones,
         edits=campaign.edits_of(record),
     )

@@ -42,7 +42,7 @@ class RovingPoint:
         frequencies: Array,
         points: Sequence[str],
         references: Sequence[str],
-        exponential: float | None = None,
+        window_time_constant: float | None = None,
         length: float | None = None,
     ) -> Complex:
         """Return the correction of the file's accelerances, (F, S, R), to those of the machine in mid-change.
@@ -52,7 +52,7 @@ class RovingPoint:
 
         - frequencies: (F,) [Hz]
         - points, references: as in the shapes and participations of the modes
-        - exponential: time constant of a window that the responses have had [s]
+        - window_time_constant: time constant of a window that the responses have had [s]
         - length: of the record of each blow, which cuts off the decays [s]; complete ones by default
         """
         if self.factor == 1.0 or not self.modes:
@@ -66,7 +66,7 @@ class RovingPoint:
         poles = undamped * (-ratios + 1j * np.sqrt(np.maximum(1.0 - ratios**2, 0.0)))
 
         def response(factor: float) -> Complex:
-            shifted = factor * poles - (1.0 / exponential if exponential else 0.0)
+            shifted = factor * poles - (1.0 / window_time_constant if window_time_constant else 0.0)
             recorded = np.ones(len(shifted)) if length is None else 1.0 - np.exp(shifted * length)
             return IdentifiedModes(shifted, factor * recorded[:, None] * shapes, participations).response(
                 frequencies

@@ -34,7 +34,7 @@ class Mode:
     - found_in: number of model orders in which it was found, and their total
     - participation: of the references, (R,): its product with the shape is the residue of the functions.  None for
       responses alone.
-    - sigma_size: one standard deviation of the largest residue, relative; NaN where unknown
+    - sigma_scale: one standard deviation of the largest residue, relative; NaN where unknown
     """
 
     pole: complex
@@ -44,7 +44,7 @@ class Mode:
     sigma_shape: float
     found_in: tuple[int, int]
     participation: Complex | None = None
-    sigma_size: float = math.nan
+    sigma_scale: float = math.nan
 
     @property
     def frequency(self) -> float:

@@ -66,7 +66,7 @@ def identify_frf(
     power: int,
     coherence: Array | None = None,
     averages: int | None = None,
-    exponential: float | None = None,
+    window_time_constant: float | None = None,
     tones: Sequence[float] = (),
     edits: RequestedModes = NO_EDITS,
 ) -> Estimate:
@@ -79,7 +79,7 @@ def identify_frf(
     - coherence: (F, S, R)
     - averages: number of averages of the coherence: with it, the coherence gives the variance of the noise; otherwise
       only its course over the lines
-    - exponential: time constant of an exponential window of the responses [s]
+    - window_time_constant: time constant of an exponential window of the responses [s]
     - tones: lines at these frequencies and their multiples are not modes [Hz]
     - edits: modes that the user adds
 
@@ -93,7 +93,13 @@ def identify_frf(
     lines: list[ToneLine] = []
     for last_pass in (False,) * MAX_TONE_PASSES + (True,):
         data, scale = select_lines(
-            f, measured, coherence_in_band, averages, exponential, tones, [line.frequency for line in lines]
+            f,
+            measured,
+            coherence_in_band,
+            averages,
+            window_time_constant,
+            tones,
+            [line.frequency for line in lines],
         )
         by_order = _poles_by_order(data)
         start = _candidates(by_order, data, low, high)
@@ -110,13 +116,17 @@ def identify_frf(
 
     def to_mode(modes: IdentifiedModes, bounds: Uncertainty, m: int) -> Mode:
         found_in = count_orders(by_order, modes.poles[m]), len(by_order)
-        return _to_mode(modes, add_model_error(modes, bounds, error), m, scale, exponential, found_in)
+        return _to_mode(
+            modes, add_model_error(modes, bounds, error), m, scale, window_time_constant, found_in
+        )
 
     extended = add_requested_modes(data, modes, bounds, edits)
-    in_band = _mode_mask(extended.modes, data, band, exponential, tones)
+    in_band = _mode_mask(extended.modes, data, band, window_time_constant, tones)
     added_indices = [i for i in extended.added if isinstance(i, int)]
     reported = np.setdiff1d(np.flatnonzero(in_band), added_indices)
-    struck_modes = np.flatnonzero(extended.struck_mask & _mode_mask(modes, data, band, exponential, tones))
+    struck_modes = np.flatnonzero(
+        extended.struck_mask & _mode_mask(modes, data, band, window_time_constant, tones)
+    )
     step = float(np.median(np.diff(f)))
     reported_modes = [to_mode(extended.modes, extended.bounds, int(m)) for m in reported]
     is_wide = extended.modes.half_widths[reported] > NARROW_HALF_WIDTH * step
@@ -208,10 +218,10 @@ def _mode_mask(
     modes: IdentifiedModes,
     data: FrequencyLines,
     band: tuple[float, float],
-    exponential: float | None,
+    window_time_constant: float | None,
     tones: Sequence[float],
 ) -> NDArray[np.bool_]:
-    poles = remove_window_damping(modes.poles, exponential)
+    poles = remove_window_damping(modes.poles, window_time_constant)
     frequency = np.abs(poles) / (2.0 * math.pi)
     at_tone = tone_mask(frequency, tones, 2.0 * data.step) & (
         modes.half_widths < MIN_HALF_WIDTH_AT_TONE * data.step
@@ -227,11 +237,11 @@ def _to_mode(
     bounds: Uncertainty,
     m: int,
     scale: Array,
-    exponential: float | None,
+    window_time_constant: float | None,
     found_in: tuple[int, int],
 ) -> Mode:
     """Return one of the modes, in the units of the functions."""
-    pole = complex(remove_window_damping(modes.poles[m], exponential))
+    pole = complex(remove_window_damping(modes.poles[m], window_time_constant))
     shape, covariance = modes.shapes[m] * scale, scale[:, None] * bounds.shapes[m] * scale
     resolved = determined_components(shape, covariance)
     sigmas = component_sigmas(shape[resolved], covariance[np.ix_(resolved, resolved)])
@@ -244,7 +254,7 @@ def _to_mode(
         sigma_shape=common_sigma(sigmas) if resolved.any() else math.nan,
         found_in=found_in,
         participation=modes.participation[m],
-        sigma_size=math.sqrt(max(covariance[largest, largest].real, 0.0) / 2.0) / abs(shape[largest])
+        sigma_scale=math.sqrt(max(covariance[largest, largest].real, 0.0) / 2.0) / abs(shape[largest])
         if resolved.any()
         else math.nan,
     )

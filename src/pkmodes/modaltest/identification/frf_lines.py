@@ -68,7 +68,7 @@ def select_lines(
     H: Complex,
     coherence: Array | None,
     averages: int | None,
-    exponential: float | None,
+    window_time_constant: float | None,
     tones: Sequence[float],
     found_tones: Sequence[float] = (),
 ) -> tuple[FrequencyLines, Array]:
@@ -103,7 +103,11 @@ def select_lines(
             )
         variance = coherence_based
         variance = _moving_average(np.maximum(variance, 1e-3 * difference_variance(values)))
-    correlation = None if exponential is None else exponential_correlation(step, exponential, MAX_LAG * 4)
+    correlation = (
+        None
+        if window_time_constant is None
+        else exponential_correlation(step, window_time_constant, MAX_LAG * 4)
+    )
     grid_index = np.round((f[used] - f[0]) / step).astype(np.int64)
     return FrequencyLines(f[used], grid_index, values, variance, correlation, absolute), scale
 

@@ -84,7 +84,7 @@ def levels(
     pieces: Sequence[Array],
     poles: Complex,
     shapes: Complex,
-    exponential: float | None = None,
+    window_time_constant: float | None = None,
 ) -> list[Level]:
     """Return the level of each mode, and how its frequency changes with it.
 
@@ -92,13 +92,13 @@ def levels(
     - pieces: responses, each (n_i, S); a gap begins another piece
     - poles: of all identified modes, without the damping of a window, (N,) [1/s]
     - shapes: in the scale of the responses, (N, S); NaN where undetermined
-    - exponential: time constant of a window that the responses have had [s]
+    - window_time_constant: time constant of a window that the responses have had [s]
 
     References
     ----------
     Feldman 1994.
     """
-    window_rate = 1.0 / exponential if exponential else 0.0
+    window_rate = 1.0 / window_time_constant if window_time_constant else 0.0
     spectra = [np.fft.rfft(piece - piece.mean(axis=0), axis=0) for piece in pieces]
     f = poles.imag / (2.0 * math.pi)
     mode_levels = []
