@@ -101,7 +101,9 @@ def _explained_by_modes(functions: Sequence[Function], band: tuple[float, float]
     norms = np.linalg.norm(values[in_band], axis=0)
     usable = np.isfinite(norms) & (norms > 0.0)
     try:
-        estimate = identify_frf(f, (values[:, usable] / norms[usable])[..., None], band=band, power=2)
+        estimate = identify_frf(
+            f, (values[:, usable] / norms[usable])[..., None], band=band, derivative_order=2
+        )
     except MeasurementError:  # too few lines or functions
         return False
     if not estimate.modes:

@@ -156,7 +156,7 @@ def fit_responses(responses: Responses, averages: int | None, record: Record, ca
         responses.frequencies,
         responses.values,
         band=record.band,
-        power=ACCELERATION,
+        derivative_order=ACCELERATION,
         coherence=responses.coherence,
         averages=averages,
         window_time_constant=record.exponential,

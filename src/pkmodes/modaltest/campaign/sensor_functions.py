@@ -127,17 +127,17 @@ def motion_of(function: Function, sensor: MotionSensor, channels: Mapping[str, s
     if declared is None or unit is None:
         return measured
     file_motion = motion_or_none(unit)
-    if declared.from_volts and not function.assumed:
+    if declared.from_volts and not function.unit_assumed:
         agree = unit == "V"
     elif file_motion is None:
         agree = False
     else:
         # A type without a unit is "acceleration" even for a rotation.
         same_kind = file_motion.derivative == declared.derivative and (
-            function.assumed or file_motion.angular == declared.angular
+            function.unit_assumed or file_motion.angular == declared.angular
         )
         agree = same_kind and (
-            function.assumed or math.isclose(file_motion.factor, declared.factor, rel_tol=UNIT_TOLERANCE)
+            function.unit_assumed or math.isclose(file_motion.factor, declared.factor, rel_tol=UNIT_TOLERANCE)
         )
     if not agree:
         problem = f"the campaign says {shown(declared.unit)} of this sensor, and the file {shown(unit)}"

@@ -92,7 +92,7 @@ def channel_covariance(
     return np.asarray(remainder.T @ remainder.conj() / lines)
 
 
-def uncertainty(
+def fit_uncertainty(
     window: Window,
     fit: WindowFit,
     noise_covariance: Complex,

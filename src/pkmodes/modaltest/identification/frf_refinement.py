@@ -24,10 +24,10 @@ from pkmodes.modaltest.identification.estimates import complex_mac
 from pkmodes.modaltest.identification.frf_covariance import (
     Uncertainty,
     channel_covariance,
+    fit_uncertainty,
     poles_by_reference,
     removed_columns,
     residual,
-    uncertainty,
     variance_between_groups,
 )
 from pkmodes.modaltest.identification.frf_lines import FrequencyLines
@@ -103,23 +103,23 @@ class GroupFit:
 
 
 def refine(
-    data: FrequencyLines, start: IdentifiedModes, low: float, high: float
+    data: FrequencyLines, initial_modes: IdentifiedModes, low: float, high: float
 ) -> tuple[IdentifiedModes, Uncertainty]:
     """Return the modes that remain of candidates, with the uncertainty of their fit.
 
-    - start: candidates; their shapes are not used
+    - initial_modes: candidates; their shapes are not used
     - low, high: range of frequencies that a mode may have [Hz]
     """
     threshold = energy_threshold(data)
-    modes, has_settled = start, False
+    modes, has_settled = initial_modes, False
     for _ in range(MAX_SWEEPS):
         previous = modes
         fits, modes = _sweep(data, modes)
         dropped = _invalid_fits(modes, fits, low, high)
         if not dropped.any():
-            bounds = _uncertainties(data, modes, fits)
-            dropped = _weakest_mask(modes, bounds.strength, fits, threshold) | _weaker_copies(
-                modes, bounds.strength, fits
+            uncertainty = _uncertainties(data, modes, fits)
+            dropped = _weakest_mask(modes, uncertainty.strength, fits, threshold) | _weaker_copies(
+                modes, uncertainty.strength, fits
             )
             has_settled = bool(
                 (np.abs(modes.poles - previous.poles) < SETTLED_CHANGE * np.abs(modes.poles.real)).all()
@@ -129,7 +129,7 @@ def refine(
             if not len(modes.poles):
                 break
         elif has_settled:
-            return modes, _add_reference_scatter(modes, bounds, fits)
+            return modes, _add_reference_scatter(modes, uncertainty, fits)
     if not len(modes.poles):
         empty, S = np.zeros(0), data.H.shape[1]
         return modes, Uncertainty(np.zeros((0, 2)), np.zeros((0, S, S), complex), empty)
@@ -137,9 +137,11 @@ def refine(
     return modes, _add_reference_scatter(modes, _uncertainties(data, modes, fits), fits)
 
 
-def fit_until_settled(data: FrequencyLines, start: IdentifiedModes) -> tuple[IdentifiedModes, Uncertainty]:
+def fit_until_settled(
+    data: FrequencyLines, initial_modes: IdentifiedModes
+) -> tuple[IdentifiedModes, Uncertainty]:
     """Return modes fitted until they no longer change, none of them dropped, with the uncertainty of their fit."""
-    modes = start
+    modes = initial_modes
     for _ in range(MAX_SWEEPS):
         previous = modes
         fits, modes = _sweep(data, modes)
@@ -148,16 +150,18 @@ def fit_until_settled(data: FrequencyLines, start: IdentifiedModes) -> tuple[Ide
     return modes, _add_reference_scatter(modes, _uncertainties(data, modes, fits), fits)
 
 
-def _add_reference_scatter(modes: IdentifiedModes, bounds: Uncertainty, fits: list[GroupFit]) -> Uncertainty:
+def _add_reference_scatter(
+    modes: IdentifiedModes, uncertainty: Uncertainty, fits: list[GroupFit]
+) -> Uncertainty:
     """Return uncertainties including the scatter between references, for modes that several of them see."""
     (N, R), magnitude = modes.participation.shape, np.abs(modes.poles)
     if R < 2:
-        return bounds
+        return uncertainty
     poles, variances = np.full((R, N), np.nan, complex), np.full((R, N), np.nan)
     for fitted in fits:
         poles[:, fitted.members], variances[:, fitted.members] = poles_by_reference(fitted.window, fitted.fit)
     pooled_modes = [m for m in range(N) if np.isfinite(variances[:, m]).sum() >= 2]
-    sigmas = bounds.poles.copy()
+    sigmas = uncertainty.poles.copy()
     for component in range(2):
         values, relative_variances = [], []
         for m in pooled_modes:
@@ -173,7 +177,7 @@ def _add_reference_scatter(modes: IdentifiedModes, bounds: Uncertainty, fits: li
         sigmas[:, component] = np.sqrt(
             sigmas[:, component] ** 2 + between_variance * magnitude**2 / reference_counts
         )
-    return replace(bounds, poles=sigmas)
+    return replace(uncertainty, poles=sigmas)
 
 
 def energy_threshold(
@@ -257,9 +261,11 @@ def _uncertainties(data: FrequencyLines, modes: IdentifiedModes, fits: list[Grou
             channels = _raise_variances(
                 channels, np.nan_to_num(data.variance[fitted.lines].mean(axis=0)).ravel()
             )
-        bounds = uncertainty(fitted.window, fitted.fit, channels, fitted.grid_index, correlation)
-        poles[fitted.members], shapes[fitted.members] = bounds.poles, bounds.shapes
-        strength[fitted.members] = bounds.strength
+        group_uncertainty = fit_uncertainty(
+            fitted.window, fitted.fit, channels, fitted.grid_index, correlation
+        )
+        poles[fitted.members], shapes[fitted.members] = group_uncertainty.poles, group_uncertainty.shapes
+        strength[fitted.members] = group_uncertainty.strength
     return Uncertainty(poles, shapes, strength)
 
 

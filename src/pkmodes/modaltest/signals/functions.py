@@ -44,7 +44,7 @@ class Function:
     - unit: of the values, of a frequency response that of its numerator; None where the file does not state it
     - reference_unit: of the denominator of a frequency response; None where the file does not state it
     - force: whether this is the excitation, in time
-    - assumed: whether the file states the kind of its values but no unit: ``unit`` is then that of SI
+    - unit_assumed: whether the file states the kind of its values but no unit: ``unit`` is then that of SI
     """
 
     kind: FunctionKind
@@ -55,7 +55,7 @@ class Function:
     unit: str | None
     reference_unit: str | None
     force: bool
-    assumed: bool = False
+    unit_assumed: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,7 +96,7 @@ def derived_function(
         unit,
         reference_unit,
         function.force,
-        function.assumed,
+        function.unit_assumed,
         load=lambda: compute(function.values),
     )
 
