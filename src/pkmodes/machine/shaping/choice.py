@@ -16,15 +16,15 @@ from pkmodes.core.support.ordering import joined
 from pkmodes.core.support.progress import say
 from pkmodes.machine.shaping.at_poses import check_factors, following
 from pkmodes.machine.shaping.firmware import (
-    NAMES,
-    NO_DAMPING,
+    FIRMWARE_TITLES,
+    MIN_WRITTEN_RATIO,
     VERSIONS,
+    configuration_lines,
+    lines_by_firmware,
     ratio_in_use,
-    setting,
     version_name,
 )
-from pkmodes.machine.shaping.firmware import firmware as lines
-from pkmodes.machine.shaping.firmware_impulses import has_own
+from pkmodes.machine.shaping.firmware_impulses import has_own_formulas
 from pkmodes.machine.shaping.fixed import best_fixed
 from pkmodes.machine.shaping.kinds import KINDS, PRODUCT, factors, plain
 from pkmodes.machine.shaping.residual_vibration import residual
@@ -67,8 +67,10 @@ def choose(
     if length is not None:
         check_argument(length, TIME, "length", "for example: 0.05")
     if firmware is not None and not (isinstance(firmware, str) and firmware in VERSIONS):
-        older = ", ".join(name for name in VERSIONS if name not in NAMES)
-        check_argument(firmware, one_of(NAMES), "firmware", f"for example: klipper; older versions: {older}")
+        older = ", ".join(name for name in VERSIONS if name not in FIRMWARE_TITLES)
+        check_argument(
+            firmware, one_of(FIRMWARE_TITLES), "firmware", f"for example: klipper; older versions: {older}"
+        )
     if isinstance(kinds, str):
         kinds = (kinds,)
     names = default_kinds(at.modes) if kinds is None else tuple(dict.fromkeys(map(plain, kinds)))
@@ -101,7 +103,7 @@ def choose(
         raise PkmodesError(problem, "tick", "shorten the tick, or choose a longer kind")
     recommended, notes = _recommended(candidates, left, length, firmware, at)
     if firmware is not None:
-        notes += _as_made(candidates, firmware)
+        notes += _own_formulas_note(candidates, firmware)
     if short:
         long_enough = {candidate.kind for candidate in candidates}
         listed: dict[str, None] = {}
@@ -114,9 +116,9 @@ def choose(
     unshaped = _amplitude(at, at.unshaped)
     designed_for = sorted({candidate.damping_ratio for candidate in candidates if not candidate.follows_pose})
     ratios = "none"
-    if firmware is not None and designed_for[-1] >= NO_DAMPING:
-        listed_ratios = joined([f"{ratio:g}" for ratio in designed_for if ratio >= NO_DAMPING])
-        ratios = f"{listed_ratios}, which {NAMES[VERSIONS[firmware].firmware]} takes by default"
+    if firmware is not None and designed_for[-1] >= MIN_WRITTEN_RATIO:
+        listed_ratios = joined([f"{ratio:g}" for ratio in designed_for if ratio >= MIN_WRITTEN_RATIO])
+        ratios = f"{listed_ratios}, which {FIRMWARE_TITLES[VERSIONS[firmware].firmware]} takes by default"
     all_notes = (*at.notes(ratios), *notes)
     return Choice(at, unshaped, candidates, recommended, all_notes, left, length, firmware)
 
@@ -152,15 +154,15 @@ def choices_by_axis(whole: Choice, kinds: Iterable[str] | None, tick: float) -> 
 
 def lines_of(candidate: Candidate) -> dict[str, str | None]:
     """Return the lines of a fixed shaper for the current version by firmware; None where it has no such shaper."""
-    return lines(*candidate.design)
+    return lines_by_firmware(*candidate.design)
 
 
-def _as_made(candidates: Sequence[Candidate], version: str) -> list[str]:
+def _own_formulas_note(candidates: Sequence[Candidate], version: str) -> list[str]:
     """Return a note on the kinds whose impulses a version computes by its own formulas, which are those compared."""
     with_own_impulses = [
         candidate.kind
         for candidate in candidates
-        if not candidate.follows_pose and has_own(version, candidate.kind, candidate.damping_ratio)
+        if not candidate.follows_pose and has_own_formulas(version, candidate.kind, candidate.damping_ratio)
     ]
     if not with_own_impulses:
         return []
@@ -186,7 +188,7 @@ def _recommended(
         available = [
             candidate
             for candidate in fixed
-            if firmware is None or setting(firmware, *candidate.design) is not None
+            if firmware is None or configuration_lines(firmware, *candidate.design) is not None
         ]
         if not available:
             kinds = ", ".join(candidate.kind for candidate in fixed)

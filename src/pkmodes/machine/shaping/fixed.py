@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize, minimize_scalar
 
-from pkmodes.machine.shaping.firmware_impulses import as_made, settled
+from pkmodes.machine.shaping.firmware_impulses import centre_of_equal_impulses, firmware_shaper
 from pkmodes.machine.shaping.kinds import factor_names
 from pkmodes.machine.shaping.residual_vibration import residual
 from pkmodes.machine.shaping.ringing import Ringing
@@ -69,14 +69,14 @@ def best_fixed(
     if alike:
         best = np.sort(best)
     if version is not None:
-        best = np.array([settled(version, kind, float(best[0]), zeta)])
+        best = np.array([centre_of_equal_impulses(version, kind, float(best[0]), zeta)])
     return tuple(best.tolist()), _fixed(kind, best, zeta, version)
 
 
 def _fixed(kind: str, frequencies: Array, zeta: float, version: str | None) -> Shaper:
     """Return the shaper with one frequency for each factor, as a version of a firmware makes it if there is one."""
     if version is not None:
-        return as_made(version, kind, float(frequencies[0]), zeta)
+        return firmware_shaper(version, kind, float(frequencies[0]), zeta)
     return shaper(kind, frequencies if len(frequencies) > 1 else frequencies[0], zeta)
 
 

@@ -9,7 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.attached import Attached
-from pkmodes.machine.shaping.firmware import AXES, NAMES, VERSIONS, change, command, setting
+from pkmodes.machine.shaping.firmware import (
+    AXES,
+    FIRMWARE_TITLES,
+    VERSIONS,
+    commands_by_firmware,
+    configuration_lines,
+    runtime_command,
+)
 from pkmodes.machine.shaping.ringing import Ringing
 from pkmodes.machine.shaping.settings import Setting, append_unit
 from pkmodes.machine.shaping.shapers import Shaper
@@ -139,7 +146,7 @@ def recommended_of(
         for i, candidate in enumerate(candidates)
         if not candidate.follows_pose
         and (length is None or candidate.duration <= length)
-        and (firmware is None or setting(firmware, *candidate.design, axes) is not None)
+        and (firmware is None or configuration_lines(firmware, *candidate.design, axes) is not None)
     ]
     good = [i for i in allowed if candidates[i].left.worst <= share]
     if good:
@@ -199,7 +206,7 @@ class Choice:
         - axes: those that the shaper is for
         - without: a kind that does not count
         """
-        if self.best.kind != without and setting(version, *self.best.design, axes) is not None:
+        if self.best.kind != without and configuration_lines(version, *self.best.design, axes) is not None:
             return self.best
         candidates = [candidate for candidate in self.candidates if candidate.kind != without]
         index, _ = recommended_of(candidates, self.left, self.length, version, axes)
@@ -277,7 +284,7 @@ class Schedule:
 
     def lines(self) -> dict[str, str | None]:
         """Return the commands for the current version of each firmware; None where it lacks one of the shapers."""
-        return {name: None if self.differs_in(name) else self.commands(name) for name in NAMES}
+        return {name: None if self.differs_in(name) else self.commands(name) for name in FIRMWARE_TITLES}
 
     def differs_in(self, version: str) -> bool:
         """Whether a version of a firmware lacks one of the shapers: as for `commands`."""
@@ -301,7 +308,7 @@ class Schedule:
         if shapers is None:
             return None
         for step, shaper in zip(self.steps, shapers, strict=True):
-            text = change(version, *shaper.design, axes) or ""
+            text = runtime_command(version, *shaper.design, axes) or ""
             where = str(step.setting)
             if self.parameter is not None and step.serves is not None:
                 low, high = (f"{value:.4g}" for value in step.serves)
@@ -350,4 +357,4 @@ def command_of(candidate: Candidate, axis: str = "") -> dict[str, str | None]:
 
     - axis: that for which they are; empty for all
     """
-    return command(*candidate.design, axis or AXES)
+    return commands_by_firmware(*candidate.design, axis or AXES)

@@ -20,7 +20,7 @@ from pkmodes.core.model import Model
 from pkmodes.core.support.ordering import joined, listed
 from pkmodes.core.support.progress import say
 from pkmodes.machine.shaping.choice import choose, relative, relative_at_pose, shaped_by
-from pkmodes.machine.shaping.firmware import NAMES
+from pkmodes.machine.shaping.firmware import FIRMWARE_TITLES
 from pkmodes.machine.shaping.results import Choice, Schedule, Step
 from pkmodes.machine.shaping.ringing import Ringing, at_settings
 from pkmodes.machine.shaping.settings import Setting
@@ -170,11 +170,13 @@ def notes_of(schedule: Schedule) -> list[str]:
         notes.append(
             f"halfway between two settings the schedule{of} leaves up to {plain(100 * ends, 2)} %: give more values"
         )
-    shapers = {NAMES[name]: schedule.shapers_in(name) for name in NAMES}
+    shapers = {FIRMWARE_TITLES[name]: schedule.shapers_in(name) for name in FIRMWARE_TITLES}
     if schedule.axis and (none := [title for title, kinds in shapers.items() if kinds is None]):
         notes.append(f"no schedule{of} for {joined(none)}: it has no shaper for {schedule.axis} by itself")
     lacking = [
-        title for name, title in NAMES.items() if shapers[title] is not None and schedule.differs_in(name)
+        title
+        for name, title in FIRMWARE_TITLES.items()
+        if shapers[title] is not None and schedule.differs_in(name)
     ]
     if lacking and schedule.steps[0].choice.firmware is None:
         notes.append(

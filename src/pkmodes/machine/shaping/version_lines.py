@@ -11,8 +11,15 @@ from msgspec import Meta
 from pkmodes.core.support.documents import Document, Size
 from pkmodes.core.support.ordering import joined
 from pkmodes.machine.shaping.choice import relative, relative_at_pose, shaped_by
-from pkmodes.machine.shaping.firmware import AXES, NAMES, VERSIONS, ratio_in_use, setting, version_name
-from pkmodes.machine.shaping.firmware_impulses import as_made
+from pkmodes.machine.shaping.firmware import (
+    AXES,
+    FIRMWARE_TITLES,
+    VERSIONS,
+    configuration_lines,
+    ratio_in_use,
+    version_name,
+)
+from pkmodes.machine.shaping.firmware_impulses import firmware_shaper
 from pkmodes.machine.shaping.results import Candidate, Choice, Schedule, shapers_in
 from pkmodes.machine.shaping.ringing import Ringing
 from pkmodes.machine.shaping.schedule import each_setting
@@ -97,7 +104,7 @@ def lines_by_version(choice: Choice) -> list[VersionLines]:
 def current_lines(choice: Choice) -> dict[str, str | None]:
     """Return the lines of the recommended shapers for the current version by firmware; None where it lacks one."""
     lines = {}
-    for name in NAMES:
+    for name in FIRMWARE_TITLES:
         shapers = recommended_in(name, choice)
         lines[name] = None if _differ(shapers, choice) else _lines(name, shapers)
     return lines
@@ -129,7 +136,9 @@ def shapers_in_words(shapers: Mapping[str, Candidate]) -> str:
 
 def _lines(version: str, shapers: Mapping[str, Candidate]) -> str | None:
     """Return the lines of shapers by axis, with one header."""
-    texts = [setting(version, *shaper.design, axis or AXES) or "" for axis, shaper in shapers.items()]
+    texts = [
+        configuration_lines(version, *shaper.design, axis or AXES) or "" for axis, shaper in shapers.items()
+    ]
     return "\n".join(dict.fromkeys("\n".join(texts).splitlines())) or None
 
 
@@ -166,7 +175,7 @@ def made_by(version: str, candidate: Candidate) -> Shaper:
     if len(candidate.frequencies) > 1:
         return candidate.shaper
     zeta = ratio_in_use(version, candidate.kind, candidate.damping_ratio)
-    return as_made(version, candidate.kind, candidate.frequencies[0], zeta)
+    return firmware_shaper(version, candidate.kind, candidate.frequencies[0], zeta)
 
 
 def _worst(made: Shaper, at: Ringing) -> tuple[float, float]:
@@ -185,7 +194,7 @@ def _grouped(
 ) -> list[VersionLines]:
     """Return the lines of successive versions of a firmware with the same key."""
     version_lines = []
-    for firmware in NAMES:
+    for firmware in FIRMWARE_TITLES:
         versions = [version for version, release in VERSIONS.items() if release.firmware == firmware]
         groups: list[list[str]] = []
         for version in versions:
