@@ -163,7 +163,7 @@ def response(options: ResponseOptions) -> None:
     Prints the largest response of each channel; --out writes the whole responses, --report a page with pictures.
     """
     from pkmodes.machine.response.drawn_channels import DrawnChannels
-    from pkmodes.machine.response.resonances import resonance_of
+    from pkmodes.machine.response.resonances import strongest_drawn_resonance
 
     options.check_files()
     frequencies = _frequencies(options.frequencies, options.log)
@@ -197,7 +197,7 @@ def response(options: ResponseOptions) -> None:
 
             measured = read_response(options.measured)
     drawn = DrawnChannels.of(result, measured)
-    resonance = resonance_of(result, drawn) if len(frequencies) > 1 else None
+    resonance = strongest_drawn_resonance(result, drawn) if len(frequencies) > 1 else None
     document = ResponseDocument.of(
         result,
         robot=model.robot.name,

@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 from pkmodes.core.base.drives import Drives
 from pkmodes.core.support.documents import Document
 from pkmodes.machine.maps.left_out import (
-    MEDIAN_VARIABLES,
+    MEDIAN_CONDITION,
+    MEDIAN_FREQUENCY,
     loaded_parts,
     representative_mask,
     singularity_ratio,
@@ -105,7 +106,7 @@ class MapSummary(Document, frozen=True):
     unstable: Annotated[
         LeftOutDocument,
         Meta(
-            description="Poses at which an eigenvalue is negative: the machine moves away instead of vibrating."
+            description="Poses at which an eigenvalue is negative: the machine diverges instead of vibrating."
         ),
     ]
     reasons: Annotated[dict[str, int], Meta(description="How many could not, by the code of the reason.")]
@@ -132,7 +133,7 @@ def summary_of(dataset: xarray.Dataset, file: str | None) -> MapSummary:
     valid_count = near_singular_count = unstable_count = representative_count = 0
     dataset = with_medians(dataset)
     for origin, part in loaded_parts(
-        dataset[["frequency", "condition", "valid", "reason", *MEDIAN_VARIABLES]], leading
+        dataset[["frequency", "condition", "valid", "reason", MEDIAN_FREQUENCY, MEDIAN_CONDITION]], leading
     ):
         valid_count += int(part["valid"].values.sum())
         reasons.update(part["reason"].values[~part["valid"].values].tolist())
@@ -155,7 +156,9 @@ def summary_of(dataset: xarray.Dataset, file: str | None) -> MapSummary:
             highest[i] = _update_extreme(highest[i], representative_frequency[..., i], origin, highest=True)
 
     def representative_frequencies() -> Iterator[NDArray[Any]]:
-        for _, part in loaded_parts(dataset[["frequency", "condition", *MEDIAN_VARIABLES]], leading):
+        for _, part in loaded_parts(
+            dataset[["frequency", "condition", MEDIAN_FREQUENCY, MEDIAN_CONDITION]], leading
+        ):
             frequency = part["frequency"].where(representative_mask(part)).transpose(*leading, "mode").values
             yield frequency.reshape(-1, frequency.shape[-1])
 

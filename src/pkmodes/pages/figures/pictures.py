@@ -182,7 +182,7 @@ PICTURES = (
         "highest (up) frequency in the plane; squares are the motors, hollow ones at the edge those beyond it.",
         lambda robot: maps.frequencies(robot.plane, motors_of(robot.model, robot.plane)),
         addition=lambda robot: (
-            left_out.left_out_in_words(robot.plane.dataset)
+            left_out.exclusion_caption(robot.plane.dataset)
             + known_to(median_spread(robot.model, robot.plane, robot.drives))
         ),
     ),

@@ -17,7 +17,7 @@ from pkmodes.core.support.motors import motors_in_words
 from pkmodes.loop.sensitivity.spread import spread_of
 from pkmodes.machine.response.drawn_channels import DrawnChannels, most_responsive
 from pkmodes.machine.response.measured import MeasuredResponse
-from pkmodes.machine.response.resonances import resonance_of
+from pkmodes.machine.response.resonances import strongest_drawn_resonance
 from pkmodes.pages.plots.labels import MINUS
 from pkmodes.pages.plots.responses import responses
 from pkmodes.pages.report.blocks import Block, Cell, Column, Picture, Section, Summary, Table
@@ -93,7 +93,7 @@ def response_summary(model: Model, response: FrequencyResponse, drawn: DrawnChan
     compared = {name: values for name, values in drawn.model.items() if name in measured} or drawn.model
     several = len(drawn.frequencies) > 1
     first, last = (float(drawn.frequencies[i]) for i in (0, -1))
-    resonance = resonance_of(response, drawn) if several else None
+    resonance = strongest_drawn_resonance(response, drawn) if several else None
     name = most_responsive(compared, drawn.units) if resonance is None else resonance.channel
     output_port, _, input_port = name.partition("/")
     most = f"{clean(output_port)} responds most to {clean(input_port)}"
