@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from pkmodes.core.model import Model
     from pkmodes.machine.maps.poses import MapPoses
 
-#: Approximate number of poses in a workspace, and most poses compared: all are held in memory at once.
+#: Approximate number of poses in a workspace, and maximum number of poses compared: all are held in memory at once.
 POSES, MOST = 20_000, 1_000_000
 #: Values that are printed without ``--all``.
 LARGEST = 10

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 #: Quantiles over the poses that characterise the frequency of a mode: at the edge of a workspace a spring may become
 #: so short that the extremes are not representative.
 QUANTILES = {"quantile_2_hz": 0.02, "median_hz": 0.5, "quantile_98_hz": 0.98}
-#: Fewest poses of which 2 % are at least one.
+#: Minimum number of poses of which 2 % are at least one.
 MIN_POSES_FOR_2_PERCENT = 50
 
 

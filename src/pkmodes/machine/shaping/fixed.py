@@ -18,10 +18,10 @@ from pkmodes.machine.shaping.ringing import Ringing
 from pkmodes.machine.shaping.shapers import Shaper, shaper
 
 Array = NDArray[np.float64]
-#: Most frequencies tried for each factor, and most combinations of them.
+#: Maximum number of frequencies tried for each factor, and of combinations of them.
 TRIED, COMBINATIONS = 160, 20_000
-#: Most modes at poses that the search considers: half from the poses that ring most, the rest spread evenly over the
-#: other poses.
+#: Maximum number of modes at poses that the search considers: half from the poses that ring most, the rest spread
+#: evenly over the other poses.
 MOST = 3600
 #: The frequencies tried reach beyond those of the machine by this factor: robust shapers work best slightly off them.
 BEYOND = 1.5
@@ -29,7 +29,7 @@ BEYOND = 1.5
 CLOSE = 1e-5
 #: Combinations evaluated at once.
 TOGETHER = 100
-#: Number of best combinations from which the search continues, and fewest steps between them.
+#: Number of best combinations from which the search continues, and minimum number of steps between them.
 STARTS, APART = 5, 3
 
 

@@ -27,7 +27,7 @@ from pkmodes.machine.shaping.settings import Setting
 from pkmodes.machine.shaping.shapers import Shaper
 
 Array = NDArray[np.float64]
-#: Most settings named in a note.
+#: Maximum number of settings named in a note.
 NAMED = 4
 
 

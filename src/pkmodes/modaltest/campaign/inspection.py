@@ -16,7 +16,7 @@ from pkmodes.modaltest.identification.estimates import Stabilisation
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-#: Most functions of a file that are drawn.
+#: Maximum number of functions of a file that are drawn.
 MAX_CURVES = 4
 #: Parts of the band; the lines with the lowest and the highest value of each are drawn.
 BAND_PARTS = 180

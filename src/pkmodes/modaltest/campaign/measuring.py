@@ -25,7 +25,7 @@ from pkmodes.modaltest.campaign.roving import RovingPoint, estimate_change, matc
 from pkmodes.modaltest.campaign.roving_functions import SeparateFitError
 from pkmodes.modaltest.identification.requested_modes import SAME_MODE_TOLERANCE
 
-#: Least share of the repeats in which a mode must be found.
+#: Minimum share of the repeats in which a mode must be found.
 MIN_REPEAT_SHARE = 0.5
 
 

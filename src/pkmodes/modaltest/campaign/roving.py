@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 #: Number of standard deviations above which a change is real.
 CHANGE_SIGMAS = 3.0
-#: Least relative standard deviation of a frequency (less is rounding), and sweeps of the median polish.
+#: Minimum relative standard deviation of a frequency (less is rounding), and sweeps of the median polish.
 MIN_RELATIVE_SIGMA, MEDIAN_SWEEPS = 1e-7, 20
 #: Largest difference of a mode's frequencies at two points for their functions to share a pole, in half-power
 #: bandwidths.

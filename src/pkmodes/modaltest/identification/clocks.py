@@ -29,11 +29,11 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 #: Standard deviation of the phase of a real shape [rad]: damping turns shapes by a few degrees.
 SHAPE_PHASE_SIGMA = 0.05
-#: Length of a segment, in periods of the upper end of the band; least number of segments.
+#: Length of a segment, in periods of the upper end of the band; minimum number of segments.
 SEGMENT_PERIODS, MIN_SEGMENTS = 100.0, 8
-#: Length of a segment in multiples of the largest delay searched: desired, and least.
+#: Length of a segment in multiples of the largest delay searched: desired, and minimum.
 SEGMENT_DELAYS, MIN_SEGMENT_DELAYS = 8.0, 4.0
-#: Shortest record in periods of the lower end of the band, and least ratio of the ends of the band.
+#: Shortest record in periods of the lower end of the band, and minimum ratio of the ends of the band.
 MIN_PERIODS, MIN_BAND_RATIO = 12.0, 1.5
 TOO_SHORT = "the time that both recorded is too short, or the band too narrow"
 #: Effective number of independent segments for each of several that overlap by half.

@@ -30,8 +30,8 @@ HIGHEST_DAMPING = 0.2
 #: Largest average distance between the poles of one mode: |difference| / sum of |Re|, plus 1 - MAC.  Two equal shapes
 #: reach it half a bandwidth apart, where two peaks are not resolved.
 MAX_CLUSTER_DISTANCE = 0.5
-#: Least share of the orders in which a mode must be found.  Low orders have no poles to spare for weak modes; whether
-#: a mode exceeds the noise is decided after the fit, so this need not be strict.
+#: Minimum share of the orders in which a mode must be found.  Low orders have no poles to spare for weak modes;
+#: whether a mode exceeds the noise is decided after the fit, so this need not be strict.
 MIN_ORDER_SHARE = 0.3
 
 

@@ -42,7 +42,7 @@ Complex = NDArray[np.complex128]
 STARTING_DAMPINGS = (0.03, 0.01, 0.003)
 #: Probability that noise alone produces a mode within the reach of the fit.
 FALSE_ALARM = 0.05
-#: Least energy relative to the strongest mode within the reach: weaker ones may be noise beside it.
+#: Minimum energy relative to the strongest mode within the reach: weaker ones may be noise beside it.
 MIN_RELATIVE_ENERGY = 0.5
 #: Fits that end closer than this fraction of their half bandwidth are the same.
 SAME_FIT_DISTANCE = 0.1

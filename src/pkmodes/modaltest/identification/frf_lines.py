@@ -19,7 +19,7 @@ from pkmodes.modaltest.identification.frf_noise import (
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-#: Fewest lines in which a mode can be distinguished from noise.
+#: Minimum number of lines in which a mode can be distinguished from noise.
 MIN_LINES = 24
 #: Lines this close to a multiple of a tone are left out, in line spacings: a tone between two lines shows in both.
 TONE_REACH = 1.01

@@ -43,7 +43,7 @@ Index = NDArray[np.int64]
 NEIGHBOUR_DISTANCE, MAX_PEAK_REMAINDER = 1.0, 0.1
 #: A mode this much broader than the peak fits the remainder of its skirts, whatever its shape.
 BROAD_RATIO = 3.0
-#: Fewest sensors for comparing shapes: at fewer, shapes agree by chance.
+#: Minimum number of sensors for comparing shapes: at fewer, shapes agree by chance.
 MIN_SENSORS = 3
 #: If one mode fits the peak, this many others beside it are spurious even if their shapes differ.
 MIN_SPURIOUS_NEIGHBOURS = 2
@@ -53,11 +53,12 @@ STRONG_SHARE = 0.2
 SPURIOUS_RATIO = 8.0
 #: The error is estimated from lines this far apart: between closer ones, noise is correlated too.
 LAG = 2 * MAX_LAG
-#: Fewest pairs of lines, and peaks, from which an error is estimated: what is at one peak alone may be a mode.
+#: Minimum number of pairs of lines, and peaks, from which an error is estimated: what is at one peak alone may be a
+#: mode.
 MIN_PAIRS, MIN_PEAKS = 2 * LAG, 2
 #: Number of standard deviations above which an estimated error is real.
 SIGNIFICANT_SIGMAS = 4.0
-#: Most modes mentioned in a message.
+#: Maximum number of modes mentioned in a message.
 MAX_FREQUENCIES_NAMED = 4
 
 

@@ -27,7 +27,7 @@ Complex = NDArray[np.complex128]
 #: Coefficients of the smooth part at each channel: a cubic leaves 1 % of the curvature of a mode that lies one window
 #: width outside the window.
 SMOOTH_TERMS = 4
-#: Most steps: Gauss-Newton converges in a few or, for modes that the lines do not resolve, not at all.
+#: Maximum number of steps: Gauss-Newton converges in a few or, for modes that the lines do not resolve, not at all.
 MAX_STEPS = 25
 #: Relative decrease of the cost that ends the iteration: far below what one line's noise contributes.
 CONVERGED_CHANGE = 1e-7

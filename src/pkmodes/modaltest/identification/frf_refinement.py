@@ -46,7 +46,7 @@ REACH_HALF_WIDTHS = 10.0
 MIN_SIDE_LINES = 24
 #: and at most this many in a window: a mode over more lines is determined equally well by every second or third.
 MAX_WINDOW_LINES = 400
-#: Most sweeps: the fits of neighbours settle in two or three, and each dropped mode needs another.
+#: Maximum number of sweeps: the fits of neighbours settle in two or three, and each dropped mode needs another.
 MAX_SWEEPS = 10
 #: Relative change of the poles in a sweep, in units of their damping, below which the fits have settled.
 SETTLED_CHANGE = 1e-3

@@ -44,26 +44,26 @@ BAND_REACH = 5.0
 SAMPLE_SPACING, SETTLING_TIME = 2.5, 2.5
 #: Factor by which z is sampled more finely to find the highest level.
 OVERSAMPLING = 4
-#: Fewest samples of a segment; fewest and most segments of a decay.
+#: Minimum number of samples of a segment; minimum and maximum number of segments of a decay.
 MIN_SAMPLES, MIN_SEGMENTS, MAX_SEGMENTS = 2, 6, 24
-#: Least factor by which the amplitude falls; it is followed while it stays above the noise by the second factor, and
-#: until it has fallen by the third, when 99 % of the energy is gone.
+#: Minimum factor by which the amplitude falls; it is followed while it stays above the noise by the second factor,
+#: and until it has fallen by the third, when 99 % of the energy is gone.
 MIN_FALL, MIN_NOISE_RATIO, MAX_FALL = 2.5, 6.0, 10.0
 #: A free decay: its logarithmic amplitude deviates from a parabola over time by no more than this (rms), and it
 #: decays at the mode's rate within this factor.
 MAX_DEVIATION, MAX_RATE_RATIO = 0.1, 2.0
 #: Factor by which another blow raises the level.
 BLOW_RISE = 2.0
-#: Most decays looked for in a record.
+#: Maximum number of decays looked for in a record.
 MAX_DECAYS = 12
 #: Probability that the scatter of a linear mode is mistaken for a change.
 FALSE_ALARM = 1e-4
 #: The change must continue, to this probability, after the first part of the fall of the logarithmic level: what a
 #: blow or the force of a sweep adds at the beginning of a decay shifts the frequency only there.
 FIRST_SHARE, LATER_FALSE_ALARM = 0.3, 0.01
-#: Least relative change of a frequency that is reported: less is below the effect of neighbours in a band-pass.
+#: Minimum relative change of a frequency that is reported: less is below the effect of neighbours in a band-pass.
 MIN_CHANGE = 1e-4
-#: Least relative noise of the frequency of a segment.
+#: Minimum relative noise of the frequency of a segment.
 ROUNDING = 1e-9
 
 

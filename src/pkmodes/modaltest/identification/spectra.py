@@ -37,20 +37,20 @@ from pkmodes.modaltest.identification.requested_modes import (
 )
 
 Array = NDArray[np.float64]
-#: Least standard deviation in line spacings.
+#: Minimum standard deviation in line spacings.
 MIN_SIGMA = 0.29
-#: Power of the frequency in the slow factor, and its least and largest value.
+#: Power of the frequency in the slow factor, and its minimum and maximum.
 SLOPE, SLOPE_LIMITS = 2, (0, 4)
 #: Lines on either side of a peak that are fitted.
 SIDE_LINES = 4
 #: Largest median of the absolute second difference of ln P over the lines: 1.34 for a single record with Hann's
 #: window and 1.95 without one, 0.85 for two averages with it, 0.4 for ten; peaks span too few lines to matter.
 MAX_SCATTER = 1.1
-#: Least ratio of a peak to the higher of the two lowest points between it and higher power on either side.
+#: Minimum ratio of a peak to the higher of the two lowest points between it and higher power on either side.
 MIN_PROMINENCE = 1.6
-#: Least height of a peak that the user requests, relative to the background it stands on.
+#: Minimum height of a peak that the user requests, relative to the background it stands on.
 MIN_REQUESTED_HEIGHT = 0.25
-#: Least power of a mode, relative to the highest in the band.
+#: Minimum power of a mode, relative to the highest in the band.
 MIN_POWER = 3e-3
 
 

@@ -26,7 +26,7 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 #: Ratio of the upper to the lower end of a part of the band.
 PART_RATIO = 1.4
-#: Least width of a part in lines of the longest piece.
+#: Minimum width of a part in lines of the longest piece.
 MIN_LINES = 100
 #: Width of a guard relative to the part.
 GUARD_SHARE = 0.3

@@ -37,9 +37,9 @@ MAX_TRANSIENT_SCATTER = 0.25
 MAX_ODD_PART = 2.0
 #: Prior standard deviation of the odd part if the response is to noise, which mostly drives several modes.
 ODD_PART_PRIOR = 0.2
-#: Most iterations, and the change of the log-likelihood that ends them.
+#: Maximum number of iterations, and the change of the log-likelihood that ends them.
 MAX_STEPS, CONVERGED_CHANGE = 40, 1e-4
-#: Least decay rate, relative to the inverse of the record length.
+#: Minimum decay rate, relative to the inverse of the record length.
 MIN_RATE = 1e-2
 
 

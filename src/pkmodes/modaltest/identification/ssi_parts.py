@@ -43,7 +43,7 @@ ORDERS = tuple(range(1, 15))
 BLOCKS, FIRST_LAG = 20, 1
 #: Model orders tried for a shape: the one with the least standard deviation is taken.
 SHAPE_TRIALS = 4
-#: Most references, combinations of the responses.
+#: Maximum number of references, combinations of the responses.
 MAX_REFERENCES = 6
 #: Log-likelihood ratio above which a peak is more than a bump of noise: as in `ssi_selection`, but for about ten
 #: places instead of about a hundred.

@@ -25,7 +25,7 @@ Complex = NDArray[np.complex128]
 #: Log-likelihood ratio above which a peak is more than a bump of noise: three parameters, tried at about a hundred
 #: places.
 SIGNIFICANT = 12.0
-#: Half range of a fit: in half bandwidths, and the least in lines.
+#: Half range of a fit: in half bandwidths, and the minimum in lines.
 HALF_WIDTHS, MIN_LINES = 10.0, 24.0
 #: Largest factor by which a modal filter may reduce a mode relative to noise; neighbours beyond it are fitted in the
 #: power.

@@ -22,7 +22,7 @@ from pkmodes.modaltest.signals.checks import check_abscissa, check_finite
 from pkmodes.modaltest.signals.functions import Array, Complex
 from pkmodes.modaltest.signals.scanning import INCOMPLETE, BinaryLayout, Scanner, decode_line, read_numbers
 
-#: Fewest lines of the header.
+#: Minimum number of lines of the header.
 MIN_HEADER_LINES = 11
 #: Suffixes of the names of degrees of freedom by the number of their direction.
 DIRECTIONS = {

@@ -15,7 +15,7 @@ from pkmodes.core.support.ordering import listed
 #: The signal in time besides sensors, and the names that a file may replace: see `SignalRequest.names`.
 FORCE = "force"
 RESERVED_NAMES = ("time", "frequency", FORCE)
-#: Most names in a file that an error shows.
+#: Maximum number of names in a file that an error shows.
 MAX_NAMES = 12
 
 Array = NDArray[np.float64]

@@ -31,9 +31,10 @@ NUMERIC_CLASSES = range(6, 16)
 STRUCT = 2
 CLASSES = {1: "a cell array", STRUCT: "a struct", 3: "an object", 4: "text", 5: "a sparse matrix"}
 COMPLEX = 0x0800
-#: Bytes of a tag; and most bytes of the dimensions or name of a variable, and of the field names of a struct.
+#: Bytes of a tag; maximum size in bytes of the dimensions or the name of a variable, and of the field names of a
+#: struct.
 TAG_SIZE, MAX_PART_SIZE, MAX_FIELD_NAMES_SIZE = 8, MAX_NAME_LENGTH, 64 * MAX_VARIABLES
-#: Deepest nesting of structs.
+#: Maximum depth of nested structs.
 MAX_DEPTH = 8
 #: Bytes unpacked at once.
 BLOCK_SIZE = 1 << 16

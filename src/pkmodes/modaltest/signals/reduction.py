@@ -15,7 +15,7 @@ from pkmodes.modaltest.signals.functions import Array
 
 #: Samples above which a record is reduced: shorter ones fit into the memory of any machine.
 MAX_SAMPLES = 2_000_000
-#: Least ratio of the new sampling rate to the highest frequency of interest.
+#: Minimum ratio of the new sampling rate to the highest frequency of interest.
 MIN_RATE_RATIO = 4.0
 #: Ratio of the end of the passband to that frequency; nothing is aliased into the passband.
 PASSBAND_RATIO = 1.5

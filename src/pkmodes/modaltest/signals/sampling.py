@@ -36,7 +36,7 @@ STEP_TOLERANCE, MAX_MISSING_SHARE, SPLINE_NEIGHBOURS = 0.2, 0.1, 8
 #: Delay across a gap in uneven times of even samples, in samples, by which all times after it are later than all
 #: before it; and the fraction of the record examined on either side.
 MIN_DELAY, SIDE_SHARE = 2.0, 0.1
-#: Most gaps that are reported one by one.
+#: Maximum number of gaps that are reported one by one.
 MAX_GAPS_NAMED = 3
 #: Samples examined at once.
 PART_SIZE = 100_000
