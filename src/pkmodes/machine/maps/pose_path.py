@@ -23,9 +23,9 @@ class PosePath:
     """Poses along a path.
 
     - poses: one after the other
-    - distance: of each from the beginning, (N,), in `unit`
+    - distance: distance of each pose from the beginning, (N,), in `unit`
     - corners: where the path turns, and its ends, (K,), likewise
-    - unit: as in figures, such as mm
+    - unit: unit of the distance in figures, such as mm
     """
 
     poses: Poses

@@ -45,10 +45,10 @@ class FrequencyChanges:
 
     - poses: (N, d)
     - first_valid, second_valid: whether each robot can be evaluated, (N,)
-    - frequencies: of the first robot, (N, m) [Hz]; NaN where it cannot be evaluated
+    - frequencies: frequencies of the first robot, (N, m) [Hz]; NaN where it cannot be evaluated
     - relative: frequency of the partner over that of the mode, minus 1, (N, m); NaN where there is no partner
     - partner: index among the vibration modes of the second robot, -1 for none, (N, m)
-    - mac: of the two shapes, by the mass matrix of the first robot at the coordinates that both have, (N, m); NaN
+    - mac: MAC of the two shapes, by the mass matrix of the first robot at the coordinates that both have, (N, m); NaN
       without a partner
     - second_modes: the number m'
     """

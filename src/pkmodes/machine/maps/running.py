@@ -45,7 +45,7 @@ def run_tasks(
     - tasks: each with its number
     - put: stores the fields of a task, given its number; several threads may call it
     - finish: takes the number of a task that is stored; called in this thread
-    - threads: on this machine, without a scheduler
+    - threads: number of threads on this machine, without a scheduler
     - scheduler: address of a Dask scheduler, such as ``"tcp://127.0.0.1:8786"``
 
     Raises PkmodesError if the scheduler cannot be reached, or has no workers that can evaluate; or the error of a

@@ -217,7 +217,7 @@ def _update_extreme(extreme: Any, values: NDArray[Any], origin: list[int], *, hi
     """Return an extreme value so far and its index, or those of a part of the map if they are more extreme.
 
     - extreme: value and index, None if there is none so far
-    - values: of the part; NaN where there is none
+    - values: values of the part; NaN where there is none
     - origin: index of the first value of the part
     """
     if np.isnan(values).all():

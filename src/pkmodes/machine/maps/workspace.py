@@ -99,7 +99,7 @@ def poses_on_lower_branch(model: Model, poses: Array) -> Array:
     Where the platform turns and its origin lies to one side of its joints, this branch is the one on that side; where
     the origin lies in their middle, legs that change their length carry the platform from below.
 
-    - poses: that can be evaluated, (N, d)
+    - poses: poses that can be evaluated, (N, d)
     """
     if not model.has_assemblies:
         return poses
@@ -179,7 +179,7 @@ def usable_box(model: Model, pose: Array | None = None) -> tuple[Array, Array]:
 def rotation_box(model: Model, pose: Array) -> tuple[Array, Array]:
     """Return the box around the rotations that a platform can have where it is, within the usable limits.
 
-    - pose: that can be evaluated, (d,)
+    - pose: pose that can be evaluated, (d,)
 
     Returns low and high, (d,): the other components are those of the pose.
     """

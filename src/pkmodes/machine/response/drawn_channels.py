@@ -35,14 +35,14 @@ class MeasuredCurves(NamedTuple):
 class DrawnChannels:
     """Responses at a pose by channel, ``OUTPUT/INPUT``.
 
-    - frequencies: of the model, (F,) [Hz]
+    - frequencies: frequencies of the model, (F,) [Hz]
     - model: in the order in which they are drawn, each (F,)
-    - units: of the magnitudes
+    - units: units of the magnitudes
     - measured: the measured responses
     - silent: channels without a response, which are left out
     - prescribed: channels from a prescribed motion to itself, which are left out
     - text: what is drawn: quantity, robot, pose, and what the motors do
-    - before: of another robot, such as the one before a correction, by channel, each (F,)
+    - before: responses of another robot, such as the one before a correction, by channel, each (F,)
     - notes: what was assumed of the measured responses
     """
 
@@ -66,7 +66,7 @@ class DrawnChannels:
     ) -> DrawnChannels:
         """Choose the channels of a response.
 
-        - before: of another robot: the same channels at the same poses and frequencies
+        - before: responses of another robot: the same channels at the same poses and frequencies
 
         Raises PkmodesError if the index selects no pose, no measured channel is one of the response, or the table
         states that it is of something else.
@@ -126,7 +126,7 @@ def without_response(model: Mapping[str, NDArray[Any]], units: Mapping[str, str]
     """Return the channels that show only rounding, compared with the others of the same unit.
 
     - model: responses by channel, each (F,)
-    - units: of the channels
+    - units: units of the channels
     """
     largest: dict[str, float] = {}
     for name, values in model.items():

@@ -99,7 +99,7 @@ class FrequencyResponse(Channels):
         Parameters
         ----------
         index : int or tuple of int
-            Of the pose; not needed for a single one.
+            Index of the pose; not needed for a single one.
 
         Returns
         -------
@@ -127,7 +127,7 @@ class FrequencyResponse(Channels):
         path : str or path
             CSV file; an existing one is replaced.
         index : int or tuple of int
-            Of the pose; not needed for a single one.
+            Index of the pose; not needed for a single one.
 
         Raises
         ------
@@ -142,7 +142,7 @@ class FrequencyResponse(Channels):
         Parameters
         ----------
         index : int or tuple of int
-            Of the pose; not needed for a single one.
+            Index of the pose; not needed for a single one.
 
         Returns
         -------

@@ -48,7 +48,7 @@ STEP_TOLERANCE = 1e-9
 def deviation_along(model: Model, time: Array, poses: Array, drives: str) -> Array:
     """Return the deviation of the platform from its commanded pose, (T, d); the machine starts at rest.
 
-    - model: of a robot without rigid modes
+    - model: model of a robot without rigid modes
     - time: ascending, (T,) [s]
     - poses: the command, in the workspace, (T, d); only components of the platform's motion change
     - drives: what the motors do, "free" or "held"; free ones hang on springs
@@ -102,7 +102,7 @@ def _displacements(path: Array, mechanism: Mechanism) -> Array:
 class _Steps(NamedTuple):
     """State transitions from just after each sample to just before the next one.
 
-    - transition: of the displacements and velocities of the modes, (S - 1, 2 m, 2 m)
+    - transition: transition matrices of the displacements and velocities of the modes, (S - 1, 2 m, 2 m)
     - drag: what friction adds that resists the move, (S - 1, 2 m)
     """
 
@@ -158,8 +158,8 @@ class _Vibration:
     def steps(self, duration: Array, velocity: Array) -> _Steps:
         """Return the steps between samples.
 
-        - duration: in s, (S - 1,)
-        - velocity: of the command, (S - 1, j)
+        - duration: duration of each step [s], (S - 1,)
+        - velocity: velocity of the command, (S - 1, j)
         """
         n = 2 * self.modes
         # Each sample ends one interval and begins the next: equal halves are computed once.

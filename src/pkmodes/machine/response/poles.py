@@ -78,7 +78,7 @@ def poles_at(
 def notes_on_damping(linearised: LinearisedRobot, ratios: Array) -> list[str]:
     """Return sentences on the modes at a pose whose ratio of light damping is not that of their pole.
 
-    - linearised: at the one pose
+    - linearised: robot at one pose
     - ratios: of `pkmodes.Modes.damping_ratios`, (m,)
     """
     if not np.nan_to_num(ratios).any():

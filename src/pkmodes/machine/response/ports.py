@@ -34,8 +34,8 @@ class Port:
 
     - kind: ``torque``, ``motor``, ``force``, ``platform`` or ``coordinate``.  A ``torque`` is the force of a drive
       that moves a length; a ``force`` on the platform is a moment for one of its rotations.
-    - index: of the drive, the component of the platform's motion or the coordinate
-    - direction: for an output of kind ``platform``: unit vector along the components of the platform's motion
+    - index: index of the drive, the component of the platform's motion or the coordinate
+    - direction: unit vector, for an output of kind ``platform``, along the components of the platform's motion
     """
 
     name: str

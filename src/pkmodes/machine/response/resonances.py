@@ -30,7 +30,7 @@ class Resonance:
     - channel: ``OUTPUT/INPUT``
     - mode: its number among the vibration modes, 1 for the lowest
     - frequency: undamped natural frequency [Hz]
-    - magnitude: of the response at this frequency, or at `UNDAMPED_OFFSET` from it if the mode is undamped
+    - magnitude: magnitude of the response at this frequency, or at `UNDAMPED_OFFSET` from it if the mode is undamped
     """
 
     channel: str

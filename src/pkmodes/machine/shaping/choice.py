@@ -138,7 +138,7 @@ def choices_by_axis(whole: Choice, kinds: Iterable[str] | None, tick: float) -> 
 
     - whole: the choice for all axes together
     - kinds: as for `choose`
-    - tick: of that choice [s]
+    - tick: tick of that choice [s]
 
     Empty as well if no kind is left for an axis, or none of them is long or short enough.
     """

@@ -38,10 +38,10 @@ def best_fixed(
 ) -> tuple[tuple[float, ...], Shaper]:
     """Return design frequencies [Hz], one for each factor, and the shaper, for the mean damping ratio.
 
-    - at: of the machine
+    - at: ringing of the machine
     - zeta: the damping ratio of the design, if it is another one
-    - version: of the firmware whose impulses count, a key of `pkmodes.machine.shaping.firmware.VERSIONS`; by default
-      those of `pkmodes.shaping.shaper`, as for products
+    - version: version of the firmware whose impulses count, a key of `pkmodes.machine.shaping.firmware.VERSIONS`; by
+      default those of `pkmodes.shaping.shaper`, as for products
     """
     names, zeta = factor_names(kind), at.mean_ratio if zeta is None else zeta
     k, alike = len(names), len(set(names)) == 1

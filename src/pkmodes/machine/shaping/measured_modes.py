@@ -57,7 +57,7 @@ class MeasuredRinging(Ringing):
     """R measured modes, each at K points within its errors and treated by itself: N = R K poses of one mode.
 
     - data: the table
-    - rows: those that count, (R,)
+    - rows: rows that count, (R,)
     - assumed: damping ratio of the modes without one; None: anything within `UNKNOWN`
     """
 

@@ -135,7 +135,7 @@ def recommended_of(
     - share: share of the largest vibration that is good enough
     - length: longest duration allowed [s]
     - firmware: the version of a firmware that has it; None for any
-    - axes: those that the shaper is for
+    - axes: axes that the shaper is for
 
     Returns, in this order:
     - index: None if none lasts at most `length`, or the firmware has none
@@ -203,7 +203,7 @@ class Choice:
         """Return the recommended shaper, or the best one that a version of a firmware has; None if it has none.
 
         - version: such as ``"klipper"`` or ``"klipper-2025-08"``
-        - axes: those that the shaper is for
+        - axes: axes that the shaper is for
         - without: a kind that does not count
         """
         if self.best.kind != without and configuration_lines(version, *self.best.design, axes) is not None:
@@ -340,7 +340,7 @@ def shapers_in(
     Marlin has zv by M593, and others by fixed-time motion, which turns M593 off: it gets no mixture of both.
 
     - version: a key of `pkmodes.machine.shaping.firmware.VERSIONS`
-    - axes: those that the shaper of each choice is for
+    - axes: axes that the shaper of each choice is for
     - choices: under the same names
     """
     shapers = {name: choice.best_in(version, axes[name]) for name, choice in choices.items()}
@@ -355,6 +355,6 @@ def shapers_in(
 def command_of(candidate: Candidate, axis: str = "") -> dict[str, str | None]:
     """Return the commands that set a fixed shaper between two moves, by firmware.
 
-    - axis: that for which they are; empty for all
+    - axis: axis that they are for; empty for all
     """
     return commands_by_firmware(*candidate.design, axis or AXES)

@@ -51,12 +51,12 @@ def schedule_of(
     """Choose a fixed shaper for each setting, by the rule of the choice for all of them.
 
     - model: the evaluator of the robot
-    - poses: those of the choice, (..., d)
-    - whole: for all settings
-    - kinds: of the choice
-    - tick: of the choice [s]
+    - poses: poses of the choice, (..., d)
+    - whole: choice for all settings
+    - kinds: kinds of the choice
+    - tick: tick of the choice [s]
     - height: layer heights of the first and of the last value [m], between which the parameter grows evenly
-    - axis: that of the choice, where it is for one of several independent axes
+    - axis: axis of the choice, where it is for one of several independent axes
 
     Raises PkmodesError if no shaper is long or short enough at a setting.
     """

@@ -123,7 +123,7 @@ def _join_by_reference(
 
     Returns, in this order:
     - shape
-    - unlinked: those that are not part of it
+    - unlinked: modes that are not part of it
     - sigmas: relative standard deviations of the sizes of the parts; empty for a single part
     """
     if not modes:

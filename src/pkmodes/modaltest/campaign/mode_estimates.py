@@ -30,7 +30,7 @@ class ModeEstimate:
     - sigma_shape: likewise for a component of the shape, relative to the largest one; NaN where unknown
     - found_in: number of model orders in which it was found, and their total
     - resolution: spacing below which the file does not resolve two modes [Hz]
-    - level: of its vibration in the file; NaN where unknown
+    - level: level of its vibration in the file; NaN where unknown
     - shift: how the frequency changes with the level within the file; over several files, the largest change
     - participation: by named reference: its product with the shape is the residue, an acceleration per force
     - sigma_scale: standard deviation of the largest residue, relative; NaN where unknown

@@ -29,8 +29,8 @@ MAX_SHIFT = 0.15
 class RovingPoint:
     """A file of a point that was hit.
 
-    - modes: those of this file alone
-    - factor: from its frequencies to those of the machine in the middle of its change
+    - modes: modes of this file alone
+    - factor: factor from its frequencies to those of the machine in the middle of its change
     """
 
     path: Path
@@ -53,7 +53,7 @@ class RovingPoint:
         - frequencies: (F,) [Hz]
         - points, references: as in the shapes and participations of the modes
         - window_time_constant: time constant of a window that the responses have had [s]
-        - length: of the record of each blow, which cuts off the decays [s]; complete ones by default
+        - length: length of the record of each impact, which cuts off the decays [s]; complete ones by default
         """
         if self.factor == 1.0 or not self.modes:
             return np.zeros((len(frequencies), len(points), len(references)), complex)
@@ -79,7 +79,7 @@ class RovingPoint:
 class RovingChange:
     """The change of a machine from point to point, and the largest allowed, both relative to its frequencies.
 
-    - factors: from the frequencies of each setup to those in mid-change; 1 where no change is certain
+    - factors: factors from the frequencies of each setup to those in mid-change; 1 where no change is certain
     """
 
     difference: float

@@ -38,7 +38,7 @@ class SensorFunctions:
     """The functions of one kind that a campaign's sensors have in a file.
 
     - file: with all of the file's functions that the campaign names
-    - used: those of the sensors, all with the same abscissa
+    - used: functions of the sensors, all with the same abscissa
     """
 
     file: SignalFile
@@ -56,9 +56,9 @@ def sensor_functions(
 ) -> SensorFunctions:
     """Read the functions of the named sensors.
 
-    - names: as in the file; all if it is empty and the kind needs no sensors
-    - record: to which the file belongs: its band, outside of which functions of frequency may have gaps, its sampling
-      rate, and the names of a table's columns
+    - names: names as in the file; all if it is empty and the kind needs no sensors
+    - record: record to which the file belongs: its band, outside of which functions of frequency may have gaps, its
+      sampling rate, and the names of a table's columns
     - signs: whether the sign in the name of a degree of freedom counts
 
     Raises MeasurementError if the file is faulty or has none of them, or their times or frequencies differ.

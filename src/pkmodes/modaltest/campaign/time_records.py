@@ -51,7 +51,7 @@ class TimeSignals:
     - pieces: responses in SI units, each (n_i, S); a gap begins another piece
     - forces: in SI units where the file gives one, each (n_i,); empty without a force
     - force: name of the force in the file
-    - names: of the S sensors with a signal
+    - names: names of the S sensors with a signal
     - derivatives: (S,); 0 for displacements, 1 for velocities, 2 for accelerations
     - names_in_file: names of all the campaign's sensors in the file
     - gap: median length of the gaps between the pieces [s]; 0 for a single piece

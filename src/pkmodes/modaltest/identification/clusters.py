@@ -40,7 +40,7 @@ class PoleCluster:
     """A cluster of poles.
 
     - pole: median of the cluster [1/s]
-    - shape: of the pole nearest to the median, at any scale, (S,)
+    - shape: shape of the pole nearest to the median, at any scale, (S,)
     - participation: likewise, (R,)
     - order_count: number of orders in which it was found
     """

@@ -32,10 +32,10 @@ class FrequencyLines:
     """Functions to be fitted.
 
     - frequencies: (F,) [Hz]
-    - grid_index: on the grid of lines, (F,)
+    - grid_index: indices on the grid of lines, (F,)
     - H: (F, S, R); NaN where not measured
-    - variance: of the noise, (F, S, R), as far as known beforehand
-    - correlation: of the noise at lags of lines, if known
+    - variance: variance of the noise, (F, S, R), as far as known beforehand
+    - correlation: correlation of the noise at lags of lines, if known
     - has_absolute_variance: whether the variance is absolute, and not only right in its relative size
     """
 

@@ -129,7 +129,7 @@ def derivative_columns(shapes: Complex, participation: Complex) -> tuple[NDArray
     which sets the scale.
 
     Returns, in this order:
-    - functions: of `pole_basis`, (P,)
+    - functions: functions of `pole_basis`, (P,)
     - channels: (P, S, R)
     """
     (N, S), R = shapes.shape, participation.shape[1]

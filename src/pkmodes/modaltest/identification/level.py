@@ -71,7 +71,7 @@ ROUNDING = 1e-9
 class Level:
     """The level of a mode in a record.
 
-    - amplitude: of the vibration along its shape, where most of its energy is; in the unit of the responses
+    - amplitude: amplitude of the vibration along its shape, where most of its energy is; in the unit of the responses
     - shift: how its frequency changes while it decays; None for no detectable change
     """
 
@@ -90,7 +90,7 @@ def levels(
 
     - t_step: in s
     - pieces: responses, each (n_i, S); a gap begins another piece
-    - poles: of all identified modes, without the damping of a window, (N,) [1/s]
+    - poles: poles of all identified modes, without the damping of a window, (N,) [1/s]
     - shapes: in the scale of the responses, (N, S); NaN where undetermined
     - window_time_constant: time constant of a window that the responses have had [s]
 
@@ -222,7 +222,7 @@ class Segments:
     """Segments of a decay, (n,).
 
     - frequency: relative to that of the mode [Hz]
-    - variance: from the noise [Hz^2]
+    - variance: variance from the noise [Hz^2]
     - level: logarithm of the amplitude
     """
 

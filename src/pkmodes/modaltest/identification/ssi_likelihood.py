@@ -48,7 +48,7 @@ class Powers:
     """Power of a modal coordinate on the lines of all pieces.
 
     - frequencies: in Hz, (F,)
-    - values: of a spectral density, at any scale, (F,)
+    - values: values of a spectral density, at any scale, (F,)
     - seconds: length of the piece of each line, (F,)
     """
 
@@ -61,8 +61,8 @@ class Powers:
 class PeakFit:
     """Peaks of a modal coordinate.
 
-    - frequencies, rates: of the damped vibrations, (m,) [Hz], and rates of decay [1/s]
-    - covariance: of frequency and logarithm of the rate, (m, 2, 2)
+    - frequencies, rates: frequencies of the damped vibrations [Hz], and rates of decay [1/s], (m,)
+    - covariance: covariance of frequency and logarithm of the rate, (m, 2, 2)
     - likelihood: the log-likelihood
     - scatter: variance of I / P: 1 for noise
     - density: P, (F,)

@@ -68,8 +68,8 @@ def find_line_modes(
 ) -> dict[int, Tone]:
     """Return which modes are lines, or cannot be told from one, by index, with a message about each.
 
-    - pieces: of the record, without padding
-    - tones: those that were found before
+    - pieces: pieces of the record, without padding
+    - tones: tones that were found before
     """
     seconds = sum(1.0 / lines.step for lines in pieces)
     amplitudes = [amplitude_statistics(pieces, mode) for mode in modes]

@@ -178,9 +178,9 @@ def fit_requested(
 ) -> RefinedMode | str:
     """Return the mode fitted from a frequency [Hz], or why there is none.
 
-    - modes: those found; those struck out, and the one that it replaces, are not fitted beside it
-    - lines: of pieces without padding
-    - ends: of the lines that may be used [Hz]
+    - modes: modes found; those struck out, and the one that it replaces, are not fitted beside it
+    - lines: lines of pieces without padding
+    - ends: ends of the range of lines that may be used [Hz]
     """
     f = np.array([mode.undamped for mode in modes])
     struck, replaced_index = struck_mask(f, edits), index_to_replace(f, edits, target)

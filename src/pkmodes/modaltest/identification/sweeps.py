@@ -40,7 +40,7 @@ AVERAGING_TIME = 2.0
 def is_at_line_end(lines: SpectralLines, t_step: float, mode: RefinedMode) -> bool:
     """Return whether the line of a sweep begins, ends, turns back or stands still at a mode.
 
-    - lines: of the longest piece, without padding
+    - lines: lines of the longest piece, without padding
     - t_step: between samples [s]
     """
     width = mode.rate / (2.0 * math.pi)

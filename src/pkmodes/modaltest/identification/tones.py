@@ -194,7 +194,7 @@ def find_only_tones(
 
     - t_step: in s
     - pieces, remainders: the record, and its remainder without its tones, each (N, S)
-    - tones: those that were found in and near the band
+    - tones: tones that were found in and near the band
     - band: in Hz
     """
     piece_index = max(range(len(pieces)), key=lambda i: len(pieces[i]))

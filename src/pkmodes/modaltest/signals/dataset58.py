@@ -55,9 +55,9 @@ class Header:
 
     - function: type of the function
     - response, reference: node and direction
-    - complex, double, even: of the values, their precision, and the spacing of the abscissa
+    - complex, double, even: whether the values are complex, in double precision, and at even abscissas
     - count: number of points
-    - start, step: of an even abscissa
+    - start, step: start and step of an even abscissa
     - abscissa, ordinate, denominator: their quantities and units
     """
 

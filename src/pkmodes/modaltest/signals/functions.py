@@ -41,8 +41,8 @@ class Function:
     - reference: name of the excitation, likewise; empty where there is none, or it has no name
     - abscissa: strictly ascending, (n,): time [s], or frequency [Hz]
     - values: complex128 for a frequency response, float64 otherwise, (n,)
-    - unit: of the values, of a frequency response that of its numerator; None where the file does not state it
-    - reference_unit: of the denominator of a frequency response; None where the file does not state it
+    - unit: unit of the values; of a frequency response, that of its numerator; None where the file does not state it
+    - reference_unit: unit of the denominator of a frequency response; None where the file does not state it
     - force: whether this is the excitation, in time
     - unit_assumed: whether the file states the kind of its values but no unit: ``unit`` is then that of SI
     """
@@ -166,7 +166,7 @@ class SignalRequest:
         They follow `names`; otherwise a name that differs from a sensor's or ``force`` only in case is taken for it,
         if there is just one.
 
-        - where: for messages
+        - where: place in the file, for messages
 
         Raises MeasurementError if the file lacks a name that `names` gives, other than of a sensor.
         """

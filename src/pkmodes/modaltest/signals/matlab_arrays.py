@@ -163,7 +163,7 @@ def read_variables(file: BinaryIO, length: int) -> Iterator[FileVariable]:
     """Yield the variables of a MATLAB file.
 
     - file: open for reading
-    - length: of the file [bytes]
+    - length: length of the file [bytes]
 
     Raises DamagedError if its structure is not that of such a file.
     """
@@ -192,7 +192,7 @@ def _read_variable(
 ) -> Iterator[FileVariable]:
     """Yield a variable from its parts between two places, or the fields of a struct.
 
-    - field_name: of a field in a struct, whose parts have none
+    - field_name: name of a field in a struct, whose parts have none
     """
     parts = []
     for _ in range(3):

@@ -28,7 +28,7 @@ BLOCK_SIZE = 4096
 def reduction_factor(samples: int, step: float, highest: float) -> int:
     """Return how many samples of a record become one: 1 for a record that is left as it is.
 
-    - samples: of the record
+    - samples: samples of the record
     - step: between its samples [s]
     - highest: highest frequency of interest [Hz]
     """

@@ -164,7 +164,7 @@ def stated_pieces(time: Array, rate: float, where: str) -> tuple[tuple[Piece, ..
     From there on, all times are later.
 
     - time: strictly ascending, (n,) [s]
-    - rate: of sampling [Hz]
+    - rate: sampling rate [Hz]
     - where: the record, for messages
 
     Returns, in this order:

@@ -99,7 +99,7 @@ def find_counter(names: Sequence[str], used: Sequence[int]) -> int | None:
 def sample_positions(numbers: Array) -> Array | None:
     """Return the position of each sample after the first, from its number; None if the numbers are something else.
 
-    - numbers: of samples, ascending, (n,); some may be missing
+    - numbers: numbers of samples, ascending, (n,); some may be missing
     """
     steps = np.diff(numbers)
     usual_step = float(np.median(steps)) if steps.size else 0.0

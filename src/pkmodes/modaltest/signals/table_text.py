@@ -52,7 +52,7 @@ class TableText:
     """The parts of a table.
 
     - source: the file, for messages
-    - separator: of its cells
+    - separator: separator of its cells
     - names: cells of the header
     - header_line: number of its line
     - head: the lines before the body

@@ -29,8 +29,8 @@ REMEDY = "save time or frequency, or fs, and a vector for each sensor or a matri
 class FileVariable(NamedTuple):
     """A variable.
 
-    - description: for messages
-    - shape: of an array of numbers
+    - description: description for messages
+    - shape: shape of an array of numbers
     - load: returns the values of an array, columns one after the other, while the file is open.  Raises `ValueError`.
     - itemsize: bytes of a loaded value
     - reload: for whole numbers: returns the values again after the file was closed
