@@ -119,11 +119,9 @@ def find_functions(
     abscissa = None if abscissa_name is None else _abscissa(load(abscissa_name), f"{source}: {abscissa_name}")
     if abscissa is not None and kind is FunctionKind.TIME and counts_samples(abscissa):
         rate = _rate(rate_variable, request, source)
-        messages += (
-            []
-            if rate is None
-            else [f"{source}: {abscissa_name} counts samples: the rate of {rate:g} Hz gives the times"]
-        )
+        if rate is not None:
+            note = f"{abscissa_name} counts samples: the rate of {rate:g} Hz gives the times"
+            messages.append(f"{source}: {note}")
     if rate is not None:
         abscissa = even_times((requested or signals)[0].length, rate)
     assert abscissa is not None
