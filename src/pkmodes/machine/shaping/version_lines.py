@@ -75,7 +75,7 @@ def lines_by_version(choice: Choice) -> list[VersionLines]:
     those of the best shaper for all of them.
     """
 
-    def written(version: str, name: str) -> VersionLines:
+    def lines_of_version(version: str, name: str) -> VersionLines:
         shapers = recommended_in(version, choice)
         firmware = VERSIONS[version].firmware
         if not shapers:
@@ -98,7 +98,7 @@ def lines_by_version(choice: Choice) -> list[VersionLines]:
         shapers = recommended_in(version, choice)
         return _lines(version, shapers), *(_key(made_by(version, shaper)) for shaper in shapers.values())
 
-    return _grouped(key, written)
+    return _grouped(key, lines_of_version)
 
 
 def current_lines(choice: Choice) -> dict[str, str | None]:
@@ -144,19 +144,19 @@ def _lines(version: str, shapers: Mapping[str, Candidate]) -> str | None:
 
 def schedule_lines_by_version(choice: Choice, schedule: Schedule) -> list[VersionLines]:
     """Return the commands of a schedule in the same way; the remaining vibration is that over all settings."""
-    at = choice.ringing
+    ringing = choice.ringing
 
-    def written(version: str, name: str) -> VersionLines:
+    def lines_of_version(version: str, name: str) -> VersionLines:
         firmware, shapers = VERSIONS[version].firmware, schedule.shapers_in(version)
         if shapers is None:
             return VersionLines(firmware, version, name, None, None, None, None, instead=False)
-        made = each_setting([made_by(version, candidate) for candidate in shapers], at)
+        made = each_setting([made_by(version, candidate) for candidate in shapers], ringing)
         return VersionLines(
             firmware,
             version,
             name,
             schedule.commands(version),
-            *_worst(made, at),
+            *_worst(made, ringing),
             joined(list(dict.fromkeys(shaper.kind for shaper in shapers))),
             instead=schedule.differs_in(version),
         )
@@ -166,7 +166,7 @@ def schedule_lines_by_version(choice: Choice, schedule: Schedule) -> list[Versio
             schedule.commands(version),
             *(_key(made_by(version, candidate)) for candidate in schedule.shapers_in(version) or ()),
         ),
-        written,
+        lines_of_version,
     )
 
 
@@ -178,10 +178,10 @@ def made_by(version: str, candidate: Candidate) -> Shaper:
     return firmware_shaper(version, candidate.kind, candidate.frequencies[0], zeta)
 
 
-def _worst(made: Shaper, at: Ringing) -> tuple[float, float]:
+def _worst(shaper: Shaper, ringing: Ringing) -> tuple[float, float]:
     """Return the most that impulses leave, of the largest vibration, and of that at the same pose."""
-    shaped = shaped_by(made, at)
-    return relative(made, at, shaped).worst, relative_at_pose(made, at, shaped).worst
+    shaped = shaped_by(shaper, ringing)
+    return relative(shaper, ringing, shaped).worst, relative_at_pose(shaper, ringing, shaped).worst
 
 
 def _key(shaper: Shaper) -> Hashable:
@@ -190,7 +190,7 @@ def _key(shaper: Shaper) -> Hashable:
 
 
 def _grouped(
-    key: Callable[[str], Hashable], written: Callable[[str, str], VersionLines]
+    key: Callable[[str], Hashable], make_lines: Callable[[str, str], VersionLines]
 ) -> list[VersionLines]:
     """Return the lines of successive versions of a firmware with the same key."""
     version_lines = []
@@ -202,5 +202,5 @@ def _grouped(
                 groups[-1].append(version)
             else:
                 groups.append([version])
-        version_lines += [written(group[0], version_name(group[0], group[-1])) for group in groups]
+        version_lines += [make_lines(group[0], version_name(group[0], group[-1])) for group in groups]
     return version_lines

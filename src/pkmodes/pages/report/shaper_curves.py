@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.numbers import plain
 from pkmodes.core.support.ordering import joined
-from pkmodes.machine.shaping.measured_modes import WITHIN, MeasuredRinging
+from pkmodes.machine.shaping.measured_modes import SIGMA_RANGE, MeasuredRinging
 from pkmodes.machine.shaping.measured_spectrum import BAND_END, BAND_START, MeasuredSpectrum
 from pkmodes.machine.shaping.residual_vibration import residual
 from pkmodes.pages.plots import shapers
@@ -69,7 +69,7 @@ def over_frequency(choice: Choice, spectrum: MeasuredSpectrum | None) -> tuple[D
         )
     if isinstance(at, MeasuredRinging):
         nominal, largest = (100.0 * share for share in at.left_of(best))
-        words = f"within {WITHIN:g} standard deviations"
+        words = f"within {SIGMA_RANGE:g} standard deviations"
         marked = shapers.MarkedModes(at.data.frequency[at.rows], nominal, largest, words)
         caption += (
             " Dots are what the recommended one leaves of the measured modes with their own damping; lines reach to "

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from pkmodes.core.base.numbers import plain
-from pkmodes.machine.shaping.measured_modes import WITHIN, of_measured
+from pkmodes.machine.shaping.measured_modes import SIGMA_RANGE, of_measured
 from pkmodes.machine.shaping.measured_spectrum import MeasuredSpectrum
 from pkmodes.machine.shaping.results import Choice
 from pkmodes.pages.report.blocks import Cell, Column, Section, Summary, Table
@@ -21,7 +21,7 @@ from pkmodes.pages.report.sources import Source
 from pkmodes.pages.report.tables import table
 
 #: The range of errors for which everything is stated.
-ERRORS = f"within {WITHIN:g} standard deviations of its frequency and damping ratio"
+ERRORS = f"within {SIGMA_RANGE:g} standard deviations of its frequency and damping ratio"
 
 
 def measured_shaper_report(
@@ -70,7 +70,7 @@ def measured_shaper_summary(choice: Choice, content: dict[str, Any]) -> Summary:
             number(remaining.worst, ".2g", pointer(*at, "worst"), scale=100.0),
         ),
         (
-            f"most left of a mode within {WITHIN:g} \u03c3 [%]",
+            f"most left of a mode within {SIGMA_RANGE:g} \u03c3 [%]",
             number(remaining.worst_uncertain, ".2g", pointer(*at, "worst_uncertain"), scale=100.0),
         ),
     ]
@@ -86,7 +86,7 @@ def measured_shaper_summary(choice: Choice, content: dict[str, Any]) -> Summary:
 
 def shapers_table(choice: Choice) -> Table:
     """Return all shapers, and what each leaves."""
-    keys = {"rms": "rms [%]", "worst": "worst [%]", "worst_uncertain": f"worst, {WITHIN:g} \u03c3 [%]"}
+    keys = {"rms": "rms [%]", "worst": "worst [%]", "worst_uncertain": f"worst, {SIGMA_RANGE:g} \u03c3 [%]"}
     columns = [
         Column("shaper", numbers=False),
         Column("design [Hz]", numbers=False),
@@ -144,7 +144,7 @@ def modes_table(content: dict[str, Any], max_modes: int | None = None) -> Table:
             ]
         )
     columns = [Column("pose", numbers=False), Column("line"), Column("f [Hz]"), Column("damping ratio [%]")]
-    columns += [Column("left [%]"), Column(f"left, {WITHIN:g} \u03c3 [%]")]
+    columns += [Column("left [%]"), Column(f"left, {SIGMA_RANGE:g} \u03c3 [%]")]
     caption = f"What the recommended shaper leaves of each measured mode: as measured, and at most {ERRORS}."
     omitted = len(order) - len(rows)
     note = (
