@@ -55,13 +55,13 @@ def deviation_along(model: Model, time: Array, poses: Array, drives: str) -> Arr
     """
     mechanism = model.robot.mechanism
     names = [component.name for component in mechanism.pose]
-    moving = [names.index(name) for name in mechanism.components]
+    platform_indices = [names.index(name) for name in mechanism.components]
     durations = np.diff(time)
     if np.ptp(durations) <= STEP_TOLERANCE * durations.max():
         # Remove rounding, so that equal steps are computed once.
         durations = np.full_like(durations, durations.mean())
-    at_rest = np.zeros((1, len(moving)))
-    velocities = _displacements(poses[:, moving], mechanism) / durations[:, None]
+    at_rest = np.zeros((1, len(platform_indices)))
+    velocities = _displacements(poses[:, platform_indices], mechanism) / durations[:, None]
     velocity = np.vstack([at_rest, velocities])  # before each sample
     jumps = np.diff(velocity, axis=0, append=velocity[-1:])
     deviation, state = np.zeros_like(poses), None
@@ -77,7 +77,7 @@ def deviation_along(model: Model, time: Array, poses: Array, drives: str) -> Arr
             state = transition @ state + drag
             displacements[i] = state[: vibration.modes]
             state[vibration.modes :] += kicks[i]
-        deviation[first_sample + 1 : stop, moving] = np.einsum(
+        deviation[first_sample + 1 : stop, platform_indices] = np.einsum(
             "sdm,sm->sd", vibration.platform[1:], displacements[1:]
         )
     return deviation

@@ -40,7 +40,7 @@ def shaper_at(
     kind : str
         One of `pkmodes.shaping.KINDS`, or a product such as "zv*zv*zv", factor k of which is for mode k.
     poses : array_like, shape (d,) or (..., d)
-        In SI units.
+        Poses in SI units.
     modes : int, optional
         For a single kind: how many of the lowest modes count; by default three.
     continuous : bool

@@ -55,8 +55,8 @@ class Mount:
     """How something is fixed to a platform that turns.
 
     - direction: unit vector
-    - turns: whether the direction is along the platform's axes, which turn, or along those of the base
-    - at: its position in platform axes from the platform's origin [m]
+    - turns_with_platform: whether the direction is along the platform's axes, which turn, or along those of the base
+    - position: in platform axes from the platform's origin [m]
     - angular: whether it measures a rotation about its direction, or applies a torque
     """
 
