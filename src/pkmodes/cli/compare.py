@@ -30,8 +30,8 @@ if TYPE_CHECKING:
     from pkmodes.loop.diagnosis import Comparison, Measurements
 
 
-#: Rows that are printed without ``--all``: of a robot and its measurements, and of two measurement files.
-WORST, MOST = 5, 10
+#: Maximum number of rows printed without ``--all``: of a robot and its measurements, and of two measurement files.
+MAX_MEASURED_ROWS, MAX_PAIRED_ROWS = 5, 10
 
 
 @click.command(
@@ -99,7 +99,7 @@ def compare(
     sources = sources_of(report_to, {"robot file": robot, "measurement file": modes})
     result = updating.compare(declared, data)
     report = report_file(report_to, lambda: page_of(result, declared, data, sources))
-    content, limit = result.as_json(declared.name), len(result.rows) if everything else WORST
+    content, limit = result.as_json(declared.name), len(result.rows) if everything else MAX_MEASURED_ROWS
     deliver(json_file, content, lambda: show_comparison(declared, data, result, limit), report)
 
 
@@ -158,7 +158,7 @@ def _compare_measurements(
         from pkmodes.pages.report.measured_shapes import shape_tables
         from pkmodes.pages.report.measurements import changes, measurements_summary
 
-        limit = None if everything else MOST
+        limit = None if everything else MAX_PAIRED_ROWS
         blocks = [*changes(result, limit), *shape_tables(result, limit)]
         Terminal().result(measurements_summary(result), *blocks)
 

@@ -21,9 +21,9 @@ if TYPE_CHECKING:
     from pkmodes.machine.maps.poses import MapPoses
 
 #: Approximate number of poses in a workspace, and maximum number of poses compared: all are held in memory at once.
-POSES, MOST = 20_000, 1_000_000
-#: Values that are printed without ``--all``.
-LARGEST = 10
+DEFAULT_POSES, MAX_POSES = 20_000, 1_000_000
+#: Maximum number of values printed without ``--all``.
+MAX_VALUES_PRINTED = 10
 
 
 def compare_robot_files(
@@ -42,9 +42,9 @@ def compare_robot_files(
     sources = sources_of(report_to, dict(zip(("first robot file", "second robot file"), files, strict=True)))
     first, second = map(load, files)
     check_one_mechanism(first.robot, second.robot)
-    places = places_given(first, grid, poses)
+    map_poses = places_given(first, grid, poses)
     with errors_name_options("grid", "drives", poses="--poses" if poses else "--grid"):
-        document = compare_robots(first, second, _points(first, second, places), drives)
+        document = compare_robots(first, second, _points(first, second, map_poses), drives)
     content = document.as_json()
 
     def page() -> str:
@@ -52,14 +52,18 @@ def compare_robot_files(
         from pkmodes.pages.report.robots import robots_report
 
         say("drawing the differences over the working plane")
-        plane = places if isinstance(places, PoseGrid) and sum(n > 1 for n in places.shape) == 2 else None
+        plane = (
+            map_poses
+            if isinstance(map_poses, PoseGrid) and sum(n > 1 for n in map_poses.shape) == 2
+            else None
+        )
         return robots_report(first, second, content, sources, plane)
 
     def show() -> None:
         from pkmodes.cli.terminal import Terminal
         from pkmodes.pages.report.robot_values import different_values, frequencies, robots_summary
 
-        terminal, limit = Terminal(), None if everything else LARGEST
+        terminal, limit = Terminal(), None if everything else MAX_VALUES_PRINTED
         terminal.heading(f"first:  {content['first']} ({files[0]})")
         terminal.heading(f"second: {content['second']} ({files[1]})")
         terminal.line()
@@ -69,17 +73,17 @@ def compare_robot_files(
     deliver(json_file, content, show, report_file(report_to, page))
 
 
-def _points(first: Model, second: Model, places: MapPoses | None) -> np.ndarray:
+def _points(first: Model, second: Model, map_poses: MapPoses | None) -> np.ndarray:
     """Return the poses, by default those of the workspaces that one of the robots uses."""
     from pkmodes.machine.maps.poses import PoseGrid
     from pkmodes.machine.maps.workspace import grid_over_workspaces, limits_test
 
-    if places is None:
-        places = grid_over_workspaces([first, second], POSES)
-    count = math.prod(places.shape)
-    if count > MOST:
-        raise PkmodesError(f"expected at most {MOST:,} poses, found {count:,}", "poses", "give fewer")
-    points = np.asarray(places.points(np.arange(count)))
-    if isinstance(places, PoseGrid) and places.usable_only:
+    if map_poses is None:
+        map_poses = grid_over_workspaces([first, second], DEFAULT_POSES)
+    count = math.prod(map_poses.shape)
+    if count > MAX_POSES:
+        raise PkmodesError(f"expected at most {MAX_POSES:,} poses, found {count:,}", "poses", "give fewer")
+    points = np.asarray(map_poses.points(np.arange(count)))
+    if isinstance(map_poses, PoseGrid) and map_poses.usable_only:
         points = points[limits_test(first)(points) | limits_test(second)(points)]
     return points

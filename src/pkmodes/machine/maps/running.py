@@ -24,7 +24,7 @@ TASKS_PER_THREAD = 2
 #: Timeout for the scheduler and for a worker [s].
 TIMEOUT = 10
 #: Protocols for which a client needs certificates.
-ENCRYPTED = ("tls://", "wss://")
+ENCRYPTED_PROTOCOLS = ("tls://", "wss://")
 #: Only the type is checked; whether it is an address shows when a client connects.
 ADDRESS = Constraint("the address of a scheduler", lambda value: isinstance(value, str))
 
@@ -120,7 +120,7 @@ def connect(scheduler: str) -> Iterator[Any]:
 
     remedy = "start one with: dask scheduler, and give its address, such as tcp://127.0.0.1:8786"
     check_argument(scheduler, ADDRESS, "scheduler", remedy)
-    if scheduler.startswith(ENCRYPTED):
+    if scheduler.startswith(ENCRYPTED_PROTOCOLS):
         _check_certificates(scheduler)
     try:
         client = distributed.Client(scheduler, timeout=TIMEOUT, set_as_default=False)

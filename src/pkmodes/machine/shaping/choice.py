@@ -28,7 +28,7 @@ from pkmodes.machine.shaping.firmware_impulses import has_own_formulas
 from pkmodes.machine.shaping.fixed import best_fixed
 from pkmodes.machine.shaping.kinds import KINDS, PRODUCT, factors, plain
 from pkmodes.machine.shaping.residual_vibration import residual
-from pkmodes.machine.shaping.results import LEFT, Amplitude, Candidate, Choice, recommended_of
+from pkmodes.machine.shaping.results import GOOD_ENOUGH_SHARE, Amplitude, Candidate, Choice, recommended_of
 from pkmodes.machine.shaping.ringing import Ringing
 from pkmodes.machine.shaping.shapers import Shaper
 
@@ -52,7 +52,7 @@ def choose(
     ringing: Ringing,
     kinds: Iterable[str] | None = None,
     *,
-    left: float = LEFT,
+    left: float = GOOD_ENOUGH_SHARE,
     length: float | None = None,
     tick: float = TICK,
     firmware: str | None = None,

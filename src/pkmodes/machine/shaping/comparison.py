@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from pkmodes.core.model import Model
 from pkmodes.machine.shaping.choice import NONE_GOOD_ENOUGH, TICK, choices_by_axis, choose, kinds_for
-from pkmodes.machine.shaping.results import LEFT, Choice
+from pkmodes.machine.shaping.results import GOOD_ENOUGH_SHARE, Choice
 from pkmodes.machine.shaping.ringing import evaluate_ringing
 from pkmodes.machine.shaping.schedule import check_heights, notes_of, schedule_of, varying
 
@@ -21,7 +21,7 @@ def shapers_over(
     kinds: Sequence[str] | None = None,
     *,
     modes: int | None = None,
-    left: float = LEFT,
+    left: float = GOOD_ENOUGH_SHARE,
     length: float | None = None,
     tick: float = TICK,
     firmware: str | None = None,

@@ -22,7 +22,7 @@ from pkmodes.core.base.numbers import plain
 from pkmodes.core.support.documents import Document, Size
 from pkmodes.loop.measured.measurements import Measurements
 from pkmodes.machine.shaping.choice import TICK, choose, default_kinds
-from pkmodes.machine.shaping.results import LEFT, Candidate, Choice
+from pkmodes.machine.shaping.results import GOOD_ENOUGH_SHARE, Candidate, Choice
 from pkmodes.machine.shaping.ringing import DEFAULT_MODES, Ringing
 
 Array = NDArray[np.float64]
@@ -196,7 +196,7 @@ def measured_shapers(
     *,
     modes: int | None = None,
     damping: float | None = None,
-    left: float = LEFT,
+    left: float = GOOD_ENOUGH_SHARE,
     length: float | None = None,
     tick: float = TICK,
     firmware: str | None = None,

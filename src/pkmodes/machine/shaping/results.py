@@ -26,7 +26,7 @@ Array = NDArray[np.float64]
 #: corners of 90 degrees (square_corner_velocity) [m/s].
 SMOOTHING, CORNER_SPEED = 0.12e-3, 5e-3
 #: A fixed shaper is good enough if it leaves at most this share of the largest vibration without a shaper.
-LEFT = 0.1
+GOOD_ENOUGH_SHARE = 0.1
 
 
 @dataclass(frozen=True)
@@ -186,7 +186,7 @@ class Choice:
     candidates: tuple[Candidate, ...]
     recommended: int
     notes: tuple[str, ...]
-    left: float = LEFT
+    left: float = GOOD_ENOUGH_SHARE
     length: float | None = None
     firmware: str | None = None
     schedule: Schedule | None = None

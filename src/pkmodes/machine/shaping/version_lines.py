@@ -26,7 +26,7 @@ from pkmodes.machine.shaping.schedule import each_setting
 from pkmodes.machine.shaping.shapers import Shaper
 
 #: Decimals of amplitudes and delays [s] to which impulses are compared.
-DIGITS = 9
+IMPULSE_DECIMALS = 9
 
 
 class VersionLines(Document, frozen=True):
@@ -186,7 +186,7 @@ def _worst(shaper: Shaper, ringing: Ringing) -> tuple[float, float]:
 
 def _key(shaper: Shaper) -> Hashable:
     """Return a key by which impulses are compared."""
-    return tuple(map(float, np.round(np.concatenate(shaper), DIGITS)))
+    return tuple(map(float, np.round(np.concatenate(shaper), IMPULSE_DECIMALS)))
 
 
 def _grouped(
