@@ -152,49 +152,49 @@ def _free_decays(z: Complex, step: float, rate: float) -> Iterator[tuple[Complex
     if len(z) < OVERSAMPLING * MIN_SEGMENTS * MIN_SAMPLES + settling_samples:
         return
     noise, level = _noise_sigma(z[::OVERSAMPLING], OVERSAMPLING * step, rate), np.abs(z)
-    free = np.ones(len(z), bool)
+    free_mask = np.ones(len(z), bool)
     for _ in range(MAX_DECAYS):
-        top = int(np.argmax(np.where(free, level, 0.0)))
-        first = end = min(top + settling_samples, len(z) - 1)
+        highest = int(np.argmax(np.where(free_mask, level, 0.0)))
+        first = end = min(highest + settling_samples, len(z) - 1)
         lowest = max(MIN_NOISE_RATIO * noise, level[first] / MAX_FALL)
-        while end < len(z) and free[end] and level[end] > lowest:
+        while end < len(z) and free_mask[end] and level[end] > lowest:
             end += 1
-        last = max(end - 1, top)
+        last = max(end - 1, highest)
         rises = np.flatnonzero(level[last:] > BLOW_RISE * np.minimum.accumulate(level[last:]))
-        free[top : last + int(rises[0]) if rises.size else len(level)] = False
-        part = z[first:end:OVERSAMPLING]
-        if len(part) >= MIN_SEGMENTS * MIN_SAMPLES and _is_free_decay(part, OVERSAMPLING * step, rate):
-            yield part, noise
+        free_mask[highest : last + int(rises[0]) if rises.size else len(level)] = False
+        decay = z[first:end:OVERSAMPLING]
+        if len(decay) >= MIN_SEGMENTS * MIN_SAMPLES and _is_free_decay(decay, OVERSAMPLING * step, rate):
+            yield decay, noise
 
 
 def _noise_sigma(z: Complex, step: float, rate: float) -> float:
     """Return the standard deviation of the noise, from the last part of z without a decay."""
-    tail = z[-max(len(z) // 8, 6) :]
-    decay = np.exp(-rate * step * np.arange(len(tail)))
-    basis = np.stack([decay, decay * np.arange(len(tail))], axis=1)
-    remainder = tail - basis @ np.linalg.lstsq(basis, tail, rcond=None)[0]
-    return float(np.sqrt((np.abs(remainder) ** 2).sum() / max(len(tail) - 2, 1)))
+    last_part = z[-max(len(z) // 8, 6) :]
+    decay = np.exp(-rate * step * np.arange(len(last_part)))
+    basis = np.stack([decay, decay * np.arange(len(last_part))], axis=1)
+    remainder = last_part - basis @ np.linalg.lstsq(basis, last_part, rcond=None)[0]
+    return float(np.sqrt((np.abs(remainder) ** 2).sum() / max(len(last_part) - 2, 1)))
 
 
-def _is_free_decay(part: Complex, step: float, rate: float) -> bool:
-    t, level = step * np.arange(len(part)), np.log(np.abs(part))
+def _is_free_decay(decay: Complex, step: float, rate: float) -> bool:
+    t, level = step * np.arange(len(decay)), np.log(np.abs(decay))
     fit = np.polynomial.Polynomial.fit(t, level, 2)
-    smooth = float(np.sqrt(np.mean((level - fit(t)) ** 2))) < MAX_DEVIATION
+    is_smooth = float(np.sqrt(np.mean((level - fit(t)) ** 2))) < MAX_DEVIATION
     matches_rate = rate / MAX_RATE_RATIO < (level[0] - level[-1]) / t[-1] < rate * MAX_RATE_RATIO
-    return bool(smooth and matches_rate and fit(t[0]) - fit(t[-1]) > math.log(MIN_FALL))
+    return bool(is_smooth and matches_rate and fit(t[0]) - fit(t[-1]) > math.log(MIN_FALL))
 
 
-def _segments(part: Complex, step: float, noise: float, window_rate: float) -> Segments:
+def _segments(decay: Complex, step: float, noise: float, window_rate: float) -> Segments:
     """Return the frequency and amplitude of each segment of a decay, neighbours without common samples."""
-    count = min(len(part) // MIN_SAMPLES, MAX_SEGMENTS)
-    phase = np.unwrap(np.angle(part))
-    level = np.log(np.abs(part)) + window_rate * step * np.arange(len(part))  # without the window
+    count = min(len(decay) // MIN_SAMPLES, MAX_SEGMENTS)
+    phase = np.unwrap(np.angle(decay))
+    level = np.log(np.abs(decay)) + window_rate * step * np.arange(len(decay))  # without the window
     frequencies, variances, means = [], [], []
-    for indices in np.array_split(np.arange(len(part)), count):
+    for indices in np.array_split(np.arange(len(decay)), count):
         t = step * (indices - indices.mean())
         slope = t / (t @ t) / (2.0 * math.pi)
         frequencies.append(float(slope @ phase[indices]))
-        variances.append(0.5 * noise**2 * float((slope**2 / np.abs(part[indices]) ** 2).sum()))
+        variances.append(0.5 * noise**2 * float((slope**2 / np.abs(decay[indices]) ** 2).sum()))
         means.append(float(level[indices].mean()))
     return Segments(np.array(frequencies), np.array(variances), np.array(means))
 

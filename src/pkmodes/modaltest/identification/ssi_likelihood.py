@@ -90,15 +90,15 @@ def fit_peaks(powers: Powers, frequencies: Sequence[float], rates: Sequence[floa
 def _fit(powers: Powers, frequencies: Sequence[float], rates: Sequence[float], transient: bool) -> PeakFit:
     m, power = len(frequencies), powers.values
     ends = powers.frequencies[[0, -1]]
-    middle, half = float(ends.mean()), float(0.5 * np.ptp(ends))
-    x = (powers.frequencies - middle) / half
+    middle, half_range = float(ends.mean()), float(0.5 * np.ptp(ends))
+    x = (powers.frequencies - middle) / half_range
     level = math.log(np.median(power) + 1e-300)
     heights = [
         math.log(power[np.argsort(np.abs(powers.frequencies - f))[:3]].mean() + 1e-300) for f in frequencies
     ]
     p = np.array([*frequencies, *np.log(rates), *heights, level - 0.7, 0.0, *([0.0] * m)])
     low = np.array([ends[0]] * m + [math.log(MIN_RATE / powers.seconds.max())] * m + [level - 40.0] * m)
-    high = np.array([ends[1]] * m + [math.log(2.0 * math.pi * half)] * m + [level + 40.0] * m)
+    high = np.array([ends[1]] * m + [math.log(2.0 * math.pi * half_range)] * m + [level + 40.0] * m)
     odd_limits = [MAX_ODD_PART] * m
     low = np.concatenate([low, [level - 40.0, -5.0], [-limit for limit in odd_limits]])
     high = np.concatenate([high, [level + 40.0, 5.0], odd_limits])
@@ -112,7 +112,7 @@ def _fit(powers: Powers, frequencies: Sequence[float], rates: Sequence[float], t
         fisher = slopes.T @ slopes + np.diag(prior)
         scale = np.diag(fisher) + 1e-9
         step = np.linalg.solve(fisher + np.diag(damping * scale + 1e-9), gradient)
-        step[:m] = np.clip(step[:m], -0.3 * half, 0.3 * half)
+        step[:m] = np.clip(step[:m], -0.3 * half_range, 0.3 * half_range)
         step[m:] = np.clip(step[m:], -1.5, 1.5)
         trial = np.clip(p + step, low, high)
         new_density, new_slopes = _density(trial, m, powers, x, transient)
