@@ -1,4 +1,4 @@
-"""A move of a robot whose motors are told a command: how far the platform is from where it should be."""
+"""A move of a robot whose motors follow a command: how far the platform is from where it should be."""
 
 from __future__ import annotations
 
@@ -36,12 +36,12 @@ class Move:
     Attributes
     ----------
     time : ndarray, shape (T,)
-        In s.
+        Times [s].
     poses : ndarray, shape (T, d)
         What the motors are told: the command, after the shaper.  The platform is at ``poses + deviation``.
     deviation : ndarray, shape (T, d)
-        Of the platform from `poses` [m]; where it turns, by small rotations about base axes [rad].  Static sag under
-        gravity is not part of it.
+        Deviation of the platform from `poses` [m]; where it turns, by small rotations about base axes [rad].  Static
+        sag under gravity is not part of it.
     robot : Robot
         The robot that moves.
     drives : {"free", "held"}
@@ -88,8 +88,8 @@ def simulate(
     poses : array_like, shape (T, d)
         The command, in SI units.
     shaper : Shaper, optional
-        With which the command is convolved: one, amplitudes and delays (n,), or one for each time, (T, n), which
-        splits what the command moves up to this time: `shaper` designs them for the commanded poses.
+        Shaper with which the command is convolved: one, amplitudes and delays (n,), or one for each time, (T, n),
+        which splits what the command moves up to this time: `shaper` designs them for the commanded poses.
     damping : float, optional
         Damping ratio of every mode, instead of that of the robot file.
     drives : {"free", "held"}, optional

@@ -62,9 +62,9 @@ class Candidate:
     follows_pose : bool
         And the settings, if there are several.
     frequencies : tuple of float
-        Of the design [Hz], one for each factor; empty if it follows the pose.
+        Design frequencies [Hz], one for each factor; empty if it follows the pose.
     damping_ratio : float
-        Of the design; NaN if it follows the pose.
+        Design damping ratio; NaN if it follows the pose.
     shaper : Shaper
         Impulses (n,), or (N, n) if it follows the pose.
     left : Amplitude
@@ -161,9 +161,9 @@ class Choice:
     Attributes
     ----------
     ringing : Ringing
-        Of the machine.
+        Modes of the machine in use.
     unshaped : Amplitude
-        In s^2: m of platform vibration for a step of 1 m/s^2.
+        Vibration without a shaper [s^2]: m of platform vibration for a step of 1 m/s^2.
     candidates : tuple of Candidate
         The fixed ones, then those that follow the pose, if modes are known between poses.
     recommended : int
@@ -226,7 +226,7 @@ class Step:
     ----------
     setting : Setting
     choice : Choice
-        Of fixed shapers, over the poses at this setting and relative to it without a shaper.
+        Choice of fixed shapers, over the poses at this setting and relative to it without a shaper.
     fixed : float
         What the recommended shaper for all settings leaves here: the largest value over the largest without a shaper
         at this setting.
@@ -264,7 +264,7 @@ class Schedule:
     Attributes
     ----------
     steps : tuple of Step
-        In the order of the settings.
+        Steps in the order of the settings.
     parameter : str or None
         Path of the parameter that varies; None if several do.
     left : Amplitude

@@ -46,9 +46,9 @@ class Ringing:
     Attributes
     ----------
     poses : ndarray, shape (N, d)
-        Those that can be evaluated and at which all these modes oscillate.
+        Poses that can be evaluated and at which all these modes oscillate.
     frequencies, damping_ratios : ndarray, shape (N, m)
-        In Hz, and 1.
+        Frequencies [Hz] and damping ratios [-].
     weights : ndarray, shape (N, m)
         Amplitude of the platform in each mode after a step of its acceleration by 1 m/s^2: the root of the sum of
         squares over the directions of the step [s^2].
@@ -57,7 +57,7 @@ class Ringing:
     axes : tuple of str
         Their names, k of them.
     modes_of_all : int
-        Of one of several axes: how many modes count for all of them together; else 0.
+        For one of several axes, how many modes count for all of them together; else 0.
     spread : ndarray, shape (N, m), or None
         Relative standard deviations of the frequencies, from those in the robot file; None where it has none.
     left_out : int
