@@ -33,7 +33,7 @@ def residual(shaper: Shaper, frequencies: ArrayLike, damping_ratios: ArrayLike) 
         the *first* on, unlike in NumPy: the one with fewer axes gets more at its end.  So shapers (N, n) take
         frequencies (N,), one mode for each shaper, or (N, m), m modes for each; a shaper (n,) takes any shape.
     damping_ratios : array_like
-        Damping ratios of the actual modes, in [0, 1) [-].  It is broadcast with the frequencies as usual: from the
+        Damping ratios of the actual modes, in [0, 1) [-].  They are broadcast with the frequencies as usual: from the
         last axis on.
 
     Returns
