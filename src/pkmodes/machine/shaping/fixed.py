@@ -130,13 +130,13 @@ def _refine_start(worst: Callable[[Array], float], log_frequencies: Array, start
     step = float(log_frequencies[1] - log_frequencies[0])
     if len(start) == 1:
         middle = float(log_frequencies[start[0]])
-        minimum = minimize_scalar(
+        scalar_minimum = minimize_scalar(
             lambda x: worst(np.array([x])),
             bounds=(middle - step, middle + step),
             method="bounded",
             options={"xatol": FREQUENCY_ACCURACY},
         )
-        return np.array([minimum.x])
+        return np.array([scalar_minimum.x])
     start_point = log_frequencies[list(start)]
     simplex = np.vstack([start_point, start_point + 0.5 * step * np.eye(len(start))])
     options: Any = {
